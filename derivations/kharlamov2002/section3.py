@@ -229,6 +229,7 @@ squares = section.states(
     on=complex_unit_field,
     says="the equations (20) in the complex variables",
     given=(*eq20,),
+    ours=True,
 )
 
 area_on_set = section.states(
@@ -240,6 +241,7 @@ area_on_set = section.states(
     says="the area integral on (18)",
     given=(*eq18,),
     main=((r"\omega_3",),),
+    ours=True,
 )
 
 h_on_set = section.lemma("appelrot-energy", r"h=2\ell^2-\sqrt{k}", "equation (22)")

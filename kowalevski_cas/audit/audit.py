@@ -16,6 +16,7 @@ from kowalevski_cas.audit.quotations import Quotations
 from kowalevski_cas.audit.session import AuditSession, formulas
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Display
+from kowalevski_cas.reading import Reading
 from kowalevski_cas.source.formulas import typed_formulas
 from kowalevski_cas.source.macros import Expanded
 from kowalevski_cas.source.text import Source
@@ -42,6 +43,8 @@ class Audit:
     lines: dict[str, int]
     """The lines of the sentences that claims quote, by the ids of the claims."""
     seconds: float = 0.0
+    reading: Reading | None = None
+    """The reading, if the source is its own derivation."""
 
     @property
     def outcomes(self) -> dict[str, Outcome]:

@@ -13,6 +13,8 @@ SUSPECT = "suspect"
 MISSING = "missing"
 UNREADABLE = "unreadable"
 NEW = "new"
+OPEN = "open"
+"""Of a claim that is not judged, or a formula that is not read, in a source read by itself."""
 
 WRONG = frozenset({str(Verdict.REFUTED), str(Verdict.ERROR), SUSPECT, MISSING, UNREADABLE})
 """Verdicts of formulas that an author has to look at."""
@@ -43,6 +45,10 @@ class Audited:
     """The claims that are not true because of this formula."""
     moved: bool = False
     message: str = ""
+    reason: str = ""
+    """Why it has its role, where a rule of reading gave it."""
+    on: tuple[str, ...] = ()
+    """The formulas that are supposed for its verdict."""
     place: Printed | None = field(default=None, repr=False)
     formula: Formula | None = field(default=None, repr=False)
     """What is read there."""

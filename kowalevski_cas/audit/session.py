@@ -60,11 +60,11 @@ class AuditSession(Session):
         """The corrections that are found in time."""
         found: Repairs = {}
         failing = blame.open()
-        with suppress(TimeoutError), time_limit(self.patience):
+        with suppress(TimeoutError, RecursionError), time_limit(self.patience):
             found = blame.shared() if failing else {}
         for claim in failing:
             if claim.id not in found:
-                with suppress(TimeoutError), time_limit(self.patience):
+                with suppress(TimeoutError, RecursionError), time_limit(self.patience):
                     found[claim.id] = blame.alone(claim)
         return found
 

@@ -1,8 +1,9 @@
 """Read a paper's TeX source and prove or refute each formula in it.
 
 The derivation says what each place of the paper is; the source says what stands
-there. Nothing in the source is executed, and no file is read but those named. With --list,
-the formulas of any article are listed, and no derivation is needed.
+there. If no derivation of the library fits, the source is read as its own: what its formulas are
+is inferred, and said with the reason. Nothing in the source is executed. With --list, the formulas
+are only listed.
 """
 
 from __future__ import annotations
@@ -15,6 +16,8 @@ from pathlib import Path
 
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.audit.audit import Audit, audit, derivation_of
+from kowalevski_cas.audit.audited import OPEN
+from kowalevski_cas.audit.reading import ReadingSession, audit_reading, is_read
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import (
@@ -30,6 +33,7 @@ from kowalevski_cas.cli.formats import OF_AUDITS, load_format
 from kowalevski_cas.files import write
 from kowalevski_cas.library import available
 from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.reading import CLAIM, read
 from kowalevski_cas.source.files import read_source
 from kowalevski_cas.source.listing import listing
 from kowalevski_cas.source.text import Source
@@ -53,6 +57,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default=[],
         metavar="STYLE.sty",
         help="a file of macros that the source uses; may be given several times",
+    )
+    parser.add_argument(
+        "--alone",
+        action="store_true",
+        help="read the source as its own derivation, even if one of the library fits it",
+    )
+    parser.add_argument(
+        "--strict",
+        action="store_true",
+        help="end with 3 if any formula is not read or not judged, not only what claims something",
     )
     parser.add_argument(
         "--list", action="store_true", help="only list the formulas, and whether they can be read"
@@ -96,13 +110,25 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _audited(arguments: argparse.Namespace, source: Source) -> tuple[str, str, int]:
     """What is to be printed of an audit, what is to be noted, and the exit code."""
-    found = audit(source, auditing(*chosen(source, arguments.derivation), arguments))
+    found = _found(source, arguments)
     note = _written(found, arguments.report) if arguments.report is not None else ""
     if arguments.patch:
         from kowalevski_cas.audit.patch import patch
 
-        return patch(found), note, exit_code(found)
-    return load_format(arguments.format).audited(found), note, exit_code(found)
+        return patch(found), note, exit_code(found, arguments.strict)
+    return load_format(arguments.format).audited(found), note, exit_code(found, arguments.strict)
+
+
+def _found(source: Source, arguments: argparse.Namespace) -> Audit:
+    """The audit of a source, by the derivation that is named or fits, or by what it says itself."""
+    if not arguments.alone or arguments.derivation is not None:
+        if (known := fitting(source, arguments.derivation)) is not None:
+            return audit(source, auditing(*known, arguments))
+    explain = arguments.report is not None
+    run = ReadingSession(
+        read(source), arithmetics(arguments.arithmetic), explain, arguments.timeout
+    )
+    return audit_reading(run)
 
 
 def _written(found: Audit, folder: Path) -> str:
@@ -115,30 +141,39 @@ def _written(found: Audit, folder: Path) -> str:
     return f"{page} is written"
 
 
-def chosen(source: Source, name: str | None) -> tuple[Path, Derivation]:
-    """The derivation that is named, or the one that fits a source best."""
+def fitting(source: Source, name: str | None) -> tuple[Path, Derivation] | None:
+    """The derivation that is named, or the one of the library that fits a source, if one does."""
     if name is not None:
         return session.derivations([name])[0]
     candidates = session.derivations(available())
     found = derivation_of(source, [derivation for _, derivation in candidates])
+    return next((pair for pair in candidates if pair[1] is found), None)
+
+
+def chosen(source: Source, name: str | None) -> tuple[Path, Derivation]:
+    """The derivation that is named, or the one of the library that fits a source."""
+    found = fitting(source, name)
     if found is None:
-        raise CommandError(
-            f"{source.path}: no derivation of the library fits this source; "
-            "name one with --derivation, or list the formulas with --list",
-            NOTHING,
-        )
-    return next(pair for pair in candidates if pair[1] is found)
+        said = "no derivation of the library fits this source; name one with --derivation"
+        raise CommandError(f"{source.path}: {said}", NOTHING)
+    return found
+
+
+def arithmetics(name: str) -> tuple[str, ...]:
+    """The arithmetics that are asked for."""
+    return EXACT if name == "all" else (name,)
 
 
 def auditing(folder: Path, derivation: Derivation, arguments: argparse.Namespace) -> AuditSession:
     """The run of a derivation with which sources are compared."""
-    arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
     stored, record = load_certificates(folder), session.recorded(folder)
     explain, timeout = arguments.report is not None, arguments.timeout
-    return AuditSession(derivation, arithmetics, explain, stored, timeout, record=record)
+    return AuditSession(
+        derivation, arithmetics(arguments.arithmetic), explain, stored, timeout, record=record
+    )
 
 
-def exit_code(found: Audit) -> int:
+def exit_code(found: Audit, strict: bool = False) -> int:
     """The exit code that an audit asks for."""
     outcomes = found.outcomes.values()
     verdicts = {outcome.verdict for outcome in outcomes}
@@ -148,9 +183,22 @@ def exit_code(found: Audit) -> int:
         return NOTHING
     if any(formula.wrong for formula in found.formulas) or Verdict.REFUTED in verdicts:
         return DIFFERENT
+    if found.reading is not None:
+        return _of_reading(found, strict)
     if Verdict.ERROR in verdicts:
         return USAGE
     return UNDECIDED if verdicts & {Verdict.UNDECIDED, Verdict.TIMEOUT} else AS_RECORDED
+
+
+def _of_reading(found: Audit, strict: bool) -> int:
+    """The exit code of a source that is its own derivation, in which nothing is refuted."""
+    if not is_read(found):
+        return NOTHING
+    verdicts = {outcome.verdict for outcome in found.outcomes.values()}
+    unsettled = [f for f in found.formulas if f.verdict == OPEN and (strict or f.role == CLAIM)]
+    return (
+        AS_RECORDED if verdicts and all(v.green for v in verdicts) and not unsettled else UNDECIDED
+    )
 
 
 def _list(source: Source, format: str) -> int:

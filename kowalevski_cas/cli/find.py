@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import sys
 from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
@@ -169,15 +170,18 @@ def _owner(scene: Scene) -> tuple[Path, str]:
 
 
 def _scene(derivation: Derivation, name: str | None) -> Scene:
-    """The scene with a name; the only one but for more constants, if none is named."""
+    """The scene with a name; if none is named, the one of which all others are special cases."""
     scenes: dict[str, Scene] = {}
     for scene in derivation.scenes():
         if scene.field:
             scenes.setdefault(scene.name, scene)
-    everyone = scenes.values()
-    least = [one for one in everyone if not any(_has_more_constants(one, t) for t in everyone)]
-    if name is None and len(least) == 1:
-        return least[0]
+    if name is None:
+        for scene in scenes.values():
+            if all(_specialises(one, scene) for one in scenes.values()):
+                if others := [*filter(scene.name.__ne__, scenes)]:
+                    said = f"asked of “{scene.name}”; --scene takes: {'; '.join(others)}"
+                    print(f"kowalevski-cas find: {said}", file=sys.stderr)
+                return scene
     if name in scenes:
         return scenes[name]
     known = get_close_matches(name or "", scenes, 5, 0.4) or [*scenes]
@@ -185,11 +189,14 @@ def _scene(derivation: Derivation, name: str | None) -> Scene:
     raise CommandError(f"{said}; --scene takes one of: {'; '.join(known)}", NOTHING)
 
 
-def _has_more_constants(scene: Scene, than: Scene) -> bool:
-    """Whether a scene is another one with more constants, of which its motion does not depend."""
-    differing = {name for name, value in vars(scene).items() if value != vars(than)[name]}
-    same = differing <= {"name", "constants"}
-    return same and {*scene.constants} > {*than.constants}
+def _specialises(scene: Scene, general: Scene) -> bool:
+    """Whether a scene has the motion of another one, and defines or adds constants besides."""
+    same = ("variables", "field", "time", "conjugates", "zero")
+    return (
+        all(getattr(scene, part) == getattr(general, part) for part in same)
+        and {*scene.constants, *scene.definitions} >= {*general.constants, *general.definitions}
+        and {*scene.definitions} >= {*general.definitions}
+    )
 
 
 def _data(finding: Finding, outcome: Outcome) -> dict[str, object]:

@@ -47,9 +47,17 @@ _COLOURS: Final = {
 
 def sign(verdict: Verdict, words: str = "") -> str:
     """The sign of a verdict, and words, in its colour on a terminal; all signs are as wide."""
-    said = f"{MARKS[verdict].sign:<3} {words}".ljust(4)
-    coloured = sys.stdout.isatty() and not os.environ.get("NO_COLOR")
-    return f"\x1b[{_COLOURS.get(verdict, '33')}m{said}\x1b[0m" if coloured else said
+    return _styled(f"{MARKS[verdict].sign:<3} {words}".ljust(4), _COLOURS.get(verdict, "33"))
+
+
+def bold(line: str) -> str:
+    """A line that stands out on a terminal."""
+    return _styled(line, "1")
+
+
+def _styled(said: str, code: str) -> str:
+    styled = sys.stdout.isatty() and not os.environ.get("NO_COLOR")
+    return f"\x1b[{code}m{said}\x1b[0m" if styled else said
 
 
 def formulas(found: Iterable[Formula], source: str = "") -> str:
@@ -121,7 +129,7 @@ def lines(blocks: Iterable[Block], indent: int = 0) -> Iterator[str]:
         match block:
             case Heading():
                 yield ""
-                yield from wrapped(text(block.text), margin, indent)
+                yield from map(bold, wrapped(text(block.text), margin, indent))
             case Paragraph():
                 yield from wrapped(text(block.text), margin, indent)
             case Display():

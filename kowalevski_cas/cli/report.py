@@ -59,7 +59,8 @@ def _written(found: Result, output: Path) -> tuple[Checked, str]:
     checked, digests = certified(found)
     evidence = Path(os.path.relpath(found.folder / FOLDER, output)).as_posix()
     written = write_report(found.run, found.paper, output, digests, evidence)
-    said = [*written.notes, f"{written.html} and {written.pdf} are written"]
+    *pages, last = map(str, written.pages)
+    said = [*written.notes, f"{', '.join(pages)} and {last} are written"]
     return checked, "\n".join(said)
 
 

@@ -9,7 +9,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 
-from kowalevski_cas.notation.macros import FUNCTIONS, GREEK
+from kowalevski_cas.notation.functions import FUNCTIONS
+from kowalevski_cas.notation.macros import GREEK
 
 _RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻"
 _LEVEL = str.maketrans(_RAISED, "0123456789+-")

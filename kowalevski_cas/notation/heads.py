@@ -13,8 +13,8 @@ from typing import NamedTuple
 from kowalevski_cas.notation.cursor import END, Cursor
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import EQUALITIES
+from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.layout import statements
-from kowalevski_cas.notation.macros import FUNCTIONS
 from kowalevski_cas.notation.tokens import BEGINNING, ENDING, Token
 from kowalevski_cas.notation.vocabulary import Vocabulary
 

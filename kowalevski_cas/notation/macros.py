@@ -6,6 +6,8 @@ is for the vocabulary to say.
 
 from __future__ import annotations
 
+from kowalevski_cas.notation import functions
+
 
 def _table(**rows: str) -> dict[str, str]:
     return {"\\" + name: action for action, names in rows.items() for name in names.split()}
@@ -119,11 +121,7 @@ INSTEAD: dict[str, str] = {
     r"\infty": "infinity is no number: write what happens to the inverse",
 }
 
-# Functions that need no declaration: they are upright, and take one factor without brackets.
-_NAMED = "sin cos tan cot exp ln log sinh cosh tanh arcsin arccos arctan max min det".split()
-FUNCTIONS = frozenset(["\\" + name for name in _NAMED] + [r"\mathrm{tr}"])
-SPELLING |= {rf"\mathrm{{{name}}}": "\\" + name for name in _NAMED}
-SPELLING[r"\mathrm{Tr}"] = r"\mathrm{tr}"
+SPELLING |= functions.SPELLING
 
 # Words in upright letters, which the paper's author writes as ``{\rm Re}`` or ``\text{const}``.
 WORDS = {"Re": "operator", "Im": "operator", "diag": "operator", "const": "const"}

@@ -34,6 +34,7 @@ class OpenParser(Parser):
         scalars = vocabulary.scalars | names - vocabulary.functions
         known = vocabulary.moving - vocabulary.vectors
         moving = vocabulary.moving if known else vocabulary.moving | scalars
+        self.says_what_moves = bool(known)
         super().__init__(tex, tokens, replace(vocabulary, scalars=scalars, moving=moving))
 
     lone_d = True

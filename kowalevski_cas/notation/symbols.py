@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 
 from kowalevski_cas.notation.cursor import Cursor, Piece
 from kowalevski_cas.notation.errors import NotationError
@@ -38,6 +39,9 @@ class _Scripts:
 
 class Symbols(Cursor):
     """Reads names, accents, primes, powers and arguments."""
+
+    says_what_moves = True
+    """Whether names that the vocabulary says to move do so, and others do not."""
 
     # What the parser reads further on.
     sum: Callable[[], Piece]
@@ -140,12 +144,29 @@ class Symbols(Cursor):
         if power is not None and isinstance(power[0], Negative):
             raise self.error(f"a negative power of the function {name} is ambiguous")
         opened = self.tokens[self.at].kind == "open"
-        below = self.listed() if opened else (self.operand(name),)
+        below = self.listed() if opened else (self.phase() or self.operand(name),)
         end = self.tokens[self.at - 1].end
         piece: Piece = (Application(name, tuple(b[0] for b in below)), start, end, below)
         if power is not None:
             return (Power(piece[0], power[0]), start, end, (piece, power))
         return self.scripts(piece) if opened else piece
+
+    def phase(self) -> Piece | None:
+        r"""A product that ends with the time, as in \cos\omega t; ``None``, and no move, else.
+
+        Of what else stands side by side behind a function it cannot be seen how far it reaches.
+        """
+        start, level, factors = self.at, self.level, list[Piece]()
+        with suppress(NotationError):
+            while self.starts() and not self.ends_argument(self.tokens[self.at]):
+                factors.append(self.factor())
+        *before, last = [factor[0] for factor in factors] or [Number(0)]
+        timed = isinstance(last, Name) and last.name in self.vocabulary.times
+        moving = self.vocabulary.moving if self.says_what_moves else frozenset[str]()
+        if before and timed and all(node.names().isdisjoint(moving) for node in before):
+            return (Product((*before, last)), factors[0][1], factors[-1][2], tuple(factors))
+        self.at, self.level = start, level
+        return None
 
     def read_accent(self) -> Piece:
         """Dots and bars; those on a single letter keep its index: dot{x}_1."""
@@ -238,12 +259,13 @@ class Symbols(Cursor):
             return self.bracket()
         piece = self.factor()
         token = self.tokens[self.at]
-        function = self.ends_argument(token)
+        named = operator in self.vocabulary.functions  # a derivative may reach over functions
+        function = named and self.ends_argument(token)
         if isinstance(piece[0], Number) and token.kind == "letter" and not function:
             other = self.factor()  # as in \sin 2x
             piece = (Product((piece[0], other[0])), piece[1], other[2], (piece, other))
             token = self.tokens[self.at]
-            function = self.ends_argument(token)
+            function = named and self.ends_argument(token)
         if token.kind == "slash" or (self.starts() and not function):
             raise self.error(f"how far does {operator} reach? set brackets")
         return piece

@@ -8,7 +8,8 @@ from functools import cache
 from typing import NamedTuple
 
 from kowalevski_cas.notation.errors import letter_and_index
-from kowalevski_cas.notation.macros import FUNCTIONS, GREEK
+from kowalevski_cas.notation.functions import FUNCTIONS
+from kowalevski_cas.notation.macros import GREEK
 
 SIGNS = {
     "=": "=", r"\equiv": "≡", r"\ne": "≠", "<": "<", ">": ">", r"\le": "≤", r"\ge": "≥",

@@ -57,17 +57,30 @@ class Elaboration(Moving):
     each name that has been given its meaning, the places of the paper that say so.
     """
 
-    def __init__(self, scene: Scene, texts: Texts, of: Callable[[Scene], Elaboration]) -> None:
-        self.scene, self.texts, self._of = scene, texts, of
+    def __init__(
+        self,
+        scene: Scene,
+        texts: Texts,
+        of: Callable[[Scene], Elaboration],
+        met: tuple[Formula, ...] = (),
+    ) -> None:
+        self.scene, self.texts, self._of, self.met = scene, texts, of, met
         change = scene.field
         self.source = of(change.source) if isinstance(change, ChangeOfScene) else None
         self.zero = frozenset(self._zero_names())
         named = {name for name in scene.roots if not name.startswith(r"\sqrt")}
-        plain = (*scene.variables, *scene.constants, *scene.undefined)
+        functions = self.transcendental
         self._powers = {f"{b}^{{{e}}}": (b, e) for b, e in scene.powers}
-        moving = (*map(self.transcendental.instead, scene.variables), *self.velocities.values())
+        moving = [
+            *(n for one in scene.variables for n in functions.instead(one)),
+            *self.velocities.values(),
+            *functions.products(moving=True),
+            *(functions.instead(scene.time) if functions.timed else ()),
+        ]
+        still = [n for one in (*scene.constants, *scene.undefined) for n in functions.instead(one)]
+        still += functions.products(moving=False)
         self.variables = tuple(n for n in moving if n not in named | self.zero)
-        self.constants = tuple(n for n in plain[len(scene.variables) :] if n not in named)
+        self.constants = tuple(n for n in still if n not in named)
         self.powers = tuple(self._powers)
         self.turning: dict[str, Formula] | None = None
         self._steps: dict[str, Step | None] = {}
@@ -106,8 +119,7 @@ class Elaboration(Moving):
     @cached_property
     def nonzero(self) -> tuple[Formula, ...]:  # type: ignore[override] # computed here, an attribute above
         """What the scene takes for granted not to vanish."""
-        exponents = (Name(self.transcendental.instead(n)) for n in self.transcendental.exponents)
-        return (*map(self.formula, self.scene.nonzero), *exponents)
+        return (*map(self.formula, self.scene.nonzero), *self.transcendental.nonzero)
 
     @cached_property
     def conjugates(self) -> tuple[tuple[str, str], ...]:  # type: ignore[override] # computed here, an attribute above
@@ -161,6 +173,13 @@ class Elaboration(Moving):
             return Raised(name, Name(base), exponent)
         if name in self.zero:
             return self._let(name, Number(0), *scene.zero)
+        return self._defined_by(name)
+
+    def _defined_by(self, name: str) -> Let:
+        """What a name stands for."""
+        scene = self.scene
+        if name in self.transcendental.derived:
+            return self._let(name, self.transcendental.derived[name].formula)
         if (whole := self._head(name)) is not None:
             return self._let(name, self.definition(whole), scene.definitions[whole])
         if name in scene.vectors:
@@ -177,8 +196,7 @@ class Elaboration(Moving):
     def _without_meaning(self, name: str) -> Meaningless:
         what = f"{name} has no meaning on the scene “{self.scene.name}”"
         if name in self.transcendental:
-            what = f"{name} stands under a sine, a cosine or an exponential, and by itself as well"
-            what += ": nothing is known of both at once"
+            what = f"{name} stands under functions: by itself it is not known here"
         return Meaningless(what, name)
 
     def _head(self, name: str) -> str | None:
@@ -216,7 +234,7 @@ class Elaboration(Moving):
     def _root(self, name: str) -> Step:
         if name in self.transcendental.roots:
             self.places[name] = ()
-            return self.transcendental.roots[name]
+            return Adjoined(name, self.plain(self.transcendental.roots[name].square))
         printed = self.scene.roots.get(name)
         if printed is not None:
             return solved(self, name, printed)

@@ -2,27 +2,47 @@
 
 from __future__ import annotations
 
+from kowalevski_cas.notation import Formula
 from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.generators import free_names
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Texts
 
 
 class Elaborations:
-    """Calling it gives the setting of a scene; ``under`` other texts, the same or others."""
+    """Calling it gives the setting of a scene; ``under`` other texts, the same or others.
 
-    def __init__(self, texts: Texts, known: dict[object, Elaboration] | None = None) -> None:
-        self.texts = texts
+    Settings know the functions in formulas that were ``met`` as well as those of their scenes.
+    """
+
+    def __init__(
+        self,
+        texts: Texts,
+        known: dict[object, Elaboration] | None = None,
+        met: tuple[Formula, ...] = (),
+    ) -> None:
+        self.texts, self.met = texts, met
         self._known: dict[object, Elaboration] = {} if known is None else known
         self._own: dict[Scene, Elaboration] = {}
 
     def __call__(self, scene: Scene) -> Elaboration:
         """The setting that a scene means."""
         if scene not in self._own:
-            key = (scene, self.texts.changes(scene.places))
-            if key not in self._known:
-                self._known[key] = Elaboration(scene, self.texts, self)
-            self._own[scene] = self._known[key]
+            setting = self._elaborated(scene, ())
+            if not setting.transcendental.knows(self.met, free_names(setting, self.met)):
+                setting = self._elaborated(scene, self.met)
+            self._own[scene] = setting
         return self._own[scene]
+
+    def _elaborated(self, scene: Scene, met: tuple[Formula, ...]) -> Elaboration:
+        key = (scene, self.texts.changes(scene.places), met)
+        if key not in self._known:
+            self._known[key] = Elaboration(scene, self.texts, self.meeting(met), met)
+        return self._known[key]
+
+    def meeting(self, formulas: tuple[Formula, ...]) -> Elaborations:
+        """The elaborations that know the functions in some formulas as well."""
+        return self if formulas == self.met else Elaborations(self.texts, self._known, formulas)
 
     def under(self, texts: Texts) -> Elaborations:
         """The elaborations under other texts."""

@@ -1,7 +1,7 @@
-r"""Functions with logarithms, of which only derivatives are known: :math:`(\ln f)'=f'/f`.
+r"""Functions of which only derivatives are known: :math:`(\ln f)'=f'/f`, and those of arcs.
 
-A logarithm of an absolute value is half that of its square. A logarithm is a term with a constant
-factor, so that it stands in no derivative.
+A logarithm of an absolute value is half that of its square. A logarithm, or an arc, is a term with
+a constant factor, so that it stands in no derivative.
 """
 
 from __future__ import annotations
@@ -18,18 +18,22 @@ from kowalevski_cas.notation import (
     Product,
     Quotient,
     Sum,
+    Vocabulary,
+    read,
+    substitute,
     to_latex,
 )
+from kowalevski_cas.notation.functions import DERIVATIVE_OF
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.space import Meaningless
 
-LOGARITHM = r"\ln"
+ARGUMENT = Vocabulary(frozenset("x"))
 
 
 def has_logarithm(formula: Formula) -> bool:
-    """Whether a logarithm stands in a formula."""
+    """Whether a function of which only the derivative is known stands in a formula."""
     return any(
-        isinstance(one, Application) and one.function == LOGARITHM for one in formula.nodes()
+        isinstance(one, Application) and one.function in DERIVATIVE_OF for one in formula.nodes()
     )
 
 
@@ -45,11 +49,12 @@ def derived(formula: Formula, by: Callable[[Formula], Formula], space: Elaborati
     if not has_logarithm(formula):
         return by(formula)
     match formula:
-        case Application(_, (Modulus() as inner,)) if not has_logarithm(inner):
+        case Application(r"\ln", (Modulus() as inner,)) if not has_logarithm(inner):
             square = Power(inner, Number(2))
             return Quotient(by(square), Product((Number(2), square)))
-        case Application(_, (inner,)) if not has_logarithm(inner):
-            return Quotient(by(inner), inner)
+        case Application(function, (inner,)) if not has_logarithm(inner):
+            slope = substitute(read(DERIVATIVE_OF[function], ARGUMENT), {"x": inner})
+            return Product((slope, by(inner)))
         case Sum() | Negative():
             return formula.mapped(of)
         case Quotient(above, below) if _is_constant(below, space):
@@ -58,7 +63,8 @@ def derived(formula: Formula, by: Callable[[Formula], Formula], space: Elaborati
             own = [factor for factor in factors if not has_logarithm(factor)]
             if len(own) == len(factors) - 1 and all(_is_constant(one, space) for one in own):
                 return Product(tuple(one if one in own else of(one) for one in factors))
-    raise Meaningless(f"{to_latex(formula)}: a logarithm is read with a constant factor only")
+    what = "a logarithm, or an arc, is read with a constant factor only"
+    raise Meaningless(f"{to_latex(formula)}: {what}")
 
 
 def _is_constant(formula: Formula, space: Elaboration) -> bool:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
-from kowalevski_cas.notation import Formula
+from kowalevski_cas.notation import Formula, Name, Number, Partial
+from kowalevski_cas.paper.differentiate import derivative
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.paper.transcendental import Transcendental
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.space import Setting
+from kowalevski_cas.problem.space import Motion, Setting
 
 
 class Meaning(Setting):
@@ -21,6 +22,13 @@ class Meaning(Setting):
     places: dict[str, tuple[Printed, ...]]
     turning: dict[str, Formula] | None
     """The rates of variables in whose place others stand, when the field has been looked at."""
+
+    met: tuple[Formula, ...]
+    """The formulas of a claim with functions that the scene itself does not print."""
+
+    @abstractmethod
+    def components(self, row: Motion) -> Iterator[tuple[str, Formula, Formula]]:
+        """An equation of motion by components: name, factor of its rate, right side."""
 
     @property
     @abstractmethod
@@ -49,7 +57,13 @@ class Meaning(Setting):
 
     def partial(self, formula: Formula, name: str) -> Formula:
         """The partial derivative of what is written out in the operations of a space."""
-        return self.transcendental.partial(formula, name, self.step)
+        if isinstance(formula, Name) and formula.name in self.transcendental:
+            return Number(int(formula.name == name))
+        directions = self.transcendental.directions(name)
+        if not directions:
+            return Partial(formula, name)
+        rates = {one: self.plain(rate) for one, rate in directions.items()}
+        return derivative(formula, {name: Number(1), **rates}, self.step)
 
     @abstractmethod
     def definition(self, name: str) -> Formula:

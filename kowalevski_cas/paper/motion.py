@@ -29,9 +29,11 @@ from kowalevski_cas.notation import (
     Quotient,
     Vector,
     times,
+    to_latex,
 )
 from kowalevski_cas.notation.errors import dotted, undotted
 from kowalevski_cas.paper.components import component
+from kowalevski_cas.paper.generators import functions_of, with_generators
 from kowalevski_cas.paper.inverse import inverse
 from kowalevski_cas.paper.matrices import by_rows
 from kowalevski_cas.paper.meaning import Meaning
@@ -72,9 +74,8 @@ def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[Motion]:
     """The rows of the field of a scene; raises :class:`Meaningless` if there is no such field."""
     _check_marks(setting)
     setting.turning = turning = dict[str, Formula]()
-    replaced = setting.transcendental.row
     velocities = setting.velocities.items()
-    rows = [replaced(Motion((x,), Number(1), Name(rate))) for x, rate in velocities]
+    rows = [Motion((x,), Number(1), Name(rate)) for x, rate in velocities]
     found: dict[str, Printed] = {}
     others: list[Equation] = []
     for printed in places:
@@ -87,7 +88,7 @@ def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[Motion]:
             force = Vector((force,) * len(row.names))
         row = Motion(row.names, setting.plain(row.factor), force)
         turning[row.names[0]] = Quotient(row.force, row.factor)
-        rows.append(replaced(row))
+        rows.append(row)
         for name in row.names:
             if found.setdefault(name, printed) != printed:
                 raise Meaningless(
@@ -95,12 +96,10 @@ def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[Motion]:
                     f"{found[name].place} and at {printed.place}: leave one out",
                     name,
                 )
+    rows = [*with_generators(setting, rows)]
     yield from rows
     if others:
         known = {name for row in rows for name in row.names}
-        for name in setting.transcendental.angles + setting.transcendental.exponents:
-            if setting.transcendental.instead(name) not in known:
-                raise Meaningless(f"solve the equations of motion for the rate of {name}", name)
         yield from _solved(others, [n for n in setting.variables if n not in known], rows, setting)
 
 
@@ -129,6 +128,8 @@ def _row(left: Formula, setting: Meaning) -> Motion | None:
         return None
     names = setting.scene.vectors.get(inner.name, (inner.name,))
     for _ in range(order):
+        if not {*names} <= setting.velocities.keys():
+            return None
         names = tuple(setting.velocities[one] for one in names)
     ones: Formula = Vector((Number(1),) * len(names)) if len(names) > 1 else Number(1)
     rest = tuple(ones if factor is rates[0] else factor for factor in factors)
@@ -210,23 +211,17 @@ class Moving(Meaning):
 
     @cached_property
     def transcendental(self) -> Transcendental:
-        """The variables that stand under sines, cosines and exponentials."""
-        formulas = list(self.printed_field)
-        for place in self.scene.definitions.values() if formulas else ():
-            with suppress(NotationError):
-                formulas.append(self.texts.formula(place))
-        return Transcendental(formulas, self.scene.variables)
+        """The functions at the arguments that stand in what the scene and the claim print."""
+        return functions_of(self)
 
     @property
     def together(self) -> tuple[tuple[str, ...], ...]:
-        angles = self.transcendental.angles
-        return tuple((self.transcendental.instead(n), rf"\cos{{{n}}}") for n in angles)
+        return self.transcendental.together
 
     @property
     def own_variables(self) -> tuple[str, ...]:
-        replaced = self.transcendental.angles + self.transcendental.exponents
-        if replaced:
-            what = f"{replaced[0]} stands under a sine, a cosine or an exponential"
+        if self.transcendental.groups:
+            what = f"{to_latex(self.transcendental.groups[0].argument)} stands under a function"
             raise Meaningless(f"{what}: degrees, volumes and numbers of solutions are not known")
         return self.variables
 
@@ -286,7 +281,6 @@ class Moving(Meaning):
         yield from self.scene.zero
 
     def components(self, row: Motion) -> Iterator[tuple[str, Formula, Formula]]:
-        """An equation of motion by components: name, factor of its rate, right side."""
         if len(row.names) == 1:
             yield row.names[0], row.factor, row.force
             return

@@ -1,15 +1,22 @@
-r"""Variables that stand under sines, cosines or exponentials only, and what stands in their place.
+r"""The functions at the arguments that stand on a scene, in generators that obey equations.
 
-An angle :math:`\theta` of which the equations know the sine and the cosine is a point of a circle:
-:math:`\sin\theta` is a variable and :math:`\cos\theta` a root of :math:`1-\sin^2\theta`. In the
-place of a variable x with :math:`e^x` stands :math:`e^{x/2}`, which is not zero, and of which even
-powers are used only; its square is any positive number. So every value that a point gives is the
-value at an angle, and at a number x; what is proved or refuted is so for the functions themselves.
+Of :math:`\sin\theta` a sine and a cosine stand in the place of the angle: a variable, and a root of
+:math:`1-\sin^2\theta`. In the place of a variable x with :math:`e^x` stands :math:`e^{x/2}`, which
+is not zero, and of which even powers are used only. So every value that a point gives is the value
+at an angle, and at a number x; what is proved or refuted is so for the functions themselves.
+
+An argument may be :math:`\omega t`, :math:`\theta/2` or a constant as well, and a variable may
+stand by itself beside its sine. The generators are then no free variables: what is proved of them
+holds for the functions, and so does it that an equation fails, for no equation holds between
+:math:`\theta` and its sine. But of values where other equations are given nothing is known.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from fractions import Fraction
+from functools import cached_property
+from math import lcm
 
 from kowalevski_cas.notation import (
     Application,
@@ -17,197 +24,229 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Number,
-    Partial,
-    Power,
-    Product,
     Quotient,
-    Sum,
-    once,
     times,
     to_latex,
     total,
 )
-from kowalevski_cas.problem.space import Adjoined, Let, Meaningless, Motion, Step
+from kowalevski_cas.notation.functions import FAMILY_OF, MEANING
+from kowalevski_cas.paper.arguments import (
+    Combination,
+    Monomial,
+    combination,
+    is_arithmetic,
+    names_in,
+    product_of,
+    single_name,
+)
+from kowalevski_cas.paper.families import Generators, Kind, applications, kind_of, template
+from kowalevski_cas.problem.space import Adjoined, Let, Meaningless
 
-ONE, TWO = Number(1), Number(2)
-CIRCULAR = frozenset({r"\sin", r"\cos", r"\tan", r"\cot"})
-EXPONENTIAL = frozenset({r"\exp", r"\sinh", r"\cosh"})
+ONE = Number(1)
 
 
 class Transcendental:
-    """The variables of which formulas have sines, cosines or exponentials.
+    """The functions in some formulas, of which the names are known to be ``variables`` or not.
 
-    Calling it writes a function of them out in what stands in their place.
+    ``free`` are names that stand by themselves as well, outside of functions; the ``time`` is none
+    of the variables. Calling it writes a function out in generators.
     """
 
-    def __init__(self, formulas: Iterable[Formula], variables: Iterable[str]) -> None:
-        found = set[tuple[str, frozenset[str]]]().union(*map(_arguments, formulas))
-        names = [name for name in variables if "_{" not in name]
-        kinds = {name: {kind for one, kind in found if one == name} for name in names}
-        self.angles = tuple(name for name in names if kinds[name] == {CIRCULAR})
-        self.exponents = tuple(name for name in names if kinds[name] == {EXPONENTIAL})
+    def __init__(
+        self,
+        formulas: Iterable[Formula],
+        free: Iterable[str],
+        variables: Sequence[str],
+        constants: Sequence[str],
+        time: str,
+        expanded: Callable[[Formula], Formula],
+    ) -> None:
+        self.free, self.time, self._expanded = frozenset(free), time, expanded
+        self.variables, self.constants = (*variables, *([time] if time else [])), tuple(constants)
+        known = {*self.variables, *constants}
+        found: dict[tuple[Kind, Monomial], int] = {}
+        for application in dict.fromkeys(one for f in formulas for one in applications(f)):
+            kind, argument = kind_of(application), self._argument(application)
+            if not known.issuperset(n for monomial in argument for n in names_in(monomial)):
+                continue
+            if not all(is_arithmetic(formula) for monomial in argument for formula, _ in monomial):
+                continue
+            for monomial, factor in argument.items():
+                if monomial:
+                    key = kind, monomial
+                    found[key] = lcm(found.get(key, 1), factor.denominator)
+        self.groups = tuple(Generators(*key, over) for key, over in found.items())
+        self.derived: dict[str, Let] = {}
+
+    def _argument(self, application: Application) -> Combination:
+        """The argument of a function, in which no name is a defined one."""
+        return combination(self._expanded(application.arguments[0]))
+
+    @cached_property
+    def replaced(self) -> frozenset[str]:
+        """The names in whose place generators stand."""
+        alone = {single_name(group.monomial) for group in self.groups}
+        used = {
+            n for g in self.groups if single_name(g.monomial) is None for n in g.argument.names()
+        }
+        return frozenset(name for name in alone - used - self.free if name)
+
+    @cached_property
+    def dependent(self) -> frozenset[str]:
+        """The generators, and the names in them, that do not take all values by themselves."""
+        found = set[str]()
+        for group in self.groups:
+            name = single_name(group.monomial)
+            beside = sum(single_name(other.monomial) == name for other in self.groups)
+            if name not in self.replaced or beside > 1 or not group.kind.family.covers:
+                below = (n for one in group.kind.parameters for n in one.names())
+                found.update(group.names.values(), group.argument.names(), below)
+        return frozenset(found)
 
     def __contains__(self, name: str) -> bool:
-        return name in self.angles or name in self.exponents
+        return name in self.replaced
 
-    def instead(self, name: str) -> str:
-        """The variable in the place of one; itself if it is none of these."""
-        if name in self.angles:
-            return rf"\sin{{{name}}}"
-        return rf"\mathrm{{e}}^{{{name}/2}}" if name in self.exponents else name
+    def instead(self, name: str) -> tuple[str, ...]:
+        """The names in the place of one, or the name with its functions."""
+        found = () if name in self.replaced else (name,)
+        groups = (g for g in self.groups if single_name(g.monomial) == name)
+        return (*found, *(n for g in groups for n in g.moving))
 
     @property
+    def timed(self) -> bool:
+        """Whether the time stands in a formula."""
+        used = any(self.time in group.argument.names() for group in self.groups)
+        return bool(self.time) and (used or self.time in self.free)
+
+    def products(self, moving: bool) -> Iterator[str]:
+        """The generators at products that move, or at those that are constant."""
+        for group in self.groups:
+            if single_name(group.monomial) is None and self.moves(group) == moving:
+                yield from group.moving
+
+    def moves(self, group: Generators) -> bool:
+        """Whether an argument has a name that is no constant."""
+        return not {*self.constants}.issuperset(group.argument.names())
+
+    @cached_property
     def roots(self) -> dict[str, Adjoined]:
-        """The cosines, as roots."""
-        found = {}
-        for name in self.angles:
-            cosine, sine = rf"\cos{{{name}}}", Name(self.instead(name))
-            found[cosine] = Adjoined(cosine, Sum((ONE, Negative(Power(sine, TWO)))))
-        return found
+        """The generators that are roots of others."""
+        return {root.name: root for group in self.groups for root in group.roots()}
 
-    def chain(self, name: str) -> tuple[Formula, Formula]:
-        """The derivative by a variable of what stands in its place: a factor, and a divisor."""
-        if name in self.angles:
-            return Name(rf"\cos{{{name}}}"), ONE
-        return Name(self.instead(name)), TWO
+    @property
+    def nonzero(self) -> Iterator[Formula]:
+        """The generators that vanish nowhere."""
+        for group in self.groups:
+            yield from (group.values[letter] for letter in group.kind.family.nonzero)
 
-    def row(self, row: Motion) -> Motion:
-        """A row of the field for what stands in the place of its variable."""
-        if not any(name in self for name in row.names):
-            return row
-        if len(row.names) > 1:
-            raise Meaningless("print the equations of motion of angles one by one", row.names[0])
-        factor, divisor = self.chain(row.names[0])
-        below = row.factor if divisor == ONE else Product((divisor, row.factor))
-        return Motion((self.instead(row.names[0]),), below, Product((factor, row.force)))
+    @cached_property
+    def together(self) -> tuple[tuple[str, ...], ...]:
+        """The generators at each argument."""
+        return tuple(tuple(group.names.values()) for group in self.groups)
 
-    def partial(self, argument: Formula, name: str, step: Callable[[str], Step | None]) -> Formula:
-        """The partial derivative by a variable, through what stands in its place.
+    def knows(self, formulas: Iterable[Formula], free: Iterable[str]) -> bool:
+        """Whether formulas with such names outside of functions bring in nothing new."""
+        beside = {self.time, *(n for group in self.groups for n in group.argument.names())}
+        if not self.free.issuperset(beside & {*free}):
+            return False
+        known = {(g.kind, g.monomial): g.over for g in self.groups}
+        for application in dict.fromkeys(one for f in formulas for one in applications(f)):
+            kind = kind_of(application)
+            for monomial, factor in self._argument(application).items():
+                if monomial and known.get((kind, monomial), 0) % factor.denominator:
+                    return False
+                if monomial and (kind, monomial) not in known:
+                    return False
+        return True
 
-        That by an angle is written out, so that nothing is divided by the cosine. ``step`` tells
-        what defines a name.
-        """
-        if isinstance(argument, Name) and argument.name in self:
-            return Number(int(argument.name == name))
-        if name in self.angles:
-            return self._by_angle(argument, name, step)
-        if name not in self:
-            return Partial(argument, name)
-        factor, divisor = self.chain(name)
-        product = Product((factor, Partial(argument, self.instead(name))))
-        return product if divisor == ONE else Quotient(product, divisor)
-
-    def _by_angle(self, formula: Formula, name: str, step: Callable[[str], Step | None]) -> Formula:
-        """The derivative by an angle, by the rules for sums, products, quotients and powers."""
-        sine, cosine = self.instead(name), rf"\cos{{{name}}}"
-
-        def of(part: Formula) -> Formula:
-            return self._by_angle(part, name, step)
-
-        match formula:
-            case Number():
-                return Number(0)
-            case Name(one) if one in (sine, cosine):
-                return Name(cosine) if one == sine else Negative(Name(sine))
-            case Name(one):
-                defined = step(one)
-                return of(defined.formula) if isinstance(defined, Let) else Number(0)
-            case Sum() | Negative():
-                return formula.mapped(of)
-            case Product(factors):
-                return total(
-                    times(*factors[:k], of(factor), *factors[k + 1 :])
-                    for k, factor in enumerate(factors)
-                )
-            case Power(base, Number(exponent)) if exponent > 1:
-                return times(Number(exponent), Power(base, Number(exponent - 1)), of(base))
-            case Quotient(above, below):
-                turned = Sum((times(of(above), below), Negative(times(above, of(below)))))
-                return Quotient(turned, Power(below, TWO))
-        raise Meaningless(f"print the derivative of {to_latex(formula)} by {name}", name)
+    # -- values ------------------------------------------------------------------
 
     def __call__(self, formula: Application) -> Formula | None:
-        """What a function means here; ``None`` for another function.
+        """What a function means here; ``None`` for a function of no family.
 
-        Raises :class:`Meaningless` for an argument that is no whole combination of these variables.
+        Raises :class:`Meaningless` for an argument at which it is not known.
         """
-        function, (argument, *_) = formula.function, formula.arguments
-        if function not in CIRCULAR | EXPONENTIAL:
+        if formula.function not in FAMILY_OF:
             return None
-        terms = [*_terms(argument, 1)]
-        known = self.angles if function in CIRCULAR else self.exponents
-        if not all(name in known for name, _ in terms):
-            raise Meaningless(
-                f"{to_latex(formula)} is not known here: its argument has to be made of variables "
-                "that stand under such functions in the equations of motion or in definitions, "
-                r"with whole coefficients; for \omega t print an angle with \dot\varphi=\omega"
-            )
-        if function in EXPONENTIAL:
-            power = self._exponential(terms)
-            if function == r"\exp":
-                return power
-            inverse = Quotient(ONE, power)
-            other = inverse if function == r"\cosh" else Negative(inverse)
-            return Quotient(Sum((power, other)), TWO)
-        cosine, sine = self._circular(terms)
-        return {
-            r"\sin": sine,
-            r"\cos": cosine,
-            r"\tan": Quotient(sine, cosine),
-            r"\cot": Quotient(cosine, sine),
-        }[function]
-
-    def _exponential(self, terms: list[tuple[str, int]]) -> Formula:
-        above: list[Formula] = []
-        below: list[Formula] = []
-        for name, count in terms:
-            (above if count > 0 else below).append(
-                Power(Name(self.instead(name)), Number(2 * abs(count)))
-            )
-        return Quotient(times(*above), times(*below)) if below else times(*above)
-
-    def _circular(self, terms: list[tuple[str, int]]) -> tuple[Formula, Formula]:
-        """The cosine and the sine of a sum, by the addition theorems."""
-        cosine: Formula = ONE
-        sine: Formula = Number(0)
-        for name, count in terms:
-            c, s = Name(rf"\cos{{{name}}}"), Name(self.instead(name))
-            one: Formula = s if count > 0 else Negative(s)
-            for _ in range(abs(count)):
-                if cosine == ONE:
-                    cosine, sine = c, one
-                    continue
-                cosine, sine = (
-                    Sum((Product((cosine, c)), Negative(Product((sine, one))))),
-                    Sum((Product((sine, c)), Product((cosine, one)))),
+        kind = kind_of(formula)
+        multiples: list[tuple[Generators, int]] = []
+        known = {(group.kind, group.monomial): group for group in self.groups}
+        for monomial, factor in self._argument(formula).items():
+            group = known.get((kind, monomial))
+            if group is None or (factor * group.over).denominator > 1:
+                raise Meaningless(
+                    f"{to_latex(formula)} is not known here: its argument has to be made of "
+                    "variables and constants of the scene, with whole coefficients or fractions"
                 )
-        return cosine, sine
+            multiples.append((group, int(factor * group.over)))
+        return kind.formula(MEANING[formula.function], self._at(kind, multiples))
+
+    def _at(self, kind: Kind, multiples: list[tuple[Generators, int]]) -> dict[str, Formula]:
+        """The generators of a family at a sum of multiples of arguments."""
+        if not multiples:
+            return {letter: template(tex) for letter, tex in kind.family.zero.items()}
+        *before, (group, count) = multiples
+        if not before and count == 1:
+            return group.values
+        names = kind.names(total(_multiple(group.argument, n) for group, n in multiples))
+        if not {*names.values()} <= self.derived.keys():
+            last, rest = (1, count - 1) if count > 0 else (-1, count + 1)
+            left = self._at(kind, [*before, (group, rest)] if rest else before)
+            right = group.values if last > 0 else _opposite(kind, group.values)
+            self._derive(kind, names, left, right, alone=not before and not rest)
+        return {letter: Name(name) for letter, name in names.items()}
+
+    def _derive(
+        self,
+        kind: Kind,
+        names: dict[str, str],
+        left: dict[str, Formula],
+        right: dict[str, Formula],
+        alone: bool,
+    ) -> None:
+        """Define the generators at a sum of two arguments, or at the second ``alone``."""
+        values = {**left, **{f"{letter}_1": value for letter, value in right.items()}}
+        for letter, tex in kind.family.sum.items():
+            formula = right[letter] if alone else kind.formula(tex, values)
+            self.derived[names[letter]] = Let(names[letter], formula)
+
+    # -- derivatives -------------------------------------------------------------
+
+    def directions(self, name: str) -> dict[str, Formula]:
+        """The derivatives by a name of all generators that have it in their arguments."""
+        found: dict[str, Formula] = {}
+        for group in self.groups:
+            if name in group.argument.names():
+                by = _by_name(group.monomial, name)
+                found |= {one: times(by, rate) for one, rate in group.rates().items()}
+        return found
 
 
-@once
-def _arguments(formula: Formula) -> set[tuple[str, frozenset[str]]]:
-    """The names under sines and exponentials, with the kind of function."""
-    return {
-        (name, kind)
-        for one in formula.nodes()
-        if isinstance(one, Application)
-        for kind in (CIRCULAR, EXPONENTIAL)
-        if one.function in kind
-        for name in one.names()
-    }
+def _multiple(argument: Formula, count: int) -> Formula:
+    whole = times(Number(abs(count)), argument)
+    if isinstance(argument, Quotient) and isinstance(argument.denominator, Number):
+        factor = Fraction(abs(count), argument.denominator.value)
+        above = times(Number(factor.numerator), argument.numerator)
+        below = Number(factor.denominator)
+        whole = above if below == ONE else Quotient(above, below)
+    return whole if count > 0 else Negative(whole)
 
 
-def _terms(formula: Formula, sign: int) -> Iterator[tuple[str, int]]:
-    """A combination of names with whole coefficients; the name is empty for anything else."""
-    match formula:
-        case Name(name):
-            yield name, sign
-        case Negative(argument):
-            yield from _terms(argument, -sign)
-        case Sum(terms):
-            for term in terms:
-                yield from _terms(term, sign)
-        case Product((Number(count), Name(name))) if count:
-            yield name, sign * count
-        case _:
-            yield "", 0
+def _opposite(kind: Kind, values: dict[str, Formula]) -> dict[str, Formula]:
+    changed = {letter: kind.formula(tex, values) for letter, tex in kind.family.minus.items()}
+    return {**values, **changed}
+
+
+def _by_name(monomial: Monomial, name: str) -> Formula:
+    """The derivative of a product of names by one of them."""
+    found: list[Formula] = []
+    for formula, exponent in monomial:
+        if formula == Name(name):
+            rest = tuple((f, e - (f == formula)) for f, e in monomial)
+            by = product_of(tuple((f, e) for f, e in rest if e))
+            found.append(times(Number(abs(exponent)), by))
+            if exponent < 0:
+                found[-1] = Negative(found[-1])
+        elif name in formula.names():
+            raise Meaningless(f"print the derivative of {to_latex(formula)} by {name}", name)
+    return total(found)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kowalevski_cas.notation.macros import FUNCTIONS
+from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.vocabulary import Vocabulary
 from kowalevski_cas.paper.names import BRACKET, head, is_bold
 from kowalevski_cas.paper.scene import Scene

@@ -33,11 +33,10 @@ from kowalevski_cas.problem.evidence import (
     Shown,
     Solutions,
 )
-from kowalevski_cas.problem.examine import Examiner, Unproved, Vacuous, is_real, need_point
+from kowalevski_cas.problem.examine import Examiner, Unproved, Vacuous, is_real, law, need_point
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Kernel, Rank, Simple
 from kowalevski_cas.problem.kernel import check_complete, check_further, check_no_solution
 from kowalevski_cas.problem.place import Misplaced, Place
-from kowalevski_cas.problem.prune import moves
 from kowalevski_cas.problem.space import Equation, Meaningless
 
 ZERO = Number(0)
@@ -85,8 +84,7 @@ class Judge(Examiner):
     ) -> None:
         self.accepted.starts(goal)
         self.accepted.uses([*values.values()])
-        if moves(goal, values):
-            self.accepted.divides(at.masses)
+        self.accepted.divides(law(goal, at))
         rule = _RULES.get((type(goal), type(evidence), sign))
         if rule is None:
             raise Unproved("it is no evidence for this goal")
@@ -197,6 +195,7 @@ class Judge(Examiner):
             raise Unproved("only an identity can fail whatever the bound names are")
         self.accepted.starts(one)
         at = self.of(one.space)
+        self.accepted.divides(law(one, at, goal.bound))
         places = [(w, self._point(at, p, ())) for w, p in evidence.points]
         weighted = [(_rational(place.numbers.scalar(weight)), place) for weight, place in places]
         if not any(self._impossible(goal, sides, at, weighted) for sides in one.conclusions[0]):

@@ -52,6 +52,8 @@ class Evaluation(Fold):
         self._rates: Field | None = None
         self._directions: dict[str, Field] = {}
         self._moving = False
+        self.bound: frozenset[str] = frozenset()
+        """The names that have a value here and no meaning in the space."""
         self.places: dict[Hashable, Any] = {}
         """What is known of points, by their values."""
         self.roots: dict[str, Element] = {}
@@ -72,6 +74,7 @@ class Evaluation(Fold):
         bound = copy(self)
         bound._values = {**self._values, **{(n, False): v for n, v in values.items()}}
         bound._open = set()
+        bound.bound = self.bound | values.keys()
         bound.letters = {} if self.letters.keys() & values.keys() else self.letters
         return bound
 
@@ -252,16 +255,19 @@ class Evaluation(Fold):
             yield name, self.image(old.derivative(old.scalar(formula))) * time
 
     @cached_property
-    def masses(self) -> list[Element]:
-        """What stands before the rates in the equations of motion, and one over it.
+    def law(self) -> list[Element]:
+        """The rates of all names that move, with what stands before them, and one over that.
 
-        After a change, one over the factor of the time as well.
+        So the motion is defined where all of them are. After a change these are the images of
+        what they were, the new rates, and one over the factor of the time.
         """
         if (change := self.setting.change) is not None:
             old = self.other(change.old)
-            return [*map(self.image, old.masses), self.image(old.scalar(change.time)).inverse()]
+            before = [*map(self.image, old.law), self.image(old.scalar(change.time)).inverse()]
+            return [*before, *self.rates.values()]
         factors = (self.components(row.factor) for row in self.setting.field)
-        return [one for row in factors for factor in row for one in (factor, factor.inverse())]
+        masses = [one for row in factors for mass in row for one in (mass, mass.inverse())]
+        return [*masses, *self.rates.values()]
 
     def other(self, setting: Setting) -> Evaluation:
         """The evaluation of a space on which this one is built."""

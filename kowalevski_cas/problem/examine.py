@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import reduce
 from operator import add, mul
@@ -13,6 +13,7 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point, Proof
 from kowalevski_cas.problem.goals import Simple
 from kowalevski_cas.problem.place import Place
+from kowalevski_cas.problem.prune import moves
 from kowalevski_cas.problem.space import Adjoined, Setting, generators
 
 Of = Callable[[Setting], Evaluation]
@@ -140,6 +141,14 @@ def _check_groups(groups: Sequence[Sequence[Element]], setting: Setting) -> None
         raise Unproved("there are cases, and each supposes something")
     if any(group[1:] for group in groups) and not is_real(setting):
         raise Unproved("sums of squares need real names")
+
+
+def law(goal: Simple, at: Evaluation, bound: Iterable[str] = ()) -> list[Element]:
+    """The law of motion, for a goal that is about it: it speaks of where each element is defined.
+
+    Names that are ``bound`` need have no value.
+    """
+    return at.law if moves(goal, {*at.bound, *bound}) else []
 
 
 def need_point(point: Point | None) -> Point:

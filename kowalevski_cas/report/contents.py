@@ -25,6 +25,7 @@ from kowalevski_cas.report.document import (
     Text,
     anchor,
 )
+from kowalevski_cas.report.erratum import erratum
 from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.graph import picture
 from kowalevski_cas.report.marks import MARKS
@@ -75,7 +76,6 @@ class Contents:
         ]
         title = print_prose(read_prose(run.title, run.vocabulary), str, to_plain)
         origin = ", ".join(filter(None, (run.author, run.source)))
-        read = [(*self.phrases.words(f"Read: {run.edition}"), ".")] if run.edition else []
         by: Text = (
             f"Written by kowalevski_cas {__version__}: ",
             Code(f"kowalevski-cas report {run.derivation}"),
@@ -84,9 +84,31 @@ class Contents:
         return Document(
             self._titled(title),
             self._titled(shorten(title, 60, placeholder=" …")),
-            ((*self.phrases.words(origin), "."), *read, *self._origins(), by),
+            ((*self.phrases.words(origin), "."), *self._read(), *self._origins(), by),
             tuple(blocks),
         )
+
+    def erratum(self) -> Document | None:
+        """What author and journal would print: the misprints and what is false, and why.
+
+        Nothing, if there is nothing, or if no author has printed the formulas.
+        """
+        blocks, run = tuple(erratum(self.findings)), self.run
+        if not blocks or not self.findings.copied or not run.author:
+            return None
+        title = print_prose(read_prose(run.title, run.vocabulary), str, to_plain)
+        origin = ", ".join(filter(None, (run.author, run.source)))
+        return Document(
+            f"Erratum to “{title}”",
+            f"Erratum to “{shorten(title, 60, placeholder=' …')}”",
+            ((*self.phrases.words(origin), "."), *self._read()),
+            blocks,
+        )
+
+    def _read(self) -> list[Text]:
+        """Which text was read."""
+        edition = self.run.edition
+        return [(*self.phrases.words(f"Read: {edition}"), ".")] if edition else []
 
     def _titled(self, title: str) -> str:
         """What the report is of a paper with this title: only what is printed can be verified."""

@@ -160,6 +160,8 @@ class Findings:
             Display(printed, first.source, first.verdict, wrong=True),
             Display(meant, verdict=correction.verdict),
         ]
+        if first.counterexample:
+            shown.append(Paragraph(self.phrases.values(first.counterexample), "note"))
         return Claim(None, "", head, blocks=tuple(shown))
 
     def _falsehood(self, outcome: Outcome) -> Claim:

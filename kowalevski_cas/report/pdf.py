@@ -40,12 +40,18 @@ class ReportError(UserError):
 
 @dataclass(frozen=True)
 class Written:
-    """The files of a report, and what is worth telling."""
+    """The files of a report, with an ``erratum`` if there is one, and what is worth telling."""
 
     html: Path
     tex: Path
     pdf: Path
+    erratum: Path | None = None
     notes: tuple[str, ...] = ()
+
+    @property
+    def pages(self) -> tuple[Path, ...]:
+        """What a reader opens."""
+        return tuple(filter(None, (self.html, self.pdf, self.erratum)))
 
 
 def page(
@@ -104,6 +110,8 @@ def write_report(
 ) -> Written:
     """Write a report into a folder, as HTML, LaTeX and PDF, and the facts behind it as JSON.
 
+    With misprints or false statements there is an erratum too, as LaTeX and PDF.
+
     Each file appears whole or not at all: a failure or an interrupt leaves an earlier one as it
     was, and a PDF that was made of the same source and pictures is left alone.
     Links lead to the certificates, from the report at the address ``evidence``.
@@ -115,12 +123,29 @@ def write_report(
         ReportError: if no PDF can be made; the other files are written by then.
         OSError: if a file cannot be written.
     """
-    shown = plates(folder, run.derivation)
     document, files = page(run, sections, certified, folder, evidence)
-    source = render_latex(document)
-    html, tex, pdf = (folder / f"{run.derivation}.{suffix}" for suffix in ("html", "tex", "pdf"))
     for name, text in files.items():
         write(folder / name, text)
+    stem = folder / run.derivation
+    tex, pdf, notes = write_paper(document, stem, plates(folder, run.derivation), folder)
+    errata = Contents(run, sections).erratum()
+    erratum = None
+    if errata is not None:
+        _, erratum, _ = write_paper(errata, folder / f"{run.derivation}-erratum")
+    return Written(folder / f"{run.derivation}.html", tex, pdf, erratum, notes)
+
+
+def write_paper(
+    document: Document, stem: Path, shown: tuple[Plate, ...] = (), folder: Path = Path()
+) -> tuple[Path, Path, tuple[str, ...]]:
+    """Write a document as LaTeX and PDF; returns both, and what is worth telling.
+
+    Raises:
+        ReportError: if no PDF can be made; the LaTeX is written by then.
+        OSError: if a file cannot be written.
+    """
+    source = render_latex(document)
+    tex, pdf = (stem.with_name(f"{stem.name}.{suffix}") for suffix in ("tex", "pdf"))
     write(tex, source)
     notes: tuple[str, ...] = ()
     if has_latex():
@@ -128,14 +153,14 @@ def write_report(
         try:
             if not _ends(pdf, made):
                 write(pdf, latex_pdf(source, shown, folder) + made)
-            return Written(html, tex, pdf)
+            return tex, pdf, ()
         except ReportError as error:
             notes = (f"{error} The PDF was made by Typst instead.",)
     source, picture = render_typst(document), svg(_drawing(document))
     made = _made("typst", source + picture, shown, folder)
     if not _ends(pdf, made):
         write(pdf, typst_pdf(source, picture, shown, folder) + made)
-    return Written(html, tex, pdf, notes)
+    return tex, pdf, notes
 
 
 def _drawing(document: Document) -> Picture:

@@ -14,6 +14,7 @@ from kowalevski_cas.notation import Formula, Number
 from kowalevski_cas.problem.collect import Collected, collect_sides
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Evidence, Found, Point, Regardless
+from kowalevski_cas.problem.examine import law
 from kowalevski_cas.problem.goals import Exists, Fails, Follows, Simple
 from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation
@@ -129,26 +130,28 @@ def never(goal: Exists, finder: PointFinder) -> Regardless | None:
         for sides in one.conclusions[0]:
             collected = collect_sides(sides, goal.bound)
             none = _no_numbers if goal.numbers else _no_expressions
-            points = none(collected, finder, finder.of(one.space))
+            at = finder.of(one.space)
+            points = none(collected, finder, at, law(one, at, goal.bound))
             if points is not None:
                 return Regardless(index, points)
     return None
 
 
 def _no_expressions(
-    collected: Collected, finder: PointFinder, at: Evaluation
+    collected: Collected, finder: PointFinder, at: Evaluation, divided: Sequence[Element]
 ) -> tuple[tuple[Formula, Point], ...] | None:
     """A point where all that multiplies bound names vanishes, and the rest does not."""
     free = at.scalar(collected.pop((), Number(0)))
     if free.is_zero:
         return None
     known = [at.scalar(coefficient) for coefficient in collected.values()]
-    point = finder.point(at, known, [free, *known], lambda candidate: not candidate(free).is_zero)
+    divided = [*divided, free, *known]
+    point = finder.point(at, known, divided, lambda candidate: not candidate(free).is_zero)
     return None if point is None else ((Number(1), point),)
 
 
 def _no_numbers(
-    collected: Collected, finder: PointFinder, at: Evaluation
+    collected: Collected, finder: PointFinder, at: Evaluation, divided: Sequence[Element]
 ) -> tuple[tuple[Formula, Point], ...] | None:
     """Points with weights at which an equation adds up to a number."""
     monomials = sorted(collected)
@@ -160,6 +163,7 @@ def _no_numbers(
         candidate = Candidate(at, point)
         try:
             values = [rational(candidate(element)) for element in elements]
+            _ = [candidate(element) for element in divided]
             candidate.point(names)
         except (ZeroDivisionError, Misplaced):
             continue

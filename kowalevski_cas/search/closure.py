@@ -124,7 +124,7 @@ def closures(at: Evaluation, seed: Element, order: int) -> Iterator[Closure]:
         row = expressed(after, chain)
         degree = None if row is None else _degree(at, chain, row)
         if row is not None and degree is not None and (least is None or degree < least):
-            point = finder.point(at, chain, [*chain, *row], most=0 if degree else 2)
+            point = finder.point(at, chain, [*at.law, *chain, *row], most=0 if degree else 2)
             if point is not None:
                 least = degree
                 yield Closure(at, tuple(chain), tuple(row), point)

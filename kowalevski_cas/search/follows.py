@@ -11,7 +11,7 @@ from kowalevski_cas.algebra.present import written
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Proof, Shown
-from kowalevski_cas.problem.examine import is_real, value_of
+from kowalevski_cas.problem.examine import is_real, law, value_of
 from kowalevski_cas.problem.goals import Follows
 from kowalevski_cas.problem.place import Place
 from kowalevski_cas.search.cofactors import cofactors
@@ -35,7 +35,8 @@ class FollowsFinder(PointFinder):
         known = at.differences(goal.given)
         conclusions = [at.differences(one) for one in goal.conclusions]
         here = known if conclusions else ()
-        divided = [*known, *(e for one in goal.conclusions for p in at.pairs(one) for e in p)]
+        sides = [e for one in goal.conclusions for p in at.pairs(one) for e in p]
+        divided = [*law(goal, at), *known, *sides]
 
         def holds(there: Candidate | Place) -> bool:
             return not conclusions or any(map(there.vanish, conclusions))
@@ -107,7 +108,7 @@ class FollowsFinder(PointFinder):
         def good(candidate: Candidate) -> bool:
             return all(not candidate.vanish(one) for one in failing)
 
-        divided = [*known, *(e for one in failing for e in one)]
+        divided = [*law(goal, at), *known, *(e for one in failing for e in one)]
         divided += [condition.inverse() for condition in conditions]
         point = self.point(at, known, divided, good)
         return None if point is None else At(point)

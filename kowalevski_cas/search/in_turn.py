@@ -10,6 +10,7 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Quotient
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Proof, Shown
+from kowalevski_cas.problem.examine import law
 from kowalevski_cas.problem.fold import divisors_of
 from kowalevski_cas.problem.goals import Follows
 from kowalevski_cas.problem.space import Setting
@@ -103,6 +104,7 @@ def _denominator(row: Sequence[Element]) -> Element | None:
 
 
 def shown(
+    goal: Follows,
     steps: Sequence[Step],
     rows: Sequence[Sequence[Element]],
     zero: Sequence[Element],
@@ -112,7 +114,7 @@ def shown(
     """The proof of some steps and the last rows, and a point where ``zero`` vanishes."""
     divided = [entry for row in (*rows, *(step.row for step in steps)) for entry in row]
     finder = PointFinder(lambda setting: at, names)
-    point = finder.point(at, zero, [*zero, *divided])
+    point = finder.point(at, zero, [*law(goal, at), *zero, *divided])
     proof = Proof(tuple(tuple(map(_divided, row)) for row in rows))
     for element, row, power in reversed(steps):
         proof = Proof((tuple(map(_divided, row)),), written([[element]]), (proof,), power)
@@ -143,4 +145,4 @@ def in_turn(
     known = at.differences(goal.given)
     (targets,) = map(at.differences, goal.conclusions)
     found = steps_to(targets, known, at.ring.divided_by(known), conditions)
-    return found and shown(*found, [*known, *targets], at, names)
+    return found and shown(goal, *found, [*known, *targets], at, names)

@@ -63,7 +63,7 @@ def further(goal: Kernel, finder: PointFinder) -> At | Further | None:
 
 
 def _divided(goal: Kernel, at: Evaluation) -> list[Element]:
-    return [*at.rates.values(), at.scalar(goal.factor)]
+    return [*at.law, at.scalar(goal.factor)]
 
 
 def _rests(goal: Kernel, at: Evaluation) -> Iterator[Element]:

@@ -13,7 +13,7 @@ from kowalevski_cas.notation import Conjugate, Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
 from kowalevski_cas.problem.place import Misplaced, Place, number_formula
-from kowalevski_cas.problem.space import Adjoined, Meaningless, Setting
+from kowalevski_cas.problem.space import Adjoined, Setting
 from kowalevski_cas.search.real import real_points
 
 Of = Callable[[Setting], Evaluation]
@@ -81,8 +81,6 @@ class PointFinder:
         It is sought among points in general position, and if ``most`` is not 0 where all variables
         vanish, and then where some do, or all but some, as many as ``most``.
         """
-        with suppress(Meaningless):
-            divided = [*divided, *at.masses]
         avoid = [*at.granted, *at.ring.divided_by(divided)]
         names = self.names(at.setting)
         norms = [self._norm(at, element) for element in (*zero, *_imaginary_parts(at, names))]

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from kowalevski_cas.algebra.numbers import rank
+from kowalevski_cas.algebra.present import written
 from kowalevski_cas.problem.differentials import chosen, differentials, minors
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Evidence, Minors
+from kowalevski_cas.problem.examine import law
 from kowalevski_cas.problem.goals import Rank
+from kowalevski_cas.search.follows import rows_of
 from kowalevski_cas.search.place import Candidate, PointFinder
 
 
@@ -18,13 +23,23 @@ class RankFinder(PointFinder):
         return self._independent(goal, at) if len(chosen(goal, at)) == goal.rank else None
 
     def dependent(self, goal: Rank) -> Evidence | None:
-        """A point where another number is independent, or minors that vanish."""
+        """A point where another number is independent, or minors that vanish on what is given.
+
+        Where the given equations alone have dependent differentials, this says nothing of the
+        functions; it is looked for if they are independent at a point.
+        """
         at = self.of(goal.space)
         functions = chosen(goal, at)
         if len(functions) != goal.rank:
             return self._independent(goal, at)
+        given = replace(goal, functions=(), rank=len(functions) - len(goal.functions))
+        if goal.functions and goal.given and self._independent(given, at) is None:
+            return None
         found = minors(differentials(functions, at))
-        return Minors(((),) * len(found)) if all(minor.is_zero for minor in found) else None
+        rows, power = rows_of(found, at.differences(goal.given)) or ([], 0)
+        if power != 1 or any(entry.denominator for row in rows for entry in row):
+            return None
+        return Minors(written(rows) or ((),) * len(found))
 
     def _independent(self, goal: Rank, at: Evaluation) -> At | None:
         rows, known = differentials(chosen(goal, at), at), at.differences(goal.given)
@@ -32,6 +47,6 @@ class RankFinder(PointFinder):
         def good(candidate: Candidate) -> bool:
             return rank([[candidate(entry) for entry in row] for row in rows]) == len(rows)
 
-        divided = [*known, *(entry for row in rows for entry in row)]
+        divided = [*law(goal, at), *known, *(entry for row in rows for entry in row)]
         point = self.point(at, known, divided, good)
         return None if point is None else At(point)

@@ -50,7 +50,7 @@ def regular(
         ]
         for k in range(len(multipliers))
     ]
-    return shown(steps, rows, [*known, *targets], at, names)
+    return shown(goal, steps, rows, [*known, *targets], at, names)
 
 
 def _changed(

@@ -8,7 +8,7 @@ from itertools import takewhile
 
 from kowalevski_cas.notation import NotationError, Vocabulary, read_display
 from kowalevski_cas.notation.cursor import BOLD, Cursor, is_known
-from kowalevski_cas.notation.macros import FUNCTIONS
+from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.source.displays import Typed

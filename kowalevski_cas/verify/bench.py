@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from kowalevski_cas.algebra import POINTS, load, load_points
-from kowalevski_cas.notation import Formula
+from kowalevski_cas.notation import Formula, to_plain
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborate import finder_of
@@ -135,7 +135,12 @@ class Bench:
             for goal, evidence in zip(statement.goals, verdicts, strict=True):
                 judge.holds(goal, evidence)
         except Vacuous as error:
-            return Decided(statement, None, judge.accepted, Verdict.UNDECIDED, str(error))
+            from kowalevski_cas.verify.conditions import excluding  # what is decided needs none
+
+            divided = ", ".join(map(to_plain, excluding(statement.goals)))
+            nowhere = f"the motion is divided by {divided}, which vanishes on the whole set"
+            message = nowhere if divided else str(error)
+            return Decided(statement, None, judge.accepted, Verdict.UNDECIDED, message)
         except Unproved as error:
             where = self._file(statement)
             message = f"{where}the evidence does not prove it ({arithmetic}: {error})"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import cache, reduce
 from operator import mul
 
@@ -11,8 +11,8 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Negative, Product, Sum
 from kowalevski_cas.paper.denominators import Divisor, Shape, shape_of
 from kowalevski_cas.paper.elaborate import Elaboration
-from kowalevski_cas.problem.examine import Accepted
-from kowalevski_cas.problem.goals import Follows, Simple
+from kowalevski_cas.problem.examine import Accepted, law
+from kowalevski_cas.problem.goals import Exists, Follows, Goal, Simple, simple
 from kowalevski_cas.search.combinations import vanish_on
 from kowalevski_cas.search.squares import sum_of_squares
 from kowalevski_cas.verify.shown import written
@@ -103,6 +103,21 @@ def _positive(divisor: Element, setting: Elaboration) -> Formula:
     terms = formula.terms if isinstance(formula, Sum) else (formula,)
     negative = sum(isinstance(term, Negative) for term in terms)
     return formula_of(-divisor, words) if 2 * negative > len(terms) else formula
+
+
+def excluding(goals: Iterable[Goal]) -> tuple[Formula, ...]:
+    """What the motion is divided by that vanishes on a set of which a goal about it speaks."""
+    found: dict[Formula, None] = {}
+    for goal in goals:
+        bound = goal.bound if isinstance(goal, Exists) else ()
+        for one in simple(goal):
+            assert isinstance(one.space, Elaboration)
+            at = one.space.finder
+            known = at.differences(one.given) if isinstance(one, Follows) else []
+            divisors = at.ring.divided_by(law(one, at, bound)) if known else []
+            gone = zip(divisors, vanish_on(divisors, known), strict=True)
+            found |= {_positive(divisor, one.space): None for divisor, here in gone if here}
+    return tuple(found)
 
 
 def implies(first: Element, second: Element, setting: Elaboration) -> bool:

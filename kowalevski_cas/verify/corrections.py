@@ -139,7 +139,8 @@ def passes(neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled]
     from kowalevski_cas.problem.sampled import Sampled  # a recorded correction is only looked up
 
     try:
-        goals = list(neighbour.claim.goals(on.under(neighbour.texts)))
+        claim = neighbour.claim
+        goals = list(claim.goals(claim.settings(on.under(neighbour.texts))))
         identities = [goal for goal in goals if _is_identity(goal)]
         for goal in identities:
             if goal.space not in stages:

@@ -27,7 +27,7 @@ from kowalevski_cas.paper.claims import (
     LiouvilleIntegrable,
 )
 from kowalevski_cas.paper.claims.forms import ZERO
-from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.elaborate import Elaboration, finder_of
 from kowalevski_cas.problem.collect import collect_sides
 from kowalevski_cas.problem.differentials import chosen
 from kowalevski_cas.problem.evidence import (
@@ -43,6 +43,7 @@ from kowalevski_cas.problem.evidence import (
 from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.place import Place, number_formula
+from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.verify.loci import circle_of
 from kowalevski_cas.verify.outcome import Counterexample, Point, Value
 from kowalevski_cas.verify.shown import named, point, scaled, written
@@ -138,18 +139,25 @@ def why(claim: Claim, goal: Goal, evidence: Evidence) -> str:
     """Why a goal of a claim is denied, where no two values say so."""
     match goal, evidence:
         case Fails(), Shown() if isinstance(claim, FirstIntegral):
-            if claim.given:
-                return "the function is constant everywhere, not on this set only"
             return "the function is constant by itself"
         case Fails(), Shown():
             return "what is said to fail somewhere holds everywhere"
         case Follows(conclusions=()), At():
             return "there is a real point where none is said to be"
-        case Rank(functions=(_,), given=()), Minors():
+        case Rank(functions=(own,)), Minors() if _is_constant(own, goal.space):
             return "the function is constant by itself"
+        case Rank(functions=(_,)), Minors() if isinstance(claim, FirstIntegral):
+            return "on this set the function is constant by the equations of the set alone"
         case Rank(), Minors():
             return "the differentials depend on each other everywhere"
     return ""
+
+
+def _is_constant(function: Formula, setting: Setting) -> bool:
+    """Whether a function has no differential by itself, on whatever set it is looked at."""
+    at = finder_of(setting)
+    value = at.scalar(function)
+    return all(at.partial(value, name).is_zero for name in setting.variables)
 
 
 def _regardless(goal: Exists, evidence: Regardless, place: Place) -> Counterexample | None:

@@ -17,7 +17,7 @@ from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.differentials import chosen, differentials
 from kowalevski_cas.problem.evidence import Denial, Point
-from kowalevski_cas.problem.examine import Unproved
+from kowalevski_cas.problem.examine import Unproved, law
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Rank
 from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.space import Equation
@@ -206,5 +206,5 @@ def drop_on(
         found.append(rank([[candidate(entry) for entry in row] for row in rows]))
         return found[-1] < goal.rank
 
-    point = finder.point(at, known, [e for row in rows for e in row], good)
+    point = finder.point(at, known, [*law(goal, at), *(e for row in rows for e in row)], good)
     return None if point is None else (found[-1], point)

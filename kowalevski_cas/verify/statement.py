@@ -8,6 +8,7 @@ from functools import cached_property
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.elaborate import Elaboration, finder_of
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.generators import check_hypotheses
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.codec import digest
 from kowalevski_cas.problem.evidence import At, Denial, Evidence
@@ -28,10 +29,11 @@ class Statement:
     def __init__(
         self, claim: Claim, on: Elaborations, goals: tuple[Goal, ...] | None = None
     ) -> None:
-        self.claim, self.on = claim, on
-        self.goals: tuple[Goal, ...] = tuple(claim.goals(on)) if goals is None else goals
+        self.claim, self.on = claim, claim.settings(on)
+        self.goals: tuple[Goal, ...] = tuple(claim.goals(self.on)) if goals is None else goals
         if not self.goals:  # all of them would hold
             raise Meaningless(f"{claim.id} states nothing")
+        check_hypotheses(self.goals)
         self.problem = pruned(self.goals)
 
     @cached_property

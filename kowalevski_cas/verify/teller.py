@@ -52,6 +52,7 @@ class Teller(Bench):
         if self.arithmetics[0] != "flint" and outcome.verdict is Verdict.PROVED:
             accepted = self._judged(statement, decided.verdicts, "flint").accepted
         if outcome.verdict is Verdict.PROVED:
+            outcome = outcome._replace(message=statement.claim.remark(statement.on))
             needed = conditions(statement, accepted, self.stored.get(statement.claim.id))
             if needed:
                 verdicts: dict[str, Verdict] = {
@@ -113,7 +114,7 @@ class Teller(Bench):
             granted=tuple(map(on.texts.expression, granted)),
             branches=branches,
             verdicts={name: verdict for name in self.arithmetics},
-            ours=claim.ours or any(place.display.source for place in claim.establishes()),
+            ours=claim.ours,
         )
 
     def corrected(self, statement: Statement) -> tuple[str, ...]:

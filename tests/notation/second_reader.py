@@ -38,7 +38,8 @@ WORDS = {*RELATIONS, r"\cdot", r"\times", r"\ldots", r"\Re", r"\Im", r"\partial"
 WORDS |= {*PAIRS, *PAIRS.values(), r"\sum", r"\pm", r"\mp", r"\over", r"\vert"}
 BARS = ("|", r"\|", r"\vert")
 MATRICES = ("pmatrix", "matrix", "bmatrix", "vmatrix")
-NAMED = ("sin", "cos", "exp", "ln", "det")
+NAMED = ("sin", "cos", "tan", "cot", "sec", "exp", "ln", "sinh", "cosh", "tanh", "arctan", "det")
+SAME = {"tg": "tan", "ctg": "cot", "sh": "sinh", "ch": "cosh", "th": "tanh", "arctg": "arctan"}
 UNICODE = {"−": "-", "ω": r"\omega ", "≤": r"\le ", "∂": r"\partial ", "·": r"\cdot "}
 BINARY = {*RELATIONS, "+", "-", r"\pm", r"\mp", r"\cdot", r"\times", "/"}
 
@@ -139,11 +140,13 @@ def one(token, tokens, font):
 def letter(token, tokens, font):
     """A letter, or a whole word in upright letters; a single upright letter is as any other."""
     if font != "R" or token[0] == "\\":
-        return Letter(font.replace("R", "") + token.removeprefix("\\"))
+        token = token.removeprefix("\\")
+        return Letter(font.replace("R", "") + SAME.get(token, token))
     while tokens and re.fullmatch("[A-Za-z]", tokens[-1]):
         token += tokens.pop()
     if token in ("Re", "Im", "diag", "const"):
         return "\\" + token
+    token = SAME.get(token, token)
     return Letter(token if len(token) == 1 or token in NAMED else "R" + token)
 
 
@@ -408,8 +411,9 @@ class Reader:
             else:
                 break
         function = called in self.words.functions
-        if function and (self.here in PAIRS or called not in self.words.ranks):
-            arguments = self.listed() if self.here in PAIRS else [self.single()]
+        listed = isinstance(self.here, str) and self.here in PAIRS
+        if function and (listed or called not in self.words.ranks):
+            arguments = self.listed() if listed else [self.single()]
             value = self.point.applied(called, arguments)
             return self.scripts(value if power is None else n.to(value, power))
         if called == "e" and called not in self.words.ranks:
@@ -425,7 +429,19 @@ class Reader:
         return value if power is None else n.to(value, power)
 
     def single(self):
-        """The argument of a function without brackets, as in sin 2x."""
+        """The argument of a function without brackets, as in sin 2x and cos ωt."""
+        start, found = self.at, []
+        while isinstance(self.here, Letter | Box) or str(self.here).isdigit():
+            if str(self.here) in NAMED:
+                break
+            found.append(self.here)
+            self.take()
+        self.at = start
+        if len(found) > 1 and str(found[-1]) in self.words.times:
+            value = self.factor()
+            for _ in found[1:]:
+                value = n.times(value, self.factor())
+            return value
         number = isinstance(self.here, str) and self.here.isdigit()
         value = self.factor()
         more = number and isinstance(self.here, Letter) and str(self.here) not in NAMED

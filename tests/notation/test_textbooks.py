@@ -54,6 +54,16 @@ ONE_READING = {
     "0.125x": Product((Quotient(Number(1), Number(8)), x)),
     r"{x \over y}": Quotient(x, y),
     r"x{q+1 \over 2}": Product((x, Quotient(Sum((q, Number(1))), two))),
+    r"\cos\omega t": Application(r"\cos", (Product((Name(r"\omega"), Name("t"))),)),
+    r"\cos2\omega t\,\sin\theta": Product(
+        (
+            Application(r"\cos", (Product((two, Name(r"\omega"), Name("t"))),)),
+            Application(r"\sin", (theta,)),
+        )
+    ),
+    r"\operatorname{tg}\frac\theta2": Application(r"\tan", (Quotient(theta, two),)),
+    r"{\rm sn}^2(q,k)": Power(Application(r"\mathrm{sn}", (q, Name("k"))), two),
+    r"\sh x\ch x": Product((Application(r"\sinh", (x,)), Application(r"\cosh", (x,)))),
     r"\sum_{i=1}^3 p_i^2": Summation("i", Number(1), Number(3), Power(Name("p_i"), two)),
     r"\sum_{i=1}^{3} ip_i + x": Sum(
         (Summation("i", Number(1), Number(3), Product((Name("i"), Name("p_i")))), x)
@@ -119,7 +129,9 @@ def test_two_signs_are_two_statements():
         (r"\nabla\times\mathbf r", "print by what it derives"),
         (r"\int_0^1 x", "an integral cannot be read"),
         (r"\sin\theta(x+y)", r"how far does \sin reach?"),
-        (r"\sin\omega t", r"how far does \sin reach?"),
+        (r"\frac{d}{dt}x\sin y", "how far does the derivative by t reach?"),
+        (r"\sin\theta t", r"how far does \sin reach?"),
+        (r"\sin\omega x", r"how far does \sin reach?"),
         (r"\langle x, y\rangle", "declare the vectors of this product"),
         ("[x, y]", "a list in these brackets cannot be read"),
         ("|x|y||", "| is not expected here"),

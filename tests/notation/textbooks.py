@@ -1,7 +1,7 @@
 """Formulas as textbooks of mechanics print them, and the names in them."""
 
 from kowalevski_cas.notation import Vocabulary
-from kowalevski_cas.notation.macros import FUNCTIONS
+from kowalevski_cas.notation.functions import FUNCTIONS
 
 WORDS = Vocabulary(
     scalars=frozenset(
@@ -47,6 +47,9 @@ FORMULAS = [
     r"x = r\sin\theta\cos\phi,\quad y = r\sin\theta\sin\phi,\quad z = r\cos\theta",
     r"H = \frac{p_1^2+p_2^2}{2} + e^{q_1-q_2}",
     r"V = \mathrm{e}^{-2x} - 2\exp(-x) + \ln x",
+    r"x = r\cos\omega t, \quad y = \operatorname{tg}\frac{\theta}{2}\ctg\phi + \sec^2\phi",
+    r"\dot\theta = 2k\operatorname{cn}(\omega t,k), \quad p = \operatorname{sn}^2(q,k)\mathrm{dc}(q,k)",
+    r"\phi = \arctg\frac{y}{x} - \operatorname{artanh}\frac xr, \quad r = \sh\mu\cosh\mu\operatorname{th}\mu",
     # lengths, squares, products
     r"\ddot{\mathbf r} = -\frac{\mu\mathbf r}{|\mathbf r|^3}",
     r"U = -\frac{k}{\|\mathbf r_1 - \mathbf r_2\|}",

@@ -87,6 +87,7 @@ def _evidence(found: Outcome | Audited) -> dict[str, Any]:
 def audited(audit: Audit) -> str:
     """All formulas, the statements in words, and a summary."""
     value = {
+        **_assumed(audit),
         "formulas": [_formula(formula) for formula in audit.formulas],
         "statements": [_statement(audit, outcome) for outcome in audit.statements],
         "summary": {
@@ -104,6 +105,25 @@ def audited(audit: Audit) -> str:
     return json.dumps(value, indent=2, ensure_ascii=False) + "\n"
 
 
+def _assumed(audit: Audit) -> dict[str, Any]:
+    """What a source that is its own derivation takes for granted."""
+    if audit.reading is None:
+        return {}
+    from kowalevski_cas.audit.reading import assumed
+
+    return {
+        "assumed": [
+            {
+                "kind": one.kind,
+                "words": one.words,
+                "id": one.place.place if one.place else None,
+                "claims": list(one.claims),
+            }
+            for one in assumed(audit)
+        ]
+    }
+
+
 def _formula(formula: Audited) -> dict[str, Any]:
     return {
         "id": formula.id,
@@ -111,6 +131,8 @@ def _formula(formula: Audited) -> dict[str, Any]:
         "line": formula.line,
         "column": formula.column,
         "role": formula.role,
+        "reason": formula.reason or None,
+        "on": list(formula.on),
         "tex": formula.tex,
         "verdict": formula.verdict,
         "claims": list(formula.claims),

@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from kowalevski_cas.cli import plain
-from kowalevski_cas.cli.formats import Result
+from kowalevski_cas.cli.formats import Result, reading
 from kowalevski_cas.library import MEND
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.report.document import Block, Display, Paragraph
@@ -25,8 +25,29 @@ if TYPE_CHECKING:
 
 
 def render(results: Sequence[Result]) -> str:
-    """Each derivation with what was found in it, each slip once."""
-    return "\n".join(told(result) for result in results)
+    """Each derivation with what was found in it, each slip once; those with findings last."""
+    shown = [told(result) for result in sorted(results, key=_worst)]
+    if len(results) > 1:
+        shown.append("".join(f"{line}\n" for line in _table(results)))
+    return "\n".join(shown)
+
+
+def _worst(result: Result) -> int:
+    """How much a reader has to do about a derivation: nothing, to read, or to act."""
+    if result.differences:
+        return 2
+    return int(not all(outcome.verdict.green for outcome in result.run.outcomes))
+
+
+def _table(results: Sequence[Result]) -> Iterator[str]:
+    """A line a derivation: how many claims have which verdict, and whether that is known."""
+    width = max(len(result.run.derivation) for result in results)
+    present = [v for v in Verdict if any(o.verdict is v for r in results for o in r.run.outcomes)]
+    for result in sorted(results, key=_worst):
+        counts = Counter(outcome.verdict for outcome in result.run.outcomes)
+        cells = [f"{counts[v]:>5} {plain.sign(v)}" if counts[v] else " " * 10 for v in present]
+        status = f"as {result.standard}" if not result.differences else "DIFFERENT"
+        yield f"{result.run.derivation:<{width}}{''.join(cells)} {status}"
 
 
 def told(result: Result, claims: Iterable[str] = ()) -> str:
@@ -114,6 +135,17 @@ class Told:
         """The audit as text; details stand before the summary."""
         audit = self.audit
         findings = Findings(self.phrases, tuple(audit.outcomes.values()))
+        if audit.reading is not None:
+            return "\n".join(
+                (
+                    *reading.told(audit, self.phrases),
+                    *self.wrong(),
+                    *details,
+                    "",
+                    *self.summary(),
+                    "",
+                )
+            )
         source = f"{audit.source.path}, by the derivation {audit.session.derivation.name}."
         notes = (f"line {line}: {words}" for line, words in audit.notes)
         wrong = *self.wrong(), *plain.lines(findings.hypotheses()), *details, *notes

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import Any, NamedTuple, dataclass_transform
 
-from kowalevski_cas.notation import Edit, Formula, Relation, Root, edits, to_latex
+from kowalevski_cas.notation import Edit, Formula, NotationError, Relation, Root, edits, to_latex
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts, check_attributes
@@ -95,6 +95,14 @@ class Claim(_Kind, ABC):
             raise Meaningless("the claim is about a formula, and names none")
         return self.printed
 
+    def settings(self, on: Elaborations) -> Elaborations:
+        """The settings of scenes, in which the functions of the claim's formulas are known."""
+        met: list[Formula] = []
+        for place in dict.fromkeys(self.places()):
+            with suppress(NotationError):
+                met.append(on.texts.formula(place))
+        return on.meeting(tuple(met))
+
     @abstractmethod
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         """What is stated, in the settings that the scenes mean."""
@@ -107,6 +115,10 @@ class Claim(_Kind, ABC):
         It is made with FLINT; ``names`` are those to which a point of a space gives values.
         """
         return {}
+
+    def remark(self, on: Elaborations) -> str:
+        """What is told of the claim where it is proved."""
+        return ""
 
     def refuted_by(self, denial: Denial) -> bool:
         """Whether what denies a goal denies the claim; a goal may be more than what is claimed."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import partial
 from itertools import pairwise
 
@@ -27,8 +28,8 @@ class FirstIntegral(Claim):
     in numbers and names of constants; these are equal too, but for a name that is given to it. The
     function is not constant by itself (nor is any component of it, if it is a vector): its
     differential is independent of those of the set at a real point. With a set, the claim includes
-    that the set is invariant, and that the function is not constant off the set. Of logarithms,
-    which stand with constant factors, it is the derivatives that are stated.
+    that the set is invariant. Of logarithms, which stand with constant factors, it is the
+    derivatives that are stated.
     """
 
     given: tuple[Printed, ...] = ()
@@ -54,7 +55,6 @@ class FirstIntegral(Claim):
         given = equations(on, space, self.given)
         yield Follows(space, ((*still, *pairwise(same)),), given, self.main)
         if self.given:
-            yield Fails(space, (still,))
             invariant = InvariantRelations(self.id, self.scene, "", self.given, self.main)
             yield from invariant.goals(on)
         yield Rank(space, (same[-1],), given, 1 + len(space.finder.differences(given)))
@@ -71,6 +71,15 @@ class FirstIntegral(Claim):
         yield Follows(space, ((vanishing(lambda one: Derivative(one, mark)),),), ())
         names = (*self.scene.variables, *space.velocities.values())
         yield Fails(space, (tuple(vanishing(partial(Partial, by=name)) for name in names),))
+
+    def remark(self, on: Elaborations) -> str:
+        """That a function is constant off its set as well, which is more than is claimed."""
+        if not self.given:
+            return ""
+        goals = (goal for goal in replace(self, given=()).goals(on) if isinstance(goal, Follows))
+        sides = [pair for goal in goals for pair in goal.conclusions[0]]
+        whole = all(rest.is_zero for rest in on(self.scene).finder.differences(sides))
+        return "it is constant along the motions off this set, too" if whole else ""
 
     def constants(self, on: Elaborations, space: Elaboration) -> list[Formula]:
         """The members that have to be constant; not names that are defined by the others."""

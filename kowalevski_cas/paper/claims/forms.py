@@ -98,11 +98,12 @@ def sides(members: Sequence[Formula], space: Elaboration) -> list[Formula]:
 def equations(
     on: Elaborations, space: Elaboration, places: Sequence[Printed]
 ) -> tuple[Equation, ...]:
-    """The sides of printed equations, component by component."""
-    found = (equation(on, space, printed) for printed in places)
+    """The sides of printed equations, component by component; of a chain, those of each sign."""
+    chains = (sides(on.texts.relation(printed).members, space) for printed in places)
     return tuple(
         pair
-        for left, right in found
+        for members in chains
+        for left, right in pairwise(members)
         for pair in zip(parts(left, space), parts(right, space), strict=True)
     )
 

@@ -9,6 +9,7 @@ from kowalevski_cas.paper.claims.dimension import check_conjugates
 from kowalevski_cas.paper.claims.forms import equations, minus
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.problem.evidence import At, Denial
 from kowalevski_cas.problem.goals import Goal, Rank
 
 
@@ -27,6 +28,10 @@ class LocalDimension(Claim):
         given = equations(on, space, self.equations)
         check_conjugates([*map(minus, given)], space)
         yield Rank(space, (), given, len(space.variables) - self.dimension)
+
+    def refuted_by(self, denial: Denial) -> bool:
+        """Only by a point: where differentials are dependent, a set may yet be a manifold."""
+        return isinstance(denial.evidence, At)
 
     def establishes(self) -> Iterator[Printed]:
         yield from self.equations

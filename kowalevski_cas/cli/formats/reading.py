@@ -1,0 +1,75 @@
+"""What stands at the head of an audit of a source that is its own derivation."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from kowalevski_cas.cli import plain
+from kowalevski_cas.report.document import Display, Paragraph
+from kowalevski_cas.report.sentences import Phrases
+from kowalevski_cas.verify.outcome import Verdict
+
+if TYPE_CHECKING:
+    from kowalevski_cas.audit.audit import Audit
+    from kowalevski_cas.audit.audited import Audited
+
+
+def told(audit: Audit, phrases: Phrases) -> Iterator[str]:
+    """The answer, what is assumed, what is undecided, and what is not judged."""
+    assert audit.reading is not None
+    laws = audit.reading.known.laws
+    equations = "; ".join(law.title for law in laws) or "no equations of motion are found"
+    yield f"{audit.source.path}, read as it stands: {equations}."
+    yield ""
+    yield from _lead(audit)
+    yield from _assumed(audit, phrases)
+    yield from _undecided(audit, phrases)
+    yield from _open(audit)
+
+
+def _lead(audit: Audit) -> Iterator[str]:
+    verdicts = [outcome.verdict for outcome in audit.outcomes.values()]
+    green = sum(verdict.green for verdict in verdicts)
+    wrong = sum(formula.wrong for formula in audit.formulas)
+    claims = plain.many(len(verdicts), "claim")
+    yield f"Of {claims} {green} hold as printed; {wrong or 'no'} wrong."
+
+
+def _assumed(audit: Audit, phrases: Phrases) -> Iterator[str]:
+    from kowalevski_cas.audit.reading import assumed
+
+    listed = [one for one in assumed(audit) if one.claims]
+    if listed:
+        yield from ("", "What is assumed")
+    for one in listed:
+        resting = ", ".join(one.claims)
+        words = phrases.words(f"{one.words}; on it rest {resting}.")
+        yield from (f"  {line}" for line in plain.wrapped(plain.text(words)))
+
+
+def _undecided(audit: Audit, phrases: Phrases) -> Iterator[str]:
+    unclear = [f for f in audit.formulas if f.verdict in (Verdict.UNDECIDED, Verdict.TIMEOUT)]
+    if unclear:
+        yield from ("", "What is not decided")
+    for formula in unclear:
+        yield from plain.wrapped(f"{_where(audit, formula)}: {formula.message}")
+        if formula.formula is not None:
+            yield from plain.lines([Display((formula.formula,), formula.tex)], 2)
+        if formula.counterexample is not None:
+            yield from plain.lines([Paragraph(phrases.values(formula.counterexample))], 2)
+
+
+def _open(audit: Audit) -> Iterator[str]:
+    from kowalevski_cas.audit.audited import OPEN
+
+    unjudged = [formula for formula in audit.formulas if formula.verdict == OPEN]
+    if unjudged:
+        yield from ("", "What is not judged")
+    for formula in unjudged:
+        message = formula.message.splitlines()[0] if formula.message else formula.reason
+        yield from (f"  {line}" for line in plain.wrapped(f"{_where(audit, formula)}: {message}"))
+
+
+def _where(audit: Audit, formula: Audited) -> str:
+    return f"{audit.source.path}:{formula.line}: {formula.id}"

@@ -1,0 +1,168 @@
+r"""The functions that need no declaration, a line each: how they are printed and what they are.
+
+Functions of a :class:`Family` are rational in a few generators, of which everything follows that is
+proved of them: their squares, where these are given, their rates by the argument, and their values
+where the argument is zero. Of all other functions only the derivative is known. Each is printed as
+in LaTeX, or in upright letters; the first of several names is the one in which it is read.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True, eq=False)
+class Family:
+    r"""Functions of one argument that are rational in a few generators; all formulas are LaTeX.
+
+    ``functions``
+        names, the first of several is the one in which they are read, and formulas in generators.
+    ``rates``
+        the generators, with their derivatives by the argument.
+    ``squares``
+        those generators that are either root of something.
+    ``zero``
+        the values of the generators where the argument is zero.
+    ``minus``, ``sum``
+        the generators that are others at the opposite argument, and all of them at the sum of two
+        arguments, where :math:`s_1` is at the second one.
+    ``parameters``
+        what stands behind the argument, as the modulus.
+    ``nonzero``
+        generators that vanish nowhere.
+    ``covers``
+        whether the generators take all real values that their squares allow.
+    ``argument``
+        the part of the argument at which the generators are taken.
+    """
+
+    functions: Mapping[str, str]
+    rates: Mapping[str, str]
+    zero: Mapping[str, str]
+    sum: Mapping[str, str]
+    minus: Mapping[str, str]
+    squares: Mapping[str, str] = field(default_factory=dict)
+    parameters: tuple[str, ...] = ()
+    nonzero: tuple[str, ...] = ()
+    covers: bool = True
+    argument: int = 1
+
+
+CIRCULAR = Family(
+    functions={
+        "sin": "s",
+        "cos": "c",
+        "tan tg": r"\frac{s}{c}",
+        "cot ctg cotg": r"\frac{c}{s}",
+        "sec": r"\frac{1}{c}",
+        "csc cosec": r"\frac{1}{s}",
+    },
+    rates={"s": "c", "c": "-s"},
+    squares={"c": "1-s^2"},
+    zero={"s": "0", "c": "1"},
+    minus={"s": "-s"},
+    sum={"s": "sc_1+cs_1", "c": "cc_1-ss_1"},
+)
+
+# The generator is e to half of the argument: it is real, so that its square is positive.
+EXPONENTIAL = Family(
+    functions={
+        "exp": "e^2",
+        "sinh sh": r"\frac{1}{2}(e^2-\frac{1}{e^2})",
+        "cosh ch": r"\frac{1}{2}(e^2+\frac{1}{e^2})",
+        "tanh th": r"\frac{e^4-1}{e^4+1}",
+        "coth cth": r"\frac{e^4+1}{e^4-1}",
+        "sech": r"\frac{2e^2}{e^4+1}",
+        "csch": r"\frac{2e^2}{e^4-1}",
+    },
+    rates={"e": "e"},
+    zero={"e": "1"},
+    minus={"e": r"\frac{1}{e}"},
+    sum={"e": "ee_1"},
+    nonzero=("e",),
+    argument=2,
+)
+
+_BELOW = "1-k^2s^2s_1^2"
+JACOBI = Family(
+    functions={
+        "sn": "s",
+        "cn": "c",
+        "dn": "d",
+        "ns": r"\frac{1}{s}",
+        "nc": r"\frac{1}{c}",
+        "nd": r"\frac{1}{d}",
+        "sc": r"\frac{s}{c}",
+        "sd": r"\frac{s}{d}",
+        "cs": r"\frac{c}{s}",
+        "cd": r"\frac{c}{d}",
+        "ds": r"\frac{d}{s}",
+        "dc": r"\frac{d}{c}",
+    },
+    rates={"s": "cd", "c": "-sd", "d": "-k^2sc"},
+    squares={"c": "1-s^2", "d": "1-k^2s^2"},
+    zero={"s": "0", "c": "1", "d": "1"},
+    minus={"s": "-s"},
+    sum={
+        "s": rf"\frac{{sc_1d_1+s_1cd}}{{{_BELOW}}}",
+        "c": rf"\frac{{cc_1-sds_1d_1}}{{{_BELOW}}}",
+        "d": rf"\frac{{dd_1-k^2scs_1c_1}}{{{_BELOW}}}",
+    },
+    parameters=("k",),
+    covers=False,
+)
+
+FAMILIES = (CIRCULAR, EXPONENTIAL, JACOBI)
+
+DERIVATIVES = {
+    "ln": r"\frac{1}{x}",
+    "arctan arctg": r"\frac{1}{1+x^2}",
+    "arccot arcctg": r"-\frac{1}{1+x^2}",
+    "artanh arctanh arth": r"\frac{1}{1-x^2}",
+}
+"""Functions of which only the derivatives are known, by their argument x."""
+
+_OTHERS = ("log", "arcsin", "arccos", "max", "min", "det", "tr Tr")
+_MACROS = frozenset(
+    """sin cos tan cot sec csc sinh cosh tanh coth arcsin arccos arctan exp ln log max min
+    det""".split()
+)
+_SHORT = frozenset("tg ctg cotg cosec sh ch th cth sech csch arctg arcctg arth".split())
+"""Names that authors print as macros, though LaTeX has none."""
+
+
+def canonical(word: str) -> str:
+    r"""How the first name of a function is read.
+
+    >>> canonical("sin"), canonical("sn")
+    ('\\sin', '\\mathrm{sn}')
+    """
+    return rf"\{word}" if word in _MACROS else rf"\mathrm{{{word}}}"
+
+
+_LINES = [name.split() for one in FAMILIES for name in one.functions]
+_LINES += [line.split() for line in (*DERIVATIVES, *_OTHERS)]
+
+FUNCTIONS = frozenset(canonical(names[0]) for names in _LINES)
+"""The functions that need no declaration: upright, with one factor behind if not with brackets."""
+
+SPELLING = {
+    printed: canonical(names[0])
+    for names in _LINES
+    for name in names
+    for printed in [rf"\mathrm{{{name}}}", *([rf"\{name}"] if name in _SHORT else [])]
+    if printed != canonical(names[0])
+}
+"""How they are read, by the other ways to print them."""
+
+FAMILY_OF = {canonical(names.split()[0]): one for one in FAMILIES for names in one.functions}
+"""The family of a function."""
+
+MEANING = {
+    canonical(names.split()[0]): tex for one in FAMILIES for names, tex in one.functions.items()
+}
+"""A function of a family in its generators."""
+
+DERIVATIVE_OF = {canonical(names.split()[0]): tex for names, tex in DERIVATIVES.items()}
+"""The derivative of a function of which only that is known."""

@@ -1,0 +1,142 @@
+r"""Functions of a family at one argument, in generators with names: :math:`\sin\theta`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import cache
+from typing import NamedTuple
+
+from kowalevski_cas.notation import (
+    Application,
+    Derivative,
+    Formula,
+    Name,
+    Number,
+    Quotient,
+    Vocabulary,
+    once,
+    read,
+    substitute,
+    to_latex,
+)
+from kowalevski_cas.notation.functions import EXPONENTIAL, FAMILY_OF, Family, canonical
+from kowalevski_cas.paper.arguments import Monomial, product_of
+from kowalevski_cas.problem.space import Adjoined, Meaningless
+
+ONE = Number(1)
+
+
+class Kind(NamedTuple):
+    """A family, with what stands behind the argument."""
+
+    family: Family
+    parameters: tuple[Formula, ...]
+
+    def formula(self, tex: str, values: Mapping[str, Formula]) -> Formula:
+        """A formula of the family in other names."""
+        own = dict(zip(self.family.parameters, self.parameters, strict=True))
+        return substitute(template(tex), {**own, **values})
+
+    def names(self, argument: Formula) -> dict[str, str]:
+        """The names of the generators at an argument."""
+        if self.family is EXPONENTIAL:
+            return {"e": rf"\mathrm{{e}}^{{{_over(argument, self.family.argument)}}}"}
+        tex = ",".join(map(to_latex, (argument, *self.parameters)))
+        whole = tex if isinstance(argument, Name | Quotient) and not self.parameters else f"({tex})"
+        words = {one: names.split()[0] for names, one in self.family.functions.items()}
+        return {g: f"{canonical(words[g])}{{{whole}}}" for g in self.family.rates}
+
+
+def _over(argument: Formula, number: int) -> str:
+    """An argument over a number, on one line if it is a name."""
+    match argument:
+        case Name(name):
+            return f"{name}/{number}"
+        case Quotient(Name(name), Number(below)):
+            return f"{name}/{below * number}"
+    return to_latex(Quotient(argument, Number(number)))
+
+
+@cache
+def template(tex: str) -> Formula:
+    """A formula of the table of functions."""
+    letters = (*"scdek", *(f"{letter}_1" for letter in "scde"))
+    return read(tex, Vocabulary(frozenset(letters)))
+
+
+class Generators(NamedTuple):
+    """The generators of a family at a product of names, over a whole number."""
+
+    kind: Kind
+    monomial: Monomial
+    over: int
+
+    @property
+    def argument(self) -> Formula:
+        """Where they are taken."""
+        return product_of(self.monomial, self.over)
+
+    @property
+    def names(self) -> dict[str, str]:
+        """Their names, by their letters in the family."""
+        return self.kind.names(self.argument)
+
+    @property
+    def values(self) -> dict[str, Formula]:
+        """Their names as formulas."""
+        return {letter: Name(name) for letter, name in self.names.items()}
+
+    @property
+    def moving(self) -> tuple[str, ...]:
+        """Those that are no roots."""
+        return tuple(
+            n for letter, n in self.names.items() if letter not in self.kind.family.squares
+        )
+
+    def roots(self) -> Iterator[Adjoined]:
+        """Those that are roots of others."""
+        for letter, tex in self.kind.family.squares.items():
+            yield Adjoined(self.names[letter], self.kind.formula(tex, self.values))
+
+    def rates(self) -> dict[str, Formula]:
+        """Their derivatives by the product of names; what is above a number is as it is there."""
+        below = Number(self.over * self.kind.family.argument)
+        found = {}
+        for letter, tex in self.kind.family.rates.items():
+            rate = self.kind.formula(tex, self.values)
+            found[self.names[letter]] = rate if below == ONE else Quotient(rate, below)
+        return found
+
+
+def kind_of(formula: Application) -> Kind:
+    """The family of a function, with its parameters.
+
+    Raises :class:`Meaningless` if one of these is missing.
+    """
+    family, (_, *parameters) = FAMILY_OF[formula.function], formula.arguments
+    if len(parameters) != len(family.parameters):
+        what = "the modulus" if family.parameters else "one argument"
+        raise Meaningless(f"{to_latex(formula)}: print {what}", formula.function)
+    return Kind(family, tuple(parameters))
+
+
+@once
+def applications(formula: Formula) -> tuple[Application, ...]:
+    """The functions of known families in a formula."""
+    found = (one for one in formula.nodes() if isinstance(one, Application))
+    return tuple(dict.fromkeys(one for one in found if one.function in FAMILY_OF))
+
+
+@once
+def outside(formula: Formula) -> frozenset[str]:
+    """The names that stand outside of functions, and are not only derived by the time."""
+    match formula:
+        case Name(name):
+            return frozenset([name])
+        case Application(function, (_, *parameters)) if function in FAMILY_OF:
+            return frozenset[str]().union(*map(outside, parameters))
+        case Derivative(Name()):
+            return frozenset()
+        case Derivative(argument):
+            return outside(argument)
+    return frozenset[str]().union(*map(outside, formula.children()))

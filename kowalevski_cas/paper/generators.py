@@ -1,0 +1,162 @@
+"""The generators of the functions that stand on a scene, and how they move."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
+from functools import partial
+
+from kowalevski_cas.notation import (
+    Application,
+    Formula,
+    Name,
+    NotationError,
+    Number,
+    Quotient,
+    times,
+)
+from kowalevski_cas.paper.arguments import Monomial, product_of, single_name
+from kowalevski_cas.paper.differentiate import derivative
+from kowalevski_cas.paper.families import outside
+from kowalevski_cas.paper.meaning import Meaning
+from kowalevski_cas.paper.names import head
+from kowalevski_cas.paper.scene import Change
+from kowalevski_cas.paper.transcendental import Transcendental
+from kowalevski_cas.problem.goals import Follows, Goal, Rank, simple
+from kowalevski_cas.problem.prune import Reach
+from kowalevski_cas.problem.space import Meaningless, Motion
+
+ONE, ZERO = Number(1), Number(0)
+
+
+def functions_of(setting: Meaning) -> Transcendental:
+    """The functions in what a scene prints, and in what is claimed on it."""
+    scene = setting.scene
+    if isinstance(scene.field, Change):
+        return Transcendental((), (), (), (), "", lambda formula: formula)
+    own = [*setting.printed_field, *setting.met, *_conditions(setting)]
+    defined = [*_definitions(setting, scene.definitions)]
+    time = "" if scene.clock is not None or scene.time in scene.variables else scene.time
+    moving = (*scene.variables, *setting.velocities.values())
+    roots = (name for name in scene.roots if name not in scene.variables)
+    constants = (*scene.constants, *scene.undefined, *roots)
+    free, expanded = free_names(setting, own), partial(_expanded, setting)
+    return Transcendental([*own, *defined], free, moving, constants, time, expanded)
+
+
+def _expanded(setting: Meaning, formula: Formula, inside: tuple[str, ...] = ()) -> Formula:
+    """A formula in which no name is a defined one."""
+    if not isinstance(formula, Name) or formula.name not in setting.scene.definitions:
+        return formula.mapped(lambda child: _expanded(setting, child, inside))
+    if formula.name in inside:
+        raise Meaningless(f"{formula.name} is defined by itself", formula.name)
+    return _expanded(setting, setting.definition(formula.name), (*inside, formula.name))
+
+
+def _conditions(setting: Meaning) -> Iterator[Formula]:
+    """What a scene takes for granted not to vanish, and where it degenerates."""
+    scene = setting.scene
+    texts = [
+        *scene.nonzero,
+        *(tex for locus in scene.loci for tex in (*locus.equations, locus.condition)),
+    ]
+    for tex in texts:
+        with suppress(NotationError):
+            yield setting.texts.expression(tex)
+
+
+def _definitions(setting: Meaning, names: Iterable[str]) -> Iterator[Formula]:
+    for name in names:
+        with suppress(NotationError):
+            yield setting.texts.formula(setting.scene.definitions[name])
+
+
+def free_names(setting: Meaning, formulas: Iterable[Formula]) -> frozenset[str]:
+    """The names that stand outside of functions in formulas, and in what is defined of them."""
+    scene, found, waiting = setting.scene, set[str](), [*formulas]
+    heads: dict[str, list[str]] = {}
+    for name in scene.definitions:
+        heads.setdefault(head(name)[0], []).append(name)
+    while waiting:
+        formula = waiting.pop()
+        applied = {one.function for one in formula.nodes() if isinstance(one, Application)}
+        new = (outside(formula) | applied) - found
+        found |= new
+        found.update(part for name in new for part in scene.vectors.get(name, ()))
+        waiting += _definitions(setting, [one for name in new for one in heads.get(name, ())])
+    return frozenset(found)
+
+
+def with_generators(setting: Meaning, rows: Sequence[Motion]) -> Iterator[Motion]:
+    """The rows of a field, with those of generators in the place of what they replace.
+
+    The time moves as well, where it stands in a formula. Raises :class:`Meaningless` for a name in
+    an argument of which the rate is not known.
+    """
+    functions, scene = setting.transcendental, setting.scene
+    known = {
+        name: (factor, force) for row in rows for name, factor, force in setting.components(row)
+    }
+    if functions.timed:
+        known[scene.time] = ONE, ONE
+        rows = [*rows, Motion((scene.time,), ONE, ONE)]
+    yield from (row for row in rows if not any(name in functions for name in row.names))
+    for group in functions.groups if known else ():
+        if not functions.moves(group):
+            continue
+        factor, force = _rate(group.monomial, known, setting)
+        for name, rate in group.rates().items():
+            if name in group.moving:
+                below, above = (
+                    (rate.denominator, rate.numerator)
+                    if isinstance(rate, Quotient)
+                    else (ONE, rate)
+                )
+                yield Motion((name,), times(below, factor), times(setting.plain(above), force))
+
+
+def _rate(
+    monomial: Monomial, known: dict[str, tuple[Formula, Formula]], setting: Meaning
+) -> tuple[Formula, Formula]:
+    """The rate of a product of names: the force, and the factor by which it is divided."""
+    name = single_name(monomial)
+    if name in known:
+        return known[name]
+    rates = {
+        one: force if factor == ONE else Quotient(force, factor)
+        for one, (factor, force) in known.items()
+    }
+    argument = setting.plain(product_of(monomial))
+    reach = Reach(setting)
+    reach.formula(argument)
+    for one in setting.variables:
+        if one in reach.names and one not in rates:
+            raise Meaningless(f"solve the equations of motion for the rate of {one}", one)
+    return ONE, derivative(argument, rates, setting.step)
+
+
+def check_hypotheses(goals: Iterable[Goal]) -> None:
+    """Refuse given equations about generators that do not take all values by themselves.
+
+    Nor is anything known of the dependence of several functions of them.
+    """
+    for goal in (one for whole in goals for one in simple(whole)):
+        setting = goal.space
+        if not isinstance(setting, Meaning) or not setting.transcendental.dependent:
+            continue
+        given = goal.given if isinstance(goal, Follows | Rank) else ()
+        reach = Reach(setting)
+        for formula in (side for equation in given for side in equation):
+            reach.formula(formula)
+        found = sorted(reach.names & setting.transcendental.dependent)
+        if not found and isinstance(goal, Rank) and len(goal.functions) + len(given) > 1:
+            reach = Reach(setting)
+            for formula in goal.functions:
+                reach.formula(formula)
+            found = sorted(reach.names & setting.transcendental.dependent)
+        if found:
+            raise Meaningless(
+                f"{found[0]} stands under functions, and not only in one of them: "
+                "what equations say of its values is not known",
+                found[0],
+            )

@@ -1,0 +1,113 @@
+"""Words that say what a formula is, in English and in Russian: one table for all rules."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+CUES: dict[str, str] = {
+    "integral": r"""
+        (?:first|partial|additional|second|third|fourth|new|energy|area|geometric\w*|the)\s+integrals?
+        integrals?\s+of\s+(?:the\s+)?(?:motion|energy|areas?|second|third|fourth|degree)
+        integrals?\b conserved constants?\s+of\s+(?:the\s+)?motion
+        (?:is|are|remains?|stays?)\s+(?:a\s+|also\s+)?(?:constants?|preserved|conserved)
+        do(?:es)?\s+not\s+(?:change|depend\s+on\s+(?:the\s+)?time) интеграл\w* сохраня\w+
+        постоян(?:на|но|ны|ен)\b не\s+меня\w+""",
+    "invariant": r"""
+        invariant keeps?\s+the (?:leaves?|leaving)\s+(?:it|them|the\s+\w+)\s+invariant
+        no\s+(?:motion|trajectory|orbit|solution)\s+leaves satisfied\s+by инвариантн\w+
+        удовлетворя\w+""",
+    "equilibrium": r"""
+        equilibri\w+ state\w*\s+of\s+rest (?:singular|stationary|fixed|critical)\s+points?
+        равновеси\w+ стационарн\w+ особ\w+\s+точ\w+""",
+    "suppose": r"""
+        suppos\w+ assum\w+ \blet\b \btake\b \bmake\b \bif\b \bwhen\b
+        \bfor\s+(?:the\s+)?(?:\w+\s+){0,3}$ \bput\b \bset(?:ting)?\b provided choos\w+ choice
+        \bunder\b in\s+the\s+case \bcase\b restrict\w+ \bconsider\b \bwith\b
+        on\s+the\s+(?:\w+\s+)?levels? пусть предполож\w+ полож\w+ полага\w+ если при\s*$ допуст\w+
+        в\s+случае будем\s+считать считая возьм\w+ выбер\w+ \bпри\b""",
+    "define": r"""
+        \blet\b denot\w+ defin\w+ introduc\w+ \bput\b \bset\b notation \bwrite\b \bwhere\b
+        \bhere\b \bcall(?:ed)?\b new\s+variables? in\s+the\s+variables? abbreviat\w+ stands?\s+for
+        \bwith\s+the\b обознач\w+ введ\w+ вводя полож\w+ пусть \bгде\b \bздесь\b определ\w+
+        в\s+переменных""",
+    "for": r"""
+        \bfor\s+(?:the\s+)?(?:\w+\s+){0,3}(?:§[^§]*)*$ \bпри\s+(?:\w+\s+){0,2}(?:§[^§]*)*$""",
+    "where": r"""
+        \bwhere\b \bhere\b \bin\s+which\b \bгде\b \bздесь\b""",
+    "claim": r"""
+        therefore hence thus follow\w* whence we\s+(?:have|find|get|obtain)
+        one\s+(?:has|finds|gets|obtains) (?:so|such)\s+that consequently lead\w*\s+to gives?
+        yields? impl(?:y|ies) becom\w+ turns?\s+into show\w* prov\w+ obtain\w* satisf\w+ holds?
+        because \bthen\b there\s+is indeed takes?\s+the\s+form identit\w+ arriv\w+ reduc\w+ \bis\b
+        equals? следовательно следу\w+ отсюда поэтому получ\w+ имеем име\w+\s+место \bтогда\b
+        \bзначит\b вытека\w+ прим\w+\s+вид удовлетвор\w+ тождеств\w+ доказ\w+ выполн\w+
+        справедлив\w+ да[её]т приход\w+ находим""",
+    "follows": r"""
+        follow\w* therefore hence thus consequently whence \bfrom\b substitut\w+ eliminat\w+
+        so\s+that because\s+of by\s+virtue using \bon\s+(?:it|this|them|these)\b there\b
+        under\s+(?:the|these)\s+condition taking\s+into\s+account imply lead отсюда из\s
+        следовательно подстав\w+ исключ\w+ в\s+силу с\s+учётом с\s+учетом поэтому учитывая""",
+    "on it": r"""
+        \bon\s+(?:it|this|them|these|that)\b \bthere\b на\s+н[её][мй]?\b на\s+них""",
+    "level": r"""
+        levels? manifold relations? \bsets?\b surfaces? submanifold уровн\w+ многообрази\w+
+        соотношени\w+ поверхност\w+ множеств\w+""",
+    "constraint": r"""
+        constraints? connected\s+by subject\s+to связ(?:ь|и|ью|ями)\b стеснен\w+""",
+    "approximate": r"""
+        terms?\s+of\s+(?:the\s+)?(?:first|second|higher|lowest)\s+order
+        to\s+(?:the\s+)?first\s+order (?:first|linear|crude|rough)\s+approximation approximat\w+
+        lineari[sz]\w+ neglect\w*
+        small\s+(?:§|deviation|oscillation|perturbation|amplitude|parameter|variation|displacement|vibration|quantit)\w*
+        first\s+variation asymptotic\w* infinitesimal\w* перв\w+\s+приближени\w+ приближ[её]нн\w+
+        линеариз\w+ пренебрег\w+ асимптотич\w+
+        мал\w+\s+(?:§|колебани|отклонени|возмущени|параметр|амплитуд)\w* бесконечно\s+мал\w+
+        член\w+\s+(?:перв|втор|высш)\w+\s+порядк\w+""",
+    "denied": r"""
+        \bnot\s+(?:true|an?\s+integral|constant|conserved|the|valid|hold|correct|preserved|in\s+general)
+        does\s+not\s+(?:hold|vanish|follow) is\s+not\b are\s+not\b \bno\s+longer\b never\b
+        wrong\w* incorrect\w* erroneous\w* false\b mistak\w+ misprint\w* contrary
+        instead\s+of\s*(?:§|$) contradict\w+ if\s+it\s+were \bwere\b would\s+be fails?\b cannot\b
+        refut\w+ in\s+place\s+of\s*(?:§|$) \bneither\b невер\w+ ошиб\w+ ложн\w+ опечат\w+
+        вместо\s*(?:§|$) противореч\w+ не\s+явля\w+ не\s+сохраня\w+ нельзя не\s+выполн\w+
+        неправильн\w+ не\s+верно не\s+име\w+\s+мест""",
+    "quoted": r"""
+        \baccording\s+to\b \bclaims?\s+that \bclaimed\b \basserted?\b \bwrites\b \bconjectur\w+
+        one\s+might\s+(?:think|expect) \bbelieve[sd]?\b it\s+is\s+said утвержда\w+ по\s+мнению
+        предположительно гипотез\w+""",
+    "system": r"""
+        equations?\s+of\s+motion equations?\s+(?:are|read|take|have) \bsystem\b \bmodel\b
+        now\s+consider reduced\s+(?:system|equations) in\s+polar\s+coordinates another\s+system
+        obey\w* governed\s+by described\s+by euler\w*\s+equations hamilton\w*\s+equations
+        уравнени\w+\s+движени\w+ систем\w+ уравнени\w+ описыва\w+""",
+    "another system": r"""
+        now\s+(?:\w+\s+){0,2}consider \breduced\b \blimit\b polar\s+coordinates
+        another\s+(?:system|problem|example) second\s+(?:system|example|problem)
+        \bconsider\s+(?:now|also|next|the) next\s+example \bturn\s+to\b теперь\s+рассмотр\w+
+        рассмотрим\s+(?:теперь|также) друг\w+\s+(?:систем|задач|пример)\w+
+        приведенн\w+ полярн\w+""",
+    "hamiltonian": r"""
+        \bhamilton\w* canonical\w* гамильтон\w* каноническ\w+""",
+    "solution": r"""
+        solved\s+by solutions?\b \bsolves\b direct\s+substitution решени\w+ подстанов\w+""",
+    "if": r"""
+        \bif\s*$ \bwhen\s*$ \bunless\b \bif\s+(?:and\s+only\s+if\s*)?$ если\s*$ когда\s*$""",
+}
+"""Patterns by the cue that they give; spaces stand between them."""
+
+
+@cache
+def _pattern(cue: str) -> re.Pattern[str]:
+    return re.compile("|".join(CUES[cue].split()), re.IGNORECASE)
+
+
+def cue(name: str, words: str) -> str:
+    """The first of some words that give a cue; empty if none do."""
+    found = _pattern(name).search(words)
+    return found[0].strip() if found else ""
+
+
+def last_cue(name: str, words: str) -> int:
+    """Where the last words stand that give a cue; -1 if none do."""
+    return max((found.start() for found in _pattern(name).finditer(words)), default=-1)

@@ -1,0 +1,144 @@
+"""What is known at a place of a paper: its laws, what has been defined, what is supposed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from kowalevski_cas.paper.names import BRACKET, head
+from kowalevski_cas.reading.laws import Law
+from kowalevski_cas.reading.names import Names
+from kowalevski_cas.reading.statements import Item, Paper
+
+
+class Role(NamedTuple):
+    """What a statement is for its paper, with the reason in words.
+
+    ``kind`` says what is claimed, or why that is not judged; ``names`` are those that it defines,
+    or that it gives values to.
+    """
+
+    name: str
+    reason: str
+    kind: str = ""
+    names: tuple[str, ...] = ()
+
+
+LAW, DEFINITION, LEVEL, ASSUMPTION, CLAIM, NOTATION, OTHER, UNREAD = (
+    "law", "definition", "level", "assumption", "claim", "notation", "other", "unread",
+)  # fmt: skip
+
+NAMING = (DEFINITION, LEVEL)
+"""The roles by which a name gets a meaning."""
+
+
+@dataclass(eq=False)
+class Known:
+    """What a paper has said, as far as it has been read."""
+
+    paper: Paper
+    names: Names
+    laws: list[Law]
+    roles: dict[Item, Role] = field(default_factory=dict)
+    definitions: dict[str, list[Item]] = field(default_factory=dict)
+    assumptions: list[Item] = field(default_factory=list)
+    units: list[Item] = field(default_factory=list)
+    clocks: list[Item] = field(default_factory=list)
+    seen: set[str] = field(default_factory=set)
+
+    def enter(self, item: Item, role: Role) -> None:
+        """Keep what a statement says."""
+        self.roles[item] = role
+        if role.name in NAMING:
+            for name in role.names:
+                self.definitions.setdefault(head(name)[0] if name[:2] != BRACKET else name, [])
+                self.definitions[head(name)[0] if name[:2] != BRACKET else name].append(item)
+        if role.name == ASSUMPTION:
+            self.assumptions.append(item)
+        if role.kind == "unit":
+            self.units.append(item)
+        if role.kind == "clock":
+            self.clocks.append(item)
+        if item.formula is not None and (item.members or role.name == LAW):
+            self.seen |= item.names
+
+    # -- names ---------------------------------------------------------------------
+
+    def law_of(self, item: Item) -> Law | None:
+        """The law of which a statement is a part."""
+        return next((law for law in self.laws if item in law.items), None)
+
+    def moves(self, name: str) -> bool:
+        """Whether a name is a variable of a law, or a vector of such."""
+        parts = self.names.vectors.get(name, (name,))
+        return any({*parts} & {*law.variables} for law in self.laws)
+
+    def definition(self, name: str, item: Item) -> Item | None:
+        """What defines a name where it stands in a statement: the last before it, or the next."""
+        found = self.definitions.get(name, [])
+        before = [one for one in found if one.order <= item.order]
+        return before[-1] if before else found[0] if found else None
+
+    def is_defined(self, name: str) -> bool:
+        """Whether a name stands for something, itself or as a component."""
+        return name in self.definitions or self.names.whole(name) in self.definitions
+
+    def is_known(self, name: str) -> bool:
+        """Whether a name has been used, or moves."""
+        return name in self.seen or self.is_defined(name) or self.moves(name)
+
+    def below(self, name: str) -> set[str]:
+        """A name, and all names that it stands for, in the end."""
+        found: set[str] = set()
+        waiting = [name]
+        while waiting:
+            one = waiting.pop()
+            if one in found:
+                continue
+            found.add(one)
+            if self.moves(one):
+                continue
+            by = self.definitions.get(one) or self.definitions.get(self.names.whole(one), [])
+            waiting += [other for item in by for other in item.names]
+        return found
+
+    def varies(self, name: str) -> bool:
+        """Whether a name moves, or stands for something that does."""
+        return any(map(self.moves, self.below(name)))
+
+    # -- suppositions ----------------------------------------------------------------
+
+    def supposed(self, item: Item) -> list[Item]:
+        """The assumptions about constants that are in force at a statement, the latest first.
+
+        They hold to the end of their section, or of their theorem with its proof; a later one
+        about the same constants takes the place of an earlier one.
+        """
+        found: list[Item] = []
+        taken: set[str] = set()
+        for one in sorted(self.assumptions, key=lambda one: -one.order):
+            if one.order >= item.order or not self.reaches(one, item):
+                continue
+            names = {*self.roles[one].names}
+            if not names & taken:
+                found.append(one)
+            taken |= names
+        return found
+
+    def reaches(self, one: Item, item: Item) -> bool:
+        """Whether what is said at a statement is in force at another one."""
+        if one.theorem is not None:
+            return one.theorem == item.theorem
+        if self.roles[one].kind == "of the sentence":
+            return one.sentence == item.sentence
+        return one.section in item.sections
+
+    def cited(self, item: Item) -> Iterator[Item]:
+        """The statements that are cited in a sentence."""
+        for label in item.refs:
+            yield from (one for one in self.paper.labels.get(label, ()) if one is not item)
+
+    def varying(self, names: Iterable[str]) -> list[str]:
+        """The names that move, or stand for something that does."""
+        return [name for name in names if self.varies(name)]

@@ -1,0 +1,183 @@
+"""The claims that a statement may make, in the order in which they are tried.
+
+A hypothesis is an assumption in force, or it is cited in the sentence, or it stands just before
+and words say “on it”. No other one is ever tried.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from kowalevski_cas.notation import Application, Derivative, Name, Number
+from kowalevski_cas.paper.claims import (
+    Claim,
+    FirstIntegral,
+    Identity,
+    Implication,
+    InvariantRelations,
+)
+from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM
+from kowalevski_cas.reading.stage import Stage, Supposed
+from kowalevski_cas.reading.statements import Item
+
+ZERO = Number(0)
+
+
+@dataclass(frozen=True)
+class Rung:
+    """A claim that a statement may make, and the statements on which it would rest."""
+
+    claim: Claim
+    on: tuple[Item, ...]
+    constants: tuple[str, ...]
+
+
+def rungs(item: Item, id: str, stage: Stage) -> Iterator[Rung]:
+    """The claims that a statement may make, the likeliest first; none if it is not judged.
+
+    Raises ``ValueError`` where names have no meaning together.
+    """
+    return _Ladder(item, id, stage).rungs()
+
+
+class _Ladder:
+    def __init__(self, item: Item, id: str, stage: Stage) -> None:
+        self.item, self.id, self.stage, self.known = item, id, stage, stage.known
+        self.role = self.known.roles[item]
+        self.supposed = self.known.supposed(item)
+
+    def rungs(self) -> Iterator[Rung]:
+        match self.role.kind:
+            case "identity" | "constant":
+                yield from self.identities()
+            case "integral":
+                yield from self.integrals()
+            case "invariant":
+                yield from self.invariant()
+
+    # -- identities ------------------------------------------------------------------
+
+    def identities(self) -> Iterator[Rung]:
+        """An equation by itself, and where cited equations hold."""
+        says = "both sides are equal"
+        for assumptions in self.suppositions():
+            yield self.rung(Identity, says, assumptions)
+            if given := self.hypotheses():
+                said = "both sides are equal where the cited equations hold"
+                yield self.rung(Implication, said, assumptions, given, given=_places(given))
+
+    def suppositions(self) -> list[list[Item]]:
+        """The assumptions with which a claim is tried: those in force, and fewer.
+
+        Where the statement itself has a constant that is specialised, it may be meant in general.
+        """
+        kept = [
+            one for one in self.supposed if not {*self.known.roles[one].names} & self.item.names
+        ]
+        return [kept, self.supposed] if len(kept) < len(self.supposed) else [self.supposed]
+
+    def hypotheses(self) -> tuple[Item, ...]:
+        """The equations that the sentence cites, or that stand just before, if it says so."""
+        found = [one for one in self.known.cited(self.item) if self._restricts(one)]
+        if cue("on it", f"{self.item.before[-80:]} {self.item.tail[:40]}"):
+            found += self.just_before()
+        return tuple(dict.fromkeys(found))
+
+    def _restricts(self, one: Item) -> bool:
+        """Whether a statement holds on a part of the phase space only, so that it can be given."""
+        role = self.known.roles.get(one)
+        if role is None or not one.members or one.derives or not self.known.varying(one.names):
+            return False
+        if role.name == ASSUMPTION or role.kind == "invariant":
+            return True
+        return role.name == CLAIM and role.kind in ("integral", "identity") and not role.names
+
+    def just_before(self) -> list[Item]:
+        """The set that was spoken of last, in the same paragraph."""
+        sets = [
+            one
+            for one, role in self.known.roles.items()
+            if one.order < self.item.order
+            and one.section is self.item.section
+            and role.kind in ("set", "invariant")
+        ]
+        last = sets[-1:] if sets and self.item.paragraph - sets[-1].paragraph <= 0 else []
+        return [one for one in sets if last and one.typed is last[0].typed]
+
+    # -- integrals -------------------------------------------------------------------
+
+    def integrals(self) -> Iterator[Rung]:
+        """A function that does not move: everywhere, under the assumptions, or on a set."""
+        says = "this is constant along every motion"
+        derived = self._derived()
+        for assumptions in self._ways():
+            if derived is None:
+                yield self.rung(FirstIntegral, says, assumptions)
+            elif isinstance(derived, Item):
+                yield self.rung(FirstIntegral, says, assumptions, printed=derived.printed)
+            else:
+                yield self.rung(Identity, says, assumptions)
+        if given := self.hypotheses():
+            said = "this is constant along every motion on the set"
+            if derived is None:
+                yield self.rung(FirstIntegral, said, self.supposed, given, given=_places(given))
+            else:
+                yield self.rung(Implication, said, self.supposed, given, given=_places(given))
+
+    def _ways(self) -> list[list[Item]]:
+        """Without assumptions, and with those in force."""
+        return [[], self.supposed] if self.supposed else [[]]
+
+    def _derived(self) -> Item | bool | None:
+        """Of a rate that vanishes: true, or where its function is defined by logarithms."""
+        if ZERO not in self.item.members or not self.item.derives:
+            return None
+        inner = next(m for m in self.item.members if m != ZERO)
+        name = inner.argument if isinstance(inner, Derivative) else None
+        if isinstance(name, Name) and (by := self.known.definition(name.name, self.item)):
+            nodes = by.formula.nodes() if by.formula is not None else ()
+            if any(isinstance(node, Application) and node.function == r"\ln" for node in nodes):
+                return by
+        return True
+
+    # -- sets ------------------------------------------------------------------------
+
+    def invariant(self) -> Iterator[Rung]:
+        """That no motion leaves a set; its equations are claimed together."""
+        relations = tuple(
+            one
+            for one, role in self.known.roles.items()
+            if one.typed is self.item.typed and role.kind == "invariant"
+        )
+        if relations and relations[0] is self.item:
+            says = "no motion leaves the set of these equations"
+            places = _places(relations)
+            for assumptions in self._ways():
+                yield self.rung(
+                    InvariantRelations, says, assumptions, (), relations, relations=places
+                )
+
+    # -- all -------------------------------------------------------------------------
+
+    def rung(
+        self,
+        kind: type[Claim],
+        says: str,
+        assumptions: Sequence[Item],
+        on: Sequence[Item] = (),
+        items: Sequence[Item] = (),
+        **attributes: object,
+    ) -> Rung:
+        own = [*(items or (self.item,)), *on]
+        found: Supposed = self.stage.scene(own, assumptions)
+        if "relations" not in attributes:
+            attributes.setdefault("printed", self.item.printed)
+        claim = kind(self.id, found.scene, says, **attributes)  # type: ignore[arg-type]
+        return Rung(claim, (*found.assumptions, *on), found.constants)
+
+
+def _places(items: Sequence[Item]) -> tuple[Printed, ...]:
+    return tuple(item.printed for item in items)

@@ -1,0 +1,181 @@
+"""The equations of motion of a paper: closed sets of rates."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from kowalevski_cas.notation import Derivative, Formula, Name, Number, Power, Product, Relation
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.names import Names
+from kowalevski_cas.reading.statements import Item, Paper
+
+
+@dataclass(eq=False)
+class Law:
+    """A closed set of equations of motion, for these variables."""
+
+    items: tuple[Item, ...]
+    names: Names
+    base: Law | None = None
+    """The law of the names on its right sides, if it is another one."""
+
+    @cached_property
+    def variables(self) -> tuple[str, ...]:
+        """What moves, by components."""
+        own = self.names.scalars(name for item in self.items for name in item.rates)
+        return tuple(dict.fromkeys((*(self.base.variables if self.base else ()), *own)))
+
+    @cached_property
+    def rows(self) -> tuple[Item, ...]:
+        """All its equations, with those that it is added to."""
+        return (*(self.base.rows if self.base else ()), *self.items)
+
+    @cached_property
+    def order(self) -> int:
+        """The place from which on it holds."""
+        return max(item.order for item in self.items)
+
+    @cached_property
+    def first(self) -> Item:
+        """The first of its equations."""
+        return min(self.items, key=lambda item: item.order)
+
+    @cached_property
+    def mentions(self) -> frozenset[str]:
+        """All names that stand in it."""
+        return frozenset().union(*(item.names for item in self.rows))
+
+    @property
+    def title(self) -> str:
+        """What it is called: the labels of its equations, or what moves."""
+        labels = dict.fromkeys(i.printed.display.label for i in self.items)
+        return ", ".join(filter(None, labels)) or "the equations of motion"
+
+
+def find_laws(paper: Paper, names: Names) -> list[Law]:
+    """The closed sets of equations of motion, in the order of the paper.
+
+    The first display with rates of names that nothing defines is grown until the rates of all that
+    moves in it are there. Another set has new variables, or is set up as another system.
+    """
+    return [*_Finder(paper, names).laws()]
+
+
+class _Finder:
+    """The equations with rates of a paper, and which of them belong together."""
+
+    def __init__(self, paper: Paper, names: Names) -> None:
+        self.paper, self.names = paper, names
+        defined: dict[str, int] = {}
+        for item in paper.items:
+            if (
+                item.bare
+                and not item.derives
+                and not any(isinstance(m, Number) for m in item.members)
+            ):
+                defined.setdefault(item.bare[0], item.order)
+        self.rows = [
+            item
+            for item in paper.items
+            if is_row(item)
+            and item not in paper.approximate
+            and not any(defined.get(n, item.order) < item.order for n in item.rates)
+        ]
+
+    def laws(self) -> Iterator[Law]:
+        known: list[Law] = []
+        for item in self.rows:
+            if item.typed.inline or any(item in law.items for law in known):
+                continue
+            moving = {name for law in known for name in law.variables}
+            new = {*self.scalars(item)} - moving
+            if known and not new and not self._another(item, known):
+                continue
+            law = self.grown(item, moving if new else set())
+            if law is not None:
+                if new and known:
+                    law.base = known[-1]
+                known.append(law)
+                yield law
+
+    def _another(self, item: Item, known: Sequence[Law]) -> bool:
+        """Whether the words set up another system in the same variables."""
+        said = cue("another system", item.before) or cue("another system", item.section.title)
+        return bool(said) and item.section not in known[-1].first.sections[-1:]
+
+    def scalars(self, item: Item) -> tuple[str, ...]:
+        return self.names.scalars(item.rates)
+
+    def grown(self, first: Item, apart: Collection[str]) -> Law | None:
+        """A set of rows from a first one on, grown until it is closed; ``None`` if it cannot be."""
+        own = [row for row in self.rows if row.typed is first.typed]
+        while True:
+            rated = {name for row in own for name in self.scalars(row)}
+            wanted = {
+                name
+                for row in own
+                for name in self.names.scalars(row.names)
+                if name not in rated
+            }  # fmt: skip
+            more = self.following(own, wanted, apart)
+            if not more:
+                break
+            own += more
+        rated_names = {name for row in own for name in self.scalars(row)}
+        if sum(len(self.names.vectors.get(_left(row), "1")) for row in own) < len(rated_names):
+            return None
+        return Law(tuple(sorted(own, key=lambda row: row.order)), self.names)
+
+    def following(
+        self, own: Sequence[Item], wanted: Collection[str], apart: Collection[str]
+    ) -> list[Item]:
+        """The rows that tell how what is wanted moves: of a display, or else inline."""
+        at = own[0].order
+        rated = {name for row in own for name in self.scalars(row)}
+        others = [row for row in self.rows if row not in own]
+        found = [
+            row for row in others
+            if {*self.scalars(row)} & {*wanted} and not {*self.scalars(row)} & {*apart}
+        ]  # fmt: skip
+        found.sort(key=lambda row: (row.typed.inline, row.order < at, abs(row.order - at)))
+        if not found:
+            return []
+        whole = [row for row in others if row.typed is found[0].typed]
+        return [row for row in whole if not {*self.scalars(row)} <= rated] or whole
+
+
+def is_row(item: Item) -> bool:
+    r"""Whether a statement may be an equation of motion: an equality, linear in rates.
+
+    What is a name on the left is a definition, unless it gives a multiple of one rate, as
+    :math:`p=m\dot q`.
+    """
+    if len(item.members) != 2 or not item.rates:
+        return False
+    nodes = [node for member in item.members for node in member.nodes()]
+    if any(isinstance(node, Power) and _has_rate(node.base) for node in nodes):
+        return False
+    return not isinstance(item.members[0], Name) or _is_multiple(item.members[1])
+
+
+def _is_multiple(formula: Formula) -> bool:
+    """Whether a formula is a rate with a factor."""
+    factors = formula.factors if isinstance(formula, Product) else (formula,)
+    return sum(isinstance(factor, Derivative) for factor in factors) == 1
+
+
+def _has_rate(formula: Formula) -> bool:
+    return any(isinstance(node, Derivative) for node in formula.nodes())
+
+
+def _left(row: Item) -> str:
+    """The name of which a row gives the rate, or the one that it begins with."""
+    formula = row.formula
+    assert isinstance(formula, Relation)
+    for member in formula.members:
+        for node in member.nodes():
+            if isinstance(node, Derivative):
+                return next(iter(node.argument.names()), "")
+    return ""

@@ -1,0 +1,61 @@
+"""The names of a paper: vectors with their components, and which names belong together."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+
+from kowalevski_cas.notation import CrossProduct, Name, Vector
+from kowalevski_cas.notation.errors import letter_and_index
+from kowalevski_cas.reading.statements import Paper
+
+_NUMBER = re.compile(r"_\{?(\d)\}?$")
+
+
+def vectors_of(paper: Paper) -> dict[str, tuple[str, ...]]:
+    r"""The vectors of a paper with their components.
+
+    :math:`\mathbf r=(x,y,z)` names them; other vectors have as many, called after the letter with
+    numbers, as are printed of any of them, and three if there are vector products.
+    """
+    found: dict[str, tuple[str, ...]] = {}
+    nodes = [n for item in paper.items if item.formula is not None for n in item.formula.nodes()]
+    names = {node.name for node in nodes if isinstance(node, Name)}
+    for item in paper.items:
+        match item.members:
+            case (Name(name), Vector(entries)) if name in paper.words.vectors:
+                listed = tuple(one.name for one in entries if isinstance(one, Name))
+                if len({*listed}) == len(entries):
+                    found.setdefault(name, listed)
+    size = 3 if any(isinstance(node, CrossProduct) for node in nodes) else 0
+    for name in paper.words.vectors:
+        printed = (k for k in range(1, 10) if component(name, k) in names)
+        size = max([size, *printed])
+    sizes = {len(one) for one in found.values()} or {size or 3}
+    for name in sorted(paper.words.vectors - found.keys()):
+        found[name] = tuple(component(name, k) for k in range(1, 1 + max(sizes)))
+    return found
+
+
+def component(name: str, number: int) -> str:
+    r"""A component of a vector, as ``\omega_1`` of ``\boldsymbol{\omega}``."""
+    letter, index = letter_and_index(name)
+    letter, index = letter[letter.index("{") + 1 : -1], f"{index.strip('{}')}{number}"
+    return f"{letter}_{index}" if len(index) == 1 else f"{letter}_{{{index}}}"
+
+
+class Names:
+    """What belongs to the names of a paper: vectors and components."""
+
+    def __init__(self, vectors: Mapping[str, tuple[str, ...]]) -> None:
+        self.vectors = vectors
+        self.owner = {part: name for name, parts in vectors.items() for part in parts}
+
+    def scalars(self, names: Iterable[str]) -> tuple[str, ...]:
+        """The names with vectors by their components, each once."""
+        parts = (part for name in names for part in self.vectors.get(name, (name,)))
+        return tuple(dict.fromkeys(parts))
+
+    def whole(self, name: str) -> str:
+        """The vector of which a name is a component, or the name itself."""
+        return self.owner.get(name, name)

@@ -1,0 +1,390 @@
+"""What each statement of a paper is: one function a rule, in the order in which they are asked."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from kowalevski_cas.notation import (
+    Constant,
+    Derivative,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    PoissonBracket,
+    Power,
+    Relation,
+    Vector,
+    to_plain,
+)
+from kowalevski_cas.paper.names import BRACKET, head
+from kowalevski_cas.reading.cues import cue, last_cue
+from kowalevski_cas.reading.known import (
+    ASSUMPTION,
+    CLAIM,
+    DEFINITION,
+    LAW,
+    LEVEL,
+    NOTATION,
+    OTHER,
+    UNREAD,
+    Known,
+    Role,
+)
+from kowalevski_cas.reading.statements import Item
+
+Rule = Callable[[Item, Known], Role | None]
+ZERO = Number(0)
+
+
+def role_of(item: Item, known: Known) -> Role:
+    """What a statement is, by the first rule that says something."""
+    return next(role for rule in RULES if (role := rule(item, known)) is not None)
+
+
+# -- what states nothing ---------------------------------------------------------------
+
+
+def unread(item: Item, known: Known) -> Role | None:
+    """What cannot be read."""
+    return Role(UNREAD, item.trouble) if item.formula is None else None
+
+
+def expression(item: Item, known: Known) -> Role | None:
+    """What is no relation: a name, or an expression, of which only words state something."""
+    if isinstance(item.formula, Relation):
+        return None
+    if isinstance(item.formula, Name):
+        return Role(NOTATION, "a name")
+    said = cue("integral", item.tail[:40]) if item.tail[:20].split(",")[0] else ""
+    if said and known.varying(item.names):
+        if role := unjudged(item, known):
+            return role
+        return Role(CLAIM, f"“{said}” stands behind it", "integral")
+    return Role(OTHER, "an expression: nothing is stated")
+
+
+def inequality(item: Item, known: Known) -> Role | None:
+    """What says that something is larger, or is not."""
+    if item.members:
+        return None
+    assert isinstance(item.formula, Relation)
+    if not {*item.formula.signs} & {"<", ">", r"\le", r"\ge", r"\leq", r"\geq", r"\ne", r"\neq"}:
+        return Role(OTHER, "no equation")
+    claimed = last_cue("claim", item.before) > last_cue("suppose", item.before)
+    if item.typed.inline or not (claimed or cue("claim", item.tail)):
+        why = "an inequality that is supposed"
+        return Role(ASSUMPTION, why, "inequality", tuple(item.names))
+    return Role(CLAIM, "an inequality that is claimed", "inequality")
+
+
+# -- what sets up the mathematics --------------------------------------------------------
+
+
+def law(item: Item, known: Known) -> Role | None:
+    """The equations of motion."""
+    found = known.law_of(item)
+    if found is None:
+        return None
+    which = "a closed set of rates" if found is known.laws[0] else "a closed set of other rates"
+    return Role(LAW, f"belongs to {which}")
+
+
+def unit(item: Item, known: Known) -> Role | None:
+    r"""The imaginary unit, as :math:`i^2=-1`, and another time, as :math:`\tau=it`."""
+    match item.members:
+        case (Power(Name("i"), Number(2)), Number() | Negative(Number())):
+            return Role(NOTATION, "says what the imaginary unit is", "unit", ("i",))
+        case (Name(name), right) if name in known.paper.words.times and "t" in right.names():
+            return Role(DEFINITION, f"gives another time {name}", "clock")
+    return None
+
+
+def bracket(item: Item, known: Known) -> Role | None:
+    """Poisson brackets of variables, before anything is claimed of them."""
+    if len(item.members) == 2 and isinstance(left := item.members[0], PoissonBracket):
+        inner = left.children()
+        names = [one.name for one in inner if isinstance(one, Name)]
+        letters = all(known.moves(name) or name.endswith(("_i", "_j")) for name in names)
+        if len(names) == 2 and letters and not any(map(known.is_defined, names)):
+            heads = item.printed.heads.names
+            if heads and heads[0] not in known.definitions:
+                return Role(DEFINITION, "first with this bracket of variables", "", heads[:1])
+    return None
+
+
+def unjudged(item: Item, known: Known) -> Role | None:
+    """What is denied, quoted or asked, and what holds approximately."""
+    if said := cue("denied", _clause(item)):
+        return Role(OTHER, f"“{said}” stands beside it: it is not claimed as printed", "denied")
+    if said := cue("quoted", _clause(item)):
+        return Role(OTHER, f"“{said}” stands beside it: others claim it", "quoted")
+    if item.after.endswith("?") or known.paper.prose.text[: item.sentence[1]].rstrip()[-1:] == "?":
+        return Role(OTHER, "it is asked, not claimed", "asked")
+    return None
+
+
+def definition(item: Item, known: Known) -> Role | None:
+    """A name that nothing has defined, alone on a side."""
+    fresh = [n for n in item.printed.heads.names if _is_fresh(n, item, known)]
+    if not fresh:
+        return None
+    others = [m for m in item.members if not (isinstance(m, Name) and m.name in fresh)]
+    if not any(known.is_known(n) for n in item.names - {*fresh}) and _is_number(others):
+        return Role(ASSUMPTION, "gives a number for a name", "value", tuple(fresh))
+    role = _integral_that_defines(item, known, fresh)
+    if role is not None:
+        return role
+    named = [m for m in others if isinstance(m, Name) and known.varies(m.name)]
+    if named and item.members and item.members[0] == named[0]:
+        return Role(
+            LEVEL, f"names the value {_plain(fresh[0])} of {_plain(named[0].name)}", "", (*fresh,)
+        )
+    if (
+        named == []
+        and not isinstance(item.members[0], Name)
+        and len(others) == len(item.members) - 1
+    ):
+        if known.varying(item.names - {*fresh}) and not isinstance(item.members[0], PoissonBracket):
+            return Role(LEVEL, f"names the value {_plain(fresh[0])}", "", (*fresh,))
+    return Role(DEFINITION, f"first with {_plain(fresh[0])} alone on a side", "", tuple(fresh))
+
+
+def square(item: Item, known: Known) -> Role | None:
+    """The square of a name that nothing has defined, alone on a side."""
+    fresh = [n for n in item.printed.heads.squares if _is_fresh(n, item, known)]
+    if not fresh or not known.varying(item.names - {*fresh}):
+        return None
+    claimed = _integral_words(item) if item.members[0] != Power(Name(fresh[0]), Number(2)) else ""
+    if claimed:
+        return Role(
+            CLAIM,
+            f"“{claimed}” stands before it; it names {_plain(fresh[0])}",
+            "integral",
+            (*fresh,),
+        )
+    return Role(
+        DEFINITION,
+        f"first with the square of {_plain(fresh[0])} alone on a side",
+        "square",
+        (*fresh,),
+    )
+
+
+def assumption(item: Item, known: Known) -> Role | None:
+    """What is supposed of constants, in force to the end of the section."""
+    if not item.members or item.derives or known.varying(item.names - {*item.bare}):
+        return None
+    names = [name for name in item.bare if not known.varies(name)]
+    moving = [name for name in item.bare if known.moves(name)]
+    supposing = _supposing(item)
+    if moving and supposing and _is_number(m for m in item.members if not isinstance(m, Name)):
+        if cue("invariant", item.words) or cue("equilibrium", item.words):
+            return None
+        words = f"“{supposing}” supposes it of what moves"
+        return Role(ASSUMPTION, words, "set", tuple(moving))
+    if known.varying(item.names) or not item.names:
+        return None
+    if not names and not supposing:
+        return None
+    values = all(_is_value(m) for m in item.members)
+    if supposing or (names and (item.typed.inline or values)):
+        where = (
+            "of the sentence"
+            if re.search(r"\b(?:for|при)\b[^§]*(?:§[^§]*)*$", item.before[-60:], re.I)
+            and item.typed.inline
+            and not re.search(r"\b(?:let|suppose|assume|пусть)", item.before, re.I)
+            else ""
+        )
+        why = f"“{supposing}” supposes it" if supposing else "gives a constant that was seen before"
+        return Role(ASSUMPTION, why, where, tuple(names) or tuple(sorted(item.names)))
+    return None
+
+
+# -- what is claimed ---------------------------------------------------------------------
+
+
+def approximate(item: Item, known: Known) -> Role | None:
+    """What holds approximately: it is not judged."""
+    if item not in known.paper.approximate or not item.members:
+        return None
+    return Role(CLAIM, "the words before say that it holds approximately", "approximate")
+
+
+def solution(item: Item, known: Known) -> Role | None:
+    """A variable as a function of the time: a solution is claimed."""
+    moving = [name for name in item.bare if known.moves(name)]
+    timed = item.names & {"t"} or any(isinstance(member, Constant) for member in item.members)
+    if moving and timed:
+        return Role(CLAIM, f"gives {_plain(moving[0])} by the time", "solution", (moving[0],))
+    return None
+
+
+def rate(item: Item, known: Known) -> Role | None:
+    """Rates after the law: of a known function, and of variables once more."""
+    if not item.derives:
+        return None
+    if ZERO in item.members and len(item.members) == 2:
+        other = next(m for m in item.members if m != ZERO)
+        if isinstance(other, Derivative):
+            inner = other.argument
+            if isinstance(inner, Name) and known.moves(inner.name) and _set_beside(item, known):
+                return Role(CLAIM, "one of the equations of a set", "invariant")
+            return Role(CLAIM, "a rate that vanishes", "integral")
+    return None
+
+
+def zero_set(item: Item, known: Known) -> Role | None:
+    """Equations of a set: what vanishes, or has a value, without being so identically."""
+    if not item.members or item.derives:
+        return None
+    values = [m for m in item.members if _is_value(m) and not known.varying(m.names())]
+    others = [m for m in item.members if m not in values]
+    if (
+        not values
+        or not others
+        or not all(isinstance(m, Name) and known.varies(m.name) for m in others)
+    ):
+        return None
+    words = item.words
+    if said := cue("invariant", words) or cue("equilibrium", words):
+        return Role(CLAIM, f"“{said}” in its sentence", "invariant")
+    if all(known.moves(m.name) for m in others if isinstance(m, Name)) and ZERO in values:
+        if cue("level", words) or cue("suppose", item.lead):
+            return Role(ASSUMPTION, "a set that the text speaks of", "set")
+        return Role(ASSUMPTION, "names a place of the phase space", "set")
+    if ZERO in values:
+        return Role(ASSUMPTION, "a set that the text speaks of", "set")
+    return None
+
+
+def integral(item: Item, known: Known) -> Role | None:
+    """What words call an integral, or constant."""
+    if not item.members:
+        return None
+    if any(isinstance(member, Constant) for member in item.members):
+        return Role(CLAIM, "“const” stands at its end", "constant")
+    assert isinstance(item.formula, Relation)
+    if (said := _integral_words(item)) and _is_level(item, known):
+        return Role(CLAIM, f"“{said}” stands beside it", "integral")
+    return None
+
+
+def identity(item: Item, known: Known) -> Role | None:
+    """What else is printed as an equation, of names that are known."""
+    return Role(CLAIM, "an equation between what is known", "identity") if item.members else None
+
+
+def other(item: Item, known: Known) -> Role | None:
+    """What is left."""
+    return Role(OTHER, "nothing is stated")
+
+
+RULES: tuple[Rule, ...] = (
+    unread, expression, inequality, law, unit, bracket, unjudged, definition, square, solution,
+    assumption, approximate, rate, zero_set, integral, identity, other,
+)  # fmt: skip
+"""The rules, in the order in which they are asked."""
+
+
+# -- parts of rules ------------------------------------------------------------------------
+
+
+def _clause(item: Item) -> str:
+    """The words right around a statement."""
+    return f"{item.lead[-60:]} § {item.tail[:30]}"
+
+
+def _is_fresh(name: str, item: Item, known: Known) -> bool:
+    """Whether nothing has said yet what a name is."""
+    function, arguments = head(name)
+    if function == BRACKET:
+        return False
+    if function in known.definitions or known.names.whole(function) in known.definitions:
+        return False
+    if known.moves(function) or function in known.paper.words.times:
+        return False
+    alone = (Name(function), Power(Name(function), Number(2)))
+    if any(function in m.names() for m in item.members if m not in alone) and not arguments:
+        return False
+    others = item.names - {function, *arguments}
+    new = bool(others) and not any(map(known.is_known, others))
+    return (
+        function not in known.seen
+        or bool(cue("where", item.lead))
+        or (new and not item.typed.inline)
+    )
+
+
+def _is_number(members: object) -> bool:
+    found = list(members)  # type: ignore[call-overload]
+    return bool(found) and all(_is_value(m) and not m.names() for m in found)
+
+
+def _is_value(formula: Formula) -> bool:
+    """Whether a member is a number, a name, or a vector of numbers."""
+    if isinstance(formula, Negative):
+        return _is_value(formula.argument)
+    if isinstance(formula, Vector):
+        return all(map(_is_value, formula.components))
+    return (
+        not any(isinstance(n, Derivative) for n in formula.nodes()) and len([*formula.nodes()]) <= 5
+    )
+
+
+def _supposing(item: Item) -> str:
+    """The words by which something is supposed right before a statement."""
+    said = cue("suppose", item.lead)
+    if said:
+        return said
+    before = item.before.rsplit("§", 1)[0] if "§" in item.before else ""
+    between = item.lead.strip(" ,;~")
+    joined = between in ("", "and", "и", "or", "или", ", and")
+    return cue("suppose", before) if joined and before else ""
+
+
+def _integral_words(item: Item) -> str:
+    """The words near a statement that call it an integral, if no other words stand between."""
+    tail = item.tail[:60]
+    if not re.match(r"\s*(?:which|where|with|that)", tail) and (said := cue("integral", tail)):
+        if last_cue("claim", item.lead[-30:]) < 0 or not item.typed.inline:
+            return said
+    return cue("integral", item.lead) or (
+        cue("integral", item.before)
+        if not item.typed.inline and item.lead.strip(" ,;") in ("", "and")
+        else ""
+    )
+
+
+def _integral_that_defines(item: Item, known: Known, fresh: list[str]) -> Role | None:
+    """An integral with a name that is new: a claim, unless its rate is claimed elsewhere."""
+    said = _integral_words(item)
+    if not said or not known.varying(item.names - {*fresh}) or cue("where", item.lead):
+        return None
+    for one in known.paper.items:
+        if one.order > item.order and one.order < item.order + 12 and ZERO in one.members:
+            rated = [m.argument for m in one.members if isinstance(m, Derivative)]
+            if any(isinstance(m, Name) and m.name in fresh for m in rated):
+                return None
+    return Role(
+        CLAIM, f"“{said}” stands beside it; it names {_plain(fresh[0])}", "integral", (*fresh,)
+    )
+
+
+def _is_level(item: Item, known: Known) -> bool:
+    """Whether an equation gives a function a value."""
+    fixed = [m for m in item.members if not known.varying(m.names())]
+    return (bool(fixed) and len(fixed) < len(item.members)) or "\\equiv" in getattr(
+        item.formula, "signs", ()
+    )
+
+
+def _set_beside(item: Item, known: Known) -> bool:
+    """Whether a statement stands beside another one that vanishes, in the same display."""
+    beside = [one for one in known.paper.items if one.typed is item.typed and one is not item]
+    return any(ZERO in one.members for one in beside)
+
+
+def _plain(name: str) -> str:
+    return to_plain(Name(name)) if not head(name)[1] else head(name)[0]

@@ -1,0 +1,229 @@
+"""The statements of a source: each formula as it is read, with the words around it."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+from kowalevski_cas.notation import Derivative, Formula, Name, NotationError, Relation, Vocabulary
+from kowalevski_cas.notation.cursor import BOLD
+from kowalevski_cas.notation.layout import Placed
+from kowalevski_cas.notation.layout import statements as placed
+from kowalevski_cas.notation.open import OpenParser
+from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
+from kowalevski_cas.paper.texts import Display, Printed
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.text import MARK, Prose, Section, references
+from kowalevski_cas.source.displays import Typed
+from kowalevski_cas.source.formulas import typed_formulas
+from kowalevski_cas.source.listing import guessed
+from kowalevski_cas.source.macros import Expanded
+from kowalevski_cas.source.text import Source
+
+LONGEST_ID = 32
+"""The signs of a formula by which it is called if it has no label."""
+
+
+@dataclass(eq=False)
+class Item:
+    """A statement of a source, as it is read, in its sentence.
+
+    ``lead`` and ``tail`` are the words from the formula before, and to the next one, as far as the
+    sentence goes; ``before`` and ``after`` the whole of it, with marks for formulas.
+    """
+
+    printed: Printed
+    typed: Typed
+    formula: Formula | None
+    trouble: str
+    order: int
+    sentence: tuple[int, int]
+    lead: str
+    tail: str
+    before: str
+    after: str
+    paragraph: int
+    sections: tuple[Section, ...]
+    theorem: tuple[int, int] | None
+    refs: tuple[str, ...] = ()
+    span: tuple[int, int] = (0, 0)
+    """The interval of the file in which it stands."""
+
+    @property
+    def words(self) -> str:
+        """The whole sentence."""
+        return f"{self.before} {MARK} {self.after}"
+
+    @property
+    def section(self) -> Section:
+        """The innermost section."""
+        return self.sections[-1]
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """The names that stand in the statement."""
+        return frozenset(self.formula.names() if self.formula is not None else ())
+
+    @cached_property
+    def members(self) -> tuple[Formula, ...]:
+        """The members of an equality; none of anything else."""
+        formula = self.formula
+        return formula.members if isinstance(formula, Relation) and formula.is_equality else ()
+
+    @cached_property
+    def rates(self) -> dict[str, int]:
+        """The names that are derived by the time here, with the highest order."""
+        found: dict[str, int] = {}
+        for name, order in _rates(self.formula) if self.formula is not None else ():
+            found[name] = max(order, found.get(name, 0))
+        return found
+
+    @cached_property
+    def derives(self) -> bool:
+        """Whether anything is derived by the time here."""
+        return self.formula is not None and any(
+            isinstance(node, Derivative) for node in self.formula.nodes()
+        )
+
+    @cached_property
+    def bare(self) -> tuple[str, ...]:
+        """The members that are bare names."""
+        return tuple(one.name for one in self.members if isinstance(one, Name))
+
+
+@dataclass(frozen=True)
+class Paper:
+    """A source with its formulas as displays, and their statements in the order of the text."""
+
+    source: Source
+    prose: Prose
+    words: Vocabulary
+    displays: tuple[tuple[Display, Typed], ...]
+    items: tuple[Item, ...]
+    lines: dict[str, int] = field(repr=False)
+    """The lines of the displays, by their ids."""
+    expanded: Expanded = field(repr=False)
+
+    @cached_property
+    def approximate(self) -> frozenset[Item]:
+        """The statements behind the words, in the same section, that they hold approximately."""
+        words = self.prose.between
+        return frozenset(
+            item
+            for item in self.items
+            if cue("approximate", words(item.section.start, item.sentence[1]))
+        )
+
+    @cached_property
+    def labels(self) -> dict[str, list[Item]]:
+        """The statements by the labels that cite them."""
+        found: dict[str, list[Item]] = {}
+        for item in self.items:
+            for label in item.typed.labels:
+                found.setdefault(label, []).append(item)
+        return found
+
+
+def read_statements(source: Source) -> Paper:
+    """The statements of a source, read in the names that it uses."""
+    expanded, formulas = typed_formulas(source)
+    prose = Prose(expanded.text, source.body, formulas)
+    words = _vocabulary(formulas)
+    displays: list[tuple[Display, Typed]] = []
+    items: list[Item] = []
+    lines: dict[str, int] = {}
+    ids: Counter[str] = Counter()
+    for formula in formulas:
+        path = prose.path(formula.start)
+        if any(one.title == "thebibliography" for one in path):
+            continue
+        section = str(prose.sections.index(path[-1]))
+        display = Display(
+            _id(formula, ids), formula.tex, section, formula.inline, label=_label(formula)
+        )
+        displays.append((display, formula))
+        start = formula.start + len(formula.tex) - len(formula.tex.lstrip())
+        lines[display.id] = source.line(expanded.origin(start, start + 1)[0])
+        around = _Around(prose, formula)
+        for number, (tree, trouble, (start, end)) in enumerate(_read(formula, words), 1):
+            span = expanded.origin(formula.start + start, formula.start + end)
+            items.append(
+                Item(
+                    Printed(display, number), formula, tree, trouble, len(items), around.sentence,
+                    around.lead, around.tail, around.before, around.after, around.paragraph,
+                    path, prose.theorem(formula.start), around.refs, span,
+                )
+            )  # fmt: skip
+    return Paper(source, prose, words, tuple(displays), tuple(items), lines, expanded)
+
+
+class _Around:
+    """The words around a formula."""
+
+    def __init__(self, prose: Prose, formula: Typed) -> None:
+        start, end = self.sentence = prose.sentence(formula.start)
+        self.before = prose.between(start, formula.start)
+        self.after = prose.between(formula.end, end)
+        self.lead = self.before.rpartition(MARK)[2]
+        self.tail = self.after.partition(MARK)[0]
+        self.refs = references(prose.text[start:end])
+        self.paragraph = prose.text.rfind("\n\n", 0, formula.start)
+
+
+def _label(formula: Typed) -> str:
+    return f"({formula.labels[0]})" if formula.labels else ""
+
+
+def _id(formula: Typed, ids: Counter[str]) -> str:
+    """What a formula is called: its label, or its own letters, with a number if they are taken."""
+    name = formula.labels[0] if formula.labels else formula.tex
+    letters = re.sub(r"[^A-Za-z0-9]+", "-", re.sub(r"\\(?:left|right|displaystyle)\b", "", name))
+    letters = letters.strip("-")[:LONGEST_ID].strip("-") or "formula"
+    ids[letters] += 1
+    return letters if ids[letters] == 1 else f"{letters}_{ids[letters]}"
+
+
+def _vocabulary(formulas: Sequence[Typed]) -> Vocabulary:
+    """The names of a paper; bold capitals are matrices or vectors, as more formulas can be read."""
+    guesses = [guessed(formulas, capitals) for capitals in (VECTOR, MATRIX)]
+    guesses = [replace(one, scalars=one.scalars - {"d"}) for one in guesses]
+    if guesses[0] == guesses[1]:
+        return guesses[0]
+    bold = [one for one in formulas if any(font[1:-1] in one.tex for font in (*BOLD, r"\bf "))]
+    return max(guesses, key=lambda words: sum(not t for f in bold for _, t, _ in _read(f, words)))
+
+
+def _read(
+    formula: Typed, words: Vocabulary
+) -> Iterator[tuple[Formula | None, str, tuple[int, int]]]:
+    """The statements of a formula, each with why it cannot be read, and where it stands."""
+    whole = (0, len(formula.tex))
+    if formula.trouble:
+        yield None, formula.trouble, whole
+        return
+    try:
+        found: Sequence[Placed] = placed(formula.tex)
+    except NotationError as error:
+        yield None, error.message, whole
+        return
+    if not found:
+        yield None, "there is no formula here", whole
+    for tokens, start, end in found:
+        try:
+            yield OpenParser(formula.tex, tokens, words).statement()[0], "", (start, end)
+        except (NotationError, RecursionError) as error:
+            yield None, getattr(error, "message", str(error)), (start, end)
+
+
+def _rates(formula: Formula) -> Iterator[tuple[str, int]]:
+    """The names that are derived by the time, and how often."""
+    inner, order = formula, 0
+    while isinstance(inner, Derivative):
+        inner, order = inner.argument, order + 1
+    if order and isinstance(inner, Name):
+        yield inner.name, order
+    for child in inner.children():
+        yield from _rates(child)

@@ -1,0 +1,170 @@
+"""The prose of a source around its formulas: sentences, sections, and what they cite.
+
+Formulas are blanked out, one mark in place of each, so that every offset stays that of the text
+with macros written out.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from kowalevski_cas.source.displays import DISPLAYS, Typed
+
+_SILENT = re.compile(
+    r"(?:\\label\s*\{[^{}]*\}|\\(?:end|nonumber|notag)(?:\s*\{[^{}]*\})?|\\\\|\\[,;! ]|[}\s])$"
+)
+"""What stands at the end of a display, behind its stop."""
+
+MARK = "§"
+"""What stands for a formula in the prose."""
+
+_DELIMITER = re.compile(
+    rf"\\(?:begin|end)\s*\{{(?:{'|'.join(DISPLAYS)}|array|aligned|split|cases)\*?\}}"
+    r"(?:\s*\{[\d\s]*\})?|\\[\[\]()]|\$\$?"
+)
+_HEADING = re.compile(
+    r"\\(?P<level>part|chapter|section|subsection|subsubsection|paragraph|subparagraph)\*?"
+    r"\s*(?:\[[^\]]*\])?\s*\{(?P<title>[^{}]*(?:\{[^{}]*\}[^{}]*)*)\}"
+    r"|(?:\n[ \t]*\n|\\(?:small|med|big)skip|\\noindent|\\par(?![A-Za-z]))\s*"
+    r"(?:\\noindent\s*|\\(?:small|med|big)skip\s*)*"
+    r"(?:\{\s*\\(?:bf|it|em|sl|sc|bfseries|itshape|scshape)(?![A-Za-z])|\\text(?:bf|it|sc|sl)\s*\{)"
+    r"(?P<bold>[^{}§]*(?:\{[^{}]*\}[^{}§]*)*)\}"
+)
+_LEVELS = "part chapter section subsection subsubsection paragraph subparagraph".split()
+_RUN_IN = len(_LEVELS)
+_ENVIRONMENT = re.compile(r"\\(?P<what>begin|end)\s*\{(?P<name>[^{}]+)\}")
+_NEWTHEOREM = re.compile(r"\\newtheorem\*?\s*\{([^{}]+)\}")
+_THEOREMS = frozenset(
+    "theorem lemma proposition corollary remark example definition claim theo lem prop cor".split()
+)
+_ASIDE = frozenset({"abstract", "thebibliography", "keywords"})
+_STOP = re.compile(
+    r"(?P<paragraph>\n[ \t]*\n\s*)|(?P<end>[.?!])(?=[)\]}'’”»\s]*(?:\s|$))|(?P<break>\\(?:item|par"
+    r"|footnote|caption|begin|end|smallskip|medskip|bigskip)(?![A-Za-z]))"
+)
+_ABBREVIATED = re.compile(
+    r"(?:^|[\s(~,{])(?:[A-ZА-ЯЁ]|[Ee]qs?|[Ff]igs?|[Ss]ect?|[Rr]efs?|[Cc]f|resp|vs|i\.\s?e|e\.\s?g"
+    r"|[Pp]p?|[Nn]os?|[Vv]ol|[Cc]h|[Cc]hap|т\.\s?[екдп]|см|ср|рис|гл|стр|ур|соотв|напр)$"
+)
+_REFERENCE = re.compile(r"\\(?:eq|c|C|auto)?ref\s*\{([^{}]*)\}")
+
+
+@dataclass(frozen=True)
+class Section:
+    """A part of a text: the levels of its headings, from the outermost, and its interval."""
+
+    title: str
+    level: int
+    start: int
+    end: int
+
+
+class Prose:
+    """The words of a text from an offset on, with a mark in place of each formula."""
+
+    def __init__(self, text: str, start: int, formulas: Sequence[Typed]) -> None:
+        self.start, self.formulas = start, formulas
+        pieces, at = [], 0
+        for formula in formulas:
+            pieces += [text[at : formula.start], _blank(text[formula.start : formula.end])]
+            at = formula.end
+        pieces.append(text[at:])
+        self.text = _DELIMITER.sub(lambda found: " " * len(found[0]), "".join(pieces))
+
+    @cached_property
+    def stops(self) -> list[int]:
+        """The offsets at which sentences begin."""
+        ends = {self.start}
+        for match in _STOP.finditer(self.text, self.start):
+            before = self.text[max(self.start, match.start() - 12) : match.start()]
+            if match["end"] == "." and _ABBREVIATED.search(before):
+                continue
+            ends.add(match.start() if match["break"] else match.end())
+        for heading in _HEADING.finditer(self.text, self.start):
+            ends |= {heading.start(), heading.end()}
+        return sorted(ends)
+
+    def sentence(self, offset: int) -> tuple[int, int]:
+        """The interval of the sentence around an offset."""
+        place = bisect_right(self.stops, offset)
+        end = self.stops[place] if place < len(self.stops) else len(self.text)
+        return self.stops[max(0, place - 1)], end
+
+    def between(self, start: int, end: int) -> str:
+        """The words in an interval, with single spaces."""
+        return " ".join(self.text[start:end].split())
+
+    @cached_property
+    def sections(self) -> list[Section]:
+        """The parts of the text, in the order in which they begin."""
+        heads = [
+            (found.start(), _level(found), " ".join((found["title"] or found["bold"]).split()))
+            for found in _HEADING.finditer(self.text, self.start)
+        ]
+        heads += [(start, level, name) for start, level, name in self._environments()]
+        heads.sort()
+        found = [Section("", -1, self.start, len(self.text))]
+        for place, (start, level, title) in enumerate(heads):
+            later = (one for one, other, _ in heads[place + 1 :] if other <= level)
+            found.append(Section(title, level, start, next(later, len(self.text))))
+        return found
+
+    def _environments(self) -> Iterator[tuple[int, int, str]]:
+        """Where the abstract, the bibliography and what follows them begin."""
+        for match in _ENVIRONMENT.finditer(self.text, self.start):
+            if match["name"] in _ASIDE:
+                title = match["name"] if match["what"] == "begin" else ""
+                yield match.start(), 0, title
+
+    def path(self, offset: int) -> tuple[Section, ...]:
+        """The sections around an offset, from the outermost."""
+        return tuple(one for one in self.sections if one.start <= offset < one.end)
+
+    @cached_property
+    def statements(self) -> list[tuple[int, int, str]]:
+        """Theorem-like environments, each with the proof that follows it."""
+        names = {*_NEWTHEOREM.findall(self.text[: self.start] + self.text)} | _THEOREMS
+        found: list[tuple[int, int, str]] = []
+        opened: list[tuple[str, int]] = []
+        for match in _ENVIRONMENT.finditer(self.text, self.start):
+            name = match["name"].rstrip("*")
+            if match["what"] == "begin":
+                opened.append((name, match.start()))
+            elif opened and opened[-1][0] == name:
+                start = opened.pop()[1]
+                if name in names:
+                    found.append((start, match.end(), name))
+                elif name == "proof" and found and start - found[-1][1] < 200:
+                    found[-1] = (found[-1][0], match.end(), found[-1][2])
+        return found
+
+    def theorem(self, offset: int) -> tuple[int, int] | None:
+        """The interval of the theorem, with its proof, around an offset."""
+        around = (one[:2] for one in self.statements if one[0] <= offset < one[1])
+        return next(around, None)
+
+
+def references(words: str) -> tuple[str, ...]:
+    """The labels that some words cite."""
+    found = (label.strip() for one in _REFERENCE.findall(words) for label in one.split(","))
+    return tuple(dict.fromkeys(found))
+
+
+def _blank(formula: str) -> str:
+    """A mark, and blanks as many as a formula has signs; a stop at its end stays."""
+    body = formula.rstrip()
+    while body:
+        cut = _SILENT.sub("", body)
+        if cut == body:
+            break
+        body = cut
+    stop = "." if body.endswith(".") and not body.endswith("..") else " "
+    return f"{MARK}{' ' * (len(formula) - 2)}{stop}" if len(formula) > 1 else MARK[: len(formula)]
+
+
+def _level(found: re.Match[str]) -> int:
+    return _LEVELS.index(found["level"]) if found["level"] else _RUN_IN

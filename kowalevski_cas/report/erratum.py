@@ -1,0 +1,54 @@
+"""An erratum: half a page for author and journal, of nothing but what is to be changed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kowalevski_cas.report.compare import compared
+from kowalevski_cas.report.document import Block, Display, Link, Paragraph, Text
+from kowalevski_cas.report.findings import Findings
+from kowalevski_cas.report.sentences import capitalised
+from kowalevski_cas.verify.outcome import Outcome
+
+
+def erratum(findings: Findings) -> Iterator[Block]:
+    """For each slip, and each false statement: what is printed, what to read, and why."""
+    for block in _corrections(findings):
+        yield block._replace(text=_unlinked(block.text)) if isinstance(block, Paragraph) else block
+
+
+def _unlinked(text: Text) -> Text:
+    """The text without links, which would lead to the report."""
+    return tuple(
+        part for one in text for part in (_unlinked(one.text) if isinstance(one, Link) else (one,))
+    )
+
+
+def _corrections(findings: Findings) -> Iterator[Block]:
+    for slip in findings.slips:
+        first, correction = slip[0], slip[0].correction
+        assert correction is not None
+        where = capitalised(findings.phrases.found([outcome.claim for outcome in slip]))
+        printed, meant = compared(first.formulas, correction.formulas)
+        yield Paragraph((*where, ", for"), leads=True)
+        yield Display(printed, first.source)
+        yield Paragraph(("read",), leads=True)
+        yield Display(meant)
+        yield from _because(findings, first)
+    for outcome in findings.false:
+        where = capitalised(findings.phrases.found([outcome.claim]))
+        said: Text = (*where, ": ", *findings.phrases.sentence(outcome.words), " This is false.")
+        if outcome.correction is not None:
+            said = (*said, " Read: ", *findings.phrases.words(outcome.correction.words))
+            if outcome.correction.conditions:
+                said = (*said, ", where ", *findings.phrases.where(outcome.correction.conditions))
+            said = (*said, ".")
+        yield Paragraph(said)
+        yield from _because(findings, outcome)
+
+
+def _because(findings: Findings, outcome: Outcome) -> Iterator[Block]:
+    if outcome.counterexample:
+        first, *others = findings.phrases.values(outcome.counterexample)
+        begins = f"Because {first[:1].lower()}{first[1:]}" if isinstance(first, str) else first
+        yield Paragraph((begins, *others), "note")
