@@ -52,6 +52,11 @@ class Audit:
         return self.session.outcomes
 
     @property
+    def certificates(self) -> list[str]:
+        """The texts that the checker has accepted."""
+        return [text for one in self.outcomes.values() for text in one.certificates.values()]
+
+    @property
     def counts(self) -> dict[str, int]:
         """How many formulas there are of each verdict."""
         return dict(sorted(Counter(formula.verdict for formula in self.formulas).items()))

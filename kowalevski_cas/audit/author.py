@@ -138,7 +138,10 @@ class AuthorSession(AuditSession):
             for neighbour in claim.neighbours(on.texts):
                 if printed_of(neighbour) == good.formulas:
                     return self.proposed(neighbour, stated(neighbour, on))
-        return Correction(good.formulas, AS_BEFORE, good.verdict, good.conditions)
+        return Correction(
+            good.formulas, AS_BEFORE, good.verdict, good.conditions, good.digest,
+            certificate=good.certificate,
+        )  # fmt: skip
 
     def _blame_changes(self, claim: Claim) -> bool:
         """Whether changes elsewhere are what makes a claim come out otherwise than in the base."""

@@ -38,7 +38,8 @@ from kowalevski_cas.source.files import read_source
 from kowalevski_cas.source.listing import listing
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.certificate import load_certificates
-from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.confirm import receive
+from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.verify.teller import disagreement
 
 
@@ -97,7 +98,12 @@ def run(arguments: argparse.Namespace) -> int:
     source = read_source(arguments.source, arguments.macros)
     if arguments.list:
         return _list(source, arguments.format)
-    ((said, note, code),) = session.watched(lambda one: _audited(arguments, one), [source])
+    ((outcomes, said, note, code),) = session.watched(
+        lambda one: _audited(arguments, one), [source]
+    )
+    for outcome in outcomes:
+        if (received := receive(outcome)).verdict is not outcome.verdict:
+            raise CommandError(f"{outcome.claim}: {received.message}")
     if arguments.patch:
         sys.stdout.flush()
         sys.stdout.buffer.write(said.encode(source.encoding, "replace"))
@@ -108,15 +114,18 @@ def run(arguments: argparse.Namespace) -> int:
     return code
 
 
-def _audited(arguments: argparse.Namespace, source: Source) -> tuple[str, str, int]:
-    """What is to be printed of an audit, what is to be noted, and the exit code."""
+def _audited(arguments: argparse.Namespace, source: Source) -> tuple[list[Outcome], str, str, int]:
+    """The outcomes of an audit, what is to be printed and noted, and the exit code."""
     found = _found(source, arguments)
-    note = _written(found, arguments.report) if arguments.report is not None else ""
+    outcomes, code = [*found.outcomes.values()], exit_code(found, arguments.strict)
+    notes = [outcome.note for outcome in outcomes if outcome.note]
+    notes += [_written(found, arguments.report)] if arguments.report is not None else []
+    note = "\n".join(notes)
     if arguments.patch:
         from kowalevski_cas.audit.patch import patch
 
-        return patch(found), note, exit_code(found, arguments.strict)
-    return load_format(arguments.format).audited(found), note, exit_code(found, arguments.strict)
+        return outcomes, patch(found), note, code
+    return outcomes, load_format(arguments.format).audited(found), note, code
 
 
 def _found(source: Source, arguments: argparse.Namespace) -> Audit:

@@ -1,7 +1,7 @@
 """Write the certificates of a derivation: one file a claim, in its folder `certificates`.
 
-Evidence that is there is used again. Each certificate is accepted by the checker before it is
-written.
+Evidence that is there is used again. Each certificate is accepted by the checker, on its own,
+before it is written.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from kowalevski_cas.cli import plain, session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, CommandError
 from kowalevski_cas.files import write_all
 from kowalevski_cas.verify.certificate import FOLDER
+from kowalevski_cas.verify.outcome import DECIDED
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -24,9 +25,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
-    found = session.derivations(arguments.derivations)
-    written = session.watched(lambda one: session.certificates(*one, arguments.timeout), found)
-    for (folder, derivation), (texts, reasons) in zip(found, written, strict=True):
+    chosen = session.derivations(arguments.derivations)
+    runs = [run for run, _ in session.runs(chosen, ["flint"], timeout=arguments.timeout)]
+    for (folder, derivation), found, reasons in zip(
+        chosen, runs, session.watched(session.rejected, runs), strict=True
+    ):
+        open_ones = (outcome for outcome in found.outcomes if outcome.verdict not in DECIDED)
+        reasons |= {one.claim: f"{one.verdict}: {one.message}" for one in open_ones}
+        texts = {
+            name: text
+            for name, text in found.certificates.items()
+            if name.rpartition("/")[2] not in reasons
+        }
         if not texts:
             raise CommandError(f"no claim of {derivation.name} has a certificate", NOTHING)
         target = arguments.output or folder / FOLDER

@@ -16,8 +16,9 @@ from kowalevski_cas.cli import plain, session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED
 from kowalevski_cas.library import available, find, load, source
 from kowalevski_cas.problem.checker import printable
-from kowalevski_cas.verify.certificate import CORRECTED, FOLDER
+from kowalevski_cas.verify.certificate import FOLDER
 from kowalevski_cas.verify.committed import Checked, Expected, check_committed, check_files
+from kowalevski_cas.verify.outcome import CORRECTED
 from kowalevski_cas.verify.record import load_record
 
 

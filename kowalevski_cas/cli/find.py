@@ -113,7 +113,8 @@ def run(arguments: argparse.Namespace) -> int:
             print(f"{outcome.verdict}  {said}{':  ' if shown else ''}{shown}")
             for one in finding.computed:
                 print(f"computed  {_cut(plain.words(one, answer.run.vocabulary), verbose)}")
-        print(f"{len(outcomes)} found")
+        checked = plain.many(len(answer.run.certificates), "certificate")
+        print(f"{len(outcomes)} found; {checked} checked")
     if answer.unfinished:
         raise CommandError(answer.unfinished, UNDECIDED)
     return AS_RECORDED if all(one.verdict.green for one in outcomes) else UNDECIDED

@@ -7,7 +7,6 @@ end keeps what is recorded of it, and does not keep the others from being record
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from collections.abc import Mapping
 from pathlib import Path
@@ -20,7 +19,7 @@ from kowalevski_cas.verify import record
 from kowalevski_cas.verify.certificate import FOLDER, Stored
 from kowalevski_cas.verify.committed import wanted
 from kowalevski_cas.verify.outcome import Run, Verdict
-from kowalevski_cas.verify.teller import DECIDED, disagreement
+from kowalevski_cas.verify.teller import disagreement
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -32,35 +31,31 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     chosen = session.derivations(arguments.derivations)
-    found = session.watched(
-        lambda one: session.certificates(*one, arguments.timeout, anew=True), chosen
-    )
-    stored = [
-        {name: Stored(at / FOLDER / f"{name}.json", json.loads(text)) for name, text in one.items()}
-        for (at, _), (one, _) in zip(chosen, found, strict=True)
-    ]
-    runs = session.runs(chosen, EXACT, timeout=arguments.timeout, stored=stored)
+    anew: list[dict[str, Stored]] = [{} for _ in chosen]
+    both = session.runs(chosen, EXACT, timeout=arguments.timeout, stored=anew)
+    runs = [run for run, _ in both]
+    rejected = session.watched(session.rejected, runs)
     return max(
-        _written(folder, _decided(one, missing), texts)
-        for (folder, _), (one, _), (texts, missing) in zip(chosen, runs, found, strict=True)
+        _written(folder, _decided(run, reasons))
+        for (folder, _), run, reasons in zip(chosen, runs, rejected, strict=True)
     )
 
 
-def _decided(found: Run, missing: Mapping[str, str]) -> Run:
-    """A run in which what is decided, and has no certificate all the same, is an error."""
+def _decided(found: Run, rejected: Mapping[str, str]) -> Run:
+    """A run in which what the checker, on its own, does not accept is an error."""
     for outcome in found.outcomes:
         if disagreement(outcome.verdicts):
             raise CommandError(f"{outcome.claim}: {outcome.message}", DISAGREEMENT)
     outcomes = (
-        o._replace(verdict=Verdict.ERROR, message=f"no certificate: {missing[o.claim]}")
-        if o.claim in missing and o.verdict in DECIDED
+        o._replace(verdict=Verdict.ERROR, message=f"no certificate: {rejected[o.claim]}")
+        if o.claim in rejected
         else o
         for o in found.outcomes
     )
     return found._replace(outcomes=tuple(outcomes))
 
 
-def _written(folder: Path, found: Run, texts: Mapping[str, str]) -> int:
+def _written(folder: Path, found: Run) -> int:
     """Record what is decided; what the record has of claims that came to no end is left alone."""
     recorded = session.recorded(folder)
     left = {outcome.claim: outcome for outcome in record.open_ones(found)}
@@ -70,7 +65,7 @@ def _written(folder: Path, found: Run, texts: Mapping[str, str]) -> int:
     for change in record.differences(found, recorded):
         if change.claim not in left:
             print(f"{change.claim}: {change.recorded} -> {change.found}")
-    texts = {name: text for name, text in texts.items() if name.rpartition("/")[2] not in left}
+    texts = found.certificates
     kept = wanted({claim: recorded[claim] for claim in left if claim in recorded})
     write_all(
         {folder / record.FILE: record.dump_record(found, recorded)}

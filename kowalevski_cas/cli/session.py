@@ -15,18 +15,13 @@ from typing import TYPE_CHECKING, TypeVar
 from kowalevski_cas import __version__
 from kowalevski_cas.cli.exits import NOTHING, CommandError
 from kowalevski_cas.library import available, find, load, source
-from kowalevski_cas.limits import ProcessDied, tell, time_limit
+from kowalevski_cas.limits import tell
 from kowalevski_cas.notation import NotationError
-from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.pool import Pool
-from kowalevski_cas.problem.examine import Unproved
-from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
-from kowalevski_cas.verify.blame import Blame, Repairs
-from kowalevski_cas.verify.certificate import CORRECTED, FOLDER, Stored, load_certificates
+from kowalevski_cas.verify.certificate import FOLDER, Stored, load_certificates
 from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.verify.record import RecordError, load_record
 from kowalevski_cas.verify.run import Session, shared
@@ -96,6 +91,8 @@ def runs(
         sessions.append(session)
     with progress_bar() as progress:
         found = shared(sessions, only, progress)
+    for note in (outcome.note for run in found for outcome in run.outcomes if outcome.note):
+        print(note, file=sys.stderr)
     return [(run, session.texts) for run, session in zip(found, sessions, strict=True)]
 
 
@@ -107,47 +104,21 @@ def recorded(folder: Path) -> Mapping[str, Mapping[str, object]]:
         return {}
 
 
-def certificates(
-    folder: Path, derivation: Derivation, timeout: float, anew: bool = False
-) -> tuple[dict[str, str], dict[str, str]]:
-    """The texts of certificates by name, and reasons why others are missing.
+def rejected(run: Run) -> dict[str, str]:
+    """Why the checker, on its own, rejects certificates of a run; by the claims.
 
-    Evidence that is stored is used again, unless all is to be found ``anew``. ``timeout`` is in
-    seconds, for each claim.
+    It computes with Python's integers here, as it does wherever it is alone.
     """
-    from kowalevski_cas.problem.checker import Rejected
+    from kowalevski_cas.problem import checker
 
-    stored = {} if anew else load_certificates(folder)
-    session = Session(derivation, ["flint"], certificates=stored, record=recorded(folder))
-    texts: dict[str, str] = {}
     reasons: dict[str, str] = {}
-
-    def certify(claim: Claim, found: Callable[[Claim], Iterable[tuple[str, str]]]) -> None:
+    for done, (name, text) in enumerate(run.certificates.items()):
+        tell(name, done, len(run.certificates))
         try:
-            with time_limit(timeout):
-                texts.update(found(claim))
-        except TimeoutError:
-            reasons[claim.id] = f"not found within {timeout:g} s"
-        except (FormatError, Rejected, Unproved, NotationError, Meaningless, ProcessDied) as error:
-            reasons[claim.id] = str(error)
-
-    for done, claim in enumerate(derivation.claims):
-        tell(claim.id, done, len(derivation.claims))
-        certify(claim, session.certificates)
-    corrected = [claim for claim in session.verdicts if f"{CORRECTED}/{claim}" in texts]
-    blame = Blame(session, session.verdicts, corrected)
-    if failing := blame.open():
-        shared: Repairs = {}
-        with suppress(TimeoutError), time_limit(timeout):
-            shared = blame.shared()
-
-        def of_correction(claim: Claim) -> Iterable[tuple[str, str]]:
-            near = shared.get(claim.id) or blame.alone(claim)
-            return session.certificate_of(claim, near)
-
-        for claim in failing:
-            certify(claim, of_correction)
-    return texts, reasons
+            checker.check(text)
+        except checker.Rejected as error:
+            reasons[name.rpartition("/")[2]] = str(error)
+    return reasons
 
 
 def add_timeout(

@@ -285,6 +285,12 @@ class Evaluation(Fold):
                 found.append(self.image(element))
         return found
 
+    @property
+    def norms(self) -> list[Element]:
+        """The norms of what is granted with roots: by these it is divided, if it ever is."""
+        with_roots = (element for element in self.granted if element.parts.keys() != {0})
+        return self.ring.divided_by([element.inverse() for element in with_roots])
+
     def _rate_of_generator(self, name: str, rates: Field) -> Element:
         """The derivative of the generator that gives a moving root, perhaps over a divisor."""
         value = self.scalar(Name(name))

@@ -107,7 +107,7 @@ class Place:
                 raise Misplaced(f"{name} is not real there")
             if name.startswith(r"\sqrt") and name not in partner and is_negative(value):
                 raise Misplaced(f"{name} is negative there")
-        for element in at.granted:
+        for element in (*at.granted, *at.norms):
             if self.knows(element) and self(element).is_zero:
                 raise Misplaced("what is taken for granted not to vanish does")
 

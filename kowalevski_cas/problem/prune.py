@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from kowalevski_cas.notation import Formula, Name, Root
+from kowalevski_cas.notation import Formula, Name, Partial, Root
 from kowalevski_cas.problem.goals import Count, Exists, Goal, Kernel, Problem, Rank, Simple, simple
 from kowalevski_cas.problem.mentions import Mentions, mentions
 from kowalevski_cas.problem.space import Adjoined, Change, Raised, Setting, Space, Step
@@ -31,6 +31,8 @@ class Reach:
                 self.name(one.name)
             elif isinstance(one, Root):
                 self._root(one)
+            elif isinstance(one, Partial):
+                self.name(one.by)
             else:
                 self.move()
 

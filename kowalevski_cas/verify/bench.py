@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 from kowalevski_cas.algebra import POINTS, load, load_points
 from kowalevski_cas.notation import Formula, to_plain
@@ -17,12 +17,16 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.problem.examine import Accepted, Unproved, Vacuous
 from kowalevski_cas.problem.space import Setting
-from kowalevski_cas.verify.certificate import CORRECTED, Stored
+from kowalevski_cas.problem.trees import FormatError
+from kowalevski_cas.verify.certificate import Stored
+from kowalevski_cas.verify.confirm import Disagreement
 from kowalevski_cas.verify.outcome import Outcome, Screened, Verdict
 from kowalevski_cas.verify.statement import Statement, Verdicts
 
 if TYPE_CHECKING:
     from kowalevski_cas.problem.sampled import Sampled
+
+Result = TypeVar("Result")
 
 
 class Decided(NamedTuple):
@@ -64,7 +68,9 @@ class Bench:
         self.arithmetics = arithmetics
         self.explain = explain
         self.timeout = timeout
-        self.stored = certificates or {}
+        self.stored = dict(certificates or {})
+        self.rejected: dict[str, str] = {}
+        """What is told of stored evidence that is not used, by the names of certificates."""
         self.record = record or {}
         self.points = {name: load_points(name, seed) for name in arithmetics if name in POINTS}
         self.texts = texts or derivation.texts()
@@ -83,8 +89,6 @@ class Bench:
                 self.read_elsewhere[place] = f"{name}/{known.get(place, place.place)}"
         self.found: dict[str, Outcome] = {}
         """What is said about the claims that are decided."""
-        self.verdicts: dict[str, Verdict] = {}
-        """The verdicts of those that are certified."""
 
     def _accepted(self) -> dict[Printed, Formula]:
         """What the derivation accepts in place of what is printed."""
@@ -109,6 +113,18 @@ class Bench:
         if verdicts is not None:
             return verdicts
         return statement.search()
+
+    def anew(self, statement: Statement, name: str, work: Callable[[], Result]) -> Result:
+        """What comes of stored evidence; if that is rejected, which is told, of what is found."""
+        try:
+            return work()
+        except (FormatError, Unproved, Disagreement) as error:
+            stored = self.stored.get(name)
+            if stored is None or not stored.concerns(statement):
+                raise
+            self.rejected[name] = f"{stored.path} is rejected: {error}; it is searched anew"
+            del self.stored[name]
+            return work()
 
     def _decide(
         self, statement: Statement, verdicts: Verdicts | None, arithmetic: str
@@ -142,18 +158,9 @@ class Bench:
             message = nowhere if divided else str(error)
             return Decided(statement, None, judge.accepted, Verdict.UNDECIDED, message)
         except Unproved as error:
-            where = self._file(statement)
-            message = f"{where}the evidence does not prove it ({arithmetic}: {error})"
-            return Decided(statement, verdicts, judge.accepted, Verdict.ERROR, message)
+            message = f"the evidence does not prove it ({arithmetic}: {error})"
+            raise Unproved(message) from None
         return Decided(statement, verdicts, judge.accepted, Verdict.PROVED)
-
-    def _file(self, statement: Statement) -> str:
-        """The file that has evidence for a statement, to begin a message with."""
-        for name in (statement.claim.id, f"{CORRECTED}/{statement.claim.id}"):
-            stored = self.stored.get(name)
-            if stored is not None and stored.beside.get("digest") == statement.digest:
-                return f"{stored.path}: "
-        return ""
 
     def evaluations_in(self, arithmetic: str) -> Callable[[Setting], Evaluation]:
         """The evaluations of settings in an arithmetic, each made once."""

@@ -22,10 +22,10 @@ from kowalevski_cas.problem.evidence import Denial, Evidence
 from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.goals import Exists, Goal
 from kowalevski_cas.problem.trees import FormatError, Tree, encode
+from kowalevski_cas.verify.outcome import CORRECTED
 from kowalevski_cas.verify.statement import Statement, Verdicts
 
 FOLDER = "certificates"
-CORRECTED = "corrected"
 FORMAT, VERSION = "kowalevski-cas certificate", 2
 
 
@@ -52,15 +52,24 @@ class Stored:
     def data(self) -> Data:
         """All that it has, read whenever it is asked for.
 
-        A file that is no JSON of this version has nothing: what it was about is proved anew.
+        Raises :class:`FormatError` if the file is no JSON of this version.
         """
         if self.instead is not None:
             return self.instead
         try:
             data = json.loads(self.path.read_bytes())
-        except (OSError, ValueError, RecursionError):
-            return {}
-        return data if isinstance(data, dict) and data.get("version") == VERSION else {}
+        except (OSError, ValueError, RecursionError) as error:
+            raise FormatError(f"it cannot be read ({type(error).__name__})") from None
+        if not isinstance(data, dict) or data.get("version") != VERSION:
+            raise FormatError(f"it is no certificate of format {VERSION}")
+        return data
+
+    def concerns(self, statement: Statement) -> bool:
+        """Whether it is about a statement, or cannot be read and may be."""
+        try:
+            return bool(self.beside.get("digest") == statement.digest)
+        except FormatError:
+            return True
 
     def verdicts(self, statement: Statement) -> Verdicts | None:
         """Its evidence for a statement; ``None`` if it is about another one.
@@ -74,7 +83,7 @@ class Stored:
         try:
             return _verdicts(data, statement)
         except (FormatError, TypeError, ValueError, RecursionError) as error:
-            raise FormatError(f"{self.path}: {error}") from None
+            raise FormatError(str(error)) from None
 
     def failures(self, statement: Statement, condition: Tree) -> list[Stored] | None:
         """What it has of a condition of a statement; ``None`` if it says nothing of conditions."""
@@ -82,7 +91,7 @@ class Stored:
         if entries is None or self.beside.get("digest") != statement.digest:
             return None
         if not isinstance(entries, list) or not all(isinstance(one, dict) for one in entries):
-            raise FormatError(f"{self.path}: a list of what fails is expected")
+            raise FormatError("a list of what fails is expected")
         return [Stored(self.path, one) for one in entries if one.get("condition") == condition]
 
 
@@ -121,24 +130,19 @@ def certificate(
     accepted: Accepted,
     failures: Mapping[Formula, Supported | None] = MappingProxyType({}),
 ) -> str:
-    """The text of the certificate of a statement; the checker has to accept it.
+    """The text of the certificate of a statement; nobody has checked it.
 
     ``failures`` are what fails where a condition is violated, or that nothing was found.
 
-    Raises :class:`FormatError` if something has no place in it, ``checker.Rejected`` if the
-    checker does not accept it.
+    Raises :class:`FormatError` if something has no place in it.
     """
-    from kowalevski_cas.problem import checker  # only those who write certificates need it
-
     failing = [
         {"condition": encode(condition), **_stated(failure.statement, *_evidence(*failure))}
         for condition, failure in failures.items()
         if failure is not None
     ]
     shown = _evidence(statement, verdicts, accepted)
-    text = written(statement, *shown, failing if failures else None)
-    checker.check(text)
-    return text
+    return written(statement, *shown, failing if failures else None)
 
 
 def written(

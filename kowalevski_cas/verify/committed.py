@@ -19,10 +19,10 @@ from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.bench import Bench
-from kowalevski_cas.verify.certificate import CORRECTED, FOLDER
+from kowalevski_cas.verify.certificate import FOLDER
 from kowalevski_cas.verify.corrections import recorded_correction
 from kowalevski_cas.verify.loci import failing
-from kowalevski_cas.verify.outcome import Run
+from kowalevski_cas.verify.outcome import CORRECTED, Run
 from kowalevski_cas.verify.statement import Statement
 
 Record = Mapping[str, Mapping[str, object]]

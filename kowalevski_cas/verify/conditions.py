@@ -27,7 +27,7 @@ def conditions_of(accepted: Accepted) -> list[Divided]:
     stated: dict[Elaboration, list[Formula]] = {}
     for goal, elements in accepted.divided:
         assert isinstance(goal.space, Elaboration)
-        divisors.setdefault(goal.space, set()).update(_not_implied(goal, elements, goal.space))
+        divisors.setdefault(goal.space, set()).update(may_vanish(goal, elements, goal.space))
         stated.setdefault(goal.space, []).extend(goal.formulas())
     found: dict[Formula, Elaboration] = {}
     for setting, indices in divisors.items():
@@ -36,7 +36,7 @@ def conditions_of(accepted: Accepted) -> list[Divided]:
     return [(setting, formula) for formula, setting in found.items()]
 
 
-def _not_implied(goal: Simple, elements: Sequence[Element], setting: Elaboration) -> list[int]:
+def may_vanish(goal: Simple, elements: Sequence[Element], setting: Elaboration) -> list[int]:
     """The divisors, by their indices, that may vanish where what is given holds."""
     at = setting.finder
     found = sorted({index for element in elements for index in element.denominator})

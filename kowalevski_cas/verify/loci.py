@@ -71,7 +71,7 @@ def failure_on(
         except Unproved as error:
             if stored is None or known is None:
                 continue
-            raise FormatError(f"{stored.path}: what fails for {locus.words}: {error}") from None
+            raise FormatError(f"what fails for {locus.words}: {error}") from None
         return Supported(one, verdicts, judge.accepted)
     return None
 

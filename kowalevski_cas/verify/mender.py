@@ -1,4 +1,4 @@
-"""The correction of a refuted claim, decided like any claim; certificates of both.
+"""The correction of a refuted claim, decided like any claim.
 
 A correction is accepted by the derivation, in a line of its own. Whatever is read so rests on it:
 on a proof of the claim as it is corrected.
@@ -13,21 +13,18 @@ from kowalevski_cas.algebra import POINTS
 from kowalevski_cas.notation import Edit, Formula, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.bench import Decided
-from kowalevski_cas.verify.certificate import CORRECTED, certificate
 from kowalevski_cas.verify.corrections import corrections, printed_of, recorded_correction
-from kowalevski_cas.verify.necessary import conditions, failures
-from kowalevski_cas.verify.outcome import Condition, Correction, Outcome, Verdict, as_recorded
+from kowalevski_cas.verify.outcome import CORRECTED, Correction, Outcome, Verdict
 from kowalevski_cas.verify.statement import Statement
-from kowalevski_cas.verify.teller import DECIDED, Teller
+from kowalevski_cas.verify.teller import Teller
 from kowalevski_cas.verify.vacuous import says_something
 
 
 class Mender(Teller):
-    """Corrections of claims, their acceptance, and certificates."""
+    """Corrections of claims, and their acceptance."""
 
     def known_corrections(self, printed: Statement) -> Sequence[Correction]:
         """What the derivation accepts, or else is recorded, decided in every arithmetic."""
@@ -87,31 +84,29 @@ class Mender(Teller):
 
     def proposed(self, neighbour: Neighbour, statement: Statement) -> Correction | None:
         """A neighbour as a correction, if what it says is proved."""
-        mended = self.mended(statement)
-        if mended is None:
+        name = f"{CORRECTED}/{statement.claim.id}"
+        decided = self.anew(statement, name, lambda: self._proved(statement, name))
+        if decided is None:
             return None
+        needed, text = self.certified(decided, name)
         place, edit = neighbour.printed, neighbour.edit
         formulas, blamed = printed_of(neighbour), tuple[Formula, ...]()
         if place is not None and edit is None:  # a relation of constants, which is not printed
             formulas = (neighbour.texts.formula(place),)
         elif edit is not None and place not in {*neighbour.claim.establishes()}:
             formulas, blamed = (edit.formula,), (edit.statement.formula,)
-        return Correction(formulas, neighbour.words, *mended, place, edit, blamed=blamed)
+        verdict = Verdict.CONDITIONAL if needed else Verdict.PROVED
+        return Correction(
+            formulas, neighbour.words, verdict, needed, statement.digest, place, edit,
+            certificate=text, blamed=blamed,
+        )  # fmt: skip
 
-    def mended(self, statement: Statement) -> tuple[Verdict, tuple[Condition, ...], str] | None:
-        """The verdict on a corrected claim, its conditions and its digest, if it is proved."""
-        name = f"{CORRECTED}/{statement.claim.id}"
+    def _proved(self, statement: Statement, name: str) -> Decided | None:
+        """What FLINT accepts of a statement that is proved in every exact arithmetic."""
         verdicts = self._evidence(statement, name)
         exact = dict.fromkeys(("flint", *(a for a in self.arithmetics if a not in POINTS)))
         decided = [self._judged(statement, verdicts, arithmetic) for arithmetic in exact]
-        for one in decided:
-            if one.verdict is Verdict.ERROR:
-                raise Unproved(one.message)
-        if any(one.verdict is not Verdict.PROVED for one in decided):
-            return None
-        needed = conditions(statement, decided[0].accepted, self.stored.get(name))
-        verdict = Verdict.CONDITIONAL if needed else Verdict.PROVED
-        return verdict, needed, statement.digest
+        return decided[0] if all(d.verdict is Verdict.PROVED for d in decided) else None
 
     # -- acceptance ----------------------------------------------------------------
 
@@ -138,45 +133,3 @@ class Mender(Teller):
         if outcome.correction is not None:
             return outcome.correction.formulas == formulas
         return outcome.verdict.likely and outcome.formulas == formulas
-
-    # -- certificates --------------------------------------------------------------
-
-    def certificates(self, claim: Claim) -> Iterator[tuple[str, str]]:
-        """The certificate of a claim, and that of a correction that is known, by name.
-
-        Raises ``FormatError`` or ``Rejected`` if one cannot be written, :class:`Unproved` if the
-        claim is not decided.
-        """
-        statement = Statement(claim, self.on(claim))
-        decided = self._judged(statement, self._evidence(statement, claim.id), "flint")
-        self.verdicts[claim.id] = decided.verdict
-        yield claim.id, self._certificate(decided, claim.id)
-        if decided.verdict is Verdict.REFUTED:
-            for _, mended in self._known(statement):
-                if self.mended(mended) is not None:
-                    yield self._corrected(mended)
-                    return
-
-    def certificate_of(
-        self, claim: Claim, corrections: Sequence[Correction]
-    ) -> Iterator[tuple[str, str]]:
-        """The certificate of the first correction of a claim, with its name."""
-        on = self.on(claim)
-        for one in corrections[:1]:
-            tex = as_recorded(one.formulas, one.words, claim.formulas(on.texts))
-            found = recorded_correction(claim, on, tex, one.elsewhere)
-            if found is not None:
-                yield self._corrected(found[1])
-
-    def _corrected(self, corrected: Statement) -> tuple[str, str]:
-        name = f"{CORRECTED}/{corrected.claim.id}"
-        decided = self._judged(corrected, self._evidence(corrected, name), "flint")
-        return name, self._certificate(decided, name)
-
-    def _certificate(self, decided: Decided, name: str) -> str:
-        statement, verdicts, accepted = decided.statement, decided.verdicts, decided.accepted
-        if verdicts is None or decided.verdict not in DECIDED:
-            raise Unproved(f"the claim is {decided.verdict}")
-        green = decided.verdict is Verdict.PROVED
-        failing = failures(statement, accepted, self.stored.get(name)) if green else {}
-        return certificate(statement, verdicts, accepted, failing)

@@ -26,31 +26,26 @@ from kowalevski_cas.verify.statement import Statement
 
 def conditions(
     statement: Statement, accepted: Accepted, stored: Stored | None
-) -> tuple[Condition, ...]:
+) -> tuple[tuple[Condition, ...], dict[Formula, Supported | None]]:
     """The conditions of a statement that holds, with witnesses that they are needed.
 
-    These are those of a certificate; what it says nothing of is looked for.
+    These are those of a certificate; what it says nothing of is looked for. With them, what fails
+    where a condition is violated that has a locus, or that nothing was found.
     """
-    found = []
+    found: list[Condition] = []
+    failures: dict[Formula, Supported | None] = {}
     for setting, formula, locus in _lacking(statement, accepted):
         condition = Condition(formula, "the formulas divide by it")
-        if locus and (failure := failure_on(statement, setting, locus, stored)):
-            condition = _where_it_fails(statement, setting, locus, formula, failure)
+        if locus is not None:
+            failure = failure_on(statement, setting, locus, stored)
+            failures[setting.formula(locus.condition)] = failure
+            if failure is not None:
+                condition = _where_it_fails(statement, setting, locus, formula, failure)
         found.append(condition)
     known = [condition.expression for condition in found]
     singular = {condition.expression: condition for condition in _singular(statement, known)}
-    return tuple(singular.get(condition.expression, condition) for condition in found)
-
-
-def failures(
-    statement: Statement, accepted: Accepted, stored: Stored | None
-) -> dict[Formula, Supported | None]:
-    """What fails where conditions are violated that have a locus."""
-    return {
-        setting.formula(locus.condition): failure_on(statement, setting, locus, stored)
-        for setting, _, locus in _lacking(statement, accepted)
-        if locus is not None
-    }
+    own = tuple(singular.get(condition.expression, condition) for condition in found)
+    return own, failures
 
 
 def _lacking(

@@ -7,8 +7,12 @@ from enum import StrEnum
 from hashlib import sha256
 from typing import NamedTuple
 
+from kowalevski_cas.algebra import POINTS
 from kowalevski_cas.notation import Edit, Formula, Vocabulary, to_latex
 from kowalevski_cas.paper.texts import Printed
+
+CORRECTED = "corrected"
+"""Before the names of certificates of corrections, and their folder."""
 
 Value = Formula | str
 """A value at a point: exact, or what an arithmetic of points shows in place of that."""
@@ -36,6 +40,9 @@ class Verdict(StrEnum):
         """Whether the statement is established, or nothing was seen at points that denies it."""
         return self.green or self in (Verdict.PROBABLE, Verdict.ENCLOSED)
 
+
+DECIDED = (Verdict.PROVED, Verdict.CONDITIONAL, Verdict.REFUTED)
+"""The verdicts that have a certificate."""
 
 WORST = (
     Verdict.ERROR, Verdict.REFUTED, Verdict.TIMEOUT, Verdict.UNDECIDED, Verdict.PROBABLE,
@@ -100,9 +107,10 @@ class Correction(NamedTuple):
     """The nearest true statement: its formulas, what was changed, its verdict, its digest.
 
     ``printed`` and ``edit`` say where, if one printed formula was changed, and ``accepted``
-    that the derivation reads it in place of what is printed. If it is no formula of the claim that
-    is wrong, but one on which it stands, ``blamed`` is what is printed there, and ``formulas``
-    are what should be. A relation of constants that is to be supposed stands at a place of its own.
+    that the derivation reads it in place of what is printed. ``certificate`` is the text that the
+    checker has accepted. If it is no formula of the claim that is wrong, but one on which it
+    stands, ``blamed`` is what is printed there, and ``formulas`` are what should be. A relation of
+    constants that is to be supposed stands at a place of its own.
     """
 
     formulas: tuple[Formula, ...]
@@ -113,6 +121,7 @@ class Correction(NamedTuple):
     printed: Printed | None = None
     edit: Edit | None = None
     accepted: bool = False
+    certificate: str = ""
     blamed: tuple[Formula, ...] = ()
 
     @property
@@ -147,7 +156,9 @@ class Outcome(NamedTuple):
     which stands in for them where they cannot be read. ``granted`` lists what the scenes of the
     claim suppose not to vanish, ``branches`` the equations by which they choose one of the two
     values of a printed root, ``corrected`` the claims whose accepted corrections it rests on. What
-    the paper does not claim is ``ours``. Words have mathematics between dollars.
+    the paper does not claim is ``ours``. ``certificate`` is the text that the checker has accepted;
+    without one nothing is proved, conditional or refuted. A ``note`` is about a stored certificate
+    that was rejected. Words have mathematics between dollars.
     """
 
     claim: str
@@ -173,6 +184,21 @@ class Outcome(NamedTuple):
     branches: tuple[Formula, ...] = ()
     corrected: tuple[str, ...] = ()
     ours: bool = False
+    certificate: str = ""
+    note: str = ""
+
+    @property
+    def certified(self) -> bool:
+        """Whether there has to be a certificate; what points say has none."""
+        return self.verdict in DECIDED and not self.verdicts.keys() & {*POINTS}
+
+    @property
+    def certificates(self) -> dict[str, str]:
+        """The texts that the checker has accepted, by the names of their files."""
+        found = {self.claim: self.certificate}
+        if self.correction is not None:
+            found[f"{CORRECTED}/{self.claim}"] = self.correction.certificate
+        return found if self.certified else {}
 
     def corrected_by(self, corrections: Sequence[Correction]) -> Outcome:
         """The outcome with the likeliest of some corrections, and the others as alternatives."""
@@ -199,6 +225,11 @@ class Run(NamedTuple):
     vocabulary: Vocabulary
     edition: str = ""
     main: tuple[str, ...] = ()
+
+    @property
+    def certificates(self) -> dict[str, str]:
+        """The texts that the checker has accepted, by the names of their files."""
+        return {n: text for one in self.outcomes for n, text in one.certificates.items()}
 
     @property
     def digest(self) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
 from itertools import count, permutations
@@ -21,8 +21,9 @@ from kowalevski_cas.processes import each
 from kowalevski_cas.verify.bench import Decided
 from kowalevski_cas.verify.blame import Blame, Repairs
 from kowalevski_cas.verify.certificate import load_certificates
+from kowalevski_cas.verify.confirm import Disagreement, receive
 from kowalevski_cas.verify.mender import Mender
-from kowalevski_cas.verify.outcome import Correction, Outcome, Run, Screened, Verdict
+from kowalevski_cas.verify.outcome import CORRECTED, Correction, Outcome, Run, Screened, Verdict
 from kowalevski_cas.verify.statement import Statement
 
 Progress = Callable[[str, int, int], None]
@@ -57,8 +58,16 @@ def shared(
         progress(claim, next(begun), len(tasks))
 
     outcomes = each(decided, range(len(tasks)), heard=heard)
-    found = [(session, [next(outcomes) for _ in claims]) for session, claims in chosen]
-    return [session.result(session.with_corrections(ones, each)) for session, ones in found]
+    received = map(receive, outcomes)
+    found = [(session, [next(received) for _ in claims]) for session, claims in chosen]
+    return [session.result(_corrected(session, ones)) for session, ones in found]
+
+
+def _corrected(session: Session, outcomes: Sequence[Outcome]) -> list[Outcome]:
+    """The outcomes with corrections that other processes find, and are received from them."""
+    found = session.with_corrections(outcomes, each)
+    pairs = zip(outcomes, found, strict=True)
+    return [new if new is old else receive(new) for old, new in pairs]
 
 
 class Session(Mender):
@@ -121,6 +130,10 @@ class Session(Mender):
                 )
         return self.found[claim.id]
 
+    def certificates(self, claim: Claim) -> Iterator[tuple[str, str]]:
+        """The certificate of a claim, and that of its correction, by name."""
+        yield from self.outcome(claim).certificates.items()
+
     def stands(self, id: str) -> bool:
         """Whether the correction of a claim that its derivation accepts is proved."""
         name, _, own = id.rpartition("/")
@@ -142,18 +155,22 @@ class Session(Mender):
         try:
             with time_limit(self.timeout):
                 statement = Statement(claim, on)
-                outcome = self._decided(statement, start)
-        except TimeoutError:
-            late = f"not decided within {self.timeout:g} s"
+                outcome = self.anew(statement, claim.id, lambda: self._decided(statement, start))
+        except TimeoutError as error:
+            late = str(error) or f"not decided within {self.timeout:g} s"
             return self.unread(claim, on, Verdict.TIMEOUT, late)
-        except (NotationError, Meaningless, FormatError, ProcessDied) as error:
+        except (
+            NotationError, Meaningless, FormatError, ProcessDied, Unproved, Disagreement
+        ) as error:  # fmt: skip
             return self.unread(claim, on, Verdict.ERROR, str(error))
         except (ArithmeticError, MemoryError, RecursionError) as error:
             said = f"it cannot be computed ({type(error).__name__}: {error})"
             return self.unread(claim, on, Verdict.ERROR, said)
         if outcome.verdict is Verdict.REFUTED:
             outcome = self._timed(claim, outcome, lambda: self.known_corrections(statement))
-        return self.with_acceptance(claim, outcome)
+        names = (claim.id, f"{CORRECTED}/{claim.id}")
+        notes = [self.rejected.pop(name) for name in names if name in self.rejected]
+        return self.with_acceptance(claim, outcome._replace(note="\n".join(notes)))
 
     def _decided(self, statement: Statement, start: float) -> Outcome:
         """The outcome for one claim, without a correction."""
@@ -198,7 +215,7 @@ class Session(Mender):
 
     def _shared(self, blame: Blame) -> Repairs:
         """What mends several claims, if it is found in time."""
-        with suppress(TimeoutError, ProcessDied, FormatError, Unproved):
+        with suppress(TimeoutError, ProcessDied, FormatError, Unproved, Disagreement):
             with time_limit(self.patience or self.timeout):
                 return blame.shared()
         return {}
@@ -219,7 +236,7 @@ class Session(Mender):
             late = "no correction was found within the time"
             verdict = Verdict.TIMEOUT if claim.printed in self.accepted else outcome.verdict
             outcome = outcome._replace(verdict=verdict, message=outcome.message or late)
-        except (FormatError, Unproved, ProcessDied) as error:
+        except (FormatError, Unproved, Disagreement, ProcessDied) as error:
             outcome = outcome._replace(verdict=Verdict.ERROR, message=str(error))
         spent = outcome.seconds[first] + perf_counter() - start
         return outcome._replace(seconds={**outcome.seconds, first: spent})

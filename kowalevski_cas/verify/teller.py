@@ -9,12 +9,20 @@ from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.verify.bench import Bench, Decided
+from kowalevski_cas.verify.certificate import Supported, certificate
+from kowalevski_cas.verify.confirm import Disagreement, confirm
 from kowalevski_cas.verify.counterexamples import counterexample, why
 from kowalevski_cas.verify.necessary import conditions
-from kowalevski_cas.verify.outcome import Counterexample, Outcome, Screened, Step, Verdict
+from kowalevski_cas.verify.outcome import (
+    DECIDED,
+    Condition,
+    Counterexample,
+    Outcome,
+    Screened,
+    Step,
+    Verdict,
+)
 from kowalevski_cas.verify.statement import Statement
-
-DECIDED = (Verdict.PROVED, Verdict.CONDITIONAL, Verdict.REFUTED)
 
 
 def disagreement(verdicts: Mapping[str, Verdict]) -> bool:
@@ -48,12 +56,13 @@ class Teller(Bench):
 
     def _explained(self, outcome: Outcome, statement: Statement, decided: Decided) -> Outcome:
         """An outcome with its conditions, its counterexample and its steps."""
-        accepted = decided.accepted
-        if self.arithmetics[0] != "flint" and outcome.verdict is Verdict.PROVED:
-            accepted = self._judged(statement, decided.verdicts, "flint").accepted
-        if outcome.verdict is Verdict.PROVED:
-            outcome = outcome._replace(message=statement.claim.remark(statement.on))
-            needed = conditions(statement, accepted, self.stored.get(statement.claim.id))
+        if outcome.verdict in DECIDED:
+            if self.arithmetics[0] != "flint":
+                decided = self._judged(statement, decided.verdicts, "flint")
+            needed, text = self.certified(decided, statement.claim.id)
+            outcome = outcome._replace(certificate=text)
+            if outcome.verdict is Verdict.PROVED:
+                outcome = outcome._replace(message=statement.claim.remark(statement.on))
             if needed:
                 verdicts: dict[str, Verdict] = {
                     name: Verdict.CONDITIONAL if v is Verdict.PROVED else v
@@ -80,6 +89,24 @@ class Teller(Bench):
         return outcome._replace(
             counterexample=against, steps=told, rests_on=self.rests_on(statement)
         )
+
+    def certified(self, decided: Decided, name: str) -> tuple[tuple[Condition, ...], str]:
+        """The conditions of what FLINT accepts, and the certificate, which the checker accepts.
+
+        ``name`` is that of its file.
+
+        Raises :class:`Disagreement` if the checker rejects it, or has other conditions.
+        """
+        statement, verdicts, accepted = decided.statement, decided.verdicts, decided.accepted
+        if verdicts is None or decided.verdict not in DECIDED:
+            raise Disagreement(f"the arithmetics disagree (flint: {decided.verdict})")
+        needed: tuple[Condition, ...] = ()
+        failing: dict[Formula, Supported | None] = {}
+        if not isinstance(verdicts, Denial):
+            needed, failing = conditions(statement, accepted, self.stored.get(name))
+        text = certificate(statement, verdicts, accepted, failing)
+        confirm(statement, verdicts, accepted, text)
+        return needed, text
 
     def unread(
         self,

@@ -483,8 +483,8 @@ def test_what_the_checker_rejects_is_not_recorded(cli, write, monkeypatch):
     folder = write(TRUE + WRONG)
     code, _, err = cli("record", folder)
     assert code == 3
-    said = "energy is not recorded: error: no certificate: something is wrong with it\n"
-    assert err == said
+    assert err.startswith("energy is not recorded: error: ")
+    assert err.endswith("the checker says: something is wrong with it\n")
     assert load_record(Path(folder)).keys() == {"speed", "wrong"}
     names = {path.name for path in Path(folder, "certificates").iterdir()}
     assert names == {"speed.json", "wrong.json", "corrected"}

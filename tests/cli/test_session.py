@@ -10,8 +10,9 @@ from pathlib import Path
 
 import pytest
 
+from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.cli import main
-from kowalevski_cas.cli.session import certificates, pool
+from kowalevski_cas.cli.session import pool, rejected, runs
 from kowalevski_cas.library import available, find, load
 from kowalevski_cas.processes import each
 from kowalevski_cas.verify.certificate import FOLDER, load_certificates
@@ -76,9 +77,9 @@ def test_what_was_found_of_another_state_of_a_derivation_is_not_taken(tmp_path, 
 @pytest.mark.parametrize("name", available())
 def test_what_is_found_anew_is_what_is_committed(name):
     folder = find(name)
-    found, missing = certificates(folder, load(name), timeout=600, anew=True)
+    ((run, _),) = runs([(folder, load(name))], EXACT, timeout=600, stored=[{}])
     committed = {
         file.relative_to(folder / FOLDER).with_suffix("").as_posix(): file.read_text("utf-8")
         for file in certificate_files(folder)
     }
-    assert found == committed and not missing
+    assert run.certificates == committed and not rejected(run)

@@ -22,7 +22,7 @@ def answered(published):
     claims = with_findings(derivation, findings)
     session = Session(claims, ["flint"])
     for claim in claims.claims:
-        (_, text), *_ = session.certificates(claim)
+        text = session.outcome(claim).certificate
         assert checker.check(text).sign == "holds", claim.words
     return on(scene), [(finding.kind.__name__, finding.tex) for finding in findings]
 

@@ -121,7 +121,7 @@ class TestHypotheses:
 class TestDivisors:
     def test_a_printed_denominator_is_a_condition(self):
         (found,) = accepted([XY], [follows([["/", "x", "x"], 1])], [{"point": at(x=1, y=0)}])
-        assert found.where == ["(x)"]
+        assert found.where == ["x"]
         rejected([XY], [follows([["/", "x", "x"], 1])], [{"point": ORIGIN}], "condition fails")
 
     def test_it_is_one_of_its_goal_only(self):

@@ -72,7 +72,7 @@ class TestProgram:
         )
         assert result.returncode == 0
         for line in ("variables: x", "constants: m", "power: P = x ^ m, where x > 0",
-                     "root: r ^ 2 = x ^ 2 + y ^ 2", "for (y ^ 2 + x ^ 2) != 0",
+                     "root: r ^ 2 = x ^ 2 + y ^ 2", "for y ^ 2 + x ^ 2 != 0",
                      "point: x = 1, y = 2, z = 0, r = sqrt(5)", "conjugates: u, v",
                      "field: vector(1, 1) D(x, y) = vector(y, -x)", "factor of the time: 2",
                      "before the change, field: vector(1, 1) D(x, y) = vector(y, -x)"):  # fmt: skip

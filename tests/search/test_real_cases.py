@@ -38,5 +38,5 @@ def test_a_union_is_decided_over_the_real_numbers(given, sets, verdict):
     (outcome,) = Session(claimed, EXACT).run().outcomes
     assert str(outcome.verdict) == verdict
     (claim,) = claimed.claims
-    (_, text), *_ = Session(claimed, ["flint"]).certificates(claim)
+    text = Session(claimed, ["flint"]).outcome(claim).certificate
     assert checker.check(text).sign == ("denied" if verdict == "refuted" else "holds")

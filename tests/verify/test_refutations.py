@@ -39,4 +39,4 @@ def test_integrals_and_invariant_relations_of_a_top(kind, attributes):
     top.section.claim(claim)
     session = Session(derivation(top.section), ["flint"])
     assert session.decide(claim).verdict == "refuted"
-    is_refuted(dict(session.certificates(claim))["t"])
+    is_refuted(session.outcome(claim).certificates["t"])

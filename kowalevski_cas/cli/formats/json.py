@@ -36,6 +36,7 @@ def render(results: Sequence[Result]) -> str:
             "differences": [
                 {"id": d.claim, "recorded": d.recorded, "found": d.found} for d in differences
             ],
+            "certificates": sum(len(o.certificates) for _, o in outcomes),
             "seconds": round(sum(sum(o.seconds.values()) for _, o in outcomes), 6),
             "digests": {r.run.derivation: r.run.digest for r in results},
             "versions": results[0].run.versions if results else {},
@@ -96,6 +97,7 @@ def audited(audit: Audit) -> str:
             "formulas": len(audit.formulas),
             **audit.counts,
             "claims": Counter(str(outcome.verdict) for outcome in audit.outcomes.values()),
+            "certificates": len(audit.certificates),
             "wrong": audit.wrong,
             "moved": [formula.id for formula in audit.formulas if formula.moved],
             "notes": [{"line": line, "words": words} for line, words in audit.notes],

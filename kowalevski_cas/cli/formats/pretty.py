@@ -102,7 +102,8 @@ def _summary(result: Result) -> Iterator[str]:
     shown = ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
     seconds = sum(sum(o.seconds.values()) for o in run.outcomes)
     claims, by = plain.many(len(run.outcomes), "claim"), ", ".join(run.arithmetics)
-    head = f"{claims}: {shown}; {by}; {seconds:.2f} s"
+    checked = plain.many(len(run.certificates), "certificate")
+    head = f"{claims}: {shown}; {by}; {checked} checked; {seconds:.2f} s"
     noun = result.standard
     if not result.differences:
         none = "; there is no record to compare with (`kowalevski-cas record`)"
@@ -213,7 +214,8 @@ class Told:
         claims = Counter(str(outcome.verdict) for outcome in audit.outcomes.values())
         yield f"{plain.many(len(audit.formulas), 'formula')}: {_counted(audit.counts)}"
         claimed = plain.many(len(audit.outcomes), "claim")
-        yield f"{claimed}: {_counted(claims)}; {audit.seconds:.2f} s"
+        checked = plain.many(len(audit.certificates), "certificate")
+        yield f"{claimed}: {_counted(claims)}; {checked} checked; {audit.seconds:.2f} s"
 
 
 def _slip(formula: Audited) -> object:

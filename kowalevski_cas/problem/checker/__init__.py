@@ -24,7 +24,7 @@ from .division import quotient
 from .evidence import locate
 from .formulas import Map, Rates, Value
 from .polynomials import Element, Ring
-from .problem import KINDS, Problem, sentence
+from .problem import KINDS, Problem, Theorem, sentence
 from .reading import (
     BITS,
     DEGREE,
@@ -34,6 +34,7 @@ from .reading import (
     VERSION,
     WORK,
     Budget,
+    Exhausted,
     Json,
     Rejected,
     need,
@@ -43,6 +44,7 @@ from .spaces import Space
 
 __all__ = [
     "BITS", "DEGREE", "FORMAT", "KINDS", "NAMES", "SIZE", "VERSION", "WORK",
-    "Budget", "Certificate", "Element", "Json", "Map", "Problem", "Rates", "Rejected", "Ring",
-    "Space", "Value", "check", "locate", "need", "printable", "quotient", "sentence",
+    "Budget", "Certificate", "Element", "Exhausted", "Json", "Map", "Problem", "Rates",
+    "Rejected", "Ring", "Space", "Theorem", "Value", "check", "locate", "need",
+    "printable", "quotient", "sentence",
 ]  # fmt: skip

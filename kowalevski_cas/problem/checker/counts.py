@@ -157,7 +157,7 @@ class Solutions:
         rest = factor - squares_of(self.space, data["squares"])
         row = data.get("cofactors", [])
         need(combined(self.space, rest, row, self.equations), "a factor is no sum of squares")
-        self.space.inverse(factor)
+        over = self.space.inverse(factor)
         if "granted" in data:  # where the factor vanishes, something granted would
             place, row = items(data["granted"], 2)
             granted = self.space.data.get("nonzero", [])
@@ -165,6 +165,7 @@ class Solutions:
             bases = [self.space.scalar(base) for _, base in pairs(data["squares"])]
             same = combined(self.space, gone, row, [*bases, *self.equations])
             need(same, "what is granted need not vanish with a factor")
+            self.space.implied |= {*over.generators()} & self.space.known.keys()
         return factor
 
     def power_sums(self) -> list[Element]:

@@ -13,7 +13,7 @@ from fractions import Fraction
 from math import gcd
 
 from .polynomials import Element, Ring, Terms
-from .reading import BITS, Rejected, need
+from .reading import BITS, Json, Rejected, need, say
 
 
 def primitive(element: Element) -> tuple[Fraction, Element]:
@@ -46,14 +46,17 @@ def quotient(element: Element, divisor: Element) -> Element | None:
     return Element(ring, out, element.below, bits)
 
 
-def words_of(element: Element) -> str:
-    """A polynomial in plain letters, up to a number."""
-    ring, shown = element.ring, list[str]()
+def tree_of(element: Element) -> Json:
+    """The formula of a polynomial of which no generator is an inverse."""
+    ring, parts = element.ring, list[Json]()
     ring.spend(1 + (len(element.terms) * len(ring.at) >> 3))
     for m, c in sorted(element.terms.items(), reverse=True):
-        parts = [name if e == 1 else f"{name} ^ {e}" for name, e in ring.exponents(m)]
-        shown.append(" * ".join([str(c), *parts] if c != 1 or not parts else parts))
-    return f"({' + '.join(shown)})"
+        powers = [name if e == 1 else ["^", name, e] for name, e in ring.exponents(m)]
+        factors = powers if powers and abs(c) == 1 else [abs(c), *powers]
+        part = factors[0] if len(factors) == 1 else ["*", *factors]
+        parts.append(["-", part] if c < 0 else part)
+    whole = parts[0] if len(parts) == 1 else ["+", *parts] if parts else 0
+    return whole if element.below == 1 else ["/", whole, element.below]
 
 
 class Divisors:
@@ -64,6 +67,8 @@ class Divisors:
         self.stating = True
         self.known: dict[str, str] = {}
         self.norms = set[str]()  # may vanish where what was divided by does not
+        self.implied = set[str]()  # known by what is taken for granted
+        self.used = set[str]()  # the norms by which something is divided
 
     @contextmanager
     def statement(self, stating: bool = True) -> Iterator[None]:
@@ -80,9 +85,9 @@ class Divisors:
         self.ring.spend(len(element.terms))
         key = element.below, element.under, frozenset(element.terms.items())
         found = self.ring.inverses.get(key)
-        if found and all(name in self.known for name, _ in self.ring.exponents(found.under)):
-            return found
-        found = self.ring.inverses[key] = self._inverse(element, words)
+        if not found or not all(n in self.known for n, _ in self.ring.exponents(found.under)):
+            found = self.ring.inverses[key] = self._inverse(element, words)
+        self.used |= {name for name, _ in self.ring.exponents(found.under)} & self.norms
         return found
 
     def _inverse(self, element: Element, words: str) -> Element:
@@ -113,13 +118,13 @@ class Divisors:
             if (rest := quotient(self.ring.divisors[name], norm)) is not None:
                 return rest * self.ring.generator(name)
         if not self.stating:
-            raise Rejected(f"it divides by what may be zero: {words_of(norm):.200}")
+            raise Rejected(f"it divides by what may be zero: {say(tree_of(norm)):.200}")
         same = (n for n, divisor in self.ring.divisors.items() if divisor.terms == norm.terms)
         if not (name := next(same, "")):
             name = f"1/{len(self.ring.divisors)}"
             self.ring.adjoin(name)
             self.ring.divisors[name] = norm
-        self.known[name] = words or words_of(norm)
+        self.known[name] = words or say(tree_of(norm))
         self.norms |= set() if exact else {name}
         return self.ring.generator(name)
 
@@ -127,3 +132,15 @@ class Divisors:
         """Know that an element does not vanish."""
         with self.statement():
             self.inverse(element, words)
+
+    @contextmanager
+    def granting(self) -> Iterator[None]:
+        """What is entered here is taken for granted; its norms are not used by that."""
+        before, used = {*self.known}, {*self.used}
+        yield
+        self.implied, self.used = self.implied | (self.known.keys() - before), used
+
+    def supposed(self) -> list[Element]:
+        """What has to differ from zero, beside what is taken for granted."""
+        implied = self.implied - self.used
+        return [self.ring.divisors[name] for name in self.known if name not in implied]

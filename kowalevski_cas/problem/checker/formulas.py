@@ -70,6 +70,7 @@ class Formulas(Divisors):
         other = copy.copy(self)
         self.ring.spend(1 + (len(self.env) >> 2))
         other.env, other.known, other.norms = dict(self.env), dict(self.known), {*self.norms}
+        other.implied, other.used = {*self.implied}, {*self.used}
         other.rates = None if self.rates is None else dict(self.rates)
         return other
 
@@ -136,7 +137,7 @@ class Formulas(Divisors):
             return self.conj(element)
         for name, square in self.ring.roots.items():
             if (square - element).vanishes():
-                return self.ring.generator(name)
+                return self.scalar(name)
         raise Rejected("a root is taken that is not declared")
 
     def multiplied(self, op: str, values: list[Value], size: int) -> Value:

@@ -103,7 +103,8 @@ class Rank(Goal):
             chosen = [e for tree in items(data["functions"]) for e in space.value(tree)]
             chosen += self.given
             need(chosen and space.variables, "nothing is stated")
-            self.matrix = [[space.along(e, {v: one}) for v in space.variables] for e in chosen]
+            with space.granting():  # where they are not defined the point is not
+                self.matrix = [[space.along(e, {v: one}) for v in space.variables] for e in chosen]
 
     def holds(self, evidence: Json) -> None:
         self._independent(evidence)

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 from .counts import Count
+from .division import tree_of
 from .evidence import locate, numbers_of
 from .formulas import rational
 from .goals import Fails, Follows, Goal, Rank, names_of
@@ -156,11 +157,15 @@ def sentence(goal: Json, holds: bool = True) -> str:
 
 @dataclass(frozen=True)
 class Theorem:
-    """What was proved, in plain letters: where, and about what."""
+    """What was proved, in plain letters: where, and about what.
+
+    ``divisors`` are the polynomials, as formulas, that are supposed not to vanish.
+    """
 
     words: str
     where: Sequence[str] = ()
     about: Sequence[str] = ()
+    divisors: Sequence[Json] = ()
     parts: Sequence[Theorem] = ()
 
     def summary(self) -> str:
@@ -183,4 +188,4 @@ def theorem(words: str, space: Space, evidence: Json) -> Theorem:
     about = [*space.setting(), *(f"point: {say_all(p['values'])}" for p in points)]
     where = [*space.known.values()]
     space.ring.spend(sum(map(len, (*where, *about))) >> 3)
-    return Theorem(words, where, about)
+    return Theorem(words, where, about, [*map(tree_of, space.supposed())])

@@ -37,6 +37,10 @@ class Rejected(Exception):
         super().__init__(printable(message))
 
 
+class Exhausted(Rejected):
+    """The check takes more steps than it has; nothing is said of what is stated."""
+
+
 def need(condition: object, message: str) -> None:
     """Reject the certificate unless the condition holds."""
     if not condition:
@@ -53,7 +57,7 @@ class Budget:
         """Count steps."""
         self.left -= steps
         if self.left < 0:
-            raise Rejected("it takes too much work")
+            raise Exhausted("it takes too much work")
 
 
 # -- JSON --------------------------------------------------------------------------

@@ -88,9 +88,10 @@ class Space(Formulas):
             exponent = self.scalar(more)
             need(self.is_real(value) and self.is_real(exponent), "a power of what is not real")
             self.ring.powers[name] = value, exponent
-            self.enter(value, say(tree))
-            self.enter(own, name)
-        self.env[name] = (own,)
+            with self.granting():
+                self.enter(value, say(tree))
+                self.enter(own, name)
+        self.env[name] = (own if value.terms or kind == "power" else value,)
 
     def _granted(self, conditions: list[tuple[set[str], Json]]) -> list[tuple[set[str], Json]]:
         """Know that formulas do not vanish; returns those with names that are not defined yet."""
@@ -98,7 +99,8 @@ class Space(Formulas):
         for names, tree in conditions:
             self.ring.spend(1 + (len(names) >> 3))
             if names <= self.env.keys():
-                self.assume(tree)
+                with self.granting():
+                    self.assume(tree)
             else:
                 waiting.append((names, tree))
         return waiting
