@@ -74,11 +74,7 @@ class AuthorSession(AuditSession):
         if not claim.reads() & self.changed or self._same(claim, known):
             return known
         self.causes.pop(claim.id, None)
-        try:
-            outcome = super().decide(claim)
-        except Exception as error:  # what an author types must not end the audit of the rest
-            message = f"it cannot be decided as it is typed ({type(error).__name__}: {error})"
-            outcome = self.unread(claim, self.on(claim), Verdict.ERROR, message)
+        outcome = super().decide(claim)
         unclear = outcome.verdict in (Verdict.ERROR, Verdict.UNDECIDED, Verdict.TIMEOUT)
         with suppress(TimeoutError), time_limit(self.timeout):
             if unclear and not self._blame_changes(claim):

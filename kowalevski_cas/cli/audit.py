@@ -2,8 +2,9 @@
 
 The derivation says what each place of the paper is; the source says what stands
 there. If no derivation of the library fits, the source is read as its own: what its formulas are
-is inferred, and said with the reason. Nothing in the source is executed. With --list, the formulas
-are only listed.
+is inferred, and said with the reason. Nothing in the source is executed; read are the files that
+are named, and those that they take from the paper's folder. With --list, the formulas are only
+listed.
 """
 
 from __future__ import annotations
@@ -217,6 +218,7 @@ def _list(source: Source, format: str) -> int:
         value = {
             "formulas": [asdict(formula) for formula in found],
             "notes": [{"line": line, "words": words} for line, words in notes],
+            "files": [*source.files],
         }
         print(json.dumps(value, indent=2, ensure_ascii=False))
         return AS_RECORDED if found else NOTHING
@@ -228,6 +230,7 @@ def _list(source: Source, format: str) -> int:
         print(f"{formula.line:>5}  {kind:<10} {formula.label:<12} {tex:<60}  {state}")
     for line, words in notes:
         print(f"{line:>5}  {words}")
+    print(f"read: {', '.join(source.files)}")
     readable = sum(1 for formula in found if not formula.trouble)
     print(f"{len(found)} formulas, {readable} can be read")
     return AS_RECORDED if found else NOTHING

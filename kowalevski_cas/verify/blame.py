@@ -18,7 +18,7 @@ the ids of the claims. Of a repair of another formula ``blamed`` is what is prin
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import cached_property
 from typing import NamedTuple
@@ -81,6 +81,7 @@ class Blame:
     verdicts: Mapping[str, Verdict]
     corrected: Collection[str] = ()
     """The claims that have a correction already."""
+    _true: dict[str, bool] = field(default_factory=dict)
 
     def corrections(self) -> Repairs:
         """The corrections of all claims that fail: what they share first, then one by one."""
@@ -98,7 +99,7 @@ class Blame:
     def shared(self) -> Repairs:
         """The corrections of claims that one change mends together."""
         found: Repairs = {}
-        failing = self._failing
+        failing = self.open()
         while len(failing) > 1:
             best = self._proved(self._sought(failing, least=2), least=2)
             if not best:
@@ -112,7 +113,9 @@ class Blame:
         own = tuple(self.mender.corrected_by(Statement(claim, self.mender.on(claim)), MOST))
         if own:
             return own
-        return self._proved(self._sought([claim], least=1), least=1).get(claim.id, ())
+        others = [one for one in self._failing if one is not claim]
+        repairs = self._sought([claim, *others], least=1, one=claim)
+        return self._proved(repairs, least=1).get(claim.id, ())
 
     # -- who fails ------------------------------------------------------------------
 
@@ -134,9 +137,17 @@ class Blame:
         return passes(Neighbour("", claim, on.texts), on, {}) is False
 
     def _holds(self, claim: Claim) -> bool:
-        """Whether a claim is true as it is printed, or nothing is known against it."""
-        verdict = self.verdicts.get(claim.id)
-        return claim not in self._failing if verdict is None else verdict.green
+        """Whether a claim is true as it is printed; what was not asked for, perhaps at points."""
+        if claim.id not in self._true:
+            verdict = self.verdicts.get(claim.id)
+            self._true[claim.id] = self._seems(claim) if verdict is None else verdict.green
+        return self._true[claim.id]
+
+    def _seems(self, claim: Claim) -> bool:
+        """Whether a claim is true at points, or by a proof if they cannot tell."""
+        on = self.mender.on(claim)
+        at_points = passes(Neighbour("", claim, on.texts), on, {})
+        return self.mender.is_true(claim) if at_points is None else at_points
 
     # -- what is suspected ------------------------------------------------------------
 
@@ -202,18 +213,23 @@ class Blame:
 
     # -- what mends -----------------------------------------------------------------
 
-    def _sought(self, failing: Sequence[Claim], least: int) -> list[Repair]:
-        """The repairs that at points mend at least so many claims, and break none."""
+    def _sought(
+        self, failing: Sequence[Claim], least: int, one: Claim | None = None
+    ) -> list[Repair]:
+        """The repairs that at points mend so many claims, perhaps this one, and break none."""
         found: list[Repair] = []
         most = least
         for suspect, change, place, standing in self._changes(failing, least):
             repair = Repair(suspect, change, place, ())
+            if one is not None and one not in standing:
+                continue
             allowed = len(standing) - most
             mends = []
             for claim in standing:
                 if self._passes(repair, claim) is not False:
                     mends.append(claim)
-                elif (allowed := allowed - 1) < 0:
+                elif claim is one or (allowed := allowed - 1) < 0:
+                    allowed = -1
                     break
             if allowed >= 0 and len(mends) >= most and not self._breaks(repair):
                 most = len(mends)

@@ -64,9 +64,10 @@ class Mender(Teller):
         if place is None or edit is None:
             return True
         others = (c for c in self.derivation.claims if c is not claim and place in c.reads())
-        return all(self.keeps(other, place, edit) for other in others if self._is_true(other))
+        return all(self.keeps(other, place, edit) for other in others if self.is_true(other))
 
-    def _is_true(self, claim: Claim) -> bool:
+    def is_true(self, claim: Claim) -> bool:
+        """Whether evidence is found for a claim as it is printed."""
         try:
             return isinstance(self._evidence(Statement(claim, self.on(claim)), claim.id), tuple)
         except (NotationError, Meaningless, FormatError):

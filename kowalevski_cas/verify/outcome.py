@@ -158,7 +158,8 @@ class Outcome(NamedTuple):
     values of a printed root, ``corrected`` the claims whose accepted corrections it rests on. What
     the paper does not claim is ``ours``. ``certificate`` is the text that the checker has accepted;
     without one nothing is proved, conditional or refuted. A ``note`` is about a stored certificate
-    that was rejected. Words have mathematics between dollars.
+    that was rejected. An error that nobody expected has the ``stack`` of the process in which it
+    arose. Words have mathematics between dollars.
     """
 
     claim: str
@@ -186,6 +187,7 @@ class Outcome(NamedTuple):
     ours: bool = False
     certificate: str = ""
     note: str = ""
+    stack: str = ""
 
     @property
     def certified(self) -> bool:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from kowalevski_cas import UserError
+from kowalevski_cas.files import read_json
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict, as_recorded
 
@@ -67,7 +68,7 @@ def load_record(folder: Path) -> dict[str, dict[str, object]] | None:
     if not path.exists():
         return None
     try:
-        claims = json.loads(path.read_text(encoding="utf-8"))["claims"]
+        claims = read_json(path)["claims"]
         if all(isinstance(entry, dict) for entry in claims.values()):
             return dict(claims)
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:

@@ -6,7 +6,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
 from itertools import count, permutations
+from math import inf
 from time import perf_counter
+from traceback import format_exc
 from typing import Any
 
 from kowalevski_cas.algebra import POINTS, load, load_points
@@ -14,6 +16,7 @@ from kowalevski_cas.library import library
 from kowalevski_cas.limits import ProcessDied, tell, time_limit, watched
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
@@ -30,6 +33,9 @@ Progress = Callable[[str, int, int], None]
 
 Work = Callable[[Callable[[Any], Any], Sequence[Any]], Iterable[Any]]
 """How something is done for each of several items: here, or in processes of their own."""
+
+FRAMES = 20
+"""The innermost calls of a stack that are shown."""
 
 LEAST = 0.5
 """Seconds for a correction, however little the refutation has left."""
@@ -150,12 +156,11 @@ class Session(Mender):
         return session._confirms(claim, session.outcome(claim))
 
     def decide(self, claim: Claim) -> Outcome:
-        """The outcome for one claim, if all stands that it rests on."""
-        on, start = self.on(claim), perf_counter()
+        """The outcome for one claim, if all stands that it rests on; an error, whatever happens."""
+        on = self.on(claim)
         try:
-            with time_limit(self.timeout):
-                statement = Statement(claim, on)
-                outcome = self.anew(statement, claim.id, lambda: self._decided(statement, start))
+            with time_limit(inf):  # if the process dies here, this claim is lost, and not the run
+                return self.with_acceptance(claim, self._corrected(claim, on))
         except TimeoutError as error:
             late = str(error) or f"not decided within {self.timeout:g} s"
             return self.unread(claim, on, Verdict.TIMEOUT, late)
@@ -163,14 +168,26 @@ class Session(Mender):
             NotationError, Meaningless, FormatError, ProcessDied, Unproved, Disagreement
         ) as error:  # fmt: skip
             return self.unread(claim, on, Verdict.ERROR, str(error))
-        except (ArithmeticError, MemoryError, RecursionError) as error:
-            said = f"it cannot be computed ({type(error).__name__}: {error})"
-            return self.unread(claim, on, Verdict.ERROR, said)
+        except (Exception, SystemExit) as error:
+            return self._broken(claim, error)
+
+    def _broken(self, claim: Claim, error: BaseException) -> Outcome:
+        """The outcome for a claim where something goes wrong that nobody has thought of."""
+        said = f"it cannot be computed ({type(error).__name__}: {error})"
+        outcome = self.unread(claim, self.on(claim), Verdict.ERROR, said)
+        return outcome._replace(stack=format_exc(limit=-FRAMES))
+
+    def _corrected(self, claim: Claim, on: Elaborations) -> Outcome:
+        """The outcome for one claim, with the nearest true statement if it is refuted."""
+        start = perf_counter()
+        with time_limit(self.timeout):
+            statement = Statement(claim, on)
+            outcome = self.anew(statement, claim.id, lambda: self._decided(statement, start))
         if outcome.verdict is Verdict.REFUTED:
             outcome = self._timed(claim, outcome, lambda: self.known_corrections(statement))
         names = (claim.id, f"{CORRECTED}/{claim.id}")
         notes = [self.rejected.pop(name) for name in names if name in self.rejected]
-        return self.with_acceptance(claim, outcome._replace(note="\n".join(notes)))
+        return outcome._replace(note="\n".join(notes))
 
     def _decided(self, statement: Statement, start: float) -> Outcome:
         """The outcome for one claim, without a correction."""
@@ -201,7 +218,11 @@ class Session(Mender):
             def alone(place: int) -> Outcome:
                 claim = left[place]
                 tell(claim.id)
-                return self._timed(claim, found[claim.id], lambda: blame.alone(claim))
+                try:
+                    with time_limit(inf):
+                        return self._timed(claim, found[claim.id], lambda: blame.alone(claim))
+                except (Exception, SystemExit) as error:
+                    return self._broken(claim, error)
 
             for outcome in work(alone, range(len(left))):
                 found[outcome.claim] = outcome
@@ -215,10 +236,9 @@ class Session(Mender):
 
     def _shared(self, blame: Blame) -> Repairs:
         """What mends several claims, if it is found in time."""
-        with suppress(TimeoutError, ProcessDied, FormatError, Unproved, Disagreement):
-            with time_limit(self.patience or self.timeout):
-                return blame.shared()
-        return {}
+        with suppress(Exception), time_limit(inf), time_limit(self.patience or self.timeout):
+            return blame.shared()
+        return {}  # what goes wrong with one of the claims is told where it is by itself
 
     def _timed(
         self, claim: Claim, outcome: Outcome, search: Callable[[], Sequence[Correction]]
