@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from importlib import invalidate_caches
 from importlib.util import find_spec, module_from_spec, spec_from_file_location
@@ -90,6 +91,9 @@ def _module(name: str) -> Path | None:
 MEND = "Mend the formula, or declare its names; `having` declares constants."
 """What to do about a name that is not declared."""
 
+ENDS = ("_exit", "abort", "execv", "execve")
+"""What ends a process at once; another program takes its place by the last two."""
+
 SHELF = "kowalevski_cas_derivations"
 """The package below which derivations are loaded, beside those that they rest on."""
 
@@ -128,12 +132,12 @@ def load(name: str, anew: bool = True) -> Derivation:
     sys.modules[module_name] = module
     MADE.clear()
     try:
-        with _without_bytecode(not file.is_relative_to(library())):
+        with _without_bytecode(not file.is_relative_to(library())), _alive():
             spec.loader.exec_module(module)
         return _derivation(module, file, folder.stem)
-    except LibraryError:
+    except (LibraryError, KeyboardInterrupt):
         raise
-    except (Exception, SystemExit) as error:
+    except BaseException as error:
         place = _place(error, folder if inside else file, file)
         kind = "" if isinstance(error, ValueError) else f"{type(error).__name__}: "
         said = error.msg if isinstance(error, SyntaxError) else str(error)
@@ -160,6 +164,31 @@ def _without_bytecode(wanted: bool) -> Iterator[None]:
         yield
     finally:
         sys.dont_write_bytecode = before
+
+
+@contextmanager
+def _alive() -> Iterator[None]:
+    """Let nobody end this process at once: who asked would hear nothing, and take it for success.
+
+    A process that is begun meanwhile may end as it likes.
+    """
+    here, before = os.getpid(), {name: getattr(os, name) for name in ENDS}
+
+    def refused(name: str) -> Callable[..., None]:
+        def end(*arguments: object) -> None:
+            if os.getpid() != here:
+                before[name](*arguments)
+            raise ValueError(f"os.{name} would end the program: leave it out")
+
+        return end
+
+    try:
+        for name in ENDS:
+            setattr(os, name, refused(name))
+        yield
+    finally:
+        for name, function in before.items():
+            setattr(os, name, function)
 
 
 def owner(scene: Scene) -> tuple[Path, str] | None:

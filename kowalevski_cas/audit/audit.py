@@ -134,7 +134,7 @@ def audit(source: Source, base: AuditSession) -> Audit:
             (refused if reason else sources)[place.display] = reason or place.typed.tex
     quotations = Quotations(source, expanded, typed, places, base.derivation)
     session = AuthorSession(base, sources, refused, quotations.differing())
-    notes = [(source.line(offset), reason) for offset, reason in expanded.notes]
+    notes = [(source.line(offset), reason) for offset, reason in (*source.refused, *expanded.notes)]
     describe = Describer(source, expanded, session, refused)
     found = [formula for place in places for formula in describe.formulas(place)]
     found += describe.new(typed, places)

@@ -41,7 +41,7 @@ class Quotations:
         self.names = {words(d.tex): d.id for d in derivation.displays() if d.inline}
         ids = {id(place.typed): place.display.id for place in places}
         self.words = sentence_words(
-            expanded.text, source.body, typed, lambda f: ids.get(id(f)) or self.called(f)
+            expanded.text, expanded.body, typed, lambda f: ids.get(id(f)) or self.called(f)
         )
         self.texts = [word.text for word in self.words]
 

@@ -6,7 +6,7 @@ read otherwise than it was meant.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from time import perf_counter
 from typing import NamedTuple
@@ -18,9 +18,13 @@ from kowalevski_cas.audit.describe import Describer
 from kowalevski_cas.audit.places import Place
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.processes import each
 from kowalevski_cas.reading import ASSUMPTION, CLAIM, CONVENTION, LAW, Formula, Reading
-from kowalevski_cas.verify.outcome import Outcome, Verdict
+from kowalevski_cas.reading.obey import SAID
+from kowalevski_cas.verify.blame import Blame, Repairs
+from kowalevski_cas.verify.outcome import Correction, Outcome, Verdict
 from kowalevski_cas.verify.run import Progress, shared
+from kowalevski_cas.verify.statement import Statement
 
 FALSE_AS_READ = "false as it was read"
 NOT_JUDGED = "no goal states it yet"
@@ -44,14 +48,26 @@ class ReadingSession(AuditSession):
         super().__init__(reading.derivation, arithmetics, explain, timeout=timeout)
         self.heard = heard
         self.reading = reading
-        self.claiming = {f.claim.id: f for f in reading.formulas if f.claim is not None}
+        every = (*reading.formulas, *reading.statements)
+        self.claiming = {f.claim.id: f for f in every if f.claim is not None}
 
     @cached_property
     def outcomes(self) -> dict[str, Outcome]:
         """What is said about each claim; processes share the work."""
         (run,) = shared([self], progress=self.heard)
         found = {outcome.claim: outcome for outcome in run.outcomes}
+        (repairs,) = each(self._blamed, [{id: outcome.verdict for id, outcome in found.items()}])
+        for id, corrections in repairs.items():
+            found[id] = self._told(found[id], corrections)
         return {id: self.as_read(outcome) for id, outcome in found.items()}
+
+    def _blamed(self, verdicts: Mapping[str, Verdict]) -> Repairs:
+        """What would make true what is refuted."""
+        return self._repairs(Blame(self, verdicts))
+
+    def correct(self, printed: Statement) -> tuple[Correction, ...]:
+        """None yet: what is to blame is asked when the paper has been read to its end."""
+        return ()
 
     def as_read(self, outcome: Outcome) -> Outcome:
         """An outcome, undecided if what is refuted may have been meant otherwise."""
@@ -67,8 +83,12 @@ class ReadingSession(AuditSession):
 
 
 def is_certain(formula: Formula) -> bool:
-    """Whether a claim is a printed rate or integral of a law, and it was read without a doubt."""
-    return formula.sure and (formula.role.kind == "integral" or formula.item.derives)
+    """Whether a claim is a printed rate or integral of a law, or what a comment states in full.
+
+    Nothing was in doubt then, and nothing was taken for granted.
+    """
+    rate = formula.role.kind == "integral" or formula.item.derives
+    return (rate and formula.sure) or (formula.role.kind == SAID and not formula.constants)
 
 
 def audit_reading(session: ReadingSession) -> Audit:

@@ -2,8 +2,9 @@
 
 The derivation says what each place of the paper is; the source says what stands
 there. If no derivation of the library fits, the source is read as its own: what its formulas are
-is inferred, and said with the reason. Nothing in the source is executed. With --list, the formulas
-are only listed.
+is inferred, and said with the reason. Nothing in the source is executed; read are the files that
+are named, and those that they take from the paper's folder. With --list, the formulas are only
+listed.
 """
 
 from __future__ import annotations
@@ -34,6 +35,7 @@ from kowalevski_cas.files import write
 from kowalevski_cas.library import available
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.reading import CLAIM, read
+from kowalevski_cas.source.difference import difference
 from kowalevski_cas.source.files import read_source
 from kowalevski_cas.source.listing import listing
 from kowalevski_cas.source.text import Source
@@ -79,6 +81,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="print a unified diff that mends every misprint, instead of the results",
     )
     parser.add_argument(
+        "--draft",
+        action="store_true",
+        help="print all that is inferred as comments, to be corrected: as a diff of the source",
+    )
+    parser.add_argument(
+        "--beside", action="store_true", help="with --draft: as the file PAPER.kc beside the source"
+    )
+    parser.add_argument(
         "--report",
         type=Path,
         metavar="DIR",
@@ -98,6 +108,10 @@ def run(arguments: argparse.Namespace) -> int:
     source = read_source(arguments.source, arguments.macros)
     if arguments.list:
         return _list(source, arguments.format)
+    if arguments.draft:
+        said, code = _drafted(source, arguments.beside)
+        _write(said, source)
+        return code
     alone = arguments.alone and arguments.derivation is None
     known = None if alone else fitting(source, arguments.derivation)
     if known is None:
@@ -110,13 +124,27 @@ def run(arguments: argparse.Namespace) -> int:
             if (received := receive(outcome)).verdict is not outcome.verdict:
                 raise CommandError(f"{outcome.claim}: {received.message}")
     if arguments.patch:
-        sys.stdout.flush()
-        sys.stdout.buffer.write(said.encode(source.encoding, "replace"))
+        _write(said, source)
     else:
         print(said, end="")
     if note:
         print(note, file=sys.stderr)
     return code
+
+
+def _write(text: str, source: Source) -> None:
+    """Print text of a source, in its encoding."""
+    sys.stdout.flush()
+    sys.stdout.buffer.write(text.encode(source.encoding, "replace"))
+
+
+def _drafted(source: Source, apart: bool) -> tuple[str, int]:
+    """All that is inferred of a source as comments, and the exit code."""
+    from kowalevski_cas.reading.draft import beside, draft
+
+    found = read(source)
+    said = beside(found) if apart else difference(source, draft(found))
+    return said, AS_RECORDED if found.formulas else NOTHING
 
 
 def _told(arguments: argparse.Namespace, found: Audit) -> tuple[list[Outcome], str, str, int]:
@@ -220,6 +248,7 @@ def _list(source: Source, format: str) -> int:
         value = {
             "formulas": [asdict(formula) for formula in found],
             "notes": [{"line": line, "words": words} for line, words in notes],
+            "files": [*source.files],
         }
         print(json.dumps(value, indent=2, ensure_ascii=False))
         return AS_RECORDED if found else NOTHING
@@ -231,6 +260,7 @@ def _list(source: Source, format: str) -> int:
         print(f"{formula.line:>5}  {kind:<10} {formula.label:<12} {tex:<60}  {state}")
     for line, words in notes:
         print(f"{line:>5}  {words}")
+    print(f"read: {', '.join(source.files)}")
     readable = sum(1 for formula in found if not formula.trouble)
     print(f"{len(found)} formulas, {readable} can be read")
     return AS_RECORDED if found else NOTHING

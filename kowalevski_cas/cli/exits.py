@@ -13,6 +13,7 @@ UNDECIDED = 3
 DISAGREEMENT = 4
 REJECTED = 5
 NOTHING = 6
+FAILED = 7
 INTERRUPTED = 130
 
 EXIT_CODES = """exit codes:
@@ -23,6 +24,7 @@ EXIT_CODES = """exit codes:
   4   the arithmetics disagree
   5   a certificate is rejected, or not confirmed
   6   nothing was selected
+  7   the program itself failed
   130 interrupted
 """
 

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from kowalevski_cas import __version__
 from kowalevski_cas.cli.exits import NOTHING, CommandError
+from kowalevski_cas.cli.terminal import Output, printable
 from kowalevski_cas.library import available, find, load, source
 from kowalevski_cas.limits import tell
 from kowalevski_cas.notation import NotationError
@@ -250,17 +251,20 @@ def progress_bar() -> Iterator[Callable[..., None]]:
         yield lambda *words: None
         return
     from rich.console import Console
+    from rich.markup import escape
     from rich.progress import Progress as Bar
 
     tasks: dict[int, TaskID] = {}
 
     def move(name: str, done: int, total: int, number: int = 0) -> None:
+        name = escape(printable(name))
         if number not in tasks:
             tasks[number] = bar.add_task(name)
         bar.update(tasks[number], description=name, completed=done, total=total, refresh=True)
 
     # Without a thread of its own: processes are forked meanwhile.
-    with Bar(console=Console(stderr=True), transient=True, auto_refresh=False) as bar:
+    stream = sys.stderr.stream if isinstance(sys.stderr, Output) else sys.stderr
+    with Bar(console=Console(file=stream), transient=True, auto_refresh=False) as bar:
         yield move
 
 

@@ -116,12 +116,15 @@ JACOBI = Family(
 FAMILIES = (CIRCULAR, EXPONENTIAL, JACOBI)
 
 DERIVATIVES = {
-    "ln": r"\frac{1}{x}",
+    "ln": r"\frac{1}{\sqrt{x}^2}",
     "arctan arctg": r"\frac{1}{1+x^2}",
     "arccot arcctg": r"-\frac{1}{1+x^2}",
-    "artanh arctanh arth": r"\frac{1}{1-x^2}",
+    "artanh arctanh arth": r"\frac{1}{\sqrt{1-x^2}^2}",
 }
-"""Functions of which only the derivatives are known, by their argument x."""
+"""Functions of which only the derivatives are known, by their argument x.
+
+They are real where the roots in these are.
+"""
 
 _OTHERS = ("log", "arcsin", "arccos", "max", "min", "det", "tr Tr")
 _MACROS = frozenset(

@@ -10,7 +10,7 @@ the setting checks it.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import pairwise, takewhile
 
 from kowalevski_cas.algebra import load
@@ -313,5 +313,9 @@ class Elaboration(Moving):
 
 def finder_of(setting: Setting) -> Evaluation:
     """The evaluation of a setting with FLINT."""
-    assert isinstance(setting, Elaboration)
-    return setting.finder
+    return setting.finder if isinstance(setting, Elaboration) else _evaluated(setting)
+
+
+@cache
+def _evaluated(space: Setting) -> Evaluation:
+    return Evaluation(space, load("flint")).adjoin_roots()

@@ -19,7 +19,7 @@ from kowalevski_cas.notation import (
     substitute,
     to_latex,
 )
-from kowalevski_cas.notation.functions import EXPONENTIAL, FAMILY_OF, Family, canonical
+from kowalevski_cas.notation.functions import FAMILY_OF, Family, canonical
 from kowalevski_cas.paper.arguments import Monomial, product_of
 from kowalevski_cas.problem.space import Adjoined, Meaningless
 
@@ -39,12 +39,32 @@ class Kind(NamedTuple):
 
     def names(self, argument: Formula) -> dict[str, str]:
         """The names of the generators at an argument."""
-        if self.family is EXPONENTIAL:
+        if self.family.argument > 1:
             return {"e": rf"\mathrm{{e}}^{{{_over(argument, self.family.argument)}}}"}
         tex = ",".join(map(to_latex, (argument, *self.parameters)))
         whole = tex if isinstance(argument, Name | Quotient) and not self.parameters else f"({tex})"
         words = {one: names.split()[0] for names, one in self.family.functions.items()}
         return {g: f"{canonical(words[g])}{{{whole}}}" for g in self.family.rates}
+
+    def rates(self, names: Mapping[str, str], over: int = 1) -> dict[str, Formula]:
+        """The derivatives of generators with some names by what their argument is, ``over`` it."""
+        below = Number(over * self.family.argument)
+        values = {letter: Name(name) for letter, name in names.items()}
+        found = {}
+        for letter, tex in self.family.rates.items():
+            rate = self.formula(tex, values)
+            found[names[letter]] = rate if below == ONE else Quotient(rate, below)
+        return found
+
+    def opposite(self, values: Mapping[str, Formula]) -> dict[str, Formula]:
+        """The generators at the opposite argument."""
+        changed = {letter: self.formula(tex, values) for letter, tex in self.family.minus.items()}
+        return {**values, **changed}
+
+    def sum(self, left: Mapping[str, Formula], right: Mapping[str, Formula]) -> dict[str, Formula]:
+        """The generators at the sum of two arguments."""
+        values = {**left, **{f"{letter}_1": value for letter, value in right.items()}}
+        return {letter: self.formula(tex, values) for letter, tex in self.family.sum.items()}
 
 
 def _over(argument: Formula, number: int) -> str:
@@ -99,13 +119,8 @@ class Generators(NamedTuple):
             yield Adjoined(self.names[letter], self.kind.formula(tex, self.values))
 
     def rates(self) -> dict[str, Formula]:
-        """Their derivatives by the product of names; what is above a number is as it is there."""
-        below = Number(self.over * self.kind.family.argument)
-        found = {}
-        for letter, tex in self.kind.family.rates.items():
-            rate = self.kind.formula(tex, self.values)
-            found[self.names[letter]] = rate if below == ONE else Quotient(rate, below)
-        return found
+        """Their derivatives by the product of names."""
+        return self.kind.rates(self.names, self.over)
 
 
 def kind_of(formula: Application) -> Kind:

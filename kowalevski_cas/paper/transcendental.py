@@ -17,6 +17,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
 from math import lcm
+from typing import NamedTuple
 
 from kowalevski_cas.notation import (
     Application,
@@ -29,7 +30,7 @@ from kowalevski_cas.notation import (
     to_latex,
     total,
 )
-from kowalevski_cas.notation.functions import FAMILY_OF, MEANING
+from kowalevski_cas.notation.functions import FAMILY_OF, MEANING, Family
 from kowalevski_cas.paper.arguments import (
     Combination,
     Monomial,
@@ -40,9 +41,16 @@ from kowalevski_cas.paper.arguments import (
     single_name,
 )
 from kowalevski_cas.paper.families import Generators, Kind, applications, kind_of, template
-from kowalevski_cas.problem.space import Adjoined, Let, Meaningless
+from kowalevski_cas.problem.space import Adjoined, Meaningless
 
 ONE = Number(1)
+
+
+class Derived(NamedTuple):
+    """A generator by others: ``by`` says at what sum, as :func:`addition.theorem` takes it."""
+
+    formula: Formula
+    by: tuple[Family, bool, bool]
 
 
 class Transcendental:
@@ -71,12 +79,14 @@ class Transcendental:
                 continue
             if not all(is_arithmetic(formula) for monomial in argument for formula, _ in monomial):
                 continue
+            if not {*constants}.issuperset(n for one in kind.parameters for n in one.names()):
+                continue  # what moves is no modulus: by it these functions are not derived
             for monomial, factor in argument.items():
                 if monomial:
                     key = kind, monomial
                     found[key] = lcm(found.get(key, 1), factor.denominator)
         self.groups = tuple(Generators(*key, over) for key, over in found.items())
-        self.derived: dict[str, Let] = {}
+        self.derived: dict[str, Derived] = {}
 
     def _argument(self, application: Application) -> Combination:
         """The argument of a function, in which no name is a defined one."""
@@ -190,25 +200,15 @@ class Transcendental:
             return group.values
         names = kind.names(total(_multiple(group.argument, n) for group, n in multiples))
         if not {*names.values()} <= self.derived.keys():
-            last, rest = (1, count - 1) if count > 0 else (-1, count + 1)
-            left = self._at(kind, [*before, (group, rest)] if rest else before)
-            right = group.values if last > 0 else _opposite(kind, group.values)
-            self._derive(kind, names, left, right, alone=not before and not rest)
+            added, rest = count > 0, count - 1 if count > 0 else count + 1
+            alone = not before and not rest
+            right = group.values if added else kind.opposite(group.values)
+            if not alone:
+                left = self._at(kind, [*before, (group, rest)] if rest else before)
+                right = kind.sum(left, right)
+            by = (kind.family, added, alone)
+            self.derived |= {names[g]: Derived(right[g], by) for g in names}
         return {letter: Name(name) for letter, name in names.items()}
-
-    def _derive(
-        self,
-        kind: Kind,
-        names: dict[str, str],
-        left: dict[str, Formula],
-        right: dict[str, Formula],
-        alone: bool,
-    ) -> None:
-        """Define the generators at a sum of two arguments, or at the second ``alone``."""
-        values = {**left, **{f"{letter}_1": value for letter, value in right.items()}}
-        for letter, tex in kind.family.sum.items():
-            formula = right[letter] if alone else kind.formula(tex, values)
-            self.derived[names[letter]] = Let(names[letter], formula)
 
     # -- derivatives -------------------------------------------------------------
 
@@ -230,11 +230,6 @@ def _multiple(argument: Formula, count: int) -> Formula:
         below = Number(factor.denominator)
         whole = above if below == ONE else Quotient(above, below)
     return whole if count > 0 else Negative(whole)
-
-
-def _opposite(kind: Kind, values: dict[str, Formula]) -> dict[str, Formula]:
-    changed = {letter: kind.formula(tex, values) for letter, tex in kind.family.minus.items()}
-    return {**values, **changed}
 
 
 def _by_name(monomial: Monomial, name: str) -> Formula:

@@ -17,12 +17,14 @@ from typing import Any
 from kowalevski_cas.algebra.numbers import rank, rational
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Number
+from kowalevski_cas.problem.along import Solved, check_departure, check_equal
 from kowalevski_cas.problem.collect import collect_sides
 from kowalevski_cas.problem.count import check_free, check_roots, check_solutions
 from kowalevski_cas.problem.differentials import chosen, differentials, minors
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import (
     At,
+    Departure,
     Evidence,
     Found,
     Further,
@@ -34,7 +36,17 @@ from kowalevski_cas.problem.evidence import (
     Solutions,
 )
 from kowalevski_cas.problem.examine import Examiner, Unproved, Vacuous, is_real, law, need_point
-from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Kernel, Rank, Simple
+from kowalevski_cas.problem.goals import (
+    Along,
+    Count,
+    Exists,
+    Fails,
+    Follows,
+    Goal,
+    Kernel,
+    Rank,
+    Simple,
+)
 from kowalevski_cas.problem.kernel import check_complete, check_further, check_no_solution
 from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.space import Equation, Meaningless
@@ -173,6 +185,16 @@ class Judge(Examiner):
         else:
             check_no_solution(goal, at, place)
 
+    # -- solutions -------------------------------------------------------------------
+
+    def _along(self, goal: Along, evidence: At | Departure, at: Evaluation, sign: bool) -> None:
+        solutions = Solved(goal, at)
+        self._point(at, evidence.point, solutions.differences)
+        if isinstance(evidence, Departure):
+            check_departure(solutions, evidence.order, self.accepted.places[-1])
+        else:
+            check_equal(solutions)
+
     # -- what exists ---------------------------------------------------------------
 
     def _exists(self, goal: Exists, evidence: Found) -> None:
@@ -255,5 +277,7 @@ _RULES: dict[tuple[type, type, bool], Rule] = {
     (Kernel, At, True): Judge._kernel,
     (Kernel, At, False): Judge._kernel,
     (Kernel, Further, False): Judge._kernel,
+    (Along, At, True): Judge._along,
+    (Along, Departure, False): Judge._along,
 }
 """What checks a kind of evidence for a kind of goal, or against it."""

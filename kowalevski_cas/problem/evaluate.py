@@ -137,9 +137,14 @@ class Evaluation(Fold):
         return True
 
     def root(self, argument: Formula, conjugated: bool = False) -> Element:
-        """The declared square root of an expression, which remembers what that is divided by."""
-        value = self.scalar(argument, conjugated)
-        return self.scalar(Name(self._root_of(value, argument))) + value * self.ring.zero
+        """The declared square root of an expression, which remembers what that is divided by.
+
+        Its conjugate is that of the root by its name: of two roots of the conjugate of the
+        expression it is one, and nothing but a declared pair says which.
+        """
+        value = self.scalar(argument)
+        root = self.scalar(Name(self._root_of(value, argument)), conjugated)
+        return root + (self.scalar(argument, conjugated) if conjugated else value) * self.ring.zero
 
     def root_name(self, argument: Formula) -> str:
         """The name of the declared square root of an expression, the first one of several."""

@@ -6,7 +6,17 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from kowalevski_cas.notation import Formula, Name, Partial, Root
-from kowalevski_cas.problem.goals import Count, Exists, Goal, Kernel, Problem, Rank, Simple, simple
+from kowalevski_cas.problem.goals import (
+    Along,
+    Count,
+    Exists,
+    Goal,
+    Kernel,
+    Problem,
+    Rank,
+    Simple,
+    simple,
+)
 from kowalevski_cas.problem.mentions import Mentions, mentions
 from kowalevski_cas.problem.space import Adjoined, Change, Raised, Setting, Space, Step
 
@@ -83,6 +93,10 @@ class Reach:
             if "i" in old.roots:
                 self.name("i")
 
+    def goal(self, goal: Simple) -> None:
+        """Reach what a goal uses; a rank is about all variables, a kernel about the motion."""
+        _reach_goal(goal, (), self)
+
     def whole(self) -> None:
         """Reach all variables."""
         for name in self.setting.variables:
@@ -144,7 +158,7 @@ def _reach_goal(goal: Simple, bound: Iterable[str], reach: Reach) -> None:
         reach.formula(formula)
     if isinstance(goal, Rank):
         reach.whole()
-    if isinstance(goal, Kernel):
+    if isinstance(goal, Kernel | Along):
         reach.move()
     for name in goal.names if isinstance(goal, Count) else ():
         reach.name(name)

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from kowalevski_cas.notation import Name, Number
 from kowalevski_cas.paper.names import BRACKET, head
+from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.laws import Law
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import Item, Paper
@@ -56,6 +57,8 @@ class Known:
     clocks: list[Item] = field(default_factory=list)
     seen: dict[str, Item] = field(default_factory=dict)
     """The equations in which names have been used first."""
+    said: Said = field(default_factory=Said)
+    """What comments say of statements."""
 
     @cached_property
     def later(self) -> dict[str, list[Item]]:

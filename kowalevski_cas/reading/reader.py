@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
@@ -17,12 +18,14 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
+from kowalevski_cas.reading.comments import read_comments
 from kowalevski_cas.reading.conventions import conventions
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import CLAIM, CONVENTION, Known, Role
-from kowalevski_cas.reading.ladder import Rung, rungs
+from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.laws import find_laws, find_restated
 from kowalevski_cas.reading.names import Names, vectors_of
+from kowalevski_cas.reading.obey import SAID, claim_id, said_rung, said_rungs
 from kowalevski_cas.reading.roles import role_of
 from kowalevski_cas.reading.stage import Stage
 from kowalevski_cas.reading.statements import Item, Paper, read_statements
@@ -58,6 +61,8 @@ class Reading:
     derivation: Derivation
     formulas: tuple[Formula, ...]
     known: Known = field(repr=False)
+    statements: tuple[Formula, ...] = ()
+    """The claims that comments state and that are no formula's."""
 
 
 Heard = Callable[[str, int, int], None]
@@ -68,8 +73,9 @@ def read(source: Source, heard: Heard = lambda *_: None) -> Reading:
     """The derivation that a source is, by the rules of reading."""
     paper = read_statements(source)
     names = Names(vectors_of(paper))
-    laws = find_laws(paper, names)
-    known = Known(paper, names, laws, find_restated(paper, laws))
+    said = read_comments(paper)
+    laws = find_laws(paper, names, said)
+    known = Known(paper, names, laws, find_restated(paper, laws), said=said)
     for item in _in_order(paper):
         known.enter(item, role_of(item, known))
     for item, role in conventions(known):
@@ -96,15 +102,27 @@ class _Reader:
             if role.name == CLAIM:
                 found: list[Rung] = []
                 with self._noting(item):
-                    found.extend(rungs(item, self._id(item), self.stage))
+                    found.extend(said_rungs(item, self._id(item), self.stage, self.known.said))
                 self.candidates[item] = found
         chosen = self._chosen(heard)
         formulas = tuple(
             self._formula(item, role, chosen.get(item))
             for item, role in sorted(self.known.roles.items(), key=lambda pair: pair[0].order)
         )
-        derivation = self._derivation(f.claim for f in formulas if f.claim is not None)
-        return Reading(self.paper, derivation, formulas, self.known)
+        statements = tuple(self._statements())
+        claims = (f.claim for f in (*formulas, *statements) if f.claim is not None)
+        return Reading(self.paper, self._derivation(claims), formulas, self.known, statements)
+
+    def _statements(self) -> Iterator[Formula]:
+        """The claims that comments state and that are no formula's."""
+        ids: Counter[str] = Counter()
+        for found in self.known.said.claims:
+            ids[claim_id(found)] += 1
+            number = ids[claim_id(found)]
+            id = claim_id(found) if number == 1 else f"{claim_id(found)}_{number}"
+            rung = said_rung(found, id, self.stage)
+            role = Role(CLAIM, f"line {found.comment.line} says so", SAID)
+            yield Formula(found.items[0], role, rung.claim, rung.on, rung.constants)
 
     @contextmanager
     def _noting(self, item: Item) -> Iterator[None]:

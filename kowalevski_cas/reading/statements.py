@@ -130,7 +130,7 @@ class Paper:
 def read_statements(source: Source) -> Paper:
     """The statements of a source, read in the names that it uses."""
     expanded, formulas = typed_formulas(source)
-    prose = Prose(expanded.text, source.body, formulas)
+    prose = Prose(expanded.text, expanded.body, formulas)
     words = _vocabulary(formulas)
     displays: list[tuple[Display, Typed]] = []
     items: list[Item] = []

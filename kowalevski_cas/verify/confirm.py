@@ -15,7 +15,7 @@ from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.problem.examine import Accepted
-from kowalevski_cas.problem.goals import Simple, simple
+from kowalevski_cas.problem.goals import Along, Simple, simple
 from kowalevski_cas.problem.trees import decode
 from kowalevski_cas.verify.conditions import may_vanish
 from kowalevski_cas.verify.outcome import Outcome, Verdict
@@ -60,8 +60,8 @@ def receive(outcome: Outcome) -> Outcome:
     if outcome.certified:
         sign = "denied" if outcome.verdict is Verdict.REFUTED else "holds"
         due.append((outcome.digest, sign, outcome.certificate))
-    if outcome.correction is not None:
-        due.append((outcome.correction.digest, "holds", outcome.correction.certificate))
+    for one in filter(None, (outcome.correction, *outcome.alternatives)):
+        due.append((one.digest, "holds", one.certificate))
     try:
         for digest, sign, text in due:
             _theorems(outcome.claim, digest, sign, text)
@@ -69,7 +69,7 @@ def receive(outcome: Outcome) -> Outcome:
         said = f"what another process says of it is not accepted here: {error}"
         return outcome._replace(
             verdict=Verdict.ERROR, message=said, certificate="", conditions=(),
-            counterexample=None, correction=None,
+            counterexample=None, correction=None, alternatives=(),
         )  # fmt: skip
     return outcome
 
@@ -95,6 +95,9 @@ def _divided(
     """What the theorems suppose not to vanish, goal by goal, as what it is divided by."""
     parts = chain.from_iterable(one.parts or (one,) for one in theorems)
     for goal, theorem in zip(goals, parts, strict=True):
+        if isinstance(goal, Along):  # where a side is not defined it says nothing
+            yield []
+            continue
         assert isinstance(goal.space, Elaboration)
         scalar = goal.space.finder.scalar
         yield [scalar(decode(tree)).inverse() for tree in theorem.divisors]
@@ -104,6 +107,8 @@ def _factors(divided: Divided) -> dict[Elaboration, set[Shape]]:
     """The irreducible factors that may not vanish, by the settings in which they stand."""
     found: dict[Elaboration, set[Shape]] = {}
     for goal, elements in divided:
+        if isinstance(goal, Along):
+            continue
         setting = goal.space
         assert isinstance(setting, Elaboration)
         powers = _of_powers(setting)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from enum import StrEnum
 from hashlib import sha256
 from typing import NamedTuple
@@ -108,7 +108,9 @@ class Correction(NamedTuple):
 
     ``printed`` and ``edit`` say where, if one printed formula was changed, and ``accepted``
     that the derivation reads it in place of what is printed. ``certificate`` is the text that the
-    checker has accepted.
+    checker has accepted. If it is no formula of the claim that is wrong, but one on which it
+    stands, ``blamed`` is what is printed there, and ``formulas`` are what should be. A relation of
+    constants that is to be supposed stands at a place of its own.
     """
 
     formulas: tuple[Formula, ...]
@@ -120,6 +122,29 @@ class Correction(NamedTuple):
     edit: Edit | None = None
     accepted: bool = False
     certificate: str = ""
+    blamed: tuple[Formula, ...] = ()
+
+    @property
+    def elsewhere(self) -> str:
+        """The place that is mended, if it is none of the claim's own."""
+        own = self.printed is None or (self.edit is not None and not self.blamed)
+        return "" if own or self.printed is None else self.printed.place
+
+
+class Blamed(NamedTuple):
+    """A printed formula that makes claims fail: its repair, what that mends, what rests on it.
+
+    ``printed`` is empty where a relation of constants is missing, which is the repair then.
+    ``mends`` are the refuted claims that are proved with the repair; all others in ``rests`` were
+    decided with what is printed, and stay true with the repair if they are true.
+    """
+
+    place: str
+    printed: tuple[Formula, ...]
+    repair: Correction
+    alternatives: tuple[Correction, ...]
+    mends: tuple[str, ...]
+    rests: tuple[str, ...]
 
 
 class Outcome(NamedTuple):
@@ -133,7 +158,8 @@ class Outcome(NamedTuple):
     values of a printed root, ``corrected`` the claims whose accepted corrections it rests on. What
     the paper does not claim is ``ours``. ``certificate`` is the text that the checker has accepted;
     without one nothing is proved, conditional or refuted. A ``note`` is about a stored certificate
-    that was rejected. Words have mathematics between dollars.
+    that was rejected. An error that nobody expected has the ``stack`` of the process in which it
+    arose. Words have mathematics between dollars.
     """
 
     claim: str
@@ -147,6 +173,7 @@ class Outcome(NamedTuple):
     steps: tuple[Step, ...] = ()
     counterexample: Counterexample | None = None
     correction: Correction | None = None
+    alternatives: tuple[Correction, ...] = ()
     rests_on: tuple[str, ...] = ()
     digest: str = ""
     message: str = ""
@@ -160,6 +187,7 @@ class Outcome(NamedTuple):
     ours: bool = False
     certificate: str = ""
     note: str = ""
+    stack: str = ""
 
     @property
     def certified(self) -> bool:
@@ -173,6 +201,11 @@ class Outcome(NamedTuple):
         if self.correction is not None:
             found[f"{CORRECTED}/{self.claim}"] = self.correction.certificate
         return found if self.certified else {}
+
+    def corrected_by(self, corrections: Sequence[Correction]) -> Outcome:
+        """The outcome with the likeliest of some corrections, and the others as alternatives."""
+        first, *others = (*corrections, None)
+        return self._replace(correction=first, alternatives=tuple(filter(None, others)))
 
 
 class Run(NamedTuple):

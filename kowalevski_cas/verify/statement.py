@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cached_property
 
+from kowalevski_cas.paper.addition import addition_theorems
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.elaborate import Elaboration, finder_of
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -30,7 +31,10 @@ class Statement:
         self, claim: Claim, on: Elaborations, goals: tuple[Goal, ...] | None = None
     ) -> None:
         self.claim, self.on = claim, claim.settings(on)
-        self.goals: tuple[Goal, ...] = tuple(claim.goals(self.on)) if goals is None else goals
+        if goals is None:
+            own = tuple(claim.goals(self.on))
+            goals = (*own, *addition_theorems(own))
+        self.goals: tuple[Goal, ...] = goals
         if not self.goals:  # all of them would hold
             raise Meaningless(f"{claim.id} states nothing")
         check_hypotheses(self.goals)
@@ -57,8 +61,7 @@ class Statement:
 
     def names(self, setting: Setting) -> Sequence[str]:
         """The names to which a point of a setting gives values."""
-        assert isinstance(setting, Elaboration)
-        space = self.spaces[setting]
+        space = self.spaces[setting] if isinstance(setting, Elaboration) else setting
         return (*generators(space), *space.roots)
 
     @cached_property

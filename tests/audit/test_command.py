@@ -159,8 +159,9 @@ def test_other_files_are_not_read(tmp_path, capsys):
     assert main(["audit", "--list", str(path)]) == 0
     out = capsys.readouterr().out
     assert "secret = 1" not in out
-    assert "root" not in out
+    assert "root:" not in out
     assert "1 formulas" in out
+    assert "/etc/passwd is not read: it does not lead into the paper's folder" in out
 
 
 @pytest.mark.parametrize(
