@@ -6,7 +6,7 @@ read otherwise than it was meant.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from time import perf_counter
 from typing import NamedTuple
@@ -18,15 +18,14 @@ from kowalevski_cas.audit.describe import Describer
 from kowalevski_cas.audit.places import Place
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.processes import each
 from kowalevski_cas.reading import ASSUMPTION, CLAIM, CONVENTION, LAW, Formula, Reading
 from kowalevski_cas.reading.obey import SAID
-from kowalevski_cas.verify.blame import Blame, Repairs
-from kowalevski_cas.verify.outcome import Correction, Outcome, Verdict
+from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.verify.run import Progress, shared
-from kowalevski_cas.verify.statement import Statement
 
 FALSE_AS_READ = "false as it was read"
+PATIENCE = 6.0
+"""Seconds for what claims share, and for each that is corrected by itself."""
 NOT_JUDGED = "no goal states it yet"
 
 
@@ -36,6 +35,8 @@ class ReadingSession(AuditSession):
     A claim is refuted if it has a repair or an ancestor is to blame, or if it is a printed rate or
     integral of a closed, printed law; whatever else fails is undecided.
     """
+
+    patience = PATIENCE
 
     def __init__(
         self,
@@ -55,19 +56,40 @@ class ReadingSession(AuditSession):
     def outcomes(self) -> dict[str, Outcome]:
         """What is said about each claim; processes share the work."""
         (run,) = shared([self], progress=self.heard)
-        found = {outcome.claim: outcome for outcome in run.outcomes}
-        (repairs,) = each(self._blamed, [{id: outcome.verdict for id, outcome in found.items()}])
-        for id, corrections in repairs.items():
-            found[id] = self._told(found[id], corrections)
+        found = {one.claim: self._blaming(one) for one in run.outcomes}
+        self._mend(found)
         return {id: self.as_read(outcome) for id, outcome in found.items()}
 
-    def _blamed(self, verdicts: Mapping[str, Verdict]) -> Repairs:
-        """What would make true what is refuted."""
-        return self._repairs(Blame(self, verdicts))
+    def _blaming(self, outcome: Outcome) -> Outcome:
+        """An outcome; what mends another formula makes that the cause, and corrects none of it."""
+        one = outcome.correction
+        if one is None or not one.blamed or one.printed is None or one.edit is None:
+            return outcome
+        self.causes[outcome.claim] = (one.printed,)
+        self.misprints[one.printed] = one.edit
+        return outcome._replace(correction=None, alternatives=())
 
-    def correct(self, printed: Statement) -> tuple[Correction, ...]:
-        """None yet: what is to blame is asked when the paper has been read to its end."""
-        return ()
+    def _mend(self, found: dict[str, Outcome]) -> None:
+        """Decide once more, with what is blamed as it should read, what that has not mended."""
+        mended = {place: edit.formula for place, edit in self.misprints.items()}
+        rest = [
+            claim.id
+            for claim in self.derivation.claims
+            if self._unexplained(claim, found[claim.id]) and claim.reads() & mended.keys()
+        ]
+        if not rest:
+            return
+        again = ReadingSession(self.reading, self.arithmetics, timeout=self.timeout)
+        again.texts = self.texts.reading(mended)
+        again.elaborations = self.elaborations.apart(again.texts)
+        (run,) = shared([again], rest, self.heard)
+        for outcome in run.outcomes:
+            own = outcome.correction is not None and not outcome.correction.blamed
+            if outcome.verdict.green or own:
+                self.causes[outcome.claim] = (*mended,)
+                found[outcome.claim] = found[outcome.claim].corrected_by(
+                    (outcome.correction, *outcome.alternatives) if outcome.correction else ()
+                )
 
     def as_read(self, outcome: Outcome) -> Outcome:
         """An outcome, undecided if what is refuted may have been meant otherwise."""
