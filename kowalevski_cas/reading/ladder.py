@@ -63,11 +63,16 @@ class _Ladder:
     # -- identities ------------------------------------------------------------------
 
     def identities(self) -> Iterator[Rung]:
-        """An equation by itself, and where cited equations hold."""
+        """An equation by itself, and where cited equations hold.
+
+        What vanishes where others are cited is one of a set: nobody says that it always does.
+        """
         says = "both sides are equal"
+        hypotheses = self.hypotheses()
         for assumptions in self.suppositions():
-            yield self.rung(Identity, says, assumptions)
-            for given in self.hypotheses():
+            if not hypotheses or ZERO not in self.item.members:
+                yield self.rung(Identity, says, assumptions)
+            for given in hypotheses:
                 said = "both sides are equal where the cited equations hold"
                 yield self.rung(Implication, said, assumptions, given, given=_places(given))
                 if root := self._root():
