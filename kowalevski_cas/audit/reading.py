@@ -19,11 +19,9 @@ from kowalevski_cas.audit.places import Place
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading import ASSUMPTION, CLAIM, CONVENTION, LAW, Formula, Reading
-from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.verify.outcome import Outcome, Verdict
-from kowalevski_cas.verify.run import Progress, shared
+from kowalevski_cas.verify.run import FALSE_AS_READ, Progress, shared
 
-FALSE_AS_READ = "false as it was read"
 PATIENCE = 6.0
 """Seconds for what claims share, and for each that is corrected by itself."""
 NOT_JUDGED = "no goal states it yet"
@@ -32,8 +30,8 @@ NOT_JUDGED = "no goal states it yet"
 class ReadingSession(AuditSession):
     """A run over a reading.
 
-    A claim is refuted if it has a repair or an ancestor is to blame, or if it is a printed rate or
-    integral of a closed, printed law; whatever else fails is undecided.
+    What another formula explains has this formula for its cause, and is decided once more with it
+    as it should read.
     """
 
     patience = PATIENCE
@@ -58,7 +56,10 @@ class ReadingSession(AuditSession):
         (run,) = shared([self], progress=self.heard)
         found = {one.claim: self._blaming(one) for one in run.outcomes}
         self._mend(found)
-        return {id: self.as_read(outcome) for id, outcome in found.items()}
+        return {
+            id: one._replace(verdict=Verdict.UNDECIDED) if one.verdict is Verdict.ERROR else one
+            for id, one in found.items()
+        }
 
     def _blaming(self, outcome: Outcome) -> Outcome:
         """An outcome; what mends another formula makes that the cause, and corrects none of it."""
@@ -75,7 +76,7 @@ class ReadingSession(AuditSession):
         rest = [
             claim.id
             for claim in self.derivation.claims
-            if self._unexplained(claim, found[claim.id]) and claim.reads() & mended.keys()
+            if self._fails(found[claim.id]) and claim.reads() & mended.keys()
         ]
         if not rest:
             return
@@ -87,30 +88,14 @@ class ReadingSession(AuditSession):
             own = outcome.correction is not None and not outcome.correction.blamed
             if outcome.verdict.green or own:
                 self.causes[outcome.claim] = (*mended,)
-                found[outcome.claim] = found[outcome.claim].corrected_by(
-                    (outcome.correction, *outcome.alternatives) if outcome.correction else ()
-                )
+                corrections = () if outcome.correction is None else (outcome.correction,)
+                failed = found[outcome.claim]._replace(verdict=Verdict.REFUTED, message="")
+                found[outcome.claim] = failed.corrected_by(corrections)
 
-    def as_read(self, outcome: Outcome) -> Outcome:
-        """An outcome, undecided if what is refuted may have been meant otherwise."""
-        if outcome.verdict is Verdict.ERROR:
-            return outcome._replace(verdict=Verdict.UNDECIDED)
-        if outcome.verdict is not Verdict.REFUTED:
-            return outcome
-        formula = self.claiming[outcome.claim]
-        repaired = outcome.correction is not None or outcome.claim in self.causes
-        if is_certain(formula) or (repaired and not formula.doubtful):
-            return outcome
-        return outcome._replace(verdict=Verdict.UNDECIDED, message=FALSE_AS_READ)
-
-
-def is_certain(formula: Formula) -> bool:
-    """Whether a claim is a printed rate or integral of a law, or what a comment states in full.
-
-    Nothing was in doubt then, and nothing was taken for granted.
-    """
-    rate = formula.role.kind == "integral" or formula.item.derives
-    return (rate and formula.sure) or (formula.role.kind == SAID and not formula.constants)
+    def _fails(self, outcome: Outcome) -> bool:
+        """Whether a claim is false as it was read, and nothing is known that mends it."""
+        failed = outcome.verdict is Verdict.REFUTED or outcome.message == FALSE_AS_READ
+        return failed and outcome.correction is None and outcome.claim not in self.causes
 
 
 def audit_reading(session: ReadingSession) -> Audit:

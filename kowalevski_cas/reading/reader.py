@@ -12,7 +12,7 @@ from typing import NamedTuple
 from kowalevski_cas.limits import ProcessDied, tell, time_limit
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
-from kowalevski_cas.paper.derivation import Derivation, Section
+from kowalevski_cas.paper.derivation import Derivation, Doubt, Section
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.problem.space import Meaningless
@@ -45,10 +45,8 @@ class Formula:
     claim: Claim | None = None
     on: tuple[Item, ...] = ()
     constants: tuple[str, ...] = ()
-    sure: bool = False
-    """Whether the law is printed and closed, and nothing else could have been meant."""
-    doubtful: bool = False
-    """Whether it may say where something happens, and nothing that always holds."""
+    doubt: Doubt | None = None
+    """How its claim may have been meant otherwise, if it may."""
     message: str = ""
     """Why a claim is not judged, if it is not."""
 
@@ -111,7 +109,9 @@ class _Reader:
         )
         statements = tuple(self._statements())
         claims = (f.claim for f in (*formulas, *statements) if f.claim is not None)
-        return Reading(self.paper, self._derivation(claims), formulas, self.known, statements)
+        doubts = {f.claim.id: f.doubt for f in formulas if f.claim and f.doubt}
+        derivation = replace(self._derivation(claims), doubts=doubts)
+        return Reading(self.paper, derivation, formulas, self.known, statements)
 
     def _statements(self) -> Iterator[Formula]:
         """The claims that comments state and that are no formula's."""
@@ -155,9 +155,10 @@ class _Reader:
         sure = not (given or rung.constants or cue("on it", item.words)) and self._is_plain(rung)
         fixed = (member for member in item.members if not self.known.varying(member.names()))
         doubtful = role.kind == "identity" and not item.derives and any(fixed)
-        return Formula(
-            item, role, rung.claim, rung.on, rung.constants, sure, doubtful, choice.message
-        )
+        rate = role.kind == "integral" or item.derives
+        doubt = None if (sure and rate) or role.kind == SAID else Doubt.UNLESS_MENDED
+        doubt = Doubt.ALWAYS if doubtful else doubt
+        return Formula(item, role, rung.claim, rung.on, rung.constants, doubt, choice.message)
 
     def _is_plain(self, rung: Rung) -> bool:
         """Whether a claim stands on a law that rests on no other one, and is printed once."""
