@@ -108,7 +108,7 @@ class Stage:
                 waiting += self._mentioned(by)
         return _Closure(law, frozenset(names), definitions)
 
-    def _mentioned(self, item: Item) -> set[str]:
+    def _mentioned(self, item: Item) -> list[str]:
         """The names that a statement needs, functions and brackets among them."""
         found = set(item.names)
         for node in item.formula.nodes() if item.formula is not None else ():
@@ -116,7 +116,7 @@ class Stage:
                 found.add(node.function)
             elif isinstance(node, PoissonBracket):
                 found |= {name for name in self.known.definitions if name.startswith(BRACKET)}
-        return found
+        return sorted(found)
 
     def law(self, at: Item, items: Sequence[Item]) -> Law | None:
         """The law of some statements: one that is cited, or the latest that moves their names."""
