@@ -127,7 +127,7 @@ class Describer:
             audited.verdict = str(worst.verdict)
             audited.conditions = worst.conditions
             audited.counterexample = worst.counterexample
-            audited.correction = worst.correction
+            audited.correction, audited.alternatives = worst.correction, worst.alternatives
             audited.message = worst.message or audited.message
             causes = self.session.causes.get(worst.claim, ())
             audited.causes = tuple(cause.place for cause in causes)
