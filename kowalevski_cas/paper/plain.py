@@ -78,7 +78,7 @@ class Plain:
                 return OF_MATRICES[function](rows(argument, self.setting))
             case Application():
                 known = self.setting.transcendental(formula)
-                return self(value_of(formula, self.setting)) if known is None else known
+                return self(value_of(formula, self.setting) if known is None else known)
             case Root(argument):
                 value = self._printed_value(formula)
                 return self._positive(Root(self(argument))) if value is None else value
