@@ -200,7 +200,7 @@ class Plain:
             roots = (Root(Number(prime)) for prime in number[1])
             return reduce(lambda a, b: Product((a, b)), roots, fraction_formula(number[0]))
         name = self.setting.finder.root_name(root.argument)
-        if name in self.setting.scene.roots and not name.startswith(r"\sqrt"):
+        if name != "i" and not name.startswith(r"\sqrt"):
             shown = to_latex(root)
             raise Meaningless(f"{name} may be {shown} or its opposite: print {name}, not {shown}")
         return root

@@ -126,7 +126,7 @@ class Transcendental:
         return frozenset(found)
 
     def independent(self, names: Container[str]) -> bool:
-        """Whether it is known that between the generators in some names no equations hold but theirs.
+        """Whether the generators in some names are known to obey no equations but their own.
 
         It is not of functions with two moduli, nor where an argument has a root to a power, or a
         sum below a line: arguments that look unlike may then have to do with one another.
@@ -173,7 +173,9 @@ class Transcendental:
         """The roots of numbers in the values at parts of π."""
         for group in self.groups:
             if group.kind.family.angles and single_name(group.monomial) == r"\pi":
-                yield from {3: (r"\sqrt{3}",), 4: (r"\sqrt{2}",), 6: (r"\sqrt{3}",)}.get(group.over, ())
+                yield from {3: (r"\sqrt{3}",), 4: (r"\sqrt{2}",), 6: (r"\sqrt{3}",)}.get(
+                    group.over, ()
+                )
 
     @property
     def nonzero(self) -> Iterator[Formula]:
@@ -231,7 +233,9 @@ class Transcendental:
             return found
         return Imaginary(kind, found, found.over // over)
 
-    def _at(self, kind: Kind, multiples: list[tuple[Generators | Imaginary, int]]) -> dict[str, Formula]:
+    def _at(
+        self, kind: Kind, multiples: list[tuple[Generators | Imaginary, int]]
+    ) -> dict[str, Formula]:
         """The generators of a family at a sum of multiples of arguments."""
         if not multiples:
             return {letter: template(tex) for letter, tex in kind.family.zero.items()}

@@ -78,7 +78,9 @@ class FirstIntegral(Claim):
         try:
             _ = space.finder
         except Meaningless as error:
-            raise Meaningless(f"a logarithm, or an arc, is real nowhere: {error}", error.name) from None
+            raise Meaningless(
+                f"a logarithm, or an arc, is real nowhere: {error}", error.name
+            ) from None
 
         def vanishing(by: Callable[[Formula], Formula]) -> Equation:
             return vanishes(space.plain(derived(printed[0], by, space)))

@@ -84,7 +84,9 @@ def _along(
             constants=tuple(n for n in space.constants if n in reach.names - moving),
             nonzero=tuple(f for f in space.nonzero if f.names() <= reach.names),
             steps=tuple(step for step in reach.steps if step.name not in names.values()),
-            field=tuple(Motion((name,), Number(1), space.plain(rate)) for name, rate in field.items()),
+            field=tuple(
+                Motion((name,), Number(1), space.plain(rate)) for name, rate in field.items()
+            ),
         ),
         tuple(initial.items()),
         tuple((names[letter], side) for letter, side in sides.items()),
