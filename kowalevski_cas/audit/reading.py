@@ -19,6 +19,7 @@ from kowalevski_cas.audit.places import Place
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading import ASSUMPTION, CLAIM, LAW, Formula, Reading
+from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 
 FALSE_AS_READ = "false as it was read"
@@ -41,7 +42,8 @@ class ReadingSession(AuditSession):
     ) -> None:
         super().__init__(reading.derivation, arithmetics, explain, timeout=timeout)
         self.reading = reading
-        self.claiming = {f.claim.id: f for f in reading.formulas if f.claim is not None}
+        every = (*reading.formulas, *reading.statements)
+        self.claiming = {f.claim.id: f for f in every if f.claim is not None}
 
     @cached_property
     def outcomes(self) -> dict[str, Outcome]:
@@ -59,8 +61,11 @@ class ReadingSession(AuditSession):
 
 
 def is_certain(formula: Formula) -> bool:
-    """Whether a claim is a printed rate or integral of a law, and nothing was taken for granted."""
-    rate = formula.role.kind == "integral" or formula.item.derives
+    """Whether a claim is a printed rate or integral of a law, or what a comment states in full.
+
+    Nothing is taken for granted then.
+    """
+    rate = formula.role.kind in ("integral", SAID) or formula.item.derives
     return rate and not formula.constants
 
 

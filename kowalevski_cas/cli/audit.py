@@ -35,6 +35,7 @@ from kowalevski_cas.files import write
 from kowalevski_cas.library import available
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.reading import CLAIM, read
+from kowalevski_cas.source.difference import difference
 from kowalevski_cas.source.files import read_source
 from kowalevski_cas.source.listing import listing
 from kowalevski_cas.source.text import Source
@@ -80,6 +81,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="print a unified diff that mends every misprint, instead of the results",
     )
     parser.add_argument(
+        "--draft",
+        action="store_true",
+        help="print all that is inferred as comments, to be corrected: as a diff of the source",
+    )
+    parser.add_argument(
+        "--beside", action="store_true", help="with --draft: as the file PAPER.kc beside the source"
+    )
+    parser.add_argument(
         "--report",
         type=Path,
         metavar="DIR",
@@ -99,6 +108,10 @@ def run(arguments: argparse.Namespace) -> int:
     source = read_source(arguments.source, arguments.macros)
     if arguments.list:
         return _list(source, arguments.format)
+    if arguments.draft:
+        ((said, code),) = session.watched(lambda one: _drafted(one, arguments.beside), [source])
+        _write(said, source)
+        return code
     ((outcomes, said, note, code),) = session.watched(
         lambda one: _audited(arguments, one), [source]
     )
@@ -106,13 +119,27 @@ def run(arguments: argparse.Namespace) -> int:
         if (received := receive(outcome)).verdict is not outcome.verdict:
             raise CommandError(f"{outcome.claim}: {received.message}")
     if arguments.patch:
-        sys.stdout.flush()
-        sys.stdout.buffer.write(said.encode(source.encoding, "replace"))
+        _write(said, source)
     else:
         print(said, end="")
     if note:
         print(note, file=sys.stderr)
     return code
+
+
+def _write(text: str, source: Source) -> None:
+    """Print text of a source, in its encoding."""
+    sys.stdout.flush()
+    sys.stdout.buffer.write(text.encode(source.encoding, "replace"))
+
+
+def _drafted(source: Source, apart: bool) -> tuple[str, int]:
+    """All that is inferred of a source as comments, and the exit code."""
+    from kowalevski_cas.reading.draft import beside, draft
+
+    found = read(source)
+    said = beside(found) if apart else difference(source, draft(found))
+    return said, AS_RECORDED if found.formulas else NOTHING
 
 
 def _audited(arguments: argparse.Namespace, source: Source) -> tuple[list[Outcome], str, str, int]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from kowalevski_cas.paper.names import BRACKET, head
+from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.laws import Law
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import Item, Paper
@@ -46,6 +47,8 @@ class Known:
     units: list[Item] = field(default_factory=list)
     clocks: list[Item] = field(default_factory=list)
     seen: set[str] = field(default_factory=set)
+    said: Said = field(default_factory=Said)
+    """What comments say of statements."""
 
     def enter(self, item: Item, role: Role) -> None:
         """Keep what a statement says."""

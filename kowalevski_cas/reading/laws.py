@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from kowalevski_cas.notation import Derivative, Formula, Name, Number, Power, Product, Relation
+from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import Item, Paper
@@ -54,19 +55,19 @@ class Law:
         return ", ".join(filter(None, labels)) or "the equations of motion"
 
 
-def find_laws(paper: Paper, names: Names) -> list[Law]:
+def find_laws(paper: Paper, names: Names, said: Said) -> list[Law]:
     """The closed sets of equations of motion, in the order of the paper.
 
     The first display with rates of names that nothing defines is grown until the rates of all that
     moves in it are there. Another set has new variables, or is set up as another system.
     """
-    return [*_Finder(paper, names).laws()]
+    return [*_Finder(paper, names, said).laws()]
 
 
 class _Finder:
     """The equations with rates of a paper, and which of them belong together."""
 
-    def __init__(self, paper: Paper, names: Names) -> None:
+    def __init__(self, paper: Paper, names: Names, said: Said) -> None:
         self.paper, self.names = paper, names
         defined: dict[str, int] = {}
         for item in paper.items:
@@ -79,9 +80,13 @@ class _Finder:
         self.rows = [
             item
             for item in paper.items
-            if is_row(item)
-            and item not in paper.approximate
-            and not any(defined.get(n, item.order) < item.order for n in item.rates)
+            if (
+                verb == "law" and item.rates
+                if (verb := said.verb(item))
+                else is_row(item)
+                and item not in paper.approximate
+                and not any(defined.get(n, item.order) < item.order for n in item.rates)
+            )
         ]
 
     def laws(self) -> Iterator[Law]:

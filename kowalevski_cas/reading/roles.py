@@ -32,6 +32,7 @@ from kowalevski_cas.reading.known import (
     Known,
     Role,
 )
+from kowalevski_cas.reading.obey import said_role
 from kowalevski_cas.reading.statements import Item
 
 Rule = Callable[[Item, Known], Role | None]
@@ -39,8 +40,10 @@ ZERO = Number(0)
 
 
 def role_of(item: Item, known: Known) -> Role:
-    """What a statement is, by the first rule that says something."""
-    return next(role for rule in RULES if (role := rule(item, known)) is not None)
+    """What a statement is: what a comment says, or the first rule that says something."""
+    inferred = next(role for rule in RULES if (role := rule(item, known)) is not None)
+    found = known.said.role(item)
+    return inferred if found is None else said_role(found, item, inferred, known)
 
 
 # -- what states nothing ---------------------------------------------------------------

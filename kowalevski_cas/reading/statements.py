@@ -18,9 +18,9 @@ from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.text import MARK, Prose, Section, references
 from kowalevski_cas.source.displays import Typed
+from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.formulas import typed_formulas
 from kowalevski_cas.source.listing import guessed
-from kowalevski_cas.source.macros import Expanded
 from kowalevski_cas.source.text import Source
 
 LONGEST_ID = 32

@@ -170,6 +170,8 @@ class Expected:
             on = self.bench.on(claim)
             if not corrected:
                 return Statement(claim, on)
-            near = recorded_correction(claim, on, str(self.record[id].get("correction")))
+            entry = self.record[id]
+            elsewhere = str(entry.get("mended", ""))
+            near = recorded_correction(claim, on, str(entry.get("correction")), elsewhere)
             return None if near is None else near[1]
         return None

@@ -60,8 +60,8 @@ def receive(outcome: Outcome) -> Outcome:
     if outcome.certified:
         sign = "denied" if outcome.verdict is Verdict.REFUTED else "holds"
         due.append((outcome.digest, sign, outcome.certificate))
-    if outcome.correction is not None:
-        due.append((outcome.correction.digest, "holds", outcome.correction.certificate))
+    for one in filter(None, (outcome.correction, *outcome.alternatives)):
+        due.append((one.digest, "holds", one.certificate))
     try:
         for digest, sign, text in due:
             _theorems(outcome.claim, digest, sign, text)
@@ -69,7 +69,7 @@ def receive(outcome: Outcome) -> Outcome:
         said = f"what another process says of it is not accepted here: {error}"
         return outcome._replace(
             verdict=Verdict.ERROR, message=said, certificate="", conditions=(),
-            counterexample=None, correction=None,
+            counterexample=None, correction=None, alternatives=(),
         )  # fmt: skip
     return outcome
 

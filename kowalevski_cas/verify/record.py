@@ -30,7 +30,7 @@ class Difference(NamedTuple):
 def describe(outcome: Outcome) -> dict[str, object]:
     """What is recorded of an outcome."""
     correction = outcome.correction
-    return {
+    recorded: dict[str, object] = {
         "verdict": str(outcome.verdict),
         "conditions": [to_latex(condition.expression) for condition in outcome.conditions],
         "correction": None
@@ -38,6 +38,9 @@ def describe(outcome: Outcome) -> dict[str, object]:
         else as_recorded(correction.formulas, correction.words, outcome.formulas),
         "statement": outcome.digest,
     }
+    if correction is not None and correction.elsewhere:
+        recorded["mended"] = correction.elsewhere
+    return recorded
 
 
 def dump_record(run: Run, recorded: Mapping[str, Mapping[str, object]]) -> str:

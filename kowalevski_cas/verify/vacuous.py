@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import (
@@ -21,7 +21,8 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.errors import closeness
 from kowalevski_cas.paper.claims import Neighbour
-from kowalevski_cas.paper.elaborate import finder_of
+from kowalevski_cas.paper.elaborate import Elaboration, finder_of
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.goals import Exists, Follows, simple
 from kowalevski_cas.search.combinations import vanish_on
 from kowalevski_cas.verify.statement import Statement
@@ -123,3 +124,20 @@ def _common(formula: Formula) -> set[str]:
         case Quotient():
             return _common(formula.numerator)
     return set()
+
+
+def stands_still(before: Elaboration, after: Elaboration, names: Iterable[str]) -> bool:
+    """Whether of what moves on a scene something stands still on an edited one, or of some names.
+
+    So no law is changed into one of which anything is true, and no function into a constant.
+    """
+    was, now = before.finder, after.finder
+    if any(now.rates[x].is_zero for x, rate in was.rates.items() if not rate.is_zero):
+        return True
+    return any(_still(name, now) and not _still(name, was) for name in names)
+
+
+def _still(name: str, at: Evaluation) -> bool:
+    """Whether a name stands for numbers and constants."""
+    parts = at.components(Name(name))
+    return all(at.partial(part, x).is_zero for part in parts for x in at.setting.variables)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from kowalevski_cas.limits import time_limit
@@ -15,10 +16,12 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
+from kowalevski_cas.reading.comments import read_comments
 from kowalevski_cas.reading.known import CLAIM, Known, Role
-from kowalevski_cas.reading.ladder import Rung, rungs
+from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.laws import find_laws
 from kowalevski_cas.reading.names import Names, vectors_of
+from kowalevski_cas.reading.obey import SAID, claim_id, said_rung, said_rungs
 from kowalevski_cas.reading.roles import role_of
 from kowalevski_cas.reading.stage import Stage
 from kowalevski_cas.reading.statements import Item, Paper, read_statements
@@ -50,13 +53,16 @@ class Reading:
     derivation: Derivation
     formulas: tuple[Formula, ...]
     known: Known = field(repr=False)
+    statements: tuple[Formula, ...] = ()
+    """The claims that comments state and that are no formula's."""
 
 
 def read(source: Source) -> Reading:
     """The derivation that a source is, by the rules of reading."""
     paper = read_statements(source)
     names = Names(vectors_of(paper))
-    known = Known(paper, names, find_laws(paper, names))
+    said = read_comments(paper)
+    known = Known(paper, names, find_laws(paper, names, said), said=said)
     for item in _in_order(paper):
         known.enter(item, role_of(item, known))
     return _Reader(paper, known).reading()
@@ -80,7 +86,8 @@ class _Reader:
             if role.name == CLAIM:
                 found: list[Rung] = []
                 try:
-                    found.extend(rungs(item, self._id(item), self.stage))
+                    id, said = self._id(item), self.known.said
+                    found.extend(said_rungs(item, id, self.stage, said))
                 except (ValueError, Meaningless) as error:
                     self.troubles[item] = str(error)
                 self.candidates[item] = found
@@ -91,8 +98,21 @@ class _Reader:
             self._formula(item, role, on)
             for item, role in sorted(self.known.roles.items(), key=lambda pair: pair[0].order)
         )
-        derivation = self._derivation(f.claim for f in formulas if f.claim is not None)
-        return Reading(self.paper, derivation, formulas, self.known)
+        statements = tuple(self._statements())
+        claiming = (f for f in (*formulas, *statements) if f.claim is not None)
+        derivation = self._derivation(f.claim for f in claiming if f.claim is not None)
+        return Reading(self.paper, derivation, formulas, self.known, statements)
+
+    def _statements(self) -> Iterator[Formula]:
+        """The claims that comments state and that are no formula's."""
+        ids: Counter[str] = Counter()
+        for found in self.known.said.claims:
+            ids[claim_id(found)] += 1
+            number = ids[claim_id(found)]
+            id = claim_id(found) if number == 1 else f"{claim_id(found)}_{number}"
+            rung = said_rung(found, id, self.stage)
+            role = Role(CLAIM, f"line {found.comment.line} says so", SAID)
+            yield Formula(found.items[0], role, rung.claim, rung.on, rung.constants)
 
     def _formula(self, item: Item, role: Role, on: Elaborations) -> Formula:
         found = self.candidates.get(item, [])
