@@ -14,8 +14,8 @@ from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement
 from tests.sample import sampled
 
-ROWS = [(name, claim) for name in ("dlmf22", "dlmf4") for claim in load(name).claims if isinstance(claim, Identity)]  # fmt: skip
-ids = [claim.id for _, claim in ROWS]
+CHAPTERS = {name: load(name) for name in ("dlmf22", "dlmf4")}
+ROWS = [(name, claim) for name, one in CHAPTERS.items() for claim in one.claims if isinstance(claim, Identity)]  # fmt: skip
 
 
 def jacobi(u, k):
@@ -109,8 +109,7 @@ def is_true(formula, definitions, tries=3):
 
 def mutants(name, claim, count):
     """Neighbours of a row of which the formula is false as numbers."""
-    derivation = load(name)
-    texts = derivation.texts()
+    texts = CHAPTERS[name].texts()
     definitions = {n: texts.formula(p).members[-1] for n, p in claim.scene.definitions.items()}
     assert is_true(texts.formula(claim.own), definitions)
     all_of_them = [*claim.neighbours(texts)]
@@ -131,7 +130,7 @@ def mutants(name, claim, count):
 
 
 def verdict(name, neighbour):
-    session = Session(load(name), ["flint"], timeout=20)
+    session = Session(CHAPTERS[name], ["flint"], timeout=20)
     try:
         statement = Statement(neighbour.claim, session.on(neighbour.claim, neighbour.texts))
     except (Meaningless, NotationError):
