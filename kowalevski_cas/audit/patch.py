@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from difflib import unified_diff
-from io import StringIO
 
 from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.audit.places import Place
 from kowalevski_cas.notation import NotationError, read_display
+from kowalevski_cas.source.difference import difference
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.source.tokens import changes
 
@@ -89,14 +88,3 @@ def _replaced(text: str, replacements: dict[tuple[int, int], str]) -> str:
 def patch(found: Audit) -> str:
     """A unified diff that mends every misprint, empty if there is none."""
     return difference(found.source, mended(found))
-
-
-def difference(source: Source, changed: Source) -> str:
-    """A unified diff of the files of a source, file by file."""
-    texts = changed.files
-    pieces: list[str] = []
-    for path, text in source.files.items():
-        before, after = ([*StringIO(one, "\n")] for one in (text, texts[path]))
-        name = path.lstrip("/")
-        pieces += unified_diff(before, after, f"a/{name}", f"b/{name}", n=2)
-    return "".join(pieces)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -23,6 +24,7 @@ def told(audit: Audit, phrases: Phrases) -> Iterator[str]:
     yield f"{audit.source.path}, read as it stands: {equations}."
     yield ""
     yield from _lead(audit)
+    yield from _obeyed(audit)
     yield from _assumed(audit, phrases)
     yield from _undecided(audit, phrases)
     yield from _open(audit)
@@ -34,6 +36,20 @@ def _lead(audit: Audit) -> Iterator[str]:
     wrong = sum(formula.wrong for formula in audit.formulas)
     claims = plain.many(len(verdicts), "claim")
     yield f"Of {claims} {green} hold as printed; {wrong or 'no'} wrong."
+
+
+def _obeyed(audit: Audit) -> Iterator[str]:
+    """How many comments there are of each kind, and those that contradict what is inferred."""
+    assert audit.reading is not None
+    said = audit.reading.known.said
+    if not said.directives:
+        return
+    counts = Counter(one.verb for one in said.directives)
+    counted = ", ".join(f"{number} {verb}" for verb, number in sorted(counts.items()))
+    yield f"Comments are obeyed: {counted}."
+    for formula in audit.reading.formulas:
+        if formula.item in said.of and "; without it: " in formula.role.reason:
+            yield from plain.wrapped(f"{formula.item.printed.place}: {formula.role.reason}")
 
 
 def _assumed(audit: Audit, phrases: Phrases) -> Iterator[str]:
