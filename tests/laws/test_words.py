@@ -60,7 +60,7 @@ def test_what_is_declared_is_a_name(font):
     plain = System(r"\dot x=ay,\ \dot y=-ax").having(word)
     assert plain.scene.constants == ("a", r"\mathrm{Ra}")
     assert plain.integral(f"{word}(x^2+y^2)").verdict == "proved"
-    defined = System(rf"\dot x=a{word}y,\ \dot y=-a{word}x,\ {word}=a^2")
+    defined = System(rf"\dot x=a{word}y,\ \dot y=-a{word}x,\ {word}=3a+1")
     assert defined.integral("x^2+y^2").verdict == "proved"
     moving = System(rf"\frac{{d{word}}}{{dt}}=y,\ \dot y=-{word}")
     assert moving.scene.variables == (r"\mathrm{Ra}", "y")
