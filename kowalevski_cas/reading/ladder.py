@@ -130,16 +130,16 @@ class _Ladder:
     def just_before(self) -> list[Item]:
         """The set that was spoken of, or cited, last in the same paragraph."""
         found: list[Item] = []
-        for one, role in self.known.roles.items():
+        for one in self.known.roles:
             if one.order < self.item.order and one.paragraph == self.item.paragraph:
-                near = [one] if role.kind in ("set", "invariant") else []
+                near = [one] if self._is_set(one) else []
                 near += [o for o in self.known.cited(one) if self._is_set(o)]
                 found = near or found
         return [one for one in self.known.roles if found and one.typed is found[-1].typed]
 
     def _is_set(self, one: Item) -> bool:
         role = self.known.roles.get(one)
-        return role is not None and role.kind in ("set", "set in force", "invariant")
+        return role is not None and (role.kind.startswith("set") or role.kind == "invariant")
 
     # -- integrals -------------------------------------------------------------------
 
@@ -181,11 +181,7 @@ class _Ladder:
 
     def invariant(self) -> Iterator[Rung]:
         """That no motion leaves a set; its equations are claimed together."""
-        relations = tuple(
-            one
-            for one, role in self.known.roles.items()
-            if one.typed is self.item.typed and role.kind == "invariant"
-        )
+        relations = tuple(self._relations())
         if relations and relations[0] is self.item:
             says = "no motion leaves the set of these equations"
             places = _places(relations)
@@ -193,6 +189,18 @@ class _Ladder:
                 yield self.rung(
                     InvariantRelations, says, assumptions, (), relations, relations=places
                 )
+
+    def _relations(self) -> Iterator[Item]:
+        """The equations of one set: of a display, or side by side in a sentence.
+
+        Where the words are of planes or points, each is one of them.
+        """
+        several = cue("places", self.item.before)
+        for one, role in self.known.roles.items():
+            beside = one.sentence == self.item.sentence and one.typed.inline
+            joined = beside and self.item.typed.inline and not several
+            if role.kind == "invariant" and (one.typed is self.item.typed or joined):
+                yield one
 
     # -- all -------------------------------------------------------------------------
 
