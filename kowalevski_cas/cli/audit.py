@@ -109,11 +109,13 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.list:
         return _list(source, arguments.format)
     if arguments.draft:
-        ((said, code),) = session.watched(lambda one: _drafted(one, arguments.beside), [source])
+        ((said, code),) = session.map_in_processes(
+            lambda source: _drafted(source, arguments.beside), [source]
+        )
         _write(said, source)
         return code
-    ((outcomes, said, note, code),) = session.watched(
-        lambda one: _audited(arguments, one), [source]
+    ((outcomes, said, note, code),) = session.map_in_processes(
+        lambda source: _audited(arguments, source), [source]
     )
     for outcome in outcomes:
         if (received := receive(outcome)).verdict is not outcome.verdict:
@@ -144,10 +146,10 @@ def _drafted(source: Source, apart: bool) -> tuple[str, int]:
 
 def _audited(arguments: argparse.Namespace, source: Source) -> tuple[list[Outcome], str, str, int]:
     """The outcomes of an audit, what is to be printed and noted, and the exit code."""
-    found = _found(source, arguments)
+    found = _audit_source(source, arguments)
     outcomes, code = [*found.outcomes.values()], exit_code(found, arguments.strict)
     notes = [outcome.note for outcome in outcomes if outcome.note]
-    notes += [_written(found, arguments.report)] if arguments.report is not None else []
+    notes += [_write_page(found, arguments.report)] if arguments.report is not None else []
     note = "\n".join(notes)
     if arguments.patch:
         from kowalevski_cas.audit.patch import patch
@@ -156,7 +158,7 @@ def _audited(arguments: argparse.Namespace, source: Source) -> tuple[list[Outcom
     return outcomes, load_format(arguments.format).audited(found), note, code
 
 
-def _found(source: Source, arguments: argparse.Namespace) -> Audit:
+def _audit_source(source: Source, arguments: argparse.Namespace) -> Audit:
     """The audit of a source, by the derivation that is named or fits, or by what it says itself."""
     if not arguments.alone or arguments.derivation is not None:
         if (known := fitting(source, arguments.derivation)) is not None:
@@ -168,13 +170,13 @@ def _found(source: Source, arguments: argparse.Namespace) -> Audit:
     return audit_reading(run)
 
 
-def _written(found: Audit, folder: Path) -> str:
+def _write_page(found: Audit, folder: Path) -> str:
     """Write the page of an audit; where it is."""
-    from kowalevski_cas.report.annotated import annotated
+    from kowalevski_cas.report.annotated import annotate
     from kowalevski_cas.report.html import render_html
 
     page = folder / f"{Path(found.source.path).stem}.html"
-    write(page, render_html(annotated(found)))
+    write(page, render_html(annotate(found)))
     return f"{page} is written"
 
 
@@ -187,7 +189,7 @@ def fitting(source: Source, name: str | None) -> tuple[Path, Derivation] | None:
     return next((pair for pair in candidates if pair[1] is found), None)
 
 
-def chosen(source: Source, name: str | None) -> tuple[Path, Derivation]:
+def choose_derivation(source: Source, name: str | None) -> tuple[Path, Derivation]:
     """The derivation that is named, or the one of the library that fits a source."""
     found = fitting(source, name)
     if found is None:
@@ -203,7 +205,7 @@ def arithmetics(name: str) -> tuple[str, ...]:
 
 def auditing(folder: Path, derivation: Derivation, arguments: argparse.Namespace) -> AuditSession:
     """The run of a derivation with which sources are compared."""
-    stored, record = load_certificates(folder), session.recorded(folder)
+    stored, record = load_certificates(folder), session.readable_record(folder)
     explain, timeout = arguments.report is not None, arguments.timeout
     return AuditSession(
         derivation, arithmetics(arguments.arithmetic), explain, stored, timeout, record=record

@@ -31,9 +31,9 @@ from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.formulas import source
 from kowalevski_cas.motion.general import AnyMotion
 from kowalevski_cas.motion.methods import METHODS, load
-from kowalevski_cas.motion.methods.ball import enclosed
+from kowalevski_cas.motion.methods.ball import enclose
 from kowalevski_cas.motion.parameters import MethodError, exact
-from kowalevski_cas.motion.result import Result
+from kowalevski_cas.motion.result import Trajectory
 from kowalevski_cas.processes import each
 
 LARGEST_COUNT = 10_000_000
@@ -99,7 +99,7 @@ def run(arguments: argparse.Namespace) -> int:
     binary = arguments.format == "npz" and arguments.output is None
     if binary and sys.stdout.isatty():
         raise CommandError("npz is not for a terminal; give --output DIR, or send it to a file")
-    contents = FORMATS[arguments.format](_followed(arguments))
+    contents = FORMATS[arguments.format](_follow(arguments))
     if arguments.output is not None:
         path = arguments.output / f"motion.{arguments.format}"
         write(path, contents)
@@ -111,7 +111,7 @@ def run(arguments: argparse.Namespace) -> int:
     return AS_RECORDED
 
 
-def _followed(arguments: argparse.Namespace) -> Result:
+def _follow(arguments: argparse.Namespace) -> Trajectory:
     if not 1 <= arguments.samples <= LARGEST_COUNT:
         raise CommandError(f"--samples has to be from 1 to {LARGEST_COUNT}")
     try:
@@ -136,7 +136,7 @@ def _followed(arguments: argparse.Namespace) -> Result:
     def states(motion: AnyMotion) -> tuple[Array, ...]:
         with time_limit(arguments.timeout):
             if method == "ball" and not isinstance(motion, General):
-                return enclosed(motion, times)
+                return enclose(motion, times)
             return (load(method)(motion, times),)
 
     try:
@@ -151,7 +151,7 @@ def _followed(arguments: argparse.Namespace) -> Result:
         raise CommandError(str(error), UNDECIDED) from None
     except ValueError as error:
         raise CommandError(str(error)) from None
-    return Result(motion, times, *found)
+    return Trajectory(motion, times, *found)
 
 
 def motion_of(arguments: argparse.Namespace) -> AnyMotion:

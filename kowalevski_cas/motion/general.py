@@ -27,7 +27,7 @@ class General:
     @property
     def constants(self) -> dict[str, float]:
         """The values of a, b, c and of the three integrals."""
-        found = formulas.offered("integrals")(*self.point)
+        found = formulas.offered_values("integrals")(*self.point)
         values = dict(zip(formulas.INTEGRALS, found, strict=True))
         lengths = {name: values[f"{name}^2"] ** 0.5 for name in "ab"}
         return {**lengths, "c": values["c"], **{name.lower(): values[name] for name in "HKG"}}

@@ -24,7 +24,7 @@ INTEGRALS = {"H": "H", "K": "K", "G": "G", "a^2": "a2", "b^2": "b2", "c": "c"}
 
 
 @dataclass(frozen=True)
-class Result:
+class Trajectory:
     """States of shape (N, 9) at times of shape (N,).
 
     ``radii`` (N,) are those of enclosures: no number of a state is farther from the exact one.
@@ -49,7 +49,7 @@ class Result:
     @cached_property
     def drift(self) -> dict[str, float]:
         """The largest change of each integral over the states."""
-        values = formulas.offered("integrals")(*self.states.T)
+        values = formulas.offered_values("integrals")(*self.states.T)
         return {
             INTEGRALS[name]: float(np.max(np.abs(value - value[0])))
             for name, value in zip(formulas.INTEGRALS, map(np.atleast_1d, values), strict=True)

@@ -61,23 +61,23 @@ class Symbols(Cursor):
             raise self.error(INSTEAD[token.text], token)
         self.at += braces
         accents_end = self.tokens[self.at - 1].end
-        on = self.scripted(token)
+        on = self.read_scripts(token)
         name = token.text + on.index
         if name == "e" and on.power is not None and "e" not in self.names:
             return self.exponential(token, on, accents)
-        if self.applied(name):
+        if self.takes_argument(name):
             if on.primes or accents:
                 raise self.error(
                     f"by what is {name} derived? print \\partial {name}/\\partial x", token
                 )
             return self.application(name, token.start, on.power)
-        piece: Piece = (self.declared(token.text, on.index, token), token.start, on.name_end, ())
+        piece: Piece = (self.name_node(token.text, on.index, token), token.start, on.name_end, ())
         if accents:
             piece = _accented(piece, accents, start, max(on.name_end, accents_end))
         piece = _primed(piece, on.primes, on.primes_end)
-        return piece if on.power is None else self.powered(piece, on.power)
+        return piece if on.power is None else self.read_power(piece, on.power)
 
-    def scripted(self, token: Token) -> _Scripts:
+    def read_scripts(self, token: Token) -> _Scripts:
         """All that stands on a letter and behind it."""
         on = _Scripts(token.end)
         while (kind := self.tokens[self.at].kind) in ("_", "^", "prime") or (
@@ -128,7 +128,7 @@ class Symbols(Cursor):
             and tokens[at + 2].text == ")"
         )
 
-    def applied(self, name: str) -> bool:
+    def takes_argument(self, name: str) -> bool:
         """Whether a name is a function here, with an argument to follow."""
         if name not in self.vocabulary.functions:
             return False
@@ -144,7 +144,7 @@ class Symbols(Cursor):
         if power is not None and isinstance(power[0], Negative):
             raise self.error(f"a negative power of the function {name} is ambiguous")
         opened = self.tokens[self.at].kind == "open"
-        below = self.listed() if opened else (self.phase() or self.operand(name),)
+        below = self.read_list() if opened else (self.phase() or self.operand(name),)
         end = self.tokens[self.at - 1].end
         piece: Piece = (Application(name, tuple(b[0] for b in below)), start, end, below)
         if power is not None:
@@ -204,7 +204,7 @@ class Symbols(Cursor):
                 power = self.exponent()
                 if self.tokens[self.at].kind in ("^", "prime"):
                     raise self.error("two powers in a row; set brackets")
-                return self.powered(piece, power)
+                return self.read_power(piece, power)
         return piece
 
     def number(self, piece: Piece) -> Piece:
@@ -213,7 +213,7 @@ class Symbols(Cursor):
             raise NotationError("a number is expected here, not a vector", self.tex, piece[1])
         return piece
 
-    def powered(self, piece: Piece, power: Piece) -> Piece:
+    def read_power(self, piece: Piece, power: Piece) -> Piece:
         """A power; it ends here, and behind the piece."""
         if power[0] != Number(2):  # the square of a vector is that of its length
             self.number(piece)
@@ -242,7 +242,7 @@ class Symbols(Cursor):
             return (Number(int(digit.text)), digit.start, digit.end, ())
         if token.kind == "letter":
             self.at += 1
-            return (self.declared(token.text, "", token), token.start, token.end, ())
+            return (self.name_node(token.text, "", token), token.start, token.end, ())
         if token.kind in ("frac", "sqrt", "accent"):
             return self.factor()
         raise self.unexpected()

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from kowalevski_cas.notation import Formula, Relation, to_plain
-from kowalevski_cas.report.compare import compared
+from kowalevski_cas.report.compare import mark_differences
 from kowalevski_cas.report.document import Block, Display, Emphasis, Paragraph, Text
-from kowalevski_cas.report.sentences import Phrases, alike, capitalised, listed
+from kowalevski_cas.report.sentences import Phrases, capitalise, group_alike, list_in_words
 from kowalevski_cas.tools import title
 from kowalevski_cas.verify.outcome import Condition, Outcome, Step
 
@@ -31,13 +31,13 @@ class Evidence:
             if row.message:
                 yield Paragraph((*whose, *self.phrases.sentence(row.message)))
             if len(set(row.verdicts.values())) > 1:
-                said = listed([(f"{title(n)} says {v}",) for n, v in row.verdicts.items()])
+                said = list_in_words([(f"{title(n)} says {v}",) for n, v in row.verdicts.items()])
                 yield Paragraph((*whose, "The arithmetics disagree: ", *said, "."))
 
     def steps(self) -> Iterator[Block]:
         """What the program did: each sentence once, with the displays of all rows it is about."""
         told = [(row.claim, step) for row in self.rows for step in row.steps]
-        for claims, ones in alike(told, lambda step: (step.words, step.point)):
+        for claims, ones in group_alike(told, lambda step: (step.words, step.point)):
             told_of = [formula for step in ones for formula in step.formulas]
             formulas = _told(told_of)
             if told_of and not formulas:
@@ -52,13 +52,18 @@ class Evidence:
 
     def _said(self, step: Step, leads: bool) -> Text:
         if step.point is not None:
-            return capitalised((*self.phrases.at(step.point), *self.phrases.words(step.words)))
+            return capitalise((*self.phrases.at(step.point), *self.phrases.words(step.words)))
         return self.phrases.sentence(step.words, ":" if leads else ".")
 
     def _missing(self) -> Iterator[Block]:
         """Hypotheses that are missing, those for the same reason together."""
-        having = [(row.claim, one) for row in self.rows for one in row.conditions if one.witness]
-        for claims, (condition, *_) in alike(having):
+        having = [
+            (row.claim, condition)
+            for row in self.rows
+            for condition in row.conditions
+            if condition.witness
+        ]
+        for claims, (condition, *_) in group_alike(having):
             head = Emphasis(("A hypothesis is missing:",))
             needed = (head, " ", *self.phrases.where((condition,)), ". ")
             yield Paragraph((*self._whose(claims), *needed, *self._fails(condition)))
@@ -71,7 +76,7 @@ class Evidence:
     def _counterexamples(self) -> Iterator[Block]:
         """Each point once, with the values that the first of the rows has there."""
         having = [(row.claim, row.counterexample) for row in self.rows if row.counterexample]
-        for claims, (one, *_) in alike(having, lambda one: (one.point, one.words)):
+        for claims, (one, *_) in group_alike(having, lambda one: (one.point, one.words)):
             of = (" to ", *self.phrases.links(claims[:1])) if len(self.rows) > 1 else ()
             head = Emphasis(("Counterexample", *of, "."))
             yield Paragraph((head, " ", *self.phrases.values(one)))
@@ -81,29 +86,33 @@ class Evidence:
         having = [
             (
                 row.claim,
-                one._replace(formulas=compared(row.formulas, one.formulas)[1]) if one.edit else one,
+                correction._replace(formulas=mark_differences(row.formulas, correction.formulas)[1])
+                if correction.edit
+                else correction,
             )
             for row in self.rows
-            if (one := row.correction)
+            if (correction := row.correction)
         ]
-        for claims, ones in alike(having, lambda one: (one.words, one.verdict, one.conditions)):
-            one = ones[0]
+        for claims, ones in group_alike(
+            having, lambda correction: (correction.words, correction.verdict, correction.conditions)
+        ):
+            correction = ones[0]
             formulas = tuple(formula for each in ones for formula in each.formulas)
-            what = "Correction" if one.edit else "The nearest true statement"
+            what = "Correction" if correction.edit else "The nearest true statement"
             said: Text = (
                 Emphasis((what,)),
                 *self._of(claims),
                 ": ",
-                *self.phrases.words(one.words),
+                *self.phrases.words(correction.words),
             )
-            if one.conditions:
-                said = (*said, "; it holds where ", *self.phrases.where(one.conditions))
-            if one.accepted:
+            if correction.conditions:
+                said = (*said, "; it holds where ", *self.phrases.where(correction.conditions))
+            if correction.accepted:
                 said = (*said, ". What follows is read with it")
             yield Paragraph((*said, "."), leads=bool(formulas))
             if formulas:
-                yield Display(formulas, verdict=one.verdict)
-            for condition in one.conditions:
+                yield Display(formulas, verdict=correction.verdict)
+            for condition in correction.conditions:
                 if condition.witness:
                     yield Paragraph(self._fails(condition))
 
@@ -113,7 +122,7 @@ class Evidence:
 
     def _whose(self, claims: Sequence[str]) -> Text:
         whose = self._unless_all(claims)
-        return (*capitalised(self.phrases.links(whose)), ": ") if whose else ()
+        return (*capitalise(self.phrases.links(whose)), ": ") if whose else ()
 
     def _unless_all(self, claims: Sequence[str]) -> tuple[str, ...]:
         """The claims, each once; none if they are all the rows there are."""
@@ -124,8 +133,8 @@ class Evidence:
 def _told(formulas: Iterable[Formula]) -> tuple[Formula, ...]:
     """The formulas without equations that say nothing, as 1 = 1, or what another one says."""
     told: dict[object, Formula] = {}
-    for one in formulas:
-        said = frozenset(one.members) if isinstance(one, Relation) else {one}
-        if len(said) > 1 or not isinstance(one, Relation):
-            told.setdefault(frozenset(said), one)
+    for formula in formulas:
+        said = frozenset(formula.members) if isinstance(formula, Relation) else {formula}
+        if len(said) > 1 or not isinstance(formula, Relation):
+            told.setdefault(frozenset(said), formula)
     return tuple(told.values())

@@ -26,7 +26,7 @@ from kowalevski_cas.notation import (
     read_display,
     to_latex,
 )
-from kowalevski_cas.notation.errors import undotted
+from kowalevski_cas.notation.errors import name_of_rate
 from kowalevski_cas.notation.open import OpenParser, independent
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
@@ -73,19 +73,23 @@ def moving_by(display: Display, name: str, vectors: Vectors) -> Scene:
     formulas = _read(display, words)
     moving = dict.fromkeys(one for formula in formulas.values() for one in _moving(formula))
     words = replace(words, moving=frozenset(moving))  # only these may be printed as x(t)
-    formulas = {p: one for p, one in _read(display, words).items() if not names_only(one)}
+    formulas = {
+        p: formula for p, formula in _read(display, words).items() if not names_only(formula)
+    }
     laws = tuple(place for place, formula in formulas.items() if _is_law(formula))
     others = [place for place in formulas if place not in laws]
-    heads_of = [head(one) for place in others for one in (*place.heads.names, *place.heads.squares)]
+    heads_of = [
+        head(name) for place in others for name in (*place.heads.names, *place.heads.squares)
+    ]
     defined = {one for f, given in heads_of for one in (f, *given, *summed(given))} - {*moving}
     nodes = (node for formula in formulas.values() for node in formula.nodes())
     names = [node.name for node in nodes if isinstance(node, Name)]
     check_marks(formulas.values())
     check_motion(display, formulas, laws, moving, defined)
     variables = tuple(part for one in moving for part in vectors.get(one, (one,)))
-    fixed = [one for one in names if one not in defined and one not in words.matrices]
+    fixed = [name for name in names if name not in defined and name not in words.matrices]
     parts = dict.fromkeys(part for one in fixed for part in vectors.get(one, (one,)))
-    constants = tuple(one for one in parts if one not in variables and one not in defined)
+    constants = tuple(part for part in parts if part not in variables and part not in defined)
     check_indices((*variables, *constants))
     check_derivatives(constants, defined, moving)
     title, time = name or "the system", min(words.times)
@@ -98,10 +102,10 @@ def moving_by(display: Display, name: str, vectors: Vectors) -> Scene:
 def _vocabulary(display: Display, vectors: Vectors) -> Vocabulary:
     """What is a vector, a matrix, a function or the independent variable in a display."""
     words = vocabulary(())
-    names = [one for place in display for one in place.heads.names]
+    names = [name for place in display for name in place.heads.names]
     functions = frozenset(function for function, arguments in map(head, names) if arguments)
-    matrices = {one for place in display if place.heads.matrix for one in place.heads.names}
-    matrices |= {one for one in names if is_bold(one)}
+    matrices = {name for place in display if place.heads.matrix for name in place.heads.names}
+    matrices |= {name for name in names if is_bold(name)}
     dots = ["t"] if r"\dot" in display.tex or r"\ddot" in display.tex else []
     times = [*dict.fromkeys([*dots, *independent(display.tex)])] or ["t"]
     if len(times) > 1:
@@ -142,10 +146,12 @@ def _read(display: Display, words: Vocabulary) -> dict[Printed, Formula]:
 
     def written(formula: Formula) -> Formula:
         formula = written_out(formula) if isinstance(formula, Summation) else formula
-        return formula.mapped(written)
+        return formula.map_children(written)
 
     found = read_display(display.tex, words, OpenParser)
-    return {place: written(one.formula) for place, one in zip(display, found, strict=True)}
+    return {
+        place: written(statement.formula) for place, statement in zip(display, found, strict=True)
+    }
 
 
 def _is_law(formula: Formula) -> bool:
@@ -157,10 +163,10 @@ def _is_law(formula: Formula) -> bool:
 def _moving(formula: Formula) -> list[str]:
     """The names that stand under a derivative, or by whose rates something is derived."""
     if isinstance(formula, Derivative) and isinstance(formula.argument, Name | Vector | Sum):
-        return [one.name for one in formula.argument.nodes() if isinstance(one, Name)]
+        return [node.name for node in formula.argument.nodes() if isinstance(node, Name)]
     found = [name for child in formula.children() for name in _moving(child)]
     by = formula.by if isinstance(formula, Partial) else ""
-    return [undotted(by), *found] if undotted(by) != by else found
+    return [name_of_rate(by), *found] if name_of_rate(by) != by else found
 
 
 def with_parameters(scene: Scene, display: Display) -> Scene:
@@ -174,7 +180,11 @@ def with_parameters(scene: Scene, display: Display) -> Scene:
     heads_of = [head(name) for place in display for name in place.heads.names]
     arguments = dict.fromkeys(one for name, listed in heads_of if name != BRACKET for one in listed)
     known = {name for name, _ in heads_of} | {*scene.names(), *scene.vectors, scene.time, "t"}
-    new = (one for one in arguments if one not in known and not one.startswith(r"\dot"))
+    new = (
+        argument
+        for argument in arguments
+        if argument not in known and not argument.startswith(r"\dot")
+    )
     return scene.having(constants=tuple(new))
 
 
@@ -187,7 +197,7 @@ def with_levels(scene: Scene, place: Printed) -> Scene:
             scene = scene.naming(name, place)
     formula = read(place.tex, vocabulary((scene,)), OpenParser)
     members = formula.members if isinstance(formula, Relation) else ()
-    names = [{node.name for node in one.nodes() if isinstance(node, Name)} for one in members]
+    names = [{node.name for node in member.nodes() if isinstance(node, Name)} for member in members]
     new = {one for own in names if own.isdisjoint({*known, *place.heads.names}) for one in own}
     if known.isdisjoint(one for own in names for one in own):
         return scene  # of nothing that moves it is no value
@@ -205,7 +215,7 @@ def rooted(scene: Scene, display: Display) -> Scene:
         named = {*place.heads.names} & {*scene.definitions}
         if named and len(formula.children()) > len(named) + 1:
             raise ValueError(f"{place.tex} gives {min(named)} twice: leave one side out")
-    for formula in (node for one in waiting for node in one.nodes()):
+    for formula in (node for whole in waiting for node in whole.nodes()):
         if isinstance(formula, Conjugate) and scene.unit is None:
             raise ValueError(f"{to_latex(formula)} is a conjugate, and all is real: rename it")
         root = _root(formula, vocabulary((scene,)))
@@ -235,7 +245,7 @@ def restricted(scene: Scene, place: Printed) -> Scene:
         return scene.adjoining(place)
     for name in place.heads.names:
         if name in scene.constants:
-            kept = tuple(one for one in scene.constants if one != name)
+            kept = tuple(constant for constant in scene.constants if constant != name)
             return replace(scene, constants=kept).naming(name, place)
     known = ", ".join(scene.constants)
     solve = f"solve it for one of {known}, or" if known else "there is none:"

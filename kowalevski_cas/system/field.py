@@ -11,13 +11,13 @@ from itertools import chain, count
 from typing import Any, Self
 
 from kowalevski_cas.library import MADE
-from kowalevski_cas.notation import Formula, heads, read, read_display, to_plain
+from kowalevski_cas.notation import Formula, defined_names, read, read_display, to_plain
 from kowalevski_cas.paper.claims import Claim, FirstIntegral
 from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
-from kowalevski_cas.system.answers import Function, Stated, in_html
+from kowalevski_cas.system.answers import Function, SystemClaim, in_html
 from kowalevski_cas.system.equations import (
     components,
     moving_by,
@@ -27,8 +27,8 @@ from kowalevski_cas.system.equations import (
     with_parameters,
     with_time,
 )
-from kowalevski_cas.system.solved import solved
-from kowalevski_cas.system.symbols import printed
+from kowalevski_cas.system.solved import solve_for_constant
+from kowalevski_cas.system.symbols import latex_of
 from kowalevski_cas.verify.found import Finding
 from kowalevski_cas.verify.outcome import Verdict, in_latex
 
@@ -77,27 +77,27 @@ class Field:
             raise TypeError(f"LaTeX, or right sides by the variables of SymPy, and not {field!r}")
         rows = [rf"\dot{{{self._tex(x)}}}={self._tex(force)}" for x, force in field.items()]
         tex = r",\quad ".join(rows)
-        if len(heads(tex)) != len(rows):
+        if len(defined_names(tex)) != len(rows):
             raise ValueError(f"{tex}: give each variable one right side")
         return tex
 
     def __repr__(self) -> str:
-        return self._echoed(to_plain)
+        return self._summary_in_words(to_plain)
 
     def _repr_latex_(self) -> str:
         return f"${in_latex(self._formulas(self.section.displays[0]))}$"
 
     def _repr_html_(self) -> str:
         equations = self._formulas(self.section.displays[0])
-        return f"<p>{', '.join(map(in_html, equations))}; {self._echoed(in_html)}</p>"
+        return f"<p>{', '.join(map(in_html, equations))}; {self._summary_in_words(in_html)}</p>"
 
-    def _echoed(self, shown: Callable[[Formula], str]) -> str:
+    def _summary_in_words(self, shown: Callable[[Formula], str]) -> str:
         """What moves, what is constant, and what is special, in words."""
         echo = _echo(
             self.scene.variables, self.scene.constants, lambda name: shown(self.read(name))
         )
         special = ", ".join(
-            shown(formula) for one in self.special for formula in self._formulas(one)
+            shown(formula) for display in self.special for formula in self._formulas(display)
         )
         return f"{echo}; {special}" if special else echo
 
@@ -137,7 +137,11 @@ class Field:
         scene = self.scene.called(f"{self.scene.name} where {said}")
         for relation in relations:
             tex = self._tex(relation)
-            tex = tex if any(one.names for one in heads(tex)) else solved(tex, scene) or tex
+            tex = (
+                tex
+                if any(head.names for head in defined_names(tex))
+                else solve_for_constant(tex, scene) or tex
+            )
             place = self._place("where", tex, "supposed")
             scene = restricted(scene, place)
             scene = rooted(scene, place.display)
@@ -162,7 +166,7 @@ class Field:
         expect: str = "",
         printed: Tex = "",
         **attributes: Any,
-    ) -> Stated:
+    ) -> SystemClaim:
         """A claim of any kind, called after the name and its first formula.
 
         Formulas, and tuples of them, are taken for what the kind expects at these attributes;
@@ -175,7 +179,7 @@ class Field:
         id = self._id(name, self._tex(_first((printed, *attributes.values()))))
         return self._state(id, Finding(kind, self.scene, says, printed, attributes), expect)
 
-    def _state(self, id: str, finding: Finding, expect: str = "") -> Stated:
+    def _state(self, id: str, finding: Finding, expect: str = "") -> SystemClaim:
         if expect and expect not in {*Verdict}:
             raise ValueError(f"expect “{expect}”: a verdict is one of {', '.join(Verdict)}")
 
@@ -198,7 +202,7 @@ class Field:
         self.section.claim(claim)
         if expect:
             self.section.expected[id] = expect
-        return Stated(claim, self.section, self.symbols, self.seconds)
+        return SystemClaim(claim, self.section, self.symbols, self.seconds)
 
     # -- formulas ----------------------------------------------------------------
 
@@ -213,7 +217,7 @@ class Field:
         if isinstance(formula, str):
             return formula
         if not isinstance(formula, Function):
-            return printed(formula, self.symbols)
+            return latex_of(formula, self.symbols)
         if self.scene.definitions.get(formula.name) != formula.place:
             raise ValueError(f"{formula!r} is defined elsewhere: define it on this system")
         return formula.name
@@ -226,7 +230,7 @@ class Field:
         tex = self._tex(formula)
         if isinstance(formula, Function):
             return formula.place
-        known = {one.id for one in self.section.displays}
+        known = {display.id for display in self.section.displays}
         if source:
             display = self.section.lemma(_new(id, known), tex, source)
         else:
@@ -241,7 +245,7 @@ class Field:
         tex = label[1] if label else tex
         letters = re.sub(r"[^A-Za-z0-9]+", "-", re.sub(r"=\s*0\b", "", tex))[:LONGEST].strip("-")
         id = self.prefix + "-".join(filter(None, (kind, letters)))
-        return _new(id, {*(one.id for one in self.section.displays), *self.section.lines})
+        return _new(id, {*(display.id for display in self.section.displays), *self.section.lines})
 
 
 def several(formulas: Texs) -> tuple[Tex, ...]:

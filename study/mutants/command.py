@@ -13,7 +13,7 @@ from collections import Counter
 from pathlib import Path
 
 from kowalevski_cas.cli import session
-from kowalevski_cas.cli.audit import chosen
+from kowalevski_cas.cli.audit import choose_derivation
 from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, UNDECIDED, CommandError
 from kowalevski_cas.library import find
 from kowalevski_cas.source.files import read_source
@@ -45,7 +45,7 @@ def run(arguments: argparse.Namespace) -> int:
     seed = random.SystemRandom().randrange(10**6) if arguments.seed is None else arguments.seed
     if arguments.source is not None and arguments.source.exists():
         source = read_source(arguments.source)
-        folder, derivation = chosen(source, arguments.derivation)
+        folder, derivation = choose_derivation(source, arguments.derivation)
     else:
         name = [] if arguments.derivation is None else [arguments.derivation]
         folder, derivation = session.derivations(name)[0]
@@ -60,7 +60,7 @@ def run(arguments: argparse.Namespace) -> int:
         mutants = every(work.base) if arguments.all else sample(work.base, arguments.sample, chosen)
         return measure(work, list(mutants), pool)
 
-    (found,) = session.watched(measured, [source])
+    (found,) = session.map_in_processes(measured, [source])
     pool.forget()
     if not found.results:
         raise CommandError("no mutants can be made of this source", NOTHING)

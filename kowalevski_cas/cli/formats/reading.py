@@ -49,7 +49,7 @@ def _obeyed(audit: Audit) -> Iterator[str]:
     yield f"Comments are obeyed: {counted}."
     for formula in audit.reading.formulas:
         if formula.item in said.of and "; without it: " in formula.role.reason:
-            yield from plain.wrapped(f"{formula.item.printed.place}: {formula.role.reason}")
+            yield from plain.wrap(f"{formula.item.printed.place}: {formula.role.reason}")
 
 
 def _assumed(audit: Audit, phrases: Phrases) -> Iterator[str]:
@@ -61,7 +61,7 @@ def _assumed(audit: Audit, phrases: Phrases) -> Iterator[str]:
     for one in listed:
         resting = ", ".join(one.claims)
         words = phrases.words(f"{one.words}; on it rest {resting}.")
-        yield from (f"  {line}" for line in plain.wrapped(plain.text(words)))
+        yield from (f"  {line}" for line in plain.wrap(plain.text(words)))
 
 
 def _undecided(audit: Audit, phrases: Phrases) -> Iterator[str]:
@@ -69,7 +69,7 @@ def _undecided(audit: Audit, phrases: Phrases) -> Iterator[str]:
     if unclear:
         yield from ("", "What is not decided")
     for formula in unclear:
-        yield from plain.wrapped(f"{_where(audit, formula)}: {formula.message}")
+        yield from plain.wrap(f"{_where(audit, formula)}: {formula.message}")
         if formula.formula is not None:
             yield from plain.lines([Display((formula.formula,), formula.tex)], 2)
         if formula.counterexample is not None:
@@ -84,7 +84,7 @@ def _open(audit: Audit) -> Iterator[str]:
         yield from ("", "What is not judged")
     for formula in unjudged:
         message = formula.message.splitlines()[0] if formula.message else formula.reason
-        yield from (f"  {line}" for line in plain.wrapped(f"{_where(audit, formula)}: {message}"))
+        yield from (f"  {line}" for line in plain.wrap(f"{_where(audit, formula)}: {message}"))
 
 
 def _where(audit: Audit, formula: Audited) -> str:

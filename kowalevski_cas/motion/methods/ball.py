@@ -9,7 +9,7 @@ import numpy as np
 from flint import acb, arb
 
 from kowalevski_cas.motion.arrays import Array
-from kowalevski_cas.motion.frame import turned
+from kowalevski_cas.motion.frame import rotate
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.ball import SolutionO4
 from kowalevski_cas.motion.o4.motion import MotionO4
@@ -23,10 +23,10 @@ LARGEST_PRECISION = 1 << 17
 
 def states(motion: Motion | MotionO4, times: Array) -> Array:
     """The states at these times, an array of shape (N, 9), to within rounding."""
-    return enclosed(motion, times)[0]
+    return enclose(motion, times)[0]
 
 
-def enclosed(motion: Motion | MotionO4, times: Array) -> tuple[Array, Array]:
+def enclose(motion: Motion | MotionO4, times: Array) -> tuple[Array, Array]:
     """The states at these times (N, 9), and how far (N) a number in each can be from the exact one.
 
     They are the middles of enclosures, or zero if that is in them, with radii below 2⁻⁶⁴ of the
@@ -89,7 +89,7 @@ class _Solution:
         )
         state = list(self._point(first, second, _select))
         cos, sin = self._motion.turn
-        return turned(state, ball(cos), ball(-sin)) if sin else state
+        return rotate(state, ball(cos), ball(-sin)) if sin else state
 
 
 class _Jacobi:

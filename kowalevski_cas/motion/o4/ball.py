@@ -8,11 +8,11 @@ from fractions import Fraction
 import numpy as np
 from flint import arb, arb_mat
 
-from kowalevski_cas.motion.frame import turned
+from kowalevski_cas.motion.frame import rotate
 from kowalevski_cas.motion.o4.motion import MotionO4
-from kowalevski_cas.motion.o4.point import PhasePoint, Variable, cosines
+from kowalevski_cas.motion.o4.point import PhasePointO4, VariableO4, cosines
 from kowalevski_cas.motion.o4.quadrature import Quadratures
-from kowalevski_cas.motion.o4.series import Series, matrix
+from kowalevski_cas.motion.o4.series import DifferentialSeries, matrix
 from kowalevski_cas.motion.parameters import ball
 
 
@@ -21,9 +21,9 @@ class SolutionO4:
 
     def __init__(self, motion: MotionO4) -> None:
         self._motion, known = motion, motion.parameters
-        self._variables = [Variable(known, arc, lambda x: x) for arc in motion.arcs]
-        self._point = PhasePoint(known, motion.regime, motion.signs, lambda x: x, arb.sqrt)
-        series = [Series(variable) for variable in self._variables]
+        self._variables = [VariableO4(known, arc, lambda x: x) for arc in motion.arcs]
+        self._point = PhasePointO4(known, motion.regime, motion.signs, lambda x: x, arb.sqrt)
+        series = [DifferentialSeries(variable) for variable in self._variables]
         self._means = matrix(series, motion.orientations)
         self._sines = [one.sines() for one in series]
         self._floats = Quadratures(motion, series)
@@ -44,7 +44,7 @@ class SolutionO4:
         )
         state = list(self._point((cos_1, sin_1), (cos_2, sin_2)))
         cos, sin = self._motion.turn
-        return turned(state, ball(cos), ball(-sin)) if sin else state
+        return rotate(state, ball(cos), ball(-sin)) if sin else state
 
     def _integrals(self, angles: Sequence[arb]) -> arb_mat:
         """Both integrals, a column."""
