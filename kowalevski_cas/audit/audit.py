@@ -17,8 +17,8 @@ from kowalevski_cas.audit.session import AuditSession, formulas
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Display
 from kowalevski_cas.reading import Reading
+from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.formulas import typed_formulas
-from kowalevski_cas.source.macros import Expanded
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.source.tokens import likeness, words
 from kowalevski_cas.verify.outcome import Outcome, Verdict, in_latex

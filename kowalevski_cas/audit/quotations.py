@@ -15,7 +15,7 @@ from kowalevski_cas.audit.places import Place
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.source.displays import Typed, find_formulas
-from kowalevski_cas.source.macros import Expanded
+from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.sentences import STOP, Word, sentence_words
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.source.tokens import words

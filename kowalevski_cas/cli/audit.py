@@ -109,17 +109,20 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.list:
         return _list(source, arguments.format)
     if arguments.draft:
-        ((said, code),) = session.map_in_processes(
-            lambda source: _drafted(source, arguments.beside), [source]
-        )
+        said, code = _drafted(source, arguments.beside)
         _write(said, source)
         return code
-    ((outcomes, said, note, code),) = session.map_in_processes(
-        lambda source: _audited(arguments, source), [source]
-    )
-    for outcome in outcomes:
-        if (received := receive(outcome)).verdict is not outcome.verdict:
-            raise CommandError(f"{outcome.claim}: {received.message}")
+    alone = arguments.alone and arguments.derivation is None
+    known = None if alone else fitting(source, arguments.derivation)
+    if known is None:
+        _, said, note, code = _told(arguments, _read(source, arguments))
+    else:
+        ((outcomes, said, note, code),) = session.map_in_processes(
+            lambda one: _told(arguments, audit(one, auditing(*known, arguments))), [source]
+        )
+        for outcome in outcomes:
+            if (received := receive(outcome)).verdict is not outcome.verdict:
+                raise CommandError(f"{outcome.claim}: {received.message}")
     if arguments.patch:
         _write(said, source)
     else:
@@ -144,12 +147,11 @@ def _drafted(source: Source, apart: bool) -> tuple[str, int]:
     return said, AS_RECORDED if found.formulas else NOTHING
 
 
-def _audited(arguments: argparse.Namespace, source: Source) -> tuple[list[Outcome], str, str, int]:
+def _told(arguments: argparse.Namespace, found: Audit) -> tuple[list[Outcome], str, str, int]:
     """The outcomes of an audit, what is to be printed and noted, and the exit code."""
-    found = _audit_source(source, arguments)
     outcomes, code = [*found.outcomes.values()], exit_code(found, arguments.strict)
     notes = [outcome.note for outcome in outcomes if outcome.note]
-    notes += [_write_page(found, arguments.report)] if arguments.report is not None else []
+    notes += [_written(found, arguments.report)] if arguments.report is not None else []
     note = "\n".join(notes)
     if arguments.patch:
         from kowalevski_cas.audit.patch import patch
@@ -158,19 +160,18 @@ def _audited(arguments: argparse.Namespace, source: Source) -> tuple[list[Outcom
     return outcomes, load_format(arguments.format).audited(found), note, code
 
 
-def _audit_source(source: Source, arguments: argparse.Namespace) -> Audit:
-    """The audit of a source, by the derivation that is named or fits, or by what it says itself."""
-    if not arguments.alone or arguments.derivation is not None:
-        if (known := fitting(source, arguments.derivation)) is not None:
-            return audit(source, auditing(*known, arguments))
+def _read(source: Source, arguments: argparse.Namespace) -> Audit:
+    """The audit of a source as its own derivation; processes share the work."""
     explain = arguments.report is not None
-    run = ReadingSession(
-        read(source), arithmetics(arguments.arithmetic), explain, arguments.timeout
-    )
-    return audit_reading(run)
+    with session.progress_bar() as heard:
+        reading = read(source, heard)
+        run = ReadingSession(
+            reading, arithmetics(arguments.arithmetic), explain, arguments.timeout, heard
+        )
+        return audit_reading(run)
 
 
-def _write_page(found: Audit, folder: Path) -> str:
+def _written(found: Audit, folder: Path) -> str:
     """Write the page of an audit; where it is."""
     from kowalevski_cas.report.annotated import annotate
     from kowalevski_cas.report.html import render_html
@@ -189,7 +190,7 @@ def fitting(source: Source, name: str | None) -> tuple[Path, Derivation] | None:
     return next((pair for pair in candidates if pair[1] is found), None)
 
 
-def choose_derivation(source: Source, name: str | None) -> tuple[Path, Derivation]:
+def chosen(source: Source, name: str | None) -> tuple[Path, Derivation]:
     """The derivation that is named, or the one of the library that fits a source."""
     found = fitting(source, name)
     if found is None:

@@ -61,23 +61,27 @@ class Symbols(Cursor):
             raise self.error(INSTEAD[token.text], token)
         self.at += braces
         accents_end = self.tokens[self.at - 1].end
-        on = self.read_scripts(token)
+        on = self.scripted(token)
         name = token.text + on.index
         if name == "e" and on.power is not None and "e" not in self.names:
             return self.exponential(token, on, accents)
-        if self.takes_argument(name):
+        if self.applied(name):
             if on.primes or accents:
                 raise self.error(
                     f"by what is {name} derived? print \\partial {name}/\\partial x", token
                 )
             return self.application(name, token.start, on.power)
-        piece: Piece = (self.name_node(token.text, on.index, token), token.start, on.name_end, ())
+        if (primed := name + "'" * on.primes) in self.names:  # as k', which no motion derives
+            piece: Piece = (self.names[primed], token.start, max(on.name_end, on.primes_end), ())
+            on.primes = 0
+        else:
+            piece = (self.name_node(token.text, on.index, token), token.start, on.name_end, ())
         if accents:
             piece = _accented(piece, accents, start, max(on.name_end, accents_end))
         piece = _primed(piece, on.primes, on.primes_end)
-        return piece if on.power is None else self.read_power(piece, on.power)
+        return piece if on.power is None else self.powered(piece, on.power)
 
-    def read_scripts(self, token: Token) -> _Scripts:
+    def scripted(self, token: Token) -> _Scripts:
         """All that stands on a letter and behind it."""
         on = _Scripts(token.end)
         while (kind := self.tokens[self.at].kind) in ("_", "^", "prime") or (
@@ -128,7 +132,7 @@ class Symbols(Cursor):
             and tokens[at + 2].text == ")"
         )
 
-    def takes_argument(self, name: str) -> bool:
+    def applied(self, name: str) -> bool:
         """Whether a name is a function here, with an argument to follow."""
         if name not in self.vocabulary.functions:
             return False
@@ -144,7 +148,7 @@ class Symbols(Cursor):
         if power is not None and isinstance(power[0], Negative):
             raise self.error(f"a negative power of the function {name} is ambiguous")
         opened = self.tokens[self.at].kind == "open"
-        below = self.read_list() if opened else (self.phase() or self.operand(name),)
+        below = self.listed() if opened else (self.phase() or self.operand(name),)
         end = self.tokens[self.at - 1].end
         piece: Piece = (Application(name, tuple(b[0] for b in below)), start, end, below)
         if power is not None:
@@ -204,7 +208,7 @@ class Symbols(Cursor):
                 power = self.exponent()
                 if self.tokens[self.at].kind in ("^", "prime"):
                     raise self.error("two powers in a row; set brackets")
-                return self.read_power(piece, power)
+                return self.powered(piece, power)
         return piece
 
     def number(self, piece: Piece) -> Piece:
@@ -213,7 +217,7 @@ class Symbols(Cursor):
             raise NotationError("a number is expected here, not a vector", self.tex, piece[1])
         return piece
 
-    def read_power(self, piece: Piece, power: Piece) -> Piece:
+    def powered(self, piece: Piece, power: Piece) -> Piece:
         """A power; it ends here, and behind the piece."""
         if power[0] != Number(2):  # the square of a vector is that of its length
             self.number(piece)

@@ -61,7 +61,7 @@ def symbol(name: str) -> Symbol:
 
 
 def _letter(tex: str) -> str:
-    return _LETTERS.get(tex, tex.removeprefix("\\"))
+    return _LETTERS.get(tex, tex.removeprefix("\\")).replace("'", "′")
 
 
 def _index(tex: str) -> tuple[str, ...]:
@@ -73,8 +73,8 @@ def _index(tex: str) -> tuple[str, ...]:
 def styled_letter(letter: str, font: str) -> str:
     r"""The letter in the type of a macro, where Unicode has it.
 
-    >>> styled_letter("R", r"\mathbb"), styled_letter("ω", r"\boldsymbol"), styled_letter("x", r"\hat")
-    ('ℝ', '𝛚', 'x')
+    >>> styled_letter("R", r"\mathbb"), styled_letter("ω", r"\boldsymbol")
+    ('ℝ', '𝛚')
     """
     if font not in _STYLES or len(letter) > 1:
         return letter

@@ -78,7 +78,7 @@ class Plain:
                 return OF_MATRICES[function](rows(argument, self.setting))
             case Application():
                 known = self.setting.transcendental(formula)
-                return self(value_of(formula, self.setting)) if known is None else known
+                return self(value_of(formula, self.setting) if known is None else known)
             case Root(argument):
                 value = self._printed_value(formula)
                 return self._positive(Root(self(argument))) if value is None else value
@@ -200,7 +200,7 @@ class Plain:
             roots = (Root(Number(prime)) for prime in number[1])
             return reduce(lambda a, b: Product((a, b)), roots, fraction_formula(number[0]))
         name = self.setting.finder.root_name(root.argument)
-        if name in self.setting.scene.roots and not name.startswith(r"\sqrt"):
+        if name != "i" and not name.startswith(r"\sqrt"):
             shown = to_latex(root)
             raise Meaningless(f"{name} may be {shown} or its opposite: print {name}, not {shown}")
         return root

@@ -151,8 +151,9 @@ class Evaluation(Fold):
         return self._root_of(self.scalar(argument), argument)
 
     def _root_of(self, value: Element, argument: Formula) -> str:
-        for name, square in self.roots.items():
-            if (square - value).is_zero:
+        # A printed root is not negative; a name with the same square may be.
+        for name in sorted(self.roots, key=lambda name: not name.startswith(r"\sqrt")):
+            if (self.roots[name] - value).is_zero:
                 return name
         raise Meaningless(f"no root of {to_latex(argument)} is declared here")
 

@@ -57,12 +57,7 @@ class Evidence:
 
     def _missing(self) -> Iterator[Block]:
         """Hypotheses that are missing, those for the same reason together."""
-        having = [
-            (row.claim, condition)
-            for row in self.rows
-            for condition in row.conditions
-            if condition.witness
-        ]
+        having = [(row.claim, one) for row in self.rows for one in row.conditions if one.witness]
         for claims, (condition, *_) in group_alike(having):
             head = Emphasis(("A hypothesis is missing:",))
             needed = (head, " ", *self.phrases.where((condition,)), ". ")
@@ -86,33 +81,34 @@ class Evidence:
         having = [
             (
                 row.claim,
-                correction._replace(formulas=mark_differences(row.formulas, correction.formulas)[1])
-                if correction.edit
-                else correction,
+                one._replace(formulas=mark_differences(one.blamed or row.formulas, one.formulas)[1])
+                if one.edit
+                else one,
             )
             for row in self.rows
-            if (correction := row.correction)
+            if (one := row.correction)
         ]
         for claims, ones in group_alike(
-            having, lambda correction: (correction.words, correction.verdict, correction.conditions)
+            having, lambda one: (one.words, one.verdict, one.conditions)
         ):
-            correction = ones[0]
+            one = ones[0]
             formulas = tuple(formula for each in ones for formula in each.formulas)
-            what = "Correction" if correction.edit else "The nearest true statement"
+            what = "Correction" if one.edit else "The nearest true statement"
+            what = "Correction of another formula" if one.blamed else what
             said: Text = (
                 Emphasis((what,)),
                 *self._of(claims),
                 ": ",
-                *self.phrases.words(correction.words),
+                *self.phrases.words(one.words),
             )
-            if correction.conditions:
-                said = (*said, "; it holds where ", *self.phrases.where(correction.conditions))
-            if correction.accepted:
+            if one.conditions:
+                said = (*said, "; it holds where ", *self.phrases.where(one.conditions))
+            if one.accepted:
                 said = (*said, ". What follows is read with it")
             yield Paragraph((*said, "."), leads=bool(formulas))
             if formulas:
-                yield Display(formulas, verdict=correction.verdict)
-            for condition in correction.conditions:
+                yield Display(formulas, verdict=one.verdict)
+            for condition in one.conditions:
                 if condition.witness:
                     yield Paragraph(self._fails(condition))
 
@@ -133,8 +129,8 @@ class Evidence:
 def _told(formulas: Iterable[Formula]) -> tuple[Formula, ...]:
     """The formulas without equations that say nothing, as 1 = 1, or what another one says."""
     told: dict[object, Formula] = {}
-    for formula in formulas:
-        said = frozenset(formula.members) if isinstance(formula, Relation) else {formula}
-        if len(said) > 1 or not isinstance(formula, Relation):
-            told.setdefault(frozenset(said), formula)
+    for one in formulas:
+        said = frozenset(one.members) if isinstance(one, Relation) else {one}
+        if len(said) > 1 or not isinstance(one, Relation):
+            told.setdefault(frozenset(said), one)
     return tuple(told.values())

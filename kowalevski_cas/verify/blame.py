@@ -272,9 +272,17 @@ class Blame:
             statement = stated(neighbour, on)
             if not says_something(neighbour, statement, self._statement(claim)):
                 return None
-            return self.mender.proposed(neighbour, statement)
+            proved = self.mender.proposed(neighbour, statement)
+            return proved and proved._replace(others=self._others(repair))
         except (NotationError, Meaningless, ZeroDivisionError):
             return None
+
+    def _others(self, repair: Repair) -> tuple[str, ...]:
+        """The true claims that stand on what a repair changes."""
+        if not isinstance(repair.change, Edit):
+            return ()
+        true = (c for c in self.mender.derivation.claims if self._holds(c))
+        return tuple(c.id for c in true if repair.place in self._statement(c).stands_on)
 
     def _spoils(self, repair: Repair) -> bool:
         """Whether a repair makes false what is true, or leaves nothing of what it changes."""

@@ -109,8 +109,9 @@ class Correction(NamedTuple):
     ``printed`` and ``edit`` say where, if one printed formula was changed, and ``accepted``
     that the derivation reads it in place of what is printed. ``certificate`` is the text that the
     checker has accepted. If it is no formula of the claim that is wrong, but one on which it
-    stands, ``blamed`` is what is printed there, and ``formulas`` are what should be. A relation of
-    constants that is to be supposed stands at a place of its own.
+    stands, ``blamed`` is what is printed there, and ``formulas`` are what should be; ``others`` are
+    the true claims that stand on it as well, and stay true. A relation of constants that is to be
+    supposed stands at a place of its own.
     """
 
     formulas: tuple[Formula, ...]
@@ -123,28 +124,13 @@ class Correction(NamedTuple):
     accepted: bool = False
     certificate: str = ""
     blamed: tuple[Formula, ...] = ()
+    others: tuple[str, ...] = ()
 
     @property
     def elsewhere(self) -> str:
         """The place that is mended, if it is none of the claim's own."""
         own = self.printed is None or (self.edit is not None and not self.blamed)
         return "" if own or self.printed is None else self.printed.place
-
-
-class Blamed(NamedTuple):
-    """A printed formula that makes claims fail: its repair, what that mends, what rests on it.
-
-    ``printed`` is empty where a relation of constants is missing, which is the repair then.
-    ``mends`` are the refuted claims that are proved with the repair; all others in ``rests`` were
-    decided with what is printed, and stay true with the repair if they are true.
-    """
-
-    place: str
-    printed: tuple[Formula, ...]
-    repair: Correction
-    alternatives: tuple[Correction, ...]
-    mends: tuple[str, ...]
-    rests: tuple[str, ...]
 
 
 class Outcome(NamedTuple):
@@ -201,6 +187,12 @@ class Outcome(NamedTuple):
         if self.correction is not None:
             found[f"{CORRECTED}/{self.claim}"] = self.correction.certificate
         return found if self.certified else {}
+
+    @property
+    def misprinted(self) -> bool:
+        """Whether a formula of the claim itself is to be corrected."""
+        one = self.correction
+        return one is not None and one.edit is not None and not one.blamed
 
     def corrected_by(self, corrections: Sequence[Correction]) -> Outcome:
         """The outcome with the likeliest of some corrections, and the others as alternatives."""

@@ -81,6 +81,7 @@ def _evidence(found: Outcome | Audited) -> dict[str, Any]:
         "conditions": conditions(found.conditions),
         "counterexample": counterexample(found.counterexample),
         "correction": correction(found.correction),
+        "alternatives": [*map(correction, found.alternatives)],
         "message": found.message,
     }
 
@@ -179,6 +180,9 @@ def correction(found: Correction | None) -> dict[str, Any] | None:
         "verdict": str(found.verdict),
         "conditions": conditions(found.conditions),
         "accepted": found.accepted,
+        "blamed": in_latex(found.blamed),
+        "place": found.printed.place if found.printed else None,
+        "others": list(found.others),
     }
 
 

@@ -167,7 +167,7 @@ class AuditText:
             printed = () if first.formula is None else (first.formula,)
             yield from self._finding(
                 f"{place}: {why}" if why else place, printed, first.tex,
-                first.correction, first.counterexample,
+                (first.correction, *first.alternatives), first.counterexample,
             )  # fmt: skip
         for outcome in audit.false:
             yield from self._false(outcome)
@@ -182,7 +182,7 @@ class AuditText:
             why = f"; because of {named}"
         yield from self._finding(
             f"{place}{outcome.claim} is refuted: {outcome.words}{why}", outcome.formulas,
-            outcome.source, outcome.correction, outcome.counterexample,
+            outcome.source, (outcome.correction, *outcome.alternatives), outcome.counterexample,
         )  # fmt: skip
 
     def _finding(
@@ -190,10 +190,11 @@ class AuditText:
         head: str,
         printed: tuple[Formula, ...],
         source: str,
-        correction: Correction | None,
+        corrections: Sequence[Correction | None],
         against: Counterexample | None,
     ) -> Iterator[str]:
         said = self.phrases.words(head)
+        correction, *others = corrections
         if correction is not None:
             said += self.phrases.words(
                 f"{'; ' if correction.edit else '. Correct: '}{correction.words}"
@@ -206,6 +207,9 @@ class AuditText:
             shown.append(Display(printed, source, Verdict.REFUTED))
         if correction is not None:
             shown.append(Display(correction.formulas, verdict=correction.verdict))
+        for one in filter(None, others):
+            shown.append(Paragraph(("Or: ", *self.phrases.words(one.words), ".")))
+            shown.append(Display(one.formulas, verdict=one.verdict))
         if against is not None and self.evidence:
             shown.append(Paragraph(self.phrases.values(against)))
         yield from plain.lines(shown, 2)
