@@ -148,7 +148,7 @@ class Symbols(Cursor):
         if power is not None and isinstance(power[0], Negative):
             raise self.error(f"a negative power of the function {name} is ambiguous")
         opened = self.tokens[self.at].kind == "open"
-        below = self.listed() if opened else (self.phase() or self.operand(name),)
+        below = self.read_list() if opened else (self.phase() or self.operand(name),)
         end = self.tokens[self.at - 1].end
         piece: Piece = (Application(name, tuple(b[0] for b in below)), start, end, below)
         if power is not None:
