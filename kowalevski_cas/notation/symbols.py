@@ -48,7 +48,7 @@ class Symbols(Cursor):
     term: Callable[[], Piece]
     factor: Callable[[], Piece]
     bracket: Callable[[], Piece]
-    listed: Callable[[], tuple[Piece, ...]]
+    read_list: Callable[[], tuple[Piece, ...]]
 
     # Names
 

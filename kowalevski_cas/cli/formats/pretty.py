@@ -24,6 +24,10 @@ if TYPE_CHECKING:
     from kowalevski_cas.audit.audited import Audited
 
 
+SHORT = 120
+"""Characters that are shown of a sentence."""
+
+
 def render(results: Sequence[ComparedRun]) -> str:
     """Each derivation with what was found in it, each slip once; those with findings last."""
     shown = [render_result(result) for result in sorted(results, key=_worst)]
@@ -111,8 +115,8 @@ def _summary(result: ComparedRun) -> Iterator[str]:
     else:
         other = "THE RECORD" if result.recorded else "WHAT IS EXPECTED"
         yield f"{head}; DIFFERENT FROM {other}:"
-        for difference in result.differences:
-            yield f"  {difference.claim}: {noun} {difference.recorded}, found {difference.found}"
+        for one in result.differences:
+            yield f"  {one.claim}: {noun} {one.recorded}, found {one.found}"
 
 
 def audited(audit: Audit) -> str:
@@ -142,6 +146,7 @@ class AuditText:
                     *reading.told(audit, self.phrases),
                     *self.wrong(),
                     *details,
+                    *self.uncovered(),
                     "",
                     *self.summary(),
                     "",
@@ -213,6 +218,21 @@ class AuditText:
         if against is not None and self.evidence:
             shown.append(Paragraph(self.phrases.values(against)))
         yield from plain.lines(shown, 2)
+
+    def uncovered(self) -> Iterator[str]:
+        """What the text claims and no verdict covers; formulas once, with their lines."""
+        listed = self.audit.uncovered
+        if listed:
+            yield from ("", "What the text claims and no verdict covers")
+        lines: dict[str, list[str]] = {}
+        for one in listed:
+            if one.kind == "formula":
+                lines.setdefault(one.words, []).append(str(one.line))
+            else:
+                words = one.words if len(one.words) <= SHORT else f"{one.words[: SHORT - 1]}…"
+                yield from plain.wrap(f"{one.line}: {words}")
+        formulas = (f"{words} ({', '.join(places)})" for words, places in lines.items())
+        yield from plain.wrap("; ".join(formulas)) if lines else ()
 
     def summary(self) -> Iterator[str]:
         """How many there are of each verdict."""
