@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import replace
 
 from kowalevski_cas.notation import (
@@ -26,8 +27,9 @@ from kowalevski_cas.notation import (
     read_display,
     to_latex,
 )
+from kowalevski_cas.notation.cursor import is_word
 from kowalevski_cas.notation.errors import name_of_rate
-from kowalevski_cas.notation.open import OpenParser, independent
+from kowalevski_cas.notation.open import OpenParser, independent, words_that_move
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.names import BRACKET, head, is_bold, summed
@@ -44,18 +46,20 @@ from kowalevski_cas.system.refused import (
 )
 from kowalevski_cas.system.vectors import Vectors, bold, names_only, vectors_of
 
+Names = Collection[str]
 
-def components(tex: str, vectors: Vectors) -> dict[str, tuple[str, ...]]:
+
+def components(tex: str, vectors: Vectors, declared: Names = ()) -> dict[str, tuple[str, ...]]:
     """The vectors of equations of motion with their components, beside those that are told."""
     display, known = Display("field", tex, ""), bold(vectors)
-    words = replace(_vocabulary(display, known), matrices=frozenset())
+    words = replace(_vocabulary(display, known, declared), matrices=frozenset())
     return vectors_of(display, known, words)
 
 
-def with_time(tex: str, vectors: Vectors) -> str:
+def with_time(tex: str, vectors: Vectors, declared: Names = ()) -> str:
     """Equations of motion, with one for the time, :math:`dt/dt=1`, if it stands in them."""
     display = Display("field", tex, "")
-    words = _vocabulary(display, vectors)
+    words = _vocabulary(display, vectors, declared)
     formulas = [*_read(display, words).values()]
     moving = {name for formula in formulas for name in _moving(formula)}
     for time in words.times - moving:
@@ -64,32 +68,30 @@ def with_time(tex: str, vectors: Vectors) -> str:
     return tex
 
 
-def moving_by(display: Display, name: str, vectors: Vectors) -> Scene:
+def moving_by(display: Display, name: str, vectors: Vectors, declared: Names = ()) -> Scene:
     """The scene of equations of motion, and of what is defined and supposed beside them.
+
+    Words are names if they are ``declared``, differentiated or defined there.
 
     Raises ``ValueError`` if they do not say what moves, and how.
     """
-    words = _vocabulary(display, vectors)
+    words = _vocabulary(display, vectors, declared)
     formulas = _read(display, words)
     moving = dict.fromkeys(one for formula in formulas.values() for one in _moving(formula))
     words = replace(words, moving=frozenset(moving))  # only these may be printed as x(t)
-    formulas = {
-        p: formula for p, formula in _read(display, words).items() if not names_only(formula)
-    }
+    formulas = {p: one for p, one in _read(display, words).items() if not names_only(one)}
     laws = tuple(place for place, formula in formulas.items() if _is_law(formula))
     others = [place for place in formulas if place not in laws]
-    heads_of = [
-        head(name) for place in others for name in (*place.heads.names, *place.heads.squares)
-    ]
+    heads_of = [head(one) for place in others for one in (*place.heads.names, *place.heads.squares)]
     defined = {one for f, given in heads_of for one in (f, *given, *summed(given))} - {*moving}
     nodes = (node for formula in formulas.values() for node in formula.nodes())
     names = [node.name for node in nodes if isinstance(node, Name)]
     check_marks(formulas.values())
     check_motion(display, formulas, laws, moving, defined)
     variables = tuple(part for one in moving for part in vectors.get(one, (one,)))
-    fixed = [name for name in names if name not in defined and name not in words.matrices]
+    fixed = [one for one in names if one not in defined and one not in words.matrices]
     parts = dict.fromkeys(part for one in fixed for part in vectors.get(one, (one,)))
-    constants = tuple(part for part in parts if part not in variables and part not in defined)
+    constants = tuple(one for one in parts if one not in variables and one not in defined)
     check_indices((*variables, *constants))
     check_derivatives(constants, defined, moving)
     title, time = name or "the system", min(words.times)
@@ -99,20 +101,21 @@ def moving_by(display: Display, name: str, vectors: Vectors) -> Scene:
     return rooted(scene, display)
 
 
-def _vocabulary(display: Display, vectors: Vectors) -> Vocabulary:
+def _vocabulary(display: Display, vectors: Vectors, declared: Names) -> Vocabulary:
     """What is a vector, a matrix, a function or the independent variable in a display."""
     words = vocabulary(())
-    names = [name for place in display for name in place.heads.names]
+    names = [one for place in display for one in place.heads.names]
     functions = frozenset(function for function, arguments in map(head, names) if arguments)
-    matrices = {name for place in display if place.heads.matrix for name in place.heads.names}
-    matrices |= {name for name in names if is_bold(name)}
+    matrices = {one for place in display if place.heads.matrix for one in place.heads.names}
+    matrices |= {one for one in names if is_bold(one)}
     dots = ["t"] if r"\dot" in display.tex or r"\ddot" in display.tex else []
     times = [*dict.fromkeys([*dots, *independent(display.tex)])] or ["t"]
     if len(times) > 1:
         by = " and by ".join(times)
         raise ValueError(f"derivatives by {by}: print one independent variable, or partial ones")
+    scalars = functions.union(declared, words_that_move(display.tex), filter(is_word, names))
     return replace(
-        words, scalars=functions, functions=words.functions | functions, vectors=frozenset(vectors),
+        words, scalars=scalars, functions=words.functions | functions, vectors=frozenset(vectors),
         matrices=frozenset(matrices - vectors.keys()), times=frozenset(times),
         moving=frozenset(sorted(vectors)[:1]),  # by what a gradient is, does not matter yet
     )  # fmt: skip
@@ -149,9 +152,7 @@ def _read(display: Display, words: Vocabulary) -> dict[Printed, Formula]:
         return formula.map_children(written)
 
     found = read_display(display.tex, words, OpenParser)
-    return {
-        place: written(statement.formula) for place, statement in zip(display, found, strict=True)
-    }
+    return {place: written(one.formula) for place, one in zip(display, found, strict=True)}
 
 
 def _is_law(formula: Formula) -> bool:
@@ -163,7 +164,7 @@ def _is_law(formula: Formula) -> bool:
 def _moving(formula: Formula) -> list[str]:
     """The names that stand under a derivative, or by whose rates something is derived."""
     if isinstance(formula, Derivative) and isinstance(formula.argument, Name | Vector | Sum):
-        return [node.name for node in formula.argument.nodes() if isinstance(node, Name)]
+        return [one.name for one in formula.argument.nodes() if isinstance(one, Name)]
     found = [name for child in formula.children() for name in _moving(child)]
     by = formula.by if isinstance(formula, Partial) else ""
     return [name_of_rate(by), *found] if name_of_rate(by) != by else found
@@ -180,11 +181,7 @@ def with_parameters(scene: Scene, display: Display) -> Scene:
     heads_of = [head(name) for place in display for name in place.heads.names]
     arguments = dict.fromkeys(one for name, listed in heads_of if name != BRACKET for one in listed)
     known = {name for name, _ in heads_of} | {*scene.names(), *scene.vectors, scene.time, "t"}
-    new = (
-        argument
-        for argument in arguments
-        if argument not in known and not argument.startswith(r"\dot")
-    )
+    new = (one for one in arguments if one not in known and not one.startswith(r"\dot"))
     return scene.having(constants=tuple(new))
 
 
@@ -197,7 +194,7 @@ def with_levels(scene: Scene, place: Printed) -> Scene:
             scene = scene.naming(name, place)
     formula = read(place.tex, vocabulary((scene,)), OpenParser)
     members = formula.members if isinstance(formula, Relation) else ()
-    names = [{node.name for node in member.nodes() if isinstance(node, Name)} for member in members]
+    names = [{node.name for node in one.nodes() if isinstance(node, Name)} for one in members]
     new = {one for own in names if own.isdisjoint({*known, *place.heads.names}) for one in own}
     if known.isdisjoint(one for own in names for one in own):
         return scene  # of nothing that moves it is no value
@@ -215,7 +212,7 @@ def rooted(scene: Scene, display: Display) -> Scene:
         named = {*place.heads.names} & {*scene.definitions}
         if named and len(formula.children()) > len(named) + 1:
             raise ValueError(f"{place.tex} gives {min(named)} twice: leave one side out")
-    for formula in (node for whole in waiting for node in whole.nodes()):
+    for formula in (node for one in waiting for node in one.nodes()):
         if isinstance(formula, Conjugate) and scene.unit is None:
             raise ValueError(f"{to_latex(formula)} is a conjugate, and all is real: rename it")
         root = _root(formula, vocabulary((scene,)))
@@ -241,12 +238,12 @@ def restricted(scene: Scene, place: Printed) -> Scene:
     formula = read(place.tex, vocabulary((scene,)), OpenParser)
     if (supposing := _supposing(scene, place, formula)) is not None:
         return supposing
-    if any(name in scene.constants for name in place.heads.squares):
-        return scene.adjoining(place)
-    for name in place.heads.names:
+    for name in (*place.heads.squares, *place.heads.names):
         if name in scene.constants:
-            kept = tuple(constant for constant in scene.constants if constant != name)
-            return replace(scene, constants=kept).naming(name, place)
+            kept = tuple(one for one in scene.constants if one != name)
+            rest = replace(scene, constants=kept)
+            squared = name in place.heads.squares
+            return rest.adjoining(place) if squared else rest.naming(name, place)
     known = ", ".join(scene.constants)
     solve = f"solve it for one of {known}, or" if known else "there is none:"
     raise ValueError(f"{place.tex} gives no constant: {solve} declare a further one by `having`")

@@ -11,7 +11,7 @@ from itertools import chain, count
 from typing import Any, Self
 
 from kowalevski_cas.library import MADE
-from kowalevski_cas.notation import Formula, defined_names, read, read_display, to_plain
+from kowalevski_cas.notation import Formula, heads, read, read_display, to_plain
 from kowalevski_cas.paper.claims import Claim, FirstIntegral
 from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.scene import Scene
@@ -27,6 +27,7 @@ from kowalevski_cas.system.equations import (
     with_parameters,
     with_time,
 )
+from kowalevski_cas.system.refused import check_constant, names_of
 from kowalevski_cas.system.solved import solve_for_constant
 from kowalevski_cas.system.symbols import latex_of
 from kowalevski_cas.verify.found import Finding
@@ -65,9 +66,10 @@ class Field:
         self.section = Section(name or "1", "")
         MADE.append(self.section)
         tex = field if isinstance(field, str) else self._rows(field)
-        parts = components(tex, vectors or {})
-        display = self.section.display(f"{self.prefix}field", with_time(tex, parts))
-        self._stand_on(moving_by(display, name, parts))
+        words = [*self.symbols]
+        parts = components(tex, vectors or {}, words)
+        display = self.section.display(f"{self.prefix}field", with_time(tex, parts, words))
+        self._stand_on(moving_by(display, name, parts, words))
         moving, constant = self.scene.variables, self.scene.constants
         self.section.title = _echo(moving, constant, "${}$".format)
 
@@ -77,27 +79,27 @@ class Field:
             raise TypeError(f"LaTeX, or right sides by the variables of SymPy, and not {field!r}")
         rows = [rf"\dot{{{self._tex(x)}}}={self._tex(force)}" for x, force in field.items()]
         tex = r",\quad ".join(rows)
-        if len(defined_names(tex)) != len(rows):
+        if len(heads(tex)) != len(rows):
             raise ValueError(f"{tex}: give each variable one right side")
         return tex
 
     def __repr__(self) -> str:
-        return self._summary_in_words(to_plain)
+        return self._echoed(to_plain)
 
     def _repr_latex_(self) -> str:
         return f"${in_latex(self._formulas(self.section.displays[0]))}$"
 
     def _repr_html_(self) -> str:
         equations = self._formulas(self.section.displays[0])
-        return f"<p>{', '.join(map(in_html, equations))}; {self._summary_in_words(in_html)}</p>"
+        return f"<p>{', '.join(map(in_html, equations))}; {self._echoed(in_html)}</p>"
 
-    def _summary_in_words(self, shown: Callable[[Formula], str]) -> str:
+    def _echoed(self, shown: Callable[[Formula], str]) -> str:
         """What moves, what is constant, and what is special, in words."""
         echo = _echo(
             self.scene.variables, self.scene.constants, lambda name: shown(self.read(name))
         )
         special = ", ".join(
-            shown(formula) for display in self.special for formula in self._formulas(display)
+            shown(formula) for one in self.special for formula in self._formulas(one)
         )
         return f"{echo}; {special}" if special else echo
 
@@ -131,7 +133,7 @@ class Field:
 
         Raises:
             NotationError: a relation cannot be read.
-            ValueError: a relation gives no constant.
+            ValueError: a relation gives no constant, or gives it by what moves.
         """
         special, said = copy(self), ", ".join(map(self._tex, relations))
         scene = self.scene.called(f"{self.scene.name} where {said}")
@@ -139,20 +141,25 @@ class Field:
             tex = self._tex(relation)
             tex = (
                 tex
-                if any(head.names for head in defined_names(tex))
+                if any(one.names for one in heads(tex))
                 else solve_for_constant(tex, scene) or tex
             )
             place = self._place("where", tex, "supposed")
-            scene = restricted(scene, place)
+            constants, scene = scene.constants, restricted(scene, place)
+            check_constant(scene, place, constants)
             scene = rooted(scene, place.display)
             special.special += (place.display,)
         special._stand_on(scene)
         return special
 
     def having(self, *constants: str) -> Self:
-        r"""The system with more constants, as ``\rho``, which stand in no equation of motion."""
-        more = copy(self)
-        scene = self.scene.having(constants=constants)
+        r"""The system with more constants, as ``\rho``, which stand in no equation of motion.
+
+        Raises:
+            ValueError: one is no name, or has a meaning already.
+        """
+        more, names = copy(self), (*names_of(constants, self.scene.time),)
+        scene = self.scene.having(constants=names)
         more._stand_on(scene.called(f"{scene.name} with {', '.join(constants)}"))
         return more
 
@@ -230,7 +237,7 @@ class Field:
         tex = self._tex(formula)
         if isinstance(formula, Function):
             return formula.place
-        known = {display.id for display in self.section.displays}
+        known = {one.id for one in self.section.displays}
         if source:
             display = self.section.lemma(_new(id, known), tex, source)
         else:
@@ -245,7 +252,7 @@ class Field:
         tex = label[1] if label else tex
         letters = re.sub(r"[^A-Za-z0-9]+", "-", re.sub(r"=\s*0\b", "", tex))[:LONGEST].strip("-")
         id = self.prefix + "-".join(filter(None, (kind, letters)))
-        return _new(id, {*(display.id for display in self.section.displays), *self.section.lines})
+        return _new(id, {*(one.id for one in self.section.displays), *self.section.lines})
 
 
 def several(formulas: Texs) -> tuple[Tex, ...]:
