@@ -56,6 +56,17 @@ class Quotations:
         quoted = (claim for claim in self.derivation.claims if claim.sentence)
         return {claim: self.place(claim.sentence) for claim in quoted}
 
+    def intervals(self) -> list[tuple[int, int]]:
+        """The intervals of the text at which sentences stand that claims quote."""
+        firsts = {id(word): place for place, word in enumerate(self.words)}
+        found = []
+        for claim, word in self.found.items():
+            if word is not None:
+                first = firsts[id(word)]
+                last = self.words[first + len(self.split(claim.sentence)) - 1]
+                found.append((word.start, last.end))
+        return found
+
     def lines(self) -> dict[str, int]:
         """The lines of the sentences that are found, by the ids of claims."""
         return {claim.id: self.line(word) for claim, word in self.found.items() if word}

@@ -19,6 +19,7 @@ from kowalevski_cas.audit.places import Place
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading import ASSUMPTION, CLAIM, CONVENTION, LAW, Formula, Reading
+from kowalevski_cas.reading.uncovered import Uncovered, sentences
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.verify.run import FALSE_AS_READ, Progress, shared
 
@@ -109,11 +110,21 @@ def audit_reading(session: ReadingSession) -> Audit:
     by_place = {formula.item.printed: formula for formula in reading.formulas}
     for audited in found:
         _as_read(audited, by_place.get(audited.place) if audited.place else None)
-    notes = [(paper.source.line(offset), reason) for offset, reason in paper.expanded.notes]
+    said = (*paper.source.refused, *paper.expanded.notes)
+    notes = [(paper.source.line(offset), reason) for offset, reason in said]
     return Audit(
         paper.source, paper.expanded, places, found, author, notes, {},
-        perf_counter() - start, reading,
+        perf_counter() - start, reading, uncovered(reading),
     )  # fmt: skip
+
+
+def uncovered(reading: Reading) -> list[Uncovered]:
+    """The sentences that claim something, and by which no claim is made that is judged."""
+    paper, said = reading.paper, reading.known.said
+    judged = [f for f in (*reading.formulas, *reading.statements) if f.claim is not None]
+    kinds = {(f.item.sentence, f.role.kind) for f in judged}
+    stated = sentences(paper.prose, paper.source, paper.expanded, said.skipped(paper.prose))
+    return [one for span, kind, one in stated if (span, kind) not in kinds]
 
 
 def _as_read(audited: Audited, formula: Formula | None) -> None:

@@ -236,9 +236,8 @@ def _of_reading(found: Audit, strict: bool) -> int:
         return NOTHING
     verdicts = {outcome.verdict for outcome in found.outcomes.values()}
     unsettled = [f for f in found.formulas if f.verdict == OPEN and (strict or f.role == CLAIM)]
-    return (
-        AS_RECORDED if verdicts and all(v.green for v in verdicts) and not unsettled else UNDECIDED
-    )
+    settled = verdicts and all(v.green for v in verdicts) and not (unsettled or found.uncovered)
+    return AS_RECORDED if settled else UNDECIDED
 
 
 def _list(source: Source, format: str) -> int:

@@ -47,6 +47,16 @@ class Expanded:
             return place, place + 1
         return start, end
 
+    def behind(self, offset: int) -> int:
+        """The place in the text of the first sign that comes from behind an offset of the file."""
+        for start, (begin, end, literal) in zip(self._starts, self._pieces, strict=True):
+            if literal and begin <= offset < end:
+                start, begin = start + offset - begin, offset
+            if begin >= offset:
+                rest = self.text[start:]
+                return start + len(rest) - len(rest.lstrip())
+        return len(self.text)
+
     def why(self, start: int, end: int) -> str:
         """Why an interval of the text cannot be told; empty if it can."""
         first = bisect_left(self._ends, start)
