@@ -11,7 +11,7 @@ from itertools import chain, count
 from typing import Any, Self
 
 from kowalevski_cas.library import MADE
-from kowalevski_cas.notation import Formula, heads, read, read_display, to_plain
+from kowalevski_cas.notation import Formula, defined_names, read, read_display, to_plain
 from kowalevski_cas.paper.claims import Claim, FirstIntegral
 from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.scene import Scene
@@ -79,7 +79,7 @@ class Field:
             raise TypeError(f"LaTeX, or right sides by the variables of SymPy, and not {field!r}")
         rows = [rf"\dot{{{self._tex(x)}}}={self._tex(force)}" for x, force in field.items()]
         tex = r",\quad ".join(rows)
-        if len(heads(tex)) != len(rows):
+        if len(defined_names(tex)) != len(rows):
             raise ValueError(f"{tex}: give each variable one right side")
         return tex
 
@@ -141,7 +141,7 @@ class Field:
             tex = self._tex(relation)
             tex = (
                 tex
-                if any(one.names for one in heads(tex))
+                if any(one.names for one in defined_names(tex))
                 else solve_for_constant(tex, scene) or tex
             )
             place = self._place("where", tex, "supposed")

@@ -36,7 +36,7 @@ def answer(audit: Audit) -> Iterator[str]:
     ]
     told = "; ".join(words.format(count) for count, words in parts if count)
     claims = plain.many(len(verdicts), "claim")
-    yield from plain.wrapped(f"{claims}. {told[:1].upper()}{told[1:]}." if told else f"{claims}.")
+    yield from plain.wrap(f"{claims}. {told[:1].upper()}{told[1:]}." if told else f"{claims}.")
     yield from _obeyed(audit)
 
 
