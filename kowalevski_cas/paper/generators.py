@@ -36,7 +36,8 @@ def functions_of(setting: Meaning) -> Transcendental:
         return Transcendental((), (), (), (), "", lambda formula: formula)
     own = [*setting.printed_field, *setting.met, *_conditions(setting)]
     defined = [*_definitions(setting, scene.definitions)]
-    time = "" if scene.clock is not None or scene.time in scene.variables else scene.time
+    known = scene.clock is not None or scene.time in scene.names()  # the letter may be another's
+    time = "" if known else scene.time
     moving = (*scene.variables, *setting.velocities.values())
     roots = (name for name in scene.roots if name not in scene.variables)
     unit = () if scene.unit is None else ("i",)

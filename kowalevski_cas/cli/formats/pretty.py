@@ -141,17 +141,8 @@ class Told:
         audit = self.audit
         findings = Findings(self.phrases, tuple(audit.outcomes.values()))
         if audit.reading is not None:
-            return "\n".join(
-                (
-                    *reading.told(audit, self.phrases),
-                    *self.wrong(),
-                    *details,
-                    *self.uncovered(),
-                    "",
-                    *self.summary(),
-                    "",
-                )
-            )
+            head = *reading.answer(audit), *self.wrong(), *reading.rest(audit, self.phrases)
+            return "\n".join((*head, *details, *self.uncovered(), "", *self.summary(), ""))
         source = f"{audit.source.path}, by the derivation {audit.session.derivation.name}."
         notes = (f"line {line}: {words}" for line, words in audit.notes)
         wrong = *self.wrong(), *plain.lines(findings.hypotheses()), *details, *notes
