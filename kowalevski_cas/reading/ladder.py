@@ -181,7 +181,7 @@ class _Ladder:
 
     def invariant(self) -> Iterator[Rung]:
         """That no motion leaves a set; its equations are claimed together."""
-        relations = tuple(self._relations())
+        relations = self._set()
         if relations and relations[0] is self.item:
             says = "no motion leaves the set of these equations"
             places = _places(relations)
@@ -190,17 +190,17 @@ class _Ladder:
                     InvariantRelations, says, assumptions, (), relations, relations=places
                 )
 
-    def _relations(self) -> Iterator[Item]:
-        """The equations of one set: of a display, or side by side in a sentence.
-
-        Where the words are of planes or points, each is one of them.
-        """
-        several = cue("places", self.item.before)
-        for one, role in self.known.roles.items():
-            beside = one.sentence == self.item.sentence and one.typed.inline
-            joined = beside and self.item.typed.inline and not several
-            if role.kind == "invariant" and (one.typed is self.item.typed or joined):
-                yield one
+    def _set(self) -> tuple[Item, ...]:
+        """The equations of the set: those of a display, or side by side in the text."""
+        found: list[list[Item]] = []
+        own = [one for one, role in self.known.roles.items() if role.kind == "invariant"]
+        for one in sorted(own, key=lambda one: one.order):
+            before = found[-1][-1] if found else None
+            if before and (one.typed is before.typed or _beside(before, one)):
+                found[-1].append(one)
+            else:
+                found.append([one])
+        return next((tuple(items) for items in found if self.item in items), ())
 
     # -- all -------------------------------------------------------------------------
 
@@ -219,6 +219,17 @@ class _Ladder:
             attributes.setdefault("printed", self.item.printed)
         claim = kind(self.id, found.scene, says, **attributes)  # type: ignore[arg-type]
         return Rung(claim, (*found.assumptions, *on), found.constants, (*on,))
+
+
+def _beside(one: Item, other: Item) -> bool:
+    """Whether two formulas stand side by side in a line of text, with nothing but an “and”.
+
+    Where the words are of planes or points, each of them is one.
+    """
+    inline = one.typed.inline and other.typed.inline and one.sentence == other.sentence
+    inline = inline and not cue("places", one.before)
+    between = other.lead.strip(" ,;~\n")
+    return inline and other.order == one.order + 1 and between in ("", "and", "и")
 
 
 def _places(items: Sequence[Item]) -> tuple[Printed, ...]:
