@@ -49,7 +49,7 @@ def functions_of(setting: Meaning) -> Transcendental:
 def _expanded(setting: Meaning, formula: Formula, inside: tuple[str, ...] = ()) -> Formula:
     """A formula in which no name is a defined one."""
     if not isinstance(formula, Name) or formula.name not in setting.scene.definitions:
-        return formula.mapped(lambda child: _expanded(setting, child, inside))
+        return formula.map_children(lambda child: _expanded(setting, child, inside))
     if formula.name in inside:
         raise Meaningless(f"{formula.name} is defined by itself", formula.name)
     return _expanded(setting, setting.definition(formula.name), (*inside, formula.name))

@@ -36,7 +36,7 @@ def answer(audit: Audit) -> Iterator[str]:
     ]
     told = "; ".join(words.format(count) for count, words in parts if count)
     claims = plain.many(len(verdicts), "claim")
-    yield from plain.wrapped(f"{claims}. {told[:1].upper()}{told[1:]}." if told else f"{claims}.")
+    yield from plain.wrap(f"{claims}. {told[:1].upper()}{told[1:]}." if told else f"{claims}.")
     yield from _obeyed(audit)
 
 
@@ -58,7 +58,7 @@ def _obeyed(audit: Audit) -> Iterator[str]:
     yield f"Comments are obeyed: {counted}."
     for formula in audit.reading.formulas:
         if formula.item in said.of and "; without it: " in formula.role.reason:
-            yield from plain.wrapped(f"{formula.item.printed.place}: {formula.role.reason}")
+            yield from plain.wrap(f"{formula.item.printed.place}: {formula.role.reason}")
 
 
 def _assumed(audit: Audit, phrases: Phrases) -> Iterator[str]:
@@ -70,7 +70,7 @@ def _assumed(audit: Audit, phrases: Phrases) -> Iterator[str]:
     for one in listed:
         resting = ", ".join(one.claims)
         words = phrases.words(f"{one.words}; on it rest {resting}.")
-        yield from (f"  {line}" for line in plain.wrapped(plain.text(words)))
+        yield from (f"  {line}" for line in plain.wrap(plain.text(words)))
 
 
 def _undecided(audit: Audit, phrases: Phrases) -> Iterator[str]:
@@ -78,7 +78,7 @@ def _undecided(audit: Audit, phrases: Phrases) -> Iterator[str]:
     if unclear:
         yield from ("", "What is not decided")
     for formula in unclear:
-        yield from plain.wrapped(f"{_where(audit, formula)}: {formula.message}")
+        yield from plain.wrap(f"{_where(audit, formula)}: {formula.message}")
         if formula.formula is not None:
             yield from plain.lines([Display((formula.formula,), formula.tex)], 2)
         if formula.counterexample is not None:
@@ -91,7 +91,7 @@ def _open(audit: Audit) -> Iterator[str]:
         yield from ("", "What is not judged")
     for formula in unjudged:
         message = formula.message.splitlines()[0] if formula.message else formula.reason
-        yield from (f"  {line}" for line in plain.wrapped(f"{_where(audit, formula)}: {message}"))
+        yield from (f"  {line}" for line in plain.wrap(f"{_where(audit, formula)}: {message}"))
 
 
 def _where(audit: Audit, formula: Audited) -> str:
