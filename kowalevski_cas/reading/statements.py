@@ -10,7 +10,7 @@ from functools import cached_property
 
 from kowalevski_cas.notation import Derivative, Formula, Name, NotationError, Relation, Vocabulary
 from kowalevski_cas.notation.cursor import BOLD
-from kowalevski_cas.notation.layout import Placed
+from kowalevski_cas.notation.layout import StatementTokens
 from kowalevski_cas.notation.layout import statements as placed
 from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
@@ -118,6 +118,14 @@ class Paper:
         )
 
     @cached_property
+    def times(self) -> frozenset[str]:
+        """The names of times: of x and s only where something is derived by them."""
+        formulas = (item.formula for item in self.items if item.formula is not None)
+        nodes = (node for formula in formulas for node in formula.nodes())
+        marks = {node.mark for node in nodes if isinstance(node, Derivative)}
+        return frozenset({"t", r"\tau"} | marks) & self.words.times
+
+    @cached_property
     def labels(self) -> dict[str, list[Item]]:
         """The statements by the labels that cite them."""
         found: dict[str, list[Item]] = {}
@@ -205,7 +213,7 @@ def _read(
         yield None, formula.trouble, whole
         return
     try:
-        found: Sequence[Placed] = placed(formula.tex)
+        found: Sequence[StatementTokens] = placed(formula.tex)
     except NotationError as error:
         yield None, error.message, whole
         return
