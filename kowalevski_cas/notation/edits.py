@@ -32,7 +32,7 @@ _COMMAND = re.compile(r"\\[A-Za-z]+$")
 class Edit:
     """One change of one place.
 
-    ``kind`` is one of sign, index, letter, exponent, coefficient, factor, power, missing;
+    ``kind`` is one of sign, index, letter, exponent, coefficient, factor, power, missing, exchange;
     ``replacement`` is the new subtree at ``path``, and ``words`` says what was changed.
     """
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from functools import partial
+from itertools import combinations
 from typing import NamedTuple, TypeGuard
 
 from kowalevski_cas.notation.errors import closeness, letter_and_index
@@ -76,6 +77,7 @@ def misprints(
         partial(_partials, names, vocabulary),
         partial(_terms, names, vocabulary),
         partial(_missing, names, vocabulary),
+        _exchanged,
     ):
         for place in places:
             yield from slips(place)
@@ -254,8 +256,6 @@ def _missing(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterato
     # What multiplies a quotient multiplies its numerator.
     if not _printed(node) or isinstance(node, Negative | Quotient):
         return
-    if rank(node, vocabulary) != SCALAR:
-        return
     factors = _factors_of(node)
     if all(isinstance(factor, Name | Number | Power) for factor in factors):
         first = len(factors)
@@ -287,10 +287,35 @@ def _terms(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterator[
                 yield "missing", place.path, Sum((Name(name), node)), words
 
 
+def _exchanged(place: _Place) -> Iterator[Misprint]:
+    """Two names, or the sine and the cosine, each in the place of the other in a whole member."""
+    node = place.node
+    if isinstance(node, Relation) or not isinstance(place.parent, Relation | None):
+        return
+    nodes = dict.fromkeys(node.nodes())
+    names = [one.name for one in nodes if isinstance(one, Name)]
+    functions = {one.function for one in nodes if isinstance(one, Application)}
+    for pair in (*combinations(names, 2), *(one for one in _PAIRS if functions.issuperset(one))):
+        yield "exchange", place.path, _swapped(node, pair), f"exchange ${pair[0]}$ and ${pair[1]}$"
+
+
+def _swapped(formula: Formula, pair: tuple[str, str]) -> Formula:
+    """A formula with two names, or two functions, in each other's place."""
+    if isinstance(formula, Name) and formula.name in pair:
+        return Name(pair[pair[0] == formula.name])
+    changed = formula.mapped(lambda child: _swapped(child, pair))
+    if isinstance(changed, Application) and changed.function in pair:
+        return Application(pair[pair[0] == changed.function], changed.arguments)
+    return changed
+
+
 def _moves(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
     """A factor of the denominator in the numerator, or the other way round."""
     node = place.node
     if isinstance(node, Quotient):
+        if node.numerator != ONE and not _is_fraction(node):
+            other = Quotient(node.denominator, node.numerator)
+            yield "power", place.path, other, _read(node, other)
         above, below = _factors_of(node.numerator), _factors_of(node.denominator)
         for index, factor in enumerate(below):
             rest = times(*below[:index], *below[index + 1 :])
