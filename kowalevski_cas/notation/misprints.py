@@ -69,6 +69,7 @@ def misprints(
         partial(_names, "index", names, vocabulary),
         partial(_names, "letter", names, vocabulary),
         _functions,
+        partial(_dots, {one.mark for one in formula.nodes() if isinstance(one, Derivative)}),
         partial(_exponents, vocabulary),
         _fractions,
         _coefficients,
@@ -159,6 +160,17 @@ def _names(
     wrong = f"${node.name}$" if known else f"${node.name}$, which is not defined,"
     for other in sorted(others, key=lambda name: -closeness(node.name, name)):
         yield kind, place.path, Name(other), f"for {wrong} read ${other}$"
+
+
+def _dots(marks: set[str], place: _Place) -> Iterator[Misprint]:
+    """A derivative more, or one less, where others stand."""
+    node = place.node
+    if isinstance(node, Derivative) and isinstance(node.argument, Name | Derivative):
+        yield "letter", place.path, node.argument, _read(node, node.argument)
+    if isinstance(node, Name | Derivative) and not isinstance(place.parent, Derivative):
+        for mark in sorted(marks):
+            other = Derivative(node, mark)
+            yield "letter", place.path, other, _read(node, other)
 
 
 _PAIRS = ((r"\sin", r"\cos"), (r"\sinh", r"\cosh"), (r"\sin", r"\tan"), (r"\cosh", r"\tanh"))
