@@ -110,3 +110,103 @@ SEEN = (
         (), r"\frac{\dot x^2+\dot y^2}2-\frac{mu}r", r"\frac{\dot x^2+\dot y^2}2-\frac\mu r",
     ),
 )  # fmt: skip
+
+VECTORS = r"\mathbf r=(x,y,z),\ \mathbf F=(f,g,h)"
+
+UNSEEN = (
+    Published(
+        NOTES, "e0979c0", r"\dot x=x,\ \dot y=xp,\ \dot p=xq,\ \dot q=xs", (r"\dot y=xp",),
+        r"a^2\ddot y+(b-a)\dot y+cy=ax^2q+bxp+cy", r"a\ddot y+(b-a)\dot y+cy=ax^2q+bxp+cy",
+    ),
+    Published(
+        NOTES, "44a2bee", rf"m\ddot{{\mathbf r}}=\mathbf F,\ T=\frac12m\dot{{\mathbf r}}^2,\ {VECTORS}",
+        (r"\dot T=m\dot{\mathbf r}\cdot\ddot{\mathbf r}",),
+        r"\dot T=\mathbf F\cdot\mathbf r", r"\dot T=\mathbf F\cdot\dot{\mathbf r}",
+    ),
+    Published(
+        NOTES, "579c7a8", r"\dot x=1,\ \dot y=k,\ i^2=-1,\ z=x+iy,\ w=c+id", (),
+        r"(p+iq)(z-w)=p(x-c)-q(y-d)+i(q(x-c)+p(y-c))",
+        r"(p+iq)(z-w)=p(x-c)-q(y-d)+i(q(x-c)+p(y-d))",
+    ),
+    Published(
+        NOTES, "959d5ff",
+        r"\dot{\mathbf a}=\mathbf b,\ \dot{\mathbf b}=\mathbf c,\ \dot{\mathbf c}=\mathbf a,\ "
+        r"\mathbf a=(a_1,a_2,a_3),\ \mathbf b=(b_1,b_2,b_3),\ \mathbf c=(c_1,c_2,c_3)", (),
+        r"(\mathbf a\times\mathbf b)\cdot(\mathbf b\times\mathbf c)="
+        r"(\mathbf a\cdot\mathbf a)(\mathbf b\cdot\mathbf c)-(\mathbf a\cdot\mathbf b)(\mathbf a\cdot\mathbf c)",
+        r"(\mathbf a\times\mathbf b)\cdot(\mathbf a\times\mathbf c)="
+        r"(\mathbf a\cdot\mathbf a)(\mathbf b\cdot\mathbf c)-(\mathbf a\cdot\mathbf b)(\mathbf a\cdot\mathbf c)",
+    ),
+    Published(
+        NOTES, "8c1bd02", r"\dot x=1,\ y=Ae^{(2+\varepsilon)x}+Be^{(2-\varepsilon)X}",
+        (r"\ddot y-4\dot y+(4-\varepsilon^2)y=0",),
+        r"y=Ae^{(2+\varepsilon)x}+Be^{(2-\varepsilon)X}", r"y=Ae^{(2+\varepsilon)x}+Be^{(2-\varepsilon)x}",
+    ),
+    Published(
+        NOTES, "d44570c", r"m\ddot x=-kx,\ T=\frac12m\dot x,\ V=\frac12kx^2", (r"T+V", r"\dot V=kx\dot x"),
+        r"T=\frac12m\dot x", r"T=\frac12m\dot x^2",
+    ),
+    Published(
+        NOTES, "e90a677", r"\dot a=b,\ \dot b=k,\ i^2=-1,\ z=a+ib,\ w=c+id", (),
+        r"z+w=(a+c)+(b+d)", r"z+w=(a+c)+i(b+d)",
+    ),
+    Published(
+        NOTES, "95f2b58", r"\dot x=y,\ \dot y=z,\ \dot z=x,\ s=x^2+y^2+z^2", (),
+        r"\gamma^2(x^2+y^2+z^2)=(\gamma^2-1)x^2+s", r"\gamma^2x^2+y^2+z^2=(\gamma^2-1)x^2+s",
+    ),
+    Published(
+        NOTES, "39ffcfc", r"\dot R=1,\ \dot S=1,\ \dot U=1,\ W=\frac{q_1q_1}{4\pi\varepsilon R},\ "
+        r"V=\frac{q_3}{4\pi\varepsilon}(\frac{q_1}S+\frac{q_2}U)",
+        (r"W+V=\frac1{4\pi\varepsilon}(\frac{q_1q_2}R+\frac{q_1q_3}S+\frac{q_2q_3}U)",),
+        r"W=\frac{q_1q_1}{4\pi\varepsilon R}", r"W=\frac{q_1q_2}{4\pi\varepsilon R}",
+    ),
+    Published(
+        NOTES, "39ffcfc", r"\dot R=1,\ \dot S=1,\ \dot U=1,\ W=\frac{q_1q_2}{4\pi\varepsilon R},\ "
+        r"V=\frac{q_3}{4\pi\varepsilon}(\frac{q_1}S-\frac{q_2}U)",
+        (r"W+V=\frac1{4\pi\varepsilon}(\frac{q_1q_2}R+\frac{q_1q_3}S+\frac{q_2q_3}U)",),
+        r"V=\frac{q_3}{4\pi\varepsilon}(\frac{q_1}S-\frac{q_2}U)",
+        r"V=\frac{q_3}{4\pi\varepsilon}(\frac{q_1}S+\frac{q_2}U)",
+    ),
+    Published(
+        NOTES, "6c786a3",
+        r"m\ddot x=-kx,\ m\ddot y=-ky,\ V=\frac12k(x^2+y^2),\ E=\frac12m(\dot x^2+\dot y^2)+V", ("E",),
+        r"\dot E=\frac d{dt}(\frac12(\dot x^2+\dot y^2)+V)", r"\dot E=\frac d{dt}(\frac12m(\dot x^2+\dot y^2)+V)",
+    ),
+    Published(
+        NOTES, "bfb9b32", r"\ddot x=-2\kappa\dot x-x,\ \lambda=-\kappa+\sqrt{\kappa^2-1}", (),
+        r"\lambda+2\kappa\lambda+1=0", r"\lambda^2+2\kappa\lambda+1=0",
+    ),
+    Published(
+        NOTES, "7a3ba0e", r"\ddot u=\frac k{h^2}-u", (),
+        r"\frac12mh^2(\dot u+u^2)-mku", r"\frac12mh^2(\dot u^2+u^2)-mku",
+    ),
+    Published(
+        NOTES, "7287642", r"\dot s=1,\ u=\frac{qEs}{\sqrt{m^2q^2E^2s^2/c^2}}",
+        (r"\frac{m^2u^2}{1-\frac{u^2}{c^2}}=q^2E^2s^2",),
+        r"u=\frac{qEs}{\sqrt{m^2q^2E^2s^2/c^2}}", r"u=\frac{qEs}{\sqrt{m^2+q^2E^2s^2/c^2}}",
+    ),
+    Published(
+        NOTES, "2465386", r"\dot\theta=\frac h{r^2},\ r=\frac l{1+e\cos\theta},\ x=r\cos\theta,\ y=r\sin\theta,\ "
+        r"a=\frac l{e^2-1},\ b=\frac l{\sqrt{e^2-1}}", (),
+        r"\frac{(x-ea)^2}{a^2}+\frac{y^2}{b^2}=1", r"\frac{(x-ea)^2}{a^2}-\frac{y^2}{b^2}=1",
+    ),
+    Published(
+        NOTES, "2dbbefb", r"\dot\theta=\frac h{r^2},\ r=\frac l{1+e\cos\theta},\ h=\sqrt{kl}", (),
+        r"\frac12m(\dot r^2+r^2\dot\theta^2)-\frac{mk}r=\frac{mk^2}{2l}(e^2-1)",
+        r"\frac12m(\dot r^2+r^2\dot\theta^2)-\frac{mk}r=\frac{mk}{2l}(e^2-1)",
+    ),
+    Published(
+        NOTES, "25e0936",
+        rf"m\ddot{{\mathbf r}}=\mathbf F,\ \mathbf L=m\mathbf r\times\dot{{\mathbf r}},\ {VECTORS}",
+        (r"\dot{\mathbf L}=\mathbf r\times\mathbf F",),
+        r"\dot{\mathbf L}=m+\mathbf r\times\ddot{\mathbf r}", r"\dot{\mathbf L}=m\mathbf r\times\ddot{\mathbf r}",
+    ),
+    Published(
+        ORBITS, "a64feae", r"\ddot x=-\frac{\mu x}{r^3},\ \ddot y=-\frac{\mu y}{r^3},\ r=\sqrt{x^2+y^2}",
+        (), r"\frac{\dot x^2+\dot y^2}2+(C-\frac{mu}r)", r"\frac{\dot x^2+\dot y^2}2+(C-\frac\mu r)",
+    ),
+    Published(
+        ORBITS, "ddad707", r"\dot M=n,\ n=\sqrt{\frac\mu{a^3}},\ T=\frac{2\pi}{\sqrt{mu}}a^{3/2}", (r"nT=2\pi",),
+        r"T=\frac{2\pi}{\sqrt{mu}}a^{3/2}", r"T=\frac{2\pi}{\sqrt\mu}a^{3/2}",
+    ),
+)  # fmt: skip
