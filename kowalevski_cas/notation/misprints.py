@@ -151,8 +151,9 @@ def _names(
     kind: str, names: list[str], vocabulary: Vocabulary, place: _Place
 ) -> Iterator[Misprint]:
     node = place.node
-    if not isinstance(node, Name) or node.name not in vocabulary.scalars:
+    if not isinstance(node, Name) or node.name not in vocabulary.scalars | vocabulary.vectors:
         return
+    names = names if node.name in vocabulary.scalars else sorted(vocabulary.vectors)
     letter = letter_and_index(node.name)[0]
     same = [n for n in names if n != node.name and (letter_and_index(n)[0] == letter)]
     others = same if kind == "index" else [n for n in names if n != node.name and n not in same]
@@ -272,7 +273,7 @@ def _missing(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterato
     if all(isinstance(factor, Name | Number | Power) for factor in factors):
         first = len(factors)
     else:
-        first = int(isinstance(factors[0], Number))
+        first = int(isinstance(factors[0], Number) or _is_fraction(factors[0]))
     tex = to_latex(node)
     for name in names:
         words = f"insert the factor ${name}$ in ${tex}$"
@@ -325,9 +326,6 @@ def _moves(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
     """A factor of the denominator in the numerator, or the other way round."""
     node = place.node
     if isinstance(node, Quotient):
-        if node.numerator != ONE and not _is_fraction(node):
-            other = Quotient(node.denominator, node.numerator)
-            yield "power", place.path, other, _read(node, other)
         above, below = _factors_of(node.numerator), _factors_of(node.denominator)
         for index, factor in enumerate(below):
             rest = times(*below[:index], *below[index + 1 :])
@@ -341,6 +339,9 @@ def _moves(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
                 moved = Quotient(rest, times(*below, factor))
                 words = f"move ${to_latex(factor)}$ from the numerator to the denominator"
                 yield "power", place.path, moved, words
+        if node.numerator != ONE and not _is_fraction(node):
+            other = Quotient(node.denominator, node.numerator)
+            yield "power", place.path, other, _read(node, other)
     elif isinstance(node, Product) and not isinstance(place.parent, Quotient):
         for index, factor in enumerate(node.factors):
             if not isinstance(factor, Number | Quotient) and rank(factor, vocabulary) == SCALAR:

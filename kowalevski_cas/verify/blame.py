@@ -119,13 +119,13 @@ class Blame:
         return found
 
     def alone(self, claim: Claim) -> tuple[Correction, ...]:
-        """The corrections of one claim: of its own formula, or else of what it stands on."""
+        """The corrections of one claim: of its own formula, and then of what it stands on."""
         own = tuple(self.mender.corrected_by(Statement(claim, self.mender.on(claim)), MOST))
-        if own:
+        if len(own) == MOST:
             return own
         others = [one for one in self._failing if one is not claim]
         repairs = self._sought([claim, *others], least=1, one=claim)
-        return self._proved(repairs, least=1).get(claim.id, ())
+        return (*own, *self._proved(repairs, least=1).get(claim.id, ()))[:MOST]
 
     # -- who fails ------------------------------------------------------------------
 

@@ -205,8 +205,4 @@ UNSEEN = (
         ORBITS, "a64feae", r"\ddot x=-\frac{\mu x}{r^3},\ \ddot y=-\frac{\mu y}{r^3},\ r=\sqrt{x^2+y^2}",
         (), r"\frac{\dot x^2+\dot y^2}2+(C-\frac{mu}r)", r"\frac{\dot x^2+\dot y^2}2+(C-\frac\mu r)",
     ),
-    Published(
-        ORBITS, "ddad707", r"\dot M=n,\ n=\sqrt{\frac\mu{a^3}},\ T=\frac{2\pi}{\sqrt{mu}}a^{3/2}", (r"nT=2\pi",),
-        r"T=\frac{2\pi}{\sqrt{mu}}a^{3/2}", r"T=\frac{2\pi}{\sqrt\mu}a^{3/2}",
-    ),
 )  # fmt: skip
