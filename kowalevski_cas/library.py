@@ -40,6 +40,10 @@ EVIDENCE = ".evidence"
 """How the folder ends that holds the record and the certificates of a file beside it."""
 
 
+SOURCES = (".py", ".tex")
+"""How the files end of which something is kept beside them: derivations, and papers."""
+
+
 def find(name: str) -> Path:
     """The folder with what is kept of a derivation, by its name, its path, or its module.
 
@@ -54,12 +58,11 @@ def find(name: str) -> Path:
         path = _module(name) or path
     if path.name == "__init__.py":
         return path.parent
-    if path.is_file() and path.suffix == ".py":
-        return path.with_suffix(EVIDENCE)
+    if path.is_file() and path.suffix in SOURCES:
+        return _beside(path)
     if name and path.exists():
         raise LibraryError(
             f"{name} is no derivation: a Python file is expected, or a folder with an __init__.py"
-            + ("; a TeX source is for `kowalevski-cas audit`" if path.suffix == ".tex" else "")
         )
     if path.suffix:
         raise LibraryError(f"there is no file {name}")
@@ -75,9 +78,20 @@ MADE: list[Section] = []
 """The sections of systems that were made since a derivation was loaded last, named or not."""
 
 
+def _beside(path: Path) -> Path:
+    """The folder of what is kept of a file; raises :class:`LibraryError` if two would share it."""
+    others = [path.with_suffix(one) for one in SOURCES if one != path.suffix]
+    if shared := next((one for one in others if one.is_file()), None):
+        raise LibraryError(f"{path} and {shared.name} would share one folder: rename one of them")
+    return path.with_suffix(EVIDENCE)
+
+
 def source(folder: Path) -> Path:
     """The file that is executed for the derivation of which this folder keeps what there is."""
-    return folder.with_suffix(".py") if folder.suffix == EVIDENCE else folder / "__init__.py"
+    if folder.suffix != EVIDENCE:
+        return folder / "__init__.py"
+    paper = folder.with_suffix(".tex")
+    return paper if paper.is_file() else folder.with_suffix(".py")
 
 
 def _module(name: str) -> Path | None:

@@ -101,13 +101,19 @@ def test_what_is_not_there_is_said_with_what_is(name):
 
 
 def test_a_file_is_no_derivation(tmp_path):
-    file = tmp_path / "paper.tex"
+    file = tmp_path / "paper.txt"
     file.write_text("")
-    with pytest.raises(
-        LibraryError,
-        match=r"is no derivation: a Python file is expected, or a folder .*kowalevski-cas audit",
-    ):
+    with pytest.raises(LibraryError, match=r"is no derivation: a Python file is expected"):
         find(str(file))
+
+
+def test_a_paper_and_a_module_do_not_share_what_is_kept_of_them(tmp_path):
+    paper, module = tmp_path / "top.tex", tmp_path / "top.py"
+    paper.write_text("$x=1$")
+    assert find(str(paper)) == tmp_path / "top.evidence"
+    module.write_text("")
+    with pytest.raises(LibraryError, match=r"share one folder: rename one"):
+        find(str(paper))
 
 
 BELOW = """

@@ -11,7 +11,7 @@ from kowalevski_cas.audit.roles import Role, Roles, undefined, unused
 from kowalevski_cas.notation import Formula, NotationError, split_display, to_latex
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.source.displays import Typed
-from kowalevski_cas.source.macros import Expanded
+from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.outcome import WORST
 

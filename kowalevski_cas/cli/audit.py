@@ -109,15 +109,20 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.list:
         return _list(source, arguments.format)
     if arguments.draft:
-        ((said, code),) = session.watched(lambda one: _drafted(one, arguments.beside), [source])
+        said, code = _drafted(source, arguments.beside)
         _write(said, source)
         return code
-    ((outcomes, said, note, code),) = session.watched(
-        lambda one: _audited(arguments, one), [source]
-    )
-    for outcome in outcomes:
-        if (received := receive(outcome)).verdict is not outcome.verdict:
-            raise CommandError(f"{outcome.claim}: {received.message}")
+    alone = arguments.alone and arguments.derivation is None
+    known = None if alone else fitting(source, arguments.derivation)
+    if known is None:
+        _, said, note, code = _told(arguments, _read(source, arguments))
+    else:
+        ((outcomes, said, note, code),) = session.watched(
+            lambda one: _told(arguments, audit(one, auditing(*known, arguments))), [source]
+        )
+        for outcome in outcomes:
+            if (received := receive(outcome)).verdict is not outcome.verdict:
+                raise CommandError(f"{outcome.claim}: {received.message}")
     if arguments.patch:
         _write(said, source)
     else:
@@ -142,9 +147,8 @@ def _drafted(source: Source, apart: bool) -> tuple[str, int]:
     return said, AS_RECORDED if found.formulas else NOTHING
 
 
-def _audited(arguments: argparse.Namespace, source: Source) -> tuple[list[Outcome], str, str, int]:
+def _told(arguments: argparse.Namespace, found: Audit) -> tuple[list[Outcome], str, str, int]:
     """The outcomes of an audit, what is to be printed and noted, and the exit code."""
-    found = _found(source, arguments)
     outcomes, code = [*found.outcomes.values()], exit_code(found, arguments.strict)
     notes = [outcome.note for outcome in outcomes if outcome.note]
     notes += [_written(found, arguments.report)] if arguments.report is not None else []
@@ -156,16 +160,15 @@ def _audited(arguments: argparse.Namespace, source: Source) -> tuple[list[Outcom
     return outcomes, load_format(arguments.format).audited(found), note, code
 
 
-def _found(source: Source, arguments: argparse.Namespace) -> Audit:
-    """The audit of a source, by the derivation that is named or fits, or by what it says itself."""
-    if not arguments.alone or arguments.derivation is not None:
-        if (known := fitting(source, arguments.derivation)) is not None:
-            return audit(source, auditing(*known, arguments))
+def _read(source: Source, arguments: argparse.Namespace) -> Audit:
+    """The audit of a source as its own derivation; processes share the work."""
     explain = arguments.report is not None
-    run = ReadingSession(
-        read(source), arithmetics(arguments.arithmetic), explain, arguments.timeout
-    )
-    return audit_reading(run)
+    with session.progress_bar() as heard:
+        reading = read(source, heard)
+        run = ReadingSession(
+            reading, arithmetics(arguments.arithmetic), explain, arguments.timeout, heard
+        )
+        return audit_reading(run)
 
 
 def _written(found: Audit, folder: Path) -> str:
@@ -233,9 +236,8 @@ def _of_reading(found: Audit, strict: bool) -> int:
         return NOTHING
     verdicts = {outcome.verdict for outcome in found.outcomes.values()}
     unsettled = [f for f in found.formulas if f.verdict == OPEN and (strict or f.role == CLAIM)]
-    return (
-        AS_RECORDED if verdicts and all(v.green for v in verdicts) and not unsettled else UNDECIDED
-    )
+    settled = verdicts and all(v.green for v in verdicts) and not (unsettled or found.uncovered)
+    return AS_RECORDED if settled else UNDECIDED
 
 
 def _list(source: Source, format: str) -> int:

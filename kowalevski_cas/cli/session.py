@@ -52,7 +52,7 @@ def derivations(names: Sequence[str], only: Sequence[str] = ()) -> list[tuple[Pa
     names = names or available()
     if not names:
         raise CommandError("the library has no derivations", NOTHING)
-    found = [(find(name), load(name, anew=not k)) for k, name in enumerate(names)]
+    found = [(find(name), loaded(find(name), name, anew=not k)) for k, name in enumerate(names)]
     ids = {claim.id for _, derivation in found for claim in derivation.claims}
     for id in only:
         if id not in ids:
@@ -63,6 +63,17 @@ def derivations(names: Sequence[str], only: Sequence[str] = ()) -> list[tuple[Pa
             where = ", ".join(derivation.name for _, derivation in found)
             raise CommandError(f"there is no claim “{id}” in {where}{hint}", NOTHING)
     return [f for f in found if not only or any(claim.id in only for claim in f[1].claims)]
+
+
+def loaded(folder: Path, name: str, anew: bool = True) -> Derivation:
+    """The derivation with this name; a paper is read as its own."""
+    file = source(folder)
+    if file.suffix != ".tex":
+        return load(name, anew)
+    from kowalevski_cas.reading import read
+    from kowalevski_cas.source.files import read_source
+
+    return read(read_source(file)).derivation
 
 
 def runs(

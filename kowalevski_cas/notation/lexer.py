@@ -169,7 +169,10 @@ class _Scanner:
             self.add("}", "}", start)
         argument, self.font, owed, begin, before = self.groups.pop()
         self.once = ""
-        if argument:
+        if argument and [token.kind for token in self.tokens[-2:]] in (["^", "{"], ["_", "{"]):
+            del self.tokens[-2:]  # nothing is printed above or below
+            self.owed = owed
+        elif argument:
             self.owed = owed
             self.add("}", "}", start)
         elif len(self.tokens) == before + 1:

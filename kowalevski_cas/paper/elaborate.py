@@ -92,8 +92,7 @@ class Elaboration(Moving):
     def _root_names(self) -> Iterator[str]:
         if self.scene.unit is not None or (self.source is not None and "i" in self.source.roots):
             yield "i"
-        yield from self.transcendental.roots
-        primes, names = dict[str, None](), list[str]()
+        primes, names = dict.fromkeys(self.transcendental.numbers), list[str]()
         for name, printed in self.scene.roots.items():
             if not name.startswith(r"\sqrt"):
                 names.append(name)
@@ -101,7 +100,7 @@ class Elaboration(Moving):
                 number = root_of_number(self.texts.expression(name).children()[0])
                 primes |= dict.fromkeys(rf"\sqrt{{{p}}}" for p in number[1]) if number else {}
                 names += [] if number else [name]
-        yield from (*primes, *names)
+        yield from (*primes, *names, *self.transcendental.roots)
 
     @cached_property
     def loci(self) -> tuple[tuple[tuple[Equation, ...], Formula], ...]:

@@ -17,9 +17,10 @@ from kowalevski_cas.notation import (
     once,
     read,
     substitute,
+    times,
     to_latex,
 )
-from kowalevski_cas.notation.functions import FAMILY_OF, Family, canonical
+from kowalevski_cas.notation.functions import CIRCULAR, EXPONENTIAL, FAMILY_OF, Family, canonical
 from kowalevski_cas.paper.arguments import Monomial, product_of
 from kowalevski_cas.problem.space import Adjoined, Meaningless
 
@@ -77,10 +78,48 @@ def _over(argument: Formula, number: int) -> str:
     return to_latex(Quotient(argument, Number(number)))
 
 
+class Imaginary(NamedTuple):
+    """The generators of a family at i times an argument, by those of the other one at it."""
+
+    kind: Kind
+    real: Generators
+    over: int
+
+    @property
+    def argument(self) -> Formula:
+        """Where they are taken."""
+        return times(Name("i"), product_of(self.real.monomial, self.over))
+
+    @property
+    def values(self) -> dict[str, Formula]:
+        """Their values, by Euler's formulas."""
+        euler = _EULER[self.kind.family is EXPONENTIAL]
+        return {letter: self.kind.formula(tex, self.real.values) for letter, tex in euler.items()}
+
+
+_EULER = (
+    {"s": r"\frac{i}{2}(e^2-\frac{1}{e^2})", "c": r"\frac{1}{2}(e^2+\frac{1}{e^2})"},
+    {"e": "c+is"},
+)
+"""Sine and cosine by the exponential function, and that by them."""
+
+
+def real_part(kind: Kind, monomial: Monomial) -> tuple[Kind, Monomial, int] | None:
+    """What an imaginary argument is i times, with the family of which functions stand there.
+
+    They are taken at the argument over a number as well. ``None`` for any other argument.
+    """
+    if (Name("i"), 1) not in monomial or kind.family not in (CIRCULAR, EXPONENTIAL):
+        return None
+    other = EXPONENTIAL if kind.family is CIRCULAR else CIRCULAR
+    rest = tuple(part for part in monomial if part[0] != Name("i"))
+    return Kind(other, ()), rest, kind.family.argument
+
+
 @cache
 def template(tex: str) -> Formula:
     """A formula of the table of functions."""
-    letters = (*"scdek", *(f"{letter}_1" for letter in "scde"))
+    letters = (*"scdeki", *(f"{letter}_1" for letter in "scde"))
     return read(tex, Vocabulary(frozenset(letters)))
 
 

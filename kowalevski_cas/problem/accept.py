@@ -14,7 +14,7 @@ from operator import mul
 from types import MappingProxyType
 from typing import Any
 
-from kowalevski_cas.algebra.numbers import rank, rational
+from kowalevski_cas.algebra.numbers import independent, inverse_of, rational
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Number
 from kowalevski_cas.problem.along import Solved, check_departure, check_equal
@@ -48,7 +48,7 @@ from kowalevski_cas.problem.goals import (
     Simple,
 )
 from kowalevski_cas.problem.kernel import check_complete, check_further, check_no_solution
-from kowalevski_cas.problem.place import Misplaced, Place
+from kowalevski_cas.problem.place import Misplaced, Pieces, Place
 from kowalevski_cas.problem.space import Equation, Meaningless
 
 ZERO = Number(0)
@@ -126,12 +126,21 @@ class Judge(Examiner):
         self._point(at, evidence.point, known if goal.conclusions else ())
 
     def _fails(self, goal: Follows, evidence: At, at: Evaluation, sign: bool) -> None:
-        place = self._point(at, evidence.point, at.differences(goal.given))
+        known = at.differences(goal.given)
+        if type(goal) is Fails:
+            sides = (pair for one in goal.conclusions for pair in at.pairs(one))
+            self.accepted.divides([*known, *(e for pair in sides for e in pair)])
+        place = self._point(at, evidence.point, known)
         for conclusion in goal.conclusions:
             values = [(place(a), place(b)) for a, b in at.pairs(conclusion)]
             self.accepted.differs = next((v for v in values if not (v[0] - v[1]).is_zero), None)
             if self.accepted.differs is None:
                 raise Unproved("all equations hold at the point")
+            if type(goal) is Fails and not goal.given:
+                pieces = Pieces(place, ())
+                rests = (pieces(left - right) for left, right in at.pairs(conclusion))
+                if not any(map(inverse_of, rests)):
+                    raise Unproved("all equations may hold on another piece")
 
     # -- ranks ---------------------------------------------------------------------
 
@@ -142,9 +151,11 @@ class Judge(Examiner):
 
     def _rank(self, goal: Rank, evidence: At, at: Evaluation, sign: bool) -> None:
         rows = self._rows(goal, at)
-        place = self._point(at, evidence.point, at.differences(goal.given))
-        if rank([[place(entry) for entry in row] for row in rows]) != len(rows):
-            raise Unproved("the differentials are dependent at the point")
+        known = at.differences(goal.given)
+        place = self._point(at, evidence.point, known)
+        pieces = Pieces(place, known)
+        if not independent([[pieces(entry) for entry in row] for row in rows]):
+            raise Unproved("the differentials may be dependent at the point, or on another piece")
         if (len(rows) == goal.rank) != sign:
             raise Unproved(f"there are {len(rows)} independent differentials")
 

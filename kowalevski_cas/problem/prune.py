@@ -64,7 +64,7 @@ class Reach:
 
     def _root(self, root: Root) -> None:
         """The declared roots: which of them is meant is a question of values."""
-        for name in self.setting.roots:
+        for name in sorted(self.setting.roots, key=lambda name: not name.startswith(r"\sqrt")):
             step = self.setting.step(name)
             if isinstance(step, Adjoined) and step.square == root.argument:
                 self.name(name)

@@ -8,7 +8,8 @@ from difflib import get_close_matches
 
 from kowalevski_cas.reading.grammar import NAMING, Directive, parse, wrong
 from kowalevski_cas.reading.statements import Item, Paper
-from kowalevski_cas.source.comments import find_comments
+from kowalevski_cas.reading.text import Prose
+from kowalevski_cas.source.comments import Comment, find_comments
 from kowalevski_cas.source.tokens import words
 
 
@@ -18,6 +19,8 @@ class Said:
 
     of: dict[Item, list[Directive]] = field(default_factory=dict)
     claims: list[Directive] = field(default_factory=list)
+    sentences: list[int] = field(default_factory=list)
+    """The places in the text of the sentences that are skipped."""
 
     def role(self, item: Item) -> Directive | None:
         """What says which role a statement has."""
@@ -32,6 +35,10 @@ class Said:
         """On which statements a claim rests, if that is said."""
         found = [one.on for one in self.of.get(item, ()) if one.on is not None]
         return found[-1] if found else None
+
+    def skipped(self, prose: Prose) -> list[tuple[int, int]]:
+        """The intervals of the sentences that comments skip."""
+        return [prose.sentence(one) for one in self.sentences]
 
     @property
     def directives(self) -> list[Directive]:
@@ -53,6 +60,9 @@ def read_comments(paper: Paper) -> Said:
         if not found.is_of_formula:
             said.claims.append(found)
             continue
+        if found.verb == "skip" and found.names == ("sentence",):
+            said.sentences.append(_sentence(comment, paper))
+            continue
         if comment not in attached:
             raise wrong(comment, "no formula follows")
         items = [one for one in paper.items if one.typed is attached[comment]]
@@ -65,6 +75,11 @@ def read_comments(paper: Paper) -> Said:
             _check_names(found, item)
             said.of.setdefault(item, []).append(found)
     return said
+
+
+def _sentence(comment: Comment, paper: Paper) -> int:
+    """The place in the text with macros written out of the words behind a comment."""
+    return paper.expanded.behind(comment.offset)
 
 
 def _check_names(found: Directive, item: Item) -> None:

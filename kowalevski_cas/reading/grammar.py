@@ -142,6 +142,8 @@ class _Parser:
             return replace(made, items=tuple(self.items), on=on)
         ruled = self.ruled()
         names = tuple(self.taken(())) if verb in NAMING else ()
+        if verb == "skip" and self.words == ["sentence"]:
+            names = ("sentence",)
         if verb == "law" and self.words:
             raise wrong(self.comment, f"{self.words[0]} follows law, and nothing should")
         return replace(made, names=names, ruled=ruled)

@@ -21,6 +21,8 @@ class Law:
     names: Names
     base: Law | None = None
     """The law of the names on its right sides, if it is another one."""
+    restates: Law | None = None
+    """The law of which it is printed anew, for special constants."""
 
     @cached_property
     def variables(self) -> tuple[str, ...]:
@@ -62,6 +64,26 @@ def find_laws(paper: Paper, names: Names, said: Said) -> list[Law]:
     moves in it are there. Another set has new variables, or is set up as another system.
     """
     return [*_Finder(paper, names, said).laws()]
+
+
+def find_restated(paper: Paper, laws: Sequence[Law]) -> list[Law]:
+    """The laws that displays print anew, row for row, with what rows of the law are left."""
+    found: list[Law] = []
+    for items in {
+        id(i.typed): [o for o in paper.items if o.typed is i.typed] for i in paper.items
+    }.values():
+        rows = [item for item in items if is_row(item) and item not in paper.approximate]
+        if not rows or rows[0].typed.inline or any(rows[0] in law.items for law in laws):
+            continue
+        for law in laws:
+            rated = {name for row in rows for name in law.names.scalars(row.rates)}
+            own = [row for row in law.rows if rated & {*law.names.scalars(row.rates)}]
+            old = {name for row in own for name in law.names.scalars(row.rates)}
+            if law.order < rows[0].order and rated == old:
+                kept = tuple(row for row in law.rows if row not in own)
+                found.append(Law((*kept, *rows), law.names, restates=law))
+                break
+    return found
 
 
 class _Finder:

@@ -24,7 +24,7 @@ MARK = "§"
 
 _DELIMITER = re.compile(
     rf"\\(?:begin|end)\s*\{{(?:{'|'.join(DISPLAYS)}|array|aligned|split|cases)\*?\}}"
-    r"(?:\s*\{[\d\s]*\})?|\\[\[\]()]|\$\$?"
+    r"(?:\s*\{[\d\s]*\})?|\\\\(?:\s*\*?\s*\[[^\]\n]{0,20}\])?|\\[\[\]()]|\$\$?|&"
 )
 _HEADING = re.compile(
     r"\\(?P<level>part|chapter|section|subsection|subsubsection|paragraph|subparagraph)\*?"

@@ -114,6 +114,7 @@ BUILT_IN: dict[str, Callable[[Mouth], list[Token]]] = {
     r"\texorpdfstring": _kept(2, 0),
     r"\unexpanded": _kept(1, 0),
     r"\@gobble": _kept(1, None),
+    r"\vphantom": _kept(1, None),
     r"\noexpand": _kept(0, None),
     r"\ifstrempty": _choose(_empty),
     r"\ifblank": _choose(_blank),

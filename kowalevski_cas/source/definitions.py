@@ -98,7 +98,8 @@ class Definer:
         if self.uncertain and isinstance(meaning, Flag):
             meaning = Flag(None)
         elif self.uncertain:
-            meaning = Unclear(f"{name} is defined in a conditional, which is not executed")
+            why = f"{name} is defined in a conditional, which is not executed"
+            meaning = Unclear(why, perhaps=True)
         self.meanings.define(name, meaning, self.everywhere)
 
     def _change(self, command: str) -> None:

@@ -40,8 +40,8 @@ _UNSEEN = re.compile(
 )
 """What no terminal and no page is to be given: it prints as nothing, or turns what is printed."""
 _NAMED = re.compile(
-    r"\\(?:(?P<input>input|include|subfile)\s*(?:\{(?P<name>[^{}]*)\}|(?P<bare>[^\s{}\\%]+))"
-    r"|(?P<use>usepackage|RequirePackage|documentclass|LoadClass)\s*(?:\[[^\]]*\])?\s*\{(?P<styles>[^{}]*)\})"
+    r"\\(?:(?P<input>input|include|subfile)(?![A-Za-z])\s*(?:\{(?P<name>[^{}]*)\}|(?P<bare>[^\s{}\\%]+))"
+    r"|(?P<use>usepackage|RequirePackage|documentclass|LoadClass)(?![A-Za-z])\s*(?:\[[^\]]*\])?\s*\{(?P<styles>[^{}]*)\})"
 )
 _SUFFIX = {"documentclass": ".cls", "LoadClass": ".cls"}
 

@@ -9,7 +9,8 @@ from itertools import islice
 
 from kowalevski_cas.source.comments import commented, find_comments
 from kowalevski_cas.source.displays import Typed, find_formulas
-from kowalevski_cas.source.macros import Expanded, expand
+from kowalevski_cas.source.expanded import Expanded
+from kowalevski_cas.source.macros import expand
 from kowalevski_cas.source.text import Source, SourceError
 
 MOST = 20_000

@@ -5,13 +5,14 @@ What is written out remembers from where in the file it came, and what of it can
 
 from __future__ import annotations
 
-from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
 
 from kowalevski_cas.source.built_in import BUILT_IN
 from kowalevski_cas.source.conditionals import Conditionals
-from kowalevski_cas.source.definitions import EVERYTHING, Definer, environment
+from kowalevski_cas.source.definitions import Definer, environment
+from kowalevski_cas.source.displays import DISPLAYS
+from kowalevski_cas.source.expanded import Expanded, Output
+from kowalevski_cas.source.groups import Groups
 from kowalevski_cas.source.meanings import (
     Alias,
     Environment,
@@ -22,7 +23,7 @@ from kowalevski_cas.source.meanings import (
     Unclear,
 )
 from kowalevski_cas.source.mouth import Malformed, Mouth
-from kowalevski_cas.source.parameters import NO_VALUE
+from kowalevski_cas.source.packages import Files
 from kowalevski_cas.source.tex import Token, is_word, stripped, typed
 from kowalevski_cas.source.text import Source, SourceError
 
@@ -34,62 +35,6 @@ LONGEST = 8_000_000
 """Tokens that all macros of a file may be written out as."""
 MOST_NOTES = 20
 """Things that are not understood, after which no more are told."""
-
-_MATHEMATICS = frozenset(
-    "equation displaymath eqnarray align alignat flalign gather multline dmath math".split()
-)
-_WORDS = frozenset(rf"\{name}" for name in "text mbox hbox textrm intertext fbox parbox".split())
-_CLOSING = {r"\]": r"\[", r"\)": r"\(", "}": "{"}
-_OPENING = frozenset(_CLOSING.values())
-
-
-@dataclass
-class Expanded:
-    """A text with macros written out, and where each part of it stands in the file."""
-
-    text: str
-    body: int
-    """The offset in the text at which the document begins."""
-    notes: list[tuple[int, str]]
-    """Offsets in the file, and what is to be said about the place."""
-    unclear: list[tuple[int, int, str]] = field(default_factory=list)
-    """Intervals of the text that cannot be told, and why."""
-    _starts: list[int] = field(default_factory=list)
-    _pieces: list[tuple[int, int, bool]] = field(default_factory=list)
-
-    def __post_init__(self) -> None:
-        """Sort what is asked for by its place."""
-        self.unclear.sort()
-        self._ends: list[int] = []
-        """The furthest end of an unclear interval up to each one."""
-        for _, end, _ in self.unclear:
-            self._ends.append(max(end, self._ends[-1]) if self._ends else end)
-
-    def origin(self, start: int, end: int) -> tuple[int, int]:
-        """The interval of the file that printed an interval of the text."""
-        first = self._at(start)
-        last = self._at(max(start, end - 1))
-        return first[0], last[1]
-
-    def _at(self, offset: int) -> tuple[int, int]:
-        index = max(0, bisect_right(self._starts, offset) - 1)
-        if index >= len(self._pieces):
-            return offset, offset + 1
-        start, end, literal = self._pieces[index]
-        if literal:
-            place = start + offset - self._starts[index]
-            return place, place + 1
-        return start, end
-
-    def why(self, start: int, end: int) -> str:
-        """Why an interval of the text cannot be told; empty if it can."""
-        first = bisect_left(self._ends, start)
-        for begin, stop, why in self.unclear[first:]:
-            if begin > end:
-                break
-            if stop >= start:
-                return why
-        return ""
 
 
 def expand(source: Source) -> Expanded:
@@ -108,21 +53,11 @@ class _Writer:
         self.conditionals = Conditionals(self.mouth, self.meanings)
         self.notes = self.definer.notes
         self.body = 0
-        self.later: list[list[Token]] = []
-        """What is executed where the document begins."""
-        self.out: list[str] = []
-        self.starts: list[int] = []
-        self.pieces: list[tuple[int, int, bool]] = []
-        self.size = 0
-        self.unclear: list[tuple[int, int, str]] = []
+        self.output = Output()
         self.spans: list[tuple[str, int, str]] = []
         """Open environments that cannot be told, where they begin, and why."""
-        self.lost = -1  # where in the text nothing can be told any more, to the end of a group
-        self.lost_why = ""
-        self.options: list[str] = []
-        """The options with which the last style is used."""
-        self.declared: dict[str, list[Token]] = {}
-        """What the options of a style do."""
+        self.files = Files(self.mouth, self.definer, self.conditionals)
+        self.groups = Groups(self.mouth, self.meanings, self.output, self.notes)
         self.begun = Token("")
         self.mark = (0, 0, 0)
         self.calls = self.call_tokens = self.tokens = 0
@@ -133,7 +68,7 @@ class _Writer:
             r"\fi": self.fi,
             r"\makeatletter": lambda _: self.at_is_letter(True),
             r"\makeatother": lambda _: self.at_is_letter(False),
-            r"\AtBeginDocument": lambda _: self.later.append(self.mouth.argument()),
+            r"\AtBeginDocument": self.files.postpone,
             r"\AtEndDocument": lambda _: void(self.mouth.argument()),
             r"\global": lambda _: setattr(self.definer, "everywhere", True),
             r"\long": void, r"\protected": void, r"\outer": void, r"\relax": void,
@@ -142,17 +77,17 @@ class _Writer:
             r"\endgroup": self.close_group,
             r"\egroup": self.close_group,
             r"\aftergroup": void,
-            r"\sp": lambda token: self.emit(token._replace(text="^", literal=False)),
-            r"\sb": lambda token: self.emit(token._replace(text="_", literal=False)),
+            r"\sp": lambda token: self.output.emit(token._replace(text="^", literal=False)),
+            r"\sb": lambda token: self.output.emit(token._replace(text="_", literal=False)),
             r"\kern": self.kern,
-            r"\input": self.input,
-            r"\include": self.input,
-            r"\usepackage": self.use,
-            r"\RequirePackage": self.use,
-            r"\documentclass": self.use,
-            r"\LoadClass": self.use,
-            r"\DeclareOption": self.declare_option,
-            r"\ProcessOptions": self.process_options,
+            r"\input": self.files.input,
+            r"\include": self.files.input,
+            r"\usepackage": self.files.use,
+            r"\RequirePackage": self.files.use,
+            r"\documentclass": self.files.use,
+            r"\LoadClass": self.files.use,
+            r"\DeclareOption": self.files.declare_option,
+            r"\ProcessOptions": self.files.process_options,
             r"\ExplSyntaxOn": self.skip_code,
             r"\expandafter": self.expand_after,
             r"\csname": self.by_name,
@@ -167,22 +102,21 @@ class _Writer:
                 if before != in_style:
                     self.mouth.at_is_letter = in_style
             if token.literal:
-                self.begun, self.mark = token, (len(self.out), self.size, len(self.meanings.kinds))
+                depth = len(self.meanings.kinds)
+                self.begun, self.mark = token, (len(self.output.out), self.output.size, depth)
                 self.calls = self.call_tokens = 0
             try:
                 self.one(token)
             except Malformed as error:
                 self.note(token, f"{token.text}: {error}")
-                self.emit(token, str(error))
+                self.output.emit(token, str(error))
         while self.spans:
             self.ended(self.spans[-1][0])
-        self.found()
+        self.groups.found()
         if len(self.notes) > MOST_NOTES:
             rest = len(self.notes) - MOST_NOTES
             self.notes[MOST_NOTES:] = [(self.notes[MOST_NOTES][0], f"and {rest} notes like these")]
-        return Expanded(
-            "".join(self.out), self.body, self.notes, self.unclear, self.starts, self.pieces
-        )
+        return self.output.expanded(self.body, self.notes)
 
     def note(self, token: Token, words: str) -> None:
         """Say something about a place of the file."""
@@ -194,7 +128,7 @@ class _Writer:
         """Execute a token, or write it."""
         text = token.text
         if text[0] != "\\" and text not in self.mouth.active:
-            self.sign(token)
+            self.groups.sign(token)
             return
         self.definer.uncertain = self.conditionals.uncertain
         meaning = self.meanings.get(text)
@@ -205,11 +139,11 @@ class _Writer:
         elif isinstance(meaning, Alias):
             self.command(token._replace(text=meaning.text, literal=False))
         elif isinstance(meaning, Unclear):
-            self.emit(token, meaning.why)
+            self.output.emit(token, meaning.why)
         elif isinstance(meaning, Setter):
             self.definer.define(meaning.flag, Flag(meaning.value))
         elif isinstance(meaning, Flag):
-            self.conditionals.start(text, self.size, self.mathematics)
+            self.conditionals.start(text, self.output.size, self.groups.mathematics)
 
     def command(self, token: Token) -> None:
         """Execute what TeX and LaTeX provide, as far as it is known here; or write it."""
@@ -217,13 +151,13 @@ class _Writer:
         if text in self.commands:
             self.commands[text](token)
         elif self.definer.run(token):
-            self.check_lost()
+            self.groups.check_lost()
         elif text in BUILT_IN:
             self.put(token, BUILT_IN[text](self.mouth))
         elif text[:3] == r"\if" and self.conditionals.begins(text):
-            self.conditionals.start(text, self.size, self.mathematics)
+            self.conditionals.start(text, self.output.size, self.groups.mathematics)
         else:
-            self.sign(token)
+            self.groups.sign(token)
 
     def call(self, token: Token, macro: Macro) -> None:
         """A macro comes next as what it stands for."""
@@ -250,69 +184,15 @@ class _Writer:
         begun = self.begun
         while self.mouth.waiting and not self.mouth.waiting[-1].literal:
             self.mouth.waiting.pop()
-        count, self.size, depth = self.mark
+        count, size, depth = self.mark
         while len(self.meanings.kinds) > depth:
-            self.close(self.meanings.kinds[-1])
-        del self.out[count:], self.starts[count:], self.pieces[count:]
+            self.groups.close(self.meanings.kinds[-1])
+        self.output.back(count, size)
         why = f"the macro {begun.text} expands into itself, or into too much; it is left alone"
         self.note(begun, why)
-        self.emit(begun, why)
+        self.output.emit(begun, why)
 
-    # -- groups ---------------------------------------------------------------------
-
-    def sign(self, token: Token) -> None:
-        """Write a token; it may begin or end a group."""
-        text = token.text
-        if text in _CLOSING:
-            self.emit(token)
-            self.close(_CLOSING[text])
-        elif text in _OPENING:
-            before = self.out[-1] if self.out else ""
-            self.meanings.open("words" if text == "{" and before in _WORDS else text)
-            self.emit(token)
-        elif text in ("$", "$$"):
-            self.emit(token)
-            for one in [text] if text not in self.meanings.kinds and text == "$$" else [*text]:
-                kinds = self.meanings.kinds
-                if one in kinds and (one == "$$" or "words" not in kinds[kinds.index(one) :]):
-                    self.close(one)
-                else:
-                    self.meanings.open(one)
-        else:
-            self.emit(token)
-
-    def close(self, kind: str) -> None:
-        """A group ends, and with it what could not be told in it."""
-        kinds = self.meanings.kinds
-        if kind == "{" and "words" in kinds and "{" not in kinds[_last(kinds, "words") :]:
-            kind = "words"
-        self.meanings.close(kind)
-        self.check_lost()
-
-    @property
-    def mathematics(self) -> bool:
-        """Whether a formula is written now."""
-        for kind in reversed(self.meanings.kinds):
-            if kind == "words":
-                return False
-            if kind in ("$", "$$", r"\[", r"\(") or kind in _MATHEMATICS:
-                return True
-        return False
-
-    def check_lost(self) -> None:
-        """Begin or end an interval of which nothing can be told."""
-        meaning = self.meanings.get(EVERYTHING)
-        if isinstance(meaning, Unclear) and self.lost < 0:
-            self.lost, self.lost_why = self.size, meaning.why
-            self.notes.append((self.mouth.last, meaning.why))
-        elif meaning is None:
-            self.found()
-
-    def found(self) -> None:
-        """An interval ends of which nothing could be told."""
-        if self.lost >= 0:
-            self.unclear.append((self.lost, self.size, self.lost_why))
-            self.lost = -1
+    # -- environments ---------------------------------------------------------------
 
     def begin(self, token: Token) -> None:
         """An environment begins."""
@@ -324,13 +204,13 @@ class _Writer:
             self.call(token._replace(end=end), meaning.begin)
             return
         self.meanings.open(name.rstrip("*"))
-        self.write(rf"\begin{{{name}}}", token.start, end)
-        if isinstance(meaning, Unclear):
-            self.spans.append((name, self.size, meaning.why))
+        self.output.write(rf"\begin{{{name}}}", token.start, end)
+        if isinstance(meaning, Unclear) and (not meaning.perhaps or name.rstrip("*") in DISPLAYS):
+            self.spans.append((name, self.output.size, meaning.why))
         if name == "document":
             self.meanings.close("document")  # what is defined in the document holds to its end
-            self.body = self.size
-            for tokens in reversed(self.later):
+            self.body = self.output.size
+            for tokens in reversed(self.files.later):
                 self.put(token, tokens)
 
     def end(self, token: Token) -> None:
@@ -343,14 +223,14 @@ class _Writer:
             self.put(token, [*body, Token(r"\endgroup", token.start, end)])
             return
         self.ended(name)
-        self.write(rf"\end{{{name}}}", token.start, end)
-        self.close(name.rstrip("*"))
+        self.output.write(rf"\end{{{name}}}", token.start, end)
+        self.groups.close(name.rstrip("*"))
 
     def ended(self, name: str) -> None:
         """An environment that cannot be told ends."""
         if self.spans and self.spans[-1][0] == name:
             _, begin, why = self.spans.pop()
-            self.unclear.append((begin, self.size, why))
+            self.output.lose(begin, why)
 
     # -- commands -------------------------------------------------------------------
 
@@ -358,8 +238,7 @@ class _Writer:
         """A conditional ends."""
         begin = self.conditionals.open.pop() if self.conditionals.open else None
         if begin is not None:
-            why = "it stands in a conditional, which is not executed"
-            self.unclear.append((begin, self.size, why))
+            self.output.lose(begin, "it stands in a conditional, which is not executed")
 
     def open_group(self, token: Token) -> None:
         """A group begins that prints no brace."""
@@ -367,7 +246,7 @@ class _Writer:
 
     def close_group(self, token: Token) -> None:
         """A group ends that prints no brace."""
-        self.close(r"\begingroup")
+        self.groups.close(r"\begingroup")
 
     def kern(self, token: Token) -> None:
         """A length by name prints nothing."""
@@ -375,40 +254,7 @@ class _Writer:
         if is_word(self.mouth.peek()):
             self.mouth.visible()
         else:
-            self.emit(token)
-
-    def input(self, token: Token) -> None:
-        """The text of another file follows, if it was to be found when the files were read."""
-        name = typed(self.mouth.argument() if self.mouth.peek() == "{" else self.bare_name())
-        if not token.literal:
-            self.note(token, f"{name} is named by a macro; it is not read")
-
-    def bare_name(self) -> list[Token]:
-        """The name of a file without braces, up to a blank."""
-        found = []
-        while (one := self.mouth.character()) is not None and not one.text.isspace():
-            found.append(one)
-        return found
-
-    def use(self, token: Token) -> None:
-        """A style, of which the text follows if it stands beside the paper."""
-        options = self.mouth.bracketed("[", "]") or []
-        self.mouth.argument()
-        self.options = [name.strip() for name in typed(options).split(",")]
-        self.declared = {}
-
-    def declare_option(self, token: Token) -> None:
-        """What an option of a style does."""
-        star = self.mouth.skips("*")
-        name = "" if star else typed(self.mouth.argument()).strip()
-        self.declared[name] = self.mouth.argument()
-
-    def process_options(self, token: Token) -> None:
-        """The options that the style is used with do what they do."""
-        self.mouth.skips("*")
-        for name in reversed(self.options):
-            if name in self.declared:
-                self.put(token, self.declared[name])
+            self.output.emit(token)
 
     def at_is_letter(self, value: bool) -> None:
         """The sign @ is a letter from here on, or is none."""
@@ -450,32 +296,6 @@ class _Writer:
             raise Malformed("this name cannot be told")
         name = "\\" + "".join(one.text for one in tokens)
         self.mouth.put_back([Token(name, token.start, max(token.end, self.mouth.last))])
-
-    # -- writing --------------------------------------------------------------------
-
-    def emit(self, token: Token, why: str = "") -> None:
-        """Write a token; ``why`` it cannot be told what it means, if so."""
-        text = token.text
-        begin = self.size
-        before = self.out[-1] if self.out else ""
-        if text[:1].isalpha() and is_word(before):
-            self.write(" ", token.start, token.start + 1 if token.literal else token.end)
-        if text == NO_VALUE:
-            why = "an argument is missing"
-        self.write(text, token.start, token.end, token.literal)
-        if why:
-            self.unclear.append((begin, self.size, why))
-
-    def write(self, text: str, start: int, end: int, literal: bool = False) -> None:
-        """Write some text that comes from an interval of the file."""
-        self.starts.append(self.size)
-        self.pieces.append((start, end, literal))
-        self.out.append(text)
-        self.size += len(text)
-
-
-def _last(kinds: Sequence[str], kind: str) -> int:
-    return len(kinds) - 1 - [*reversed(kinds)].index(kind)
 
 
 def void(_: object) -> None:

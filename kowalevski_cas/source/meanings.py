@@ -74,6 +74,8 @@ class Unclear:
     """A name of which the meaning cannot be told, and why."""
 
     why: str
+    perhaps: bool = False
+    """Whether it may not be defined at all."""
 
 
 @dataclass(frozen=True)

@@ -52,10 +52,10 @@ def normal(tokens: Iterable[Token]) -> list[Token]:
     found: list[Token] = []
     for token in tokens:
         if token.text.isspace():
-            if found and (is_word(found[-1].text) or found[-1].text == " "):
-                continue
-            text = r"\par" if PARAGRAPH.search(token.text) else " "
-            found.append(token._replace(text=text, literal=False))
+            if not found or not (is_word(found[-1].text) or found[-1].text == " "):
+                found.append(token._replace(text=" ", literal=False))
+            if PARAGRAPH.search(token.text):
+                found.append(token._replace(text=r"\par", literal=False))
         elif len(token.text) > 1 and token.text[0] not in "\\#$":
             found.extend(characters(token))
         else:

@@ -58,6 +58,11 @@ def open_ones(run: Run) -> list[Outcome]:
     return [o for o in run.outcomes if o.verdict in (Verdict.TIMEOUT, Verdict.ERROR)]
 
 
+def _unordered(value: object) -> object:
+    """What is recorded, whatever the order in which conditions were found."""
+    return sorted(map(str, value)) if isinstance(value, list) else value
+
+
 def _text(value: object) -> str:
     return json.dumps(value, indent=1, ensure_ascii=False) + "\n"
 
@@ -90,7 +95,7 @@ def differences(
             result.append(Difference(claim, "not in the record", str(now["verdict"])))
             continue
         for key, value in now.items():
-            if then.get(key) != value:
+            if _unordered(then.get(key)) != _unordered(value):
                 result.append(Difference(claim, _shown(key, then.get(key)), _shown(key, value)))
     if whole:
         gone = [claim for claim in record if claim not in found]

@@ -16,6 +16,7 @@ from kowalevski_cas.library import library
 from kowalevski_cas.limits import ProcessDied, tell, time_limit, watched
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
@@ -28,6 +29,9 @@ from kowalevski_cas.verify.confirm import Disagreement, receive
 from kowalevski_cas.verify.mender import Mender
 from kowalevski_cas.verify.outcome import CORRECTED, Correction, Outcome, Run, Screened, Verdict
 from kowalevski_cas.verify.statement import Statement
+
+FALSE_AS_READ = "false as it was read"
+"""The words for a claim that fails, and that may have been meant otherwise."""
 
 Progress = Callable[[str, int, int], None]
 
@@ -113,13 +117,24 @@ class Session(Mender):
             author=derivation.author,
             source=derivation.source,
             sections=tuple((s.number, s.title) for s in derivation.sections),
-            outcomes=tuple(outcomes),
+            outcomes=tuple(map(self.settled, outcomes)),
             arithmetics=tuple(self.arithmetics),
             versions={},
             vocabulary=self.texts.vocabulary,
             edition=derivation.edition,
             main=derivation.main,
         )
+
+    def settled(self, outcome: Outcome) -> Outcome:
+        """An outcome, undecided if what is refuted may have been meant otherwise."""
+        doubt = self.derivation.doubts.get(outcome.claim)
+        mended = outcome.correction is not None and doubt is not Doubt.ALWAYS
+        if outcome.verdict is not Verdict.REFUTED or doubt is None or mended:
+            return outcome
+        return outcome._replace(
+            verdict=Verdict.UNDECIDED, message=FALSE_AS_READ, certificate="", correction=None,
+            alternatives=(),
+        )  # fmt: skip
 
     def outcome(self, claim: Claim) -> Outcome:
         """The outcome for one claim; it is undecided if something that it rests on is."""

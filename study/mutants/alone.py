@@ -1,10 +1,10 @@
 """Mutants of a paper that is its own derivation: what becomes of the claims that were proved.
 
 A mutant is *noticed* if a claim that was green turns red, or yellow with the changed formula named.
-It is excluded, and counted, if that cannot be: it says the same by algebra (equivalent), all that
-rested on it is proved of the changed paper too (harmless), or nothing green rested on it (unused).
-It is *lost* if a claim is no longer green and nothing is said of the changed formula. Worst is what
-is green on a supposition on which it was not green before: *strange*.
+It is excluded, and counted, if that cannot be: it says the same by algebra (equivalent), or all
+that rested on it is proved of the changed paper too (harmless). It is *lost* if a claim is no
+longer green and nothing is said of the changed formula. Worst is what is green on a supposition on
+which it was not green before: *strange*.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ from study.mutants.mutant import Mutant, sample
 
 ROLES = (LAW, DEFINITION, ASSUMPTION, CLAIM)
 NOTICED, LOST, STRANGE, LATE = "noticed", "lost", "strange", "late"
-EQUIVALENT, HARMLESS, UNUSED = EXCLUDED = "equivalent", "harmless", "unused"
+EQUIVALENT, HARMLESS = EXCLUDED = "equivalent", "harmless"
 
-DRAWS = 12
+DRAWS = 40
 """How many mutants are drawn for each that is wanted of a role."""
 
 
@@ -88,8 +88,6 @@ class Alone:
     def end(self, mutant: Mutant, changed: Audited) -> tuple[str, str]:
         """What becomes of a mutant, and the claim that shows it, or the reason."""
         resting = self.resting(changed)
-        if not resting:
-            return UNUSED, "nothing green rests on it"
         found = _audit(Source(self.path, mutant.text), self.timeout)
         pairs = list(zip(self.base.formulas, _paired(self.base, found), strict=True))
         now = {one.name: other for one, other in pairs}
@@ -169,12 +167,12 @@ def _audited(work: Alone) -> Audit:
     return _audit(Source(work.path, work.text), work.timeout)
 
 
-def drawn(audit: Audit, size: int, random: Random) -> list[Mutant]:
-    """Mutants of the formulas of each role that can be noticed: as many of each as there are."""
-    roles = {formula.place: formula.role for formula in audit.formulas}
+def drawn(work: Alone, size: int, random: Random) -> list[Mutant]:
+    """Mutants of the formulas of each role on which something green rests: as many as there are."""
+    roles = {one.place: one.role for one in work.base.formulas if work.resting(one)}
     found: list[Mutant] = []
     counts: Counter[str] = Counter()
-    for mutant in sample(audit, DRAWS * size, random):
+    for mutant in sample(work.base, DRAWS * size, random):
         role = roles.get(mutant.printed, "")
         if role in ROLES and counts[role] < size:
             counts[role] += 1

@@ -88,12 +88,12 @@ def _alone(arguments: argparse.Namespace, seed: int) -> int:
 
     def measured(source: Source) -> Fates:
         work = Alone(source.path, source.text, arguments.timeout)
-        return fates(work, drawn(work.base, arguments.sample, random.Random(seed)), pool)
+        return fates(work, drawn(work, arguments.sample, random.Random(seed)), pool)
 
     (found,) = session.watched(measured, [source])
     pool.forget()
     if not found.results:
-        raise CommandError("no mutants can be made of this source", NOTHING)
+        raise CommandError("nothing green rests on what can be changed", NOTHING)
     print(report_alone(found), end="")
     return DIFFERENT if found.of(STRANGE, LOST) else UNDECIDED if found.of(LATE) else AS_RECORDED
 

@@ -223,7 +223,9 @@ class Names:
             return base ** rest[1] if rest[1] >= 0 else 1 / base ** -rest[1]
         if op == "sqrt":
             wanted = self.value(rest[0], values)
-            for name, radicand in self.radicands.items():
+            for name, radicand in sorted(
+                self.radicands.items(), key=lambda one: one[0][:5] != "\\sqrt"
+            ):
                 if self.value(radicand, values) == wanted:
                     return values[name]
             raise Untrue("a root is not declared")

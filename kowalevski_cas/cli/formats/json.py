@@ -92,6 +92,7 @@ def audited(audit: Audit) -> str:
         **_assumed(audit),
         "formulas": [_formula(formula) for formula in audit.formulas],
         "statements": [_statement(audit, outcome) for outcome in audit.statements],
+        "uncovered": [one._asdict() for one in audit.uncovered],
         "summary": {
             "source": audit.source.path,
             "derivation": audit.session.derivation.name,

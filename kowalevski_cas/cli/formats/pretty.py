@@ -24,6 +24,10 @@ if TYPE_CHECKING:
     from kowalevski_cas.audit.audited import Audited
 
 
+SHORT = 120
+"""Characters that are shown of a sentence."""
+
+
 def render(results: Sequence[Result]) -> str:
     """Each derivation with what was found in it, each slip once; those with findings last."""
     shown = [told(result) for result in sorted(results, key=_worst)]
@@ -142,6 +146,7 @@ class Told:
                     *reading.told(audit, self.phrases),
                     *self.wrong(),
                     *details,
+                    *self.uncovered(),
                     "",
                     *self.summary(),
                     "",
@@ -211,6 +216,21 @@ class Told:
         if against is not None and self.evidence:
             shown.append(Paragraph(self.phrases.values(against)))
         yield from plain.lines(shown, 2)
+
+    def uncovered(self) -> Iterator[str]:
+        """What the text claims and no verdict covers; formulas once, with their lines."""
+        listed = self.audit.uncovered
+        if listed:
+            yield from ("", "What the text claims and no verdict covers")
+        lines: dict[str, list[str]] = {}
+        for one in listed:
+            if one.kind == "formula":
+                lines.setdefault(one.words, []).append(str(one.line))
+            else:
+                words = one.words if len(one.words) <= SHORT else f"{one.words[: SHORT - 1]}…"
+                yield from plain.wrapped(f"{one.line}: {words}")
+        formulas = (f"{words} ({', '.join(places)})" for words, places in lines.items())
+        yield from plain.wrapped("; ".join(formulas)) if lines else ()
 
     def summary(self) -> Iterator[str]:
         """How many there are of each verdict."""

@@ -25,4 +25,5 @@ from kowalevski_cas.paper.claims.measure import LastMultiplier
 from kowalevski_cas.paper.claims.poisson import Casimir, Involution, Jacobi, LiouvilleIntegrable
 from kowalevski_cas.paper.claims.reality import Reality
 from kowalevski_cas.paper.claims.scaling import Scaling
+from kowalevski_cas.paper.claims.solutions import EqualSolutions
 from kowalevski_cas.paper.claims.union import Union
