@@ -22,7 +22,7 @@ from kowalevski_cas.notation.latex import bracketed, to_latex
 from kowalevski_cas.notation.layout import split_display
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.misprints import misprints, only_change
-from kowalevski_cas.notation.reader import Path, Statement, read_display
+from kowalevski_cas.notation.reader import Path, PrintedStatement, read_display
 from kowalevski_cas.notation.tokens import BRACE
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
@@ -41,7 +41,7 @@ class Edit:
     path: Path
     replacement: Formula
     words: str
-    statement: Statement = field(repr=False)
+    statement: PrintedStatement = field(repr=False)
     vocabulary: Vocabulary = field(repr=False, compare=False)
 
     @property
@@ -111,7 +111,7 @@ class Edit:
 
 
 def edits(
-    statement: Statement,
+    statement: PrintedStatement,
     vocabulary: Vocabulary,
     names: frozenset[str] | None = None,
     wanted: Formula | None = None,
@@ -149,7 +149,7 @@ def replace(formula: Formula, path: Path, new: Formula) -> Formula:
     if first >= len(formula.children()):
         raise IndexError(f"no child {first} in {type(formula).__name__}")
     places = count()
-    return formula.mapped(
+    return formula.map_children(
         lambda child: replace(child, tuple(rest), new) if next(places) == first else child
     )
 
@@ -162,7 +162,7 @@ def substitute(formula: Formula, values: Mapping[str, Formula]) -> Formula:
     """
     if isinstance(formula, Name):
         return values.get(formula.name, formula)
-    return formula.mapped(lambda child: substitute(child, values))
+    return formula.map_children(lambda child: substitute(child, values))
 
 
 def changes_subject(edit: Edit) -> bool:

@@ -108,7 +108,7 @@ SPELLING: dict[str, str] = {
         r"\boldsymbol": "bs bm pmb boldmath mathbfit symbfit",
         r"\mathrm": "rm operatorname operatorname* symup mathup",
         r"\mathbf": "bf mathbfup symbf", r"\mathsf": "sf", r"\mathcal": "cal",
-        "": "mathit mathnormal symit",
+        "": "mathnormal", r"\mathit": "symit",
         r"\vec": "overrightarrow", r"\hat": "widehat", r"\tilde": "widetilde", r"\overline": "bar",
         "(": "lparen", ")": "rparen", r"\{": "lbrace", r"\}": "rbrace", "[": "lbrack",
         "]": "rbrack", r"\lvert": "lVert", r"\rvert": "rVert",

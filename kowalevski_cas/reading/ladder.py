@@ -181,11 +181,7 @@ class _Ladder:
 
     def invariant(self) -> Iterator[Rung]:
         """That no motion leaves a set; its equations are claimed together."""
-        relations = tuple(
-            one
-            for one, role in self.known.roles.items()
-            if one.typed is self.item.typed and role.kind == "invariant"
-        )
+        relations = self._set()
         if relations and relations[0] is self.item:
             says = "no motion leaves the set of these equations"
             places = _places(relations)
@@ -193,6 +189,18 @@ class _Ladder:
                 yield self.rung(
                     InvariantRelations, says, assumptions, (), relations, relations=places
                 )
+
+    def _set(self) -> tuple[Item, ...]:
+        """The equations of the set: those of a display, or side by side in the text."""
+        found: list[list[Item]] = []
+        own = [one for one, role in self.known.roles.items() if role.kind == "invariant"]
+        for one in sorted(own, key=lambda one: one.order):
+            before = found[-1][-1] if found else None
+            if before and (one.typed is before.typed or _beside(before, one)):
+                found[-1].append(one)
+            else:
+                found.append([one])
+        return next((tuple(items) for items in found if self.item in items), ())
 
     # -- all -------------------------------------------------------------------------
 
@@ -211,6 +219,13 @@ class _Ladder:
             attributes.setdefault("printed", self.item.printed)
         claim = kind(self.id, found.scene, says, **attributes)  # type: ignore[arg-type]
         return Rung(claim, (*found.assumptions, *on), found.constants, (*on,))
+
+
+def _beside(one: Item, other: Item) -> bool:
+    """Whether two formulas stand side by side in a line of text, with nothing but an “and”."""
+    inline = one.typed.inline and other.typed.inline and one.sentence == other.sentence
+    between = other.lead.strip(" ,;~\n")
+    return inline and other.order == one.order + 1 and between in ("", "and", "и")
 
 
 def _places(items: Sequence[Item]) -> tuple[Printed, ...]:

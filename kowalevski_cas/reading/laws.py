@@ -140,20 +140,21 @@ class _Finder:
         own = [row for row in self.rows if row.typed is first.typed]
         while True:
             rated = {name for row in own for name in self.scalars(row)}
-            wanted = {
-                name
-                for row in own
-                for name in self.names.scalars(row.names)
-                if name not in rated
-            }  # fmt: skip
+            wanted = {name for row in own for name in self.names.scalars(row.names)}
+            if self.given(own) >= len(rated):  # else a rate stands on a right side only
+                wanted -= rated
             more = self.following(own, wanted, apart)
             if not more:
                 break
             own += more
         rated_names = {name for row in own for name in self.scalars(row)}
-        if sum(len(self.names.vectors.get(_left(row), "1")) for row in own) < len(rated_names):
+        if self.given(own) < len(rated_names):
             return None
         return Law(tuple(sorted(own, key=lambda row: row.order)), self.names)
+
+    def given(self, rows: Sequence[Item]) -> int:
+        """How many rates some rows give, each one or those of a vector."""
+        return sum(len(self.names.vectors.get(_left(row), "1")) for row in rows)
 
     def following(
         self, own: Sequence[Item], wanted: Collection[str], apart: Collection[str]

@@ -48,6 +48,14 @@ def role_of(item: Item, known: Known) -> Role:
     return inferred if found is None else said_role(found, item, inferred, known)
 
 
+_VERB = re.compile(
+    r"[\s~]*(?:(?:also|thus|hence)\s+)?"
+    r"(?:is|are|remains?|stays?|does|do|сохран|постоян|не\s+меня|есть|явля|оста[её]тся|[-—–]+\s)",
+    re.IGNORECASE,
+)
+"""What says of the expression before it that it is something, or does something."""
+
+
 # -- what states nothing ---------------------------------------------------------------
 
 
@@ -62,7 +70,7 @@ def expression(item: Item, known: Known) -> Role | None:
         return None
     if isinstance(item.formula, Name):
         return Role(NOTATION, "a name")
-    said = cue("integral", item.tail[:40]) if item.tail[:20].split(",")[0] else ""
+    said = cue("integral", item.tail[:40]) if _VERB.match(item.tail) else ""
     if said and known.varying(item.names):
         if role := unjudged(item, known):
             return role

@@ -10,7 +10,7 @@ from functools import cached_property
 
 from kowalevski_cas.notation import Derivative, Formula, Name, NotationError, Relation, Vocabulary
 from kowalevski_cas.notation.cursor import BOLD
-from kowalevski_cas.notation.layout import Placed
+from kowalevski_cas.notation.layout import StatementTokens
 from kowalevski_cas.notation.layout import statements as placed
 from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
@@ -205,7 +205,7 @@ def _read(
         yield None, formula.trouble, whole
         return
     try:
-        found: Sequence[Placed] = placed(formula.tex)
+        found: Sequence[StatementTokens] = placed(formula.tex)
     except NotationError as error:
         yield None, error.message, whole
         return

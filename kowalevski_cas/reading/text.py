@@ -102,7 +102,11 @@ class Prose:
     def sections(self) -> list[Section]:
         """The parts of the text, in the order in which they begin."""
         heads = [
-            (found.start(), _level(found), " ".join((found["title"] or found["bold"]).split()))
+            (
+                found.start(),
+                _level(found),
+                " ".join((found["title"] or found["bold"] or "").split()),
+            )
             for found in _HEADING.finditer(self.text, self.start)
         ]
         heads += [(start, level, name) for start, level, name in self._environments()]

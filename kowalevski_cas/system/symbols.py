@@ -10,7 +10,7 @@ from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.sympy import from_sympy
 
 
-def printed(expression: Any, known: dict[str, Any]) -> str:
+def latex_of(expression: Any, known: dict[str, Any]) -> str:
     """An expression of SymPy in LaTeX; its symbols are entered by their names into what is known.
 
     Raises ``ValueError`` if a symbol cannot be printed as a name, if another one is printed so, and
@@ -27,7 +27,7 @@ def _name(symbol: Any, known: dict[str, Any]) -> str:
         raise ValueError(f"the symbol {symbol.name}: {said}; leave it out")
     for tex in (latex(symbol), rf"\mathrm{{{symbol.name}}}"):
         with suppress(NotationError):
-            formula = read(tex, Vocabulary(), OpenParser)
+            formula = read(tex, Vocabulary(frozenset({tex})), OpenParser)
             if isinstance(formula, Name):
                 if known.setdefault(formula.name, symbol) != symbol:
                     raise ValueError(f"two symbols are printed {formula.name}: rename one")

@@ -116,3 +116,30 @@ def test_an_abstract_is_read_last():
 def test_a_bibliography_holds_no_formulas():
     text = TOP + r"\begin{thebibliography}{9}\bibitem{a} On $H=5$.\end{thebibliography}"
     assert "H=5" not in roles(text)
+
+
+CHARGE = r"""
+\section{A charge} It moves by
+\begin{align}
+m\ddot x &= b\dot y-kx,\label{first}\\
+m\ddot y &= -b\dot x-ky.\label{second}
+\end{align}
+"""
+
+
+def test_a_law_may_have_rates_of_others_on_its_right_sides():
+    found = roles(CHARGE + r"Then $m(\dot x^2+\dot y^2)+k(x^2+y^2)$ is constant.")
+    assert list(found.values()) == [LAW, LAW, CLAIM]
+
+
+def test_by_what_an_equation_is_multiplied_is_no_integral():
+    words = r"Multiplying the first by $\dot x$, the second by $\dot y$ and adding we obtain the energy integral"
+    found = roles(CHARGE + words + r" \[m(\dot x^2+\dot y^2)+k(x^2+y^2)=h.\]")
+    assert [*found.values()].count(CLAIM) == 1
+
+
+@pytest.mark.parametrize("between", [", ", " and ", ",~"])
+def test_equations_side_by_side_are_one_set(between):
+    text = TOP + rf"The set $p=0${between}$q=0$ is invariant."
+    assert verdicts(text) == {"p=0": Verdict.PROVED}
+    assert verdicts(TOP + r"The set $p=0$ is invariant.")["p=0"] is not Verdict.PROVED
