@@ -144,7 +144,7 @@ def decides(goal: Goal) -> bool:
     known here: as a point there may be none.
     """
     for one in simple(goal):
-        if isinstance(one.space, Meaning) and len(one.space.transcendental.groups) > 1:
+        if isinstance(one.space, Meaning) and one.space.transcendental.groups:
             reach = Reach(one.space)
             reach.goal(one)
             if not one.space.transcendental.independent(reach.names):

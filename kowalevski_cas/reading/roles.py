@@ -111,7 +111,7 @@ def unit(item: Item, known: Known) -> Role | None:
     match item.members:
         case (Power(Name("i"), Number(2)), Number() | Negative(Number())):
             return Role(NOTATION, "says what the imaginary unit is", "unit", ("i",))
-        case (Name(name), right) if name in known.paper.words.times and "t" in right.names():
+        case (Name(name), right) if name in known.paper.times and "t" in right.names():
             return Role(DEFINITION, f"gives another time {name}", "clock")
     return None
 
@@ -357,7 +357,7 @@ def _is_fresh(name: str, item: Item, known: Known) -> bool:
     ):
         unclear = any(not known.is_explained(n) for one in found for n in one.names)
         return unclear and all(known.is_explained(n) for n in item.names)
-    if known.moves(function) or function in known.paper.words.times:
+    if known.moves(function) or function in known.paper.times:
         return False
     alone = (Name(function), Power(Name(function), Number(2)))
     if any(function in m.names() for m in item.members if m not in alone) and not arguments:

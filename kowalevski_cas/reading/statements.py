@@ -118,6 +118,14 @@ class Paper:
         )
 
     @cached_property
+    def times(self) -> frozenset[str]:
+        """The names of times: of x and s only where something is derived by them."""
+        formulas = (item.formula for item in self.items if item.formula is not None)
+        nodes = (node for formula in formulas for node in formula.nodes())
+        marks = {node.mark for node in nodes if isinstance(node, Derivative)}
+        return frozenset({"t", r"\tau"} | marks) & self.words.times
+
+    @cached_property
     def labels(self) -> dict[str, list[Item]]:
         """The statements by the labels that cite them."""
         found: dict[str, list[Item]] = {}
