@@ -318,7 +318,7 @@ def _swapped(formula: Formula, pair: tuple[str, str]) -> Formula:
     """A formula with two names, or two functions, in each other's place."""
     if isinstance(formula, Name) and formula.name in pair:
         return Name(pair[pair[0] == formula.name])
-    changed = formula.mapped(lambda child: _swapped(child, pair))
+    changed = formula.map_children(lambda child: _swapped(child, pair))
     if isinstance(changed, Application) and changed.function in pair:
         return Application(pair[pair[0] == changed.function], changed.arguments)
     return changed
