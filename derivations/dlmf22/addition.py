@@ -1,5 +1,7 @@
 r"""22.8. Addition theorems."""
 
+from dataclasses import replace
+
 from kowalevski_cas.paper.derivation import Section
 
 from .setting import dlmf, moduli
@@ -133,4 +135,21 @@ section.identity(
     r"\operatorname{dn}(u+v,k) = \frac{\operatorname{cn}(u,k)\operatorname{dn}(u,k)\operatorname{cn}(v,k)\operatorname{dn}(v,k)+k'^2\operatorname{sn}(u,k)\operatorname{sn}(v,k)}{\operatorname{cn}(u,k)\operatorname{cn}(v,k)+\operatorname{sn}(u,k)\operatorname{dn}(u,k)\operatorname{sn}(v,k)\operatorname{dn}(v,k)}",
     on=on,
     says=dlmf("22.8.18"),
+)
+
+of_sum_zero = section.lemma("22.8.19", "z_4=-(z_1+z_2+z_3)", "https://dlmf.nist.gov/22.8.E19")
+four = replace(on, variables=("z_1", "z_2", "z_3")).defining(of_sum_zero)
+
+section.identity(
+    "22.8.20",
+    r"\begin{vmatrix}\operatorname{sn}(z_1,k)&\operatorname{cn}(z_1,k)&\operatorname{dn}(z_1,k)&1\\\operatorname{sn}(z_2,k)&\operatorname{cn}(z_2,k)&\operatorname{dn}(z_2,k)&1\\\operatorname{sn}(z_3,k)&\operatorname{cn}(z_3,k)&\operatorname{dn}(z_3,k)&1\\\operatorname{sn}(z_4,k)&\operatorname{cn}(z_4,k)&\operatorname{dn}(z_4,k)&1\end{vmatrix}=0",
+    on=four,
+    says=dlmf("22.8.20"),
+)
+
+section.identity(
+    "22.8.21",
+    r"k'^2-k'^2k^2\operatorname{sn}(z_1,k)\operatorname{sn}(z_2,k)\operatorname{sn}(z_3,k)\operatorname{sn}(z_4,k)+k^2\operatorname{cn}(z_1,k)\operatorname{cn}(z_2,k)\operatorname{cn}(z_3,k)\operatorname{cn}(z_4,k)-\operatorname{dn}(z_1,k)\operatorname{dn}(z_2,k)\operatorname{dn}(z_3,k)\operatorname{dn}(z_4,k)=0",
+    on=four,
+    says=dlmf("22.8.21"),
 )

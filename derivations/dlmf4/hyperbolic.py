@@ -201,3 +201,10 @@ section.identity(
     on=of_complex.adjoining(r"\sqrt{\sinh^2x+\cos^2y}"),
     says=dlmf("4.35.39"),
 )
+
+section.identity(
+    "4.35.40",
+    r"\lvert \tanh z\rvert=\sqrt{\frac{\cosh2x-\cos2y}{\cosh2x+\cos2y}}",
+    on=of_complex.adjoining(r"\sqrt{\frac{\cosh2x-\cos2y}{\cosh2x+\cos2y}}"),
+    says=dlmf("4.35.40"),
+)

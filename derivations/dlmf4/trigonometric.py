@@ -153,6 +153,14 @@ section.identity(
 
 section.identity("4.21.33", r"\cos(4z) = 8\cos^4 z-8\cos^2 z+1", on=REAL, says=dlmf("4.21.33"))
 
+half_tangent = section.display("4.21.36", r"t=\tan\frac{z}{2}")
+section.identity(
+    "4.21.36-rest",
+    r"\sin z=\frac{2t}{1+t^2}, \quad \cos z=\frac{1-t^2}{1+t^2}",
+    on=REAL.defining(half_tangent),
+    says=dlmf("4.21.36"),
+)
+
 section.identity(
     "4.21.37", r"\sin z = \sin x\cosh y+i\cos x\sinh y", on=of_complex, says=dlmf("4.21.37")
 )
@@ -187,4 +195,11 @@ section.identity(
     r"\lvert \cos z\rvert=\sqrt{\cos^2x+\sinh^2y}=\sqrt{\frac{1}{2}(\cosh2y+\cos2x)}",
     on=of_complex.adjoining(r"\sqrt{\cos^2x+\sinh^2y}"),
     says=dlmf("4.21.42"),
+)
+
+section.identity(
+    "4.21.43",
+    r"\lvert \tan z\rvert=\sqrt{\frac{\cosh2y-\cos2x}{\cosh2y+\cos2x}}",
+    on=of_complex.adjoining(r"\sqrt{\frac{\cosh2y-\cos2x}{\cosh2y+\cos2x}}"),
+    says=dlmf("4.21.43"),
 )

@@ -36,7 +36,8 @@ def functions_of(setting: Meaning) -> Transcendental:
         return Transcendental((), (), (), (), "", lambda formula: formula)
     own = [*setting.printed_field, *setting.met, *_conditions(setting)]
     defined = [*_definitions(setting, scene.definitions)]
-    time = "" if scene.clock is not None or scene.time in scene.variables else scene.time
+    known = scene.clock is not None or scene.time in scene.names()  # the letter may be another's
+    time = "" if known else scene.time
     moving = (*scene.variables, *setting.velocities.values())
     roots = (name for name in scene.roots if name not in scene.variables)
     unit = () if scene.unit is None else ("i",)
@@ -48,7 +49,7 @@ def functions_of(setting: Meaning) -> Transcendental:
 def _expanded(setting: Meaning, formula: Formula, inside: tuple[str, ...] = ()) -> Formula:
     """A formula in which no name is a defined one."""
     if not isinstance(formula, Name) or formula.name not in setting.scene.definitions:
-        return formula.mapped(lambda child: _expanded(setting, child, inside))
+        return formula.map_children(lambda child: _expanded(setting, child, inside))
     if formula.name in inside:
         raise Meaningless(f"{formula.name} is defined by itself", formula.name)
     return _expanded(setting, setting.definition(formula.name), (*inside, formula.name))
@@ -143,7 +144,7 @@ def decides(goal: Goal) -> bool:
     known here: as a point there may be none.
     """
     for one in simple(goal):
-        if isinstance(one.space, Meaning) and len(one.space.transcendental.groups) > 1:
+        if isinstance(one.space, Meaning) and one.space.transcendental.groups:
             reach = Reach(one.space)
             reach.goal(one)
             if not one.space.transcendental.independent(reach.names):

@@ -222,7 +222,10 @@ def chosen(found: list[Rung], on: Elaborations) -> Choice:
                 if Statement(rung.claim, on).holds():
                     return Choice(place)
         except (NotationError, Meaningless, FormatError, ArithmeticError, RecursionError) as error:
-            message = message or str(error)
+            said = str(getattr(error, "message", error))
+            for printed in rung.claim.places():
+                said = said.removeprefix(f"{printed.display.id}: ")
+            message = message or said
             continue
         except (TimeoutError, ProcessDied):
             pass

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from kowalevski_cas.audit.audited import OPEN
 from kowalevski_cas.cli import plain
 from kowalevski_cas.report.document import Display, Paragraph
 from kowalevski_cas.report.sentences import Phrases
@@ -16,26 +17,34 @@ if TYPE_CHECKING:
     from kowalevski_cas.audit.audited import Audited
 
 
-def told(audit: Audit, phrases: Phrases) -> Iterator[str]:
-    """The answer, what is assumed, what is undecided, and what is not judged."""
+def answer(audit: Audit) -> Iterator[str]:
+    """By which equations of motion a source was read, and how many of its claims hold."""
     assert audit.reading is not None
     laws = audit.reading.known.laws
     equations = "; ".join(law.title for law in laws) or "no equations of motion are found"
     yield f"{audit.source.path}, read as it stands: {equations}."
     yield ""
-    yield from _lead(audit)
+    verdicts = [outcome.verdict for outcome in audit.outcomes.values()]
+    green = sum(verdict.green for verdict in verdicts)
+    refuted = sum(verdict is Verdict.REFUTED for verdict in verdicts)
+    unjudged = sum(formula.verdict == OPEN for formula in audit.formulas)
+    parts = [
+        (green, "as printed, or where its denominators do not vanish: {}"),
+        (refuted, "false: {}"),
+        (len(verdicts) - green - refuted, "not decided: {}"),
+        (unjudged, "not judged besides: {}"),
+    ]
+    told = "; ".join(words.format(count) for count, words in parts if count)
+    claims = plain.many(len(verdicts), "claim")
+    yield from plain.wrap(f"{claims}. {told[:1].upper()}{told[1:]}." if told else f"{claims}.")
     yield from _obeyed(audit)
+
+
+def rest(audit: Audit, phrases: Phrases) -> Iterator[str]:
+    """What is assumed, what is not decided, and what is not judged."""
     yield from _assumed(audit, phrases)
     yield from _undecided(audit, phrases)
     yield from _open(audit)
-
-
-def _lead(audit: Audit) -> Iterator[str]:
-    verdicts = [outcome.verdict for outcome in audit.outcomes.values()]
-    green = sum(verdict.green for verdict in verdicts)
-    wrong = sum(formula.wrong for formula in audit.formulas)
-    claims = plain.many(len(verdicts), "claim")
-    yield f"Of {claims} {green} hold as printed; {wrong or 'no'} wrong."
 
 
 def _obeyed(audit: Audit) -> Iterator[str]:
@@ -49,7 +58,7 @@ def _obeyed(audit: Audit) -> Iterator[str]:
     yield f"Comments are obeyed: {counted}."
     for formula in audit.reading.formulas:
         if formula.item in said.of and "; without it: " in formula.role.reason:
-            yield from plain.wrapped(f"{formula.item.printed.place}: {formula.role.reason}")
+            yield from plain.wrap(f"{formula.item.printed.place}: {formula.role.reason}")
 
 
 def _assumed(audit: Audit, phrases: Phrases) -> Iterator[str]:
@@ -59,9 +68,11 @@ def _assumed(audit: Audit, phrases: Phrases) -> Iterator[str]:
     if listed:
         yield from ("", "What is assumed")
     for one in listed:
-        resting = ", ".join(one.claims)
+        by_claim = {id: formula for formula in audit.formulas for id in formula.claims}
+        places = (audit.called(by_claim[id]) for id in one.claims if id in by_claim)
+        resting = ", ".join(dict.fromkeys(places))
         words = phrases.words(f"{one.words}; on it rest {resting}.")
-        yield from (f"  {line}" for line in plain.wrapped(plain.text(words)))
+        yield from (f"  {line}" for line in plain.wrap(plain.text(words)))
 
 
 def _undecided(audit: Audit, phrases: Phrases) -> Iterator[str]:
@@ -69,7 +80,7 @@ def _undecided(audit: Audit, phrases: Phrases) -> Iterator[str]:
     if unclear:
         yield from ("", "What is not decided")
     for formula in unclear:
-        yield from plain.wrapped(f"{_where(audit, formula)}: {formula.message}")
+        yield from plain.wrap(f"{_where(audit, formula)}: {formula.message}")
         if formula.formula is not None:
             yield from plain.lines([Display((formula.formula,), formula.tex)], 2)
         if formula.counterexample is not None:
@@ -77,15 +88,14 @@ def _undecided(audit: Audit, phrases: Phrases) -> Iterator[str]:
 
 
 def _open(audit: Audit) -> Iterator[str]:
-    from kowalevski_cas.audit.audited import OPEN
-
     unjudged = [formula for formula in audit.formulas if formula.verdict == OPEN]
     if unjudged:
         yield from ("", "What is not judged")
     for formula in unjudged:
         message = formula.message.splitlines()[0] if formula.message else formula.reason
-        yield from (f"  {line}" for line in plain.wrapped(f"{_where(audit, formula)}: {message}"))
+        yield from (f"  {line}" for line in plain.wrap(f"{_where(audit, formula)}: {message}"))
 
 
 def _where(audit: Audit, formula: Audited) -> str:
-    return f"{audit.source.path}:{formula.line}: {formula.id}"
+    place = f"{audit.source.path}:{formula.line}"
+    return f"{place}: ({formula.label})" if formula.label else place
