@@ -27,6 +27,10 @@ LONGEST_ID = 32
 """The signs of a formula by which it is called if it has no label."""
 
 
+_NUMBER = re.compile(r"\\(?:l?eqno|tag\*?)\s*\{?\s*\(?([\w.*']{1,9})\)?")
+"""The number that an author prints with a formula."""
+
+
 @dataclass(eq=False)
 class Item:
     """A statement of a source, as it is read, in its sentence.
@@ -130,7 +134,7 @@ class Paper:
         """The statements by the labels that cite them."""
         found: dict[str, list[Item]] = {}
         for item in self.items:
-            for label in item.typed.labels:
+            for label in (*item.typed.labels, *_NUMBER.findall(item.typed.tex)):
                 found.setdefault(label, []).append(item)
         return found
 

@@ -159,7 +159,8 @@ class AuditText:
             verb = "are" if others else "is"
             why = "; ".join(audit.said(first))
             place = ":".join(map(str, filter(None, (audit.source.path, first.line))))
-            place = f"{place}: {', '.join(ids)} {verb} {first.verdict}"
+            shown = ", ".join(ids) if audit.reading is None else audit.called(first)
+            place = f"{place}: {shown} {verb} {first.verdict}"
             printed = () if first.formula is None else (first.formula,)
             yield from self._finding(
                 f"{place}: {why}" if why else place, printed, first.tex,

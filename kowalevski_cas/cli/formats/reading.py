@@ -68,7 +68,9 @@ def _assumed(audit: Audit, phrases: Phrases) -> Iterator[str]:
     if listed:
         yield from ("", "What is assumed")
     for one in listed:
-        resting = ", ".join(one.claims)
+        by_claim = {id: formula for formula in audit.formulas for id in formula.claims}
+        places = (audit.called(by_claim[id]) for id in one.claims if id in by_claim)
+        resting = ", ".join(dict.fromkeys(places))
         words = phrases.words(f"{one.words}; on it rest {resting}.")
         yield from (f"  {line}" for line in plain.wrap(plain.text(words)))
 
@@ -95,4 +97,5 @@ def _open(audit: Audit) -> Iterator[str]:
 
 
 def _where(audit: Audit, formula: Audited) -> str:
-    return f"{audit.source.path}:{formula.line}: {formula.id}"
+    place = f"{audit.source.path}:{formula.line}"
+    return f"{place}: ({formula.label})" if formula.label else place
