@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from kowalevski_cas.audit.audit import Audit
-from kowalevski_cas.audit.audited import GIVEN, MISSING, NEW, SUSPECT, UNREADABLE
+from kowalevski_cas.audit.audited import GIVEN, MISSING, NEW, OPEN, SUSPECT, UNREADABLE
 from kowalevski_cas.cli import plain
 from kowalevski_cas.cli.formats import ComparedRun
 from kowalevski_cas.cli.formats.pretty import AuditText, phrases_of, render_result
@@ -54,7 +54,12 @@ def _notes(outcome: Outcome, phrases: Phrases) -> Iterator[str]:
         yield f"within {outcome.radius:.0e}"
 
 
-_AS = {SUSPECT: Verdict.REFUTED, MISSING: Verdict.REFUTED, UNREADABLE: Verdict.ERROR}
+_AS = {
+    SUSPECT: Verdict.REFUTED,
+    MISSING: Verdict.REFUTED,
+    UNREADABLE: Verdict.ERROR,
+    OPEN: Verdict.UNDECIDED,
+}
 """The verdicts whose sign formulas have about which nothing is claimed."""
 
 
