@@ -90,7 +90,7 @@ class Transcendental:
             if not all(is_arithmetic(formula) for monomial in argument for formula, _ in monomial):
                 continue
             below = (name for one in kind.parameters for name in expanded(one).names())
-            if not {*constants}.issuperset(below):
+            if not {*constants}.issuperset(below) or any(map(self._degenerates, kind.parameters)):
                 continue  # what moves is no modulus: by it these functions are not derived
             for monomial, factor in argument.items():
                 if monomial:
@@ -99,6 +99,11 @@ class Transcendental:
                     found[own, real] = lcm(found.get((own, real), 1), over)
         self.groups = tuple(Generators(*key, over) for key, over in found.items())
         self.derived: dict[str, Derived] = {}
+
+    def _degenerates(self, modulus: Formula) -> bool:
+        """Whether a modulus is 0, 1 or -1, with which the functions obey more equations."""
+        numbers = combination(self._expanded(modulus))
+        return not numbers or (numbers.keys() == {()} and abs(numbers[()]) == 1)
 
     def _argument(self, application: Application) -> Combination:
         """The argument of a function, in which no name is a defined one."""
