@@ -106,7 +106,7 @@ def factors_below(element: Element) -> dict[Shape, Element]:
 
 
 def _cancelled(element: Element) -> set[Shape]:
-    """The factors of a numerator that its denominator has as often: it need not vanish with them."""
+    """The factors of a numerator that its denominator has as often: it vanishes not by them."""
     counts: dict[Shape, int] = {}
     ring = element.ring
     if len(element.parts) > 1:
