@@ -21,7 +21,7 @@ from kowalevski_cas.notation.latex import bracketed, to_latex
 from kowalevski_cas.notation.layout import split_display
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.misprints import misprints, only_change
-from kowalevski_cas.notation.reader import Path, Statement, read_display
+from kowalevski_cas.notation.reader import Path, PrintedStatement, read_display
 from kowalevski_cas.notation.tokens import BRACE
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
@@ -40,7 +40,7 @@ class Edit:
     path: Path
     replacement: Formula
     words: str
-    statement: Statement = field(repr=False)
+    statement: PrintedStatement = field(repr=False)
     vocabulary: Vocabulary = field(repr=False, compare=False)
 
     @property
@@ -110,7 +110,7 @@ class Edit:
 
 
 def edits(
-    statement: Statement,
+    statement: PrintedStatement,
     vocabulary: Vocabulary,
     names: frozenset[str] | None = None,
     wanted: Formula | None = None,
@@ -148,7 +148,7 @@ def replace(formula: Formula, path: Path, new: Formula) -> Formula:
     if first >= len(formula.children()):
         raise IndexError(f"no child {first} in {type(formula).__name__}")
     places = count()
-    return formula.mapped(
+    return formula.map_children(
         lambda child: replace(child, tuple(rest), new) if next(places) == first else child
     )
 
@@ -161,7 +161,7 @@ def substitute(formula: Formula, values: Mapping[str, Formula]) -> Formula:
     """
     if isinstance(formula, Name):
         return values.get(formula.name, formula)
-    return formula.mapped(lambda child: substitute(child, values))
+    return formula.map_children(lambda child: substitute(child, values))
 
 
 def changes_subject(edit: Edit) -> bool:

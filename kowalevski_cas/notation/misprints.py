@@ -43,7 +43,7 @@ Misprint = tuple[str, Path, Formula, str]
 """Its kind, a place, the subtree that should stand there, and the words for it."""
 
 
-class _Place(NamedTuple):
+class _NodePlace(NamedTuple):
     """A node, the way to it, what it stands in, and whether it is part of an exponent."""
 
     path: Path
@@ -86,16 +86,18 @@ def only_change(before: Formula, after: Formula) -> int | None:
     old, new = before.children(), after.children()
     if type(before) is not type(after) or len(old) != len(new):
         return None
-    different = [k for k, (one, other) in enumerate(zip(old, new, strict=True)) if one != other]
+    different = [
+        k for k, (formula, other) in enumerate(zip(old, new, strict=True)) if formula != other
+    ]
     return different[0] if len(different) == 1 else None
 
 
-def _places(formula: Formula, wanted: Formula | None) -> Iterator[_Place]:
+def _places(formula: Formula, wanted: Formula | None) -> Iterator[_NodePlace]:
     """All nodes, or those on the way to the one that is changed, from left to right.
 
     A parent comes before its children.
     """
-    waiting = [(_Place((), formula, None, False), wanted)]
+    waiting = [(_NodePlace((), formula, None, False), wanted)]
     while waiting:
         place, other = waiting.pop()
         yield place
@@ -104,7 +106,7 @@ def _places(formula: Formula, wanted: Formula | None) -> Iterator[_Place]:
             if other is None or index == changed:
                 raised = place.raised or (isinstance(place.node, Power) and index == 1)
                 below = None if other is None else other.children()[index]
-                waiting.append((_Place((*place.path, index), child, place.node, raised), below))
+                waiting.append((_NodePlace((*place.path, index), child, place.node, raised), below))
 
 
 def _printed(formula: Formula) -> bool:
@@ -112,7 +114,7 @@ def _printed(formula: Formula) -> bool:
     return formula != Number(0) and not isinstance(formula, Constant | Unwritten | Relation)
 
 
-def _term(place: _Place) -> bool:
+def _term(place: _NodePlace) -> bool:
     """Whether the node is a term with a sign of its own, or a side of a relation."""
     node = place.node
     whole = place.parent is None or isinstance(place.parent, Relation | Sum | Negative)
@@ -123,7 +125,7 @@ def _factors_of(node: Formula) -> tuple[Formula, ...]:
     return node.factors if isinstance(node, Product) else (node,)
 
 
-def _signs(place: _Place) -> Iterator[Misprint]:
+def _signs(place: _NodePlace) -> Iterator[Misprint]:
     node = place.node
     if isinstance(node, Negative):
         yield "sign", place.path, node.argument, _sign_of(node.argument)
@@ -145,7 +147,7 @@ def _read(node: Formula, other: Formula) -> str:
 
 
 def _names(
-    kind: str, names: list[str], vocabulary: Vocabulary, place: _Place
+    kind: str, names: list[str], vocabulary: Vocabulary, place: _NodePlace
 ) -> Iterator[Misprint]:
     node = place.node
     if not isinstance(node, Name) or node.name not in vocabulary.scalars:
@@ -162,7 +164,7 @@ def _names(
 _PAIRS = ((r"\sin", r"\cos"), (r"\sinh", r"\cosh"), (r"\sin", r"\tan"), (r"\cosh", r"\tanh"))
 
 
-def _functions(place: _Place) -> Iterator[Misprint]:
+def _functions(place: _NodePlace) -> Iterator[Misprint]:
     """The sine for the cosine, and the like."""
     node = place.node
     if isinstance(node, Application):
@@ -171,7 +173,7 @@ def _functions(place: _Place) -> Iterator[Misprint]:
             yield "letter", place.path, other, _read(node, other)
 
 
-def _exponents(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
+def _exponents(vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
     node, others = place.node, list[Formula]()
     if isinstance(node, Number) and place.raised:
         # A power of one is not printed, and nothing is divided by zero.
@@ -187,7 +189,7 @@ def _exponents(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
         yield "exponent", place.path, other, _read(node, other)
 
 
-def _coefficients(place: _Place) -> Iterator[Misprint]:
+def _coefficients(place: _NodePlace) -> Iterator[Misprint]:
     node = place.node
     if _is_fraction(place.parent):
         return  # it is changed as a whole
@@ -217,7 +219,7 @@ def _is_fraction(node: Formula | None) -> TypeGuard[Quotient]:
     return isinstance(node, Quotient) and all(isinstance(n, Number) for n in node.children())
 
 
-def _fractions(place: _Place) -> Iterator[Misprint]:
+def _fractions(place: _NodePlace) -> Iterator[Misprint]:
     """Another fraction where one stands: half or twice of it, and those with the next numbers."""
     if not _is_fraction(node := place.node):
         return
@@ -232,7 +234,7 @@ def _fractions(place: _Place) -> Iterator[Misprint]:
                 yield "coefficient", place.path, other, _read(node, other)
 
 
-def _factors(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
+def _factors(vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
     if isinstance(place.node, Product):
         whole = rank(place.node, vocabulary)
         factors = place.node.factors
@@ -243,7 +245,7 @@ def _factors(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
                 yield "factor", place.path, rest, words
 
 
-def _missing(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
+def _missing(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
     node = place.node
     if isinstance(node, Power) and isinstance(node.base, Name) and not place.raised:
         for name in names:
@@ -267,7 +269,7 @@ def _missing(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterato
         yield "missing", place.path, times(*factors[:first], Name(name), *factors[first:]), words
 
 
-def _partials(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
+def _partials(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
     """Another name by which something is derived."""
     node = place.node
     if isinstance(node, Partial):
@@ -277,7 +279,7 @@ def _partials(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterat
                 yield "letter", place.path, Partial(node.argument, name), words
 
 
-def _terms(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
+def _terms(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
     """A name before a minus with which a bracket begins: it may be missing there."""
     node = place.node
     if isinstance(node, Negative) and isinstance(place.parent, Product | Power):
@@ -287,7 +289,7 @@ def _terms(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterator[
                 yield "missing", place.path, Sum((Name(name), node)), words
 
 
-def _moves(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
+def _moves(vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
     """A factor of the denominator in the numerator, or the other way round."""
     node = place.node
     if isinstance(node, Quotient):

@@ -73,11 +73,11 @@ def _index(tex: str) -> tuple[str, ...]:
     )
 
 
-def styled(letter: str, font: str) -> str:
+def styled_letter(letter: str, font: str) -> str:
     r"""The letter in the type of a macro, where Unicode has it.
 
-    >>> styled("R", r"\mathbb"), styled("ω", r"\boldsymbol"), styled("x", r"\hat")
-    ('ℝ', '𝛚', 'x')
+    >>> styled_letter("R", r"\mathbb"), styled_letter("ω", r"\boldsymbol")
+    ('ℝ', '𝛚')
     """
     if font not in _STYLES or len(letter) > 1:
         return letter

@@ -101,7 +101,7 @@ def granted_by(elements: Iterable[Element]) -> set[Shape]:
 
 def factors_below(element: Element) -> dict[Shape, Element]:
     """The irreducible factors of what an element is divided by."""
-    found = map(factors_of, element.ring.divided_by([element]))
+    found = map(factors_of, element.ring.divisors_of([element]))
     return {shape: factor for factors in found for shape, factor in factors.items()}
 
 

@@ -53,7 +53,7 @@ def functions_of(setting: Meaning) -> Transcendental:
 def _expanded(setting: Meaning, formula: Formula, inside: tuple[str, ...] = ()) -> Formula:
     """A formula in which no name is a defined one."""
     if not isinstance(formula, Name) or formula.name not in setting.scene.definitions:
-        return formula.mapped(lambda child: _expanded(setting, child, inside))
+        return formula.map_children(lambda child: _expanded(setting, child, inside))
     if formula.name in inside:
         raise Meaningless(f"{formula.name} is defined by itself", formula.name)
     return _expanded(setting, setting.definition(formula.name), (*inside, formula.name))
@@ -156,7 +156,7 @@ def decides(goal: Goal) -> bool:
     known here: as a point there may be none.
     """
     for one in simple(goal):
-        if isinstance(one.space, Meaning) and len(one.space.transcendental.groups) > 1:
+        if isinstance(one.space, Meaning) and one.space.transcendental.groups:
             reach = Reach(one.space)
             reach.goal(one)
             if not one.space.transcendental.independent(reach.names):

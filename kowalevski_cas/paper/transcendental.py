@@ -127,7 +127,8 @@ class Transcendental:
     def independent(self, names: Container[str]) -> bool:
         """Whether the generators in some names are known to obey no equations but their own.
 
-        It is not of functions with two moduli, nor where an argument has a root to a power, or a
+        It is not of functions with two moduli, nor with one that may be 0 or 1, where they are
+        others, nor where an argument has a root to a power, or a
         sum below a line: arguments that look unlike may then have to do with one another.
         """
         groups = [g for g in self.groups if any(name in names for name in g.names.values())]
@@ -135,7 +136,16 @@ class Transcendental:
         parts = [part for group in groups for part in group.monomial]
         odd = any(e < 0 and not isinstance(f, Name) for f, e in parts)
         odd |= any(isinstance(f, Name) and f.name in self.adjoined and e * e > 1 for f, e in parts)
+        if any(self._may_degenerate(one) for kind in kinds for one in kind.parameters):
+            return False
         return len(kinds) < 2 and not (odd and len(groups) > 1)
+
+    def _may_degenerate(self, modulus: Formula) -> bool:
+        """Whether a modulus is 0, 1 or -1, or has a root in it that may be."""
+        terms = combination(self._expanded(modulus))
+        if not any(terms):
+            return sum(terms.values()) in (0, 1, -1)
+        return not self._expanded(modulus).names().isdisjoint(self.adjoined)
 
     def __contains__(self, name: str) -> bool:
         return name in self.replaced

@@ -130,16 +130,16 @@ class _Ladder:
     def just_before(self) -> list[Item]:
         """The set that was spoken of, or cited, last in the same paragraph."""
         found: list[Item] = []
-        for one, role in self.known.roles.items():
+        for one in self.known.roles:
             if one.order < self.item.order and one.paragraph == self.item.paragraph:
-                near = [one] if role.kind in ("set", "invariant") else []
+                near = [one] if self._is_set(one) else []
                 near += [o for o in self.known.cited(one) if self._is_set(o)]
                 found = near or found
         return [one for one in self.known.roles if found and one.typed is found[-1].typed]
 
     def _is_set(self, one: Item) -> bool:
         role = self.known.roles.get(one)
-        return role is not None and role.kind in ("set", "set in force", "invariant")
+        return role is not None and (role.kind.startswith("set") or role.kind == "invariant")
 
     # -- integrals -------------------------------------------------------------------
 
@@ -181,11 +181,7 @@ class _Ladder:
 
     def invariant(self) -> Iterator[Rung]:
         """That no motion leaves a set; its equations are claimed together."""
-        relations = tuple(
-            one
-            for one, role in self.known.roles.items()
-            if one.typed is self.item.typed and role.kind == "invariant"
-        )
+        relations = self._set()
         if relations and relations[0] is self.item:
             says = "no motion leaves the set of these equations"
             places = _places(relations)
@@ -193,6 +189,18 @@ class _Ladder:
                 yield self.rung(
                     InvariantRelations, says, assumptions, (), relations, relations=places
                 )
+
+    def _set(self) -> tuple[Item, ...]:
+        """The equations of the set: those of a display, or side by side in the text."""
+        found: list[list[Item]] = []
+        own = [one for one, role in self.known.roles.items() if role.kind == "invariant"]
+        for one in sorted(own, key=lambda one: one.order):
+            before = found[-1][-1] if found else None
+            if before and (one.typed is before.typed or _beside(before, one)):
+                found[-1].append(one)
+            else:
+                found.append([one])
+        return next((tuple(items) for items in found if self.item in items), ())
 
     # -- all -------------------------------------------------------------------------
 
@@ -211,6 +219,17 @@ class _Ladder:
             attributes.setdefault("printed", self.item.printed)
         claim = kind(self.id, found.scene, says, **attributes)  # type: ignore[arg-type]
         return Rung(claim, (*found.assumptions, *on), found.constants, (*on,))
+
+
+def _beside(one: Item, other: Item) -> bool:
+    """Whether two formulas stand side by side in a line of text, with nothing but an “and”.
+
+    Where the words are of planes or points, each of them is one.
+    """
+    inline = one.typed.inline and other.typed.inline and one.sentence == other.sentence
+    inline = inline and not cue("places", one.before)
+    between = other.lead.strip(" ,;~\n")
+    return inline and other.order == one.order + 1 and between in ("", "and", "и")
 
 
 def _places(items: Sequence[Item]) -> tuple[Printed, ...]:

@@ -134,6 +134,10 @@ class Blame:
             refuted = self.verdicts[claim.id] is Verdict.REFUTED
             return refuted and claim.id not in self.corrected
         on = self.mender.on(claim)
+        try:
+            self._statement(claim)
+        except (NotationError, Meaningless):
+            return False  # what says nothing is not false
         return passes(Neighbour("", claim, on.texts), on, {}) is False
 
     def _holds(self, claim: Claim) -> bool:

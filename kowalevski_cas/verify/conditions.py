@@ -44,7 +44,7 @@ def may_vanish(goal: Simple, elements: Sequence[Element], setting: Elaboration) 
     if not setting.powers or not isinstance(goal, Follows) or not goal.given:
         return found
     known, one = at.differences(goal.given), at.ring.one
-    pairs = zip(found, at.ring.divided_by(elements), strict=True)
+    pairs = zip(found, at.ring.divisors_of(elements), strict=True)
     return [index for index, divisor in pairs if vanish_on([one], [divisor, *known]) == [False]]
 
 
@@ -116,7 +116,7 @@ def excluding(goals: Iterable[Goal]) -> tuple[Formula, ...]:
                 continue
             at = one.space.finder
             known = at.differences(one.given) if isinstance(one, Follows) else []
-            divisors = at.ring.divided_by(law(one, at, bound)) if known else []
+            divisors = at.ring.divisors_of(law(one, at, bound)) if known else []
             gone = zip(divisors, vanish_on(divisors, known), strict=True)
             found |= {_positive(divisor, one.space): None for divisor, here in gone if here}
     return tuple(found)

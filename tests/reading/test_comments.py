@@ -175,3 +175,23 @@ def test_what_a_comment_states_in_full_is_refuted_where_it_fails():
         if id.startswith("dimension")
     ]
     assert outcome.verdict is Verdict.REFUTED
+
+
+def test_names_of_vectors_stand_for_their_components():
+    text = r"""\begin{document}
+    \begin{equation}\label{law} \dot{\mathbf r}=\mathbf p,\quad \dot{\mathbf p}=-\mathbf r \end{equation}
+    \begin{equation}\label{H} H=\tfrac12(\mathbf p^2+\mathbf r^2) \end{equation}
+    %kc: claim equilibria 1 fixed \mathbf{p} with H
+    There is one equilibrium.
+    \end{document}"""
+    (found,) = read(Source("oscillator.tex", text)).statements
+    assert found.claim.fixed == ("p_1", "p_2", "p_3")
+    assert [place.display.id for place in found.claim.levels] == ["H"]
+
+
+def test_every_format_tells_what_is_open(tmp_path, capsys):
+    path = tmp_path / "top.tex"
+    path.write_text(paper(last="Hence $p<q$.").text)
+    for options in ([], ["--verbose"], ["--format", "json"], ["--format", "sarif"]):
+        main(["audit", "--alone", *options, str(path)])
+        assert capsys.readouterr().out

@@ -136,3 +136,17 @@ def test_by_what_an_equation_is_multiplied_is_no_integral():
     words = r"Multiplying the first by $\dot x$, the second by $\dot y$ and adding we obtain the energy integral"
     found = roles(CHARGE + words + r" \[m(\dot x^2+\dot y^2)+k(x^2+y^2)=h.\]")
     assert [*found.values()].count(CLAIM) == 1
+
+
+@pytest.mark.parametrize("between", [", ", " and ", ",~"])
+def test_equations_side_by_side_are_one_set(between):
+    text = TOP + rf"The set $p=0${between}$q=0$ is invariant."
+    assert verdicts(text) == {"p=0": Verdict.PROVED}
+    assert verdicts(TOP + r"The set $p=0$ is invariant.")["p=0"] is not Verdict.PROVED
+
+
+@pytest.mark.parametrize("name", ["x", "s", "u"])
+def test_any_letter_that_is_no_time_can_be_defined(name):
+    text = TOP + rf"Put ${name}=p/r$; then $\dot {name}=q(a-c\,{name}^2)$."
+    found = verdicts(text)
+    assert found == {rf"\dot {name}=q(a-c\,{name}^2)": Verdict.CONDITIONAL}
