@@ -30,6 +30,8 @@ SKIPPED = "skipped"
 
 _ROLES = {"law": LAW, "define": DEFINITION, "map": DEFINITION, "level": LEVEL, "given": ASSUMPTION,
           "claim": CLAIM, "skip": OTHER}  # fmt: skip
+_KINDS = {"skip": SKIPPED, "map": "change"}
+"""The kinds of roles that a verb gives by itself."""
 
 
 def said_role(found: Directive, item: Item, inferred: Role, known: Known) -> Role:
@@ -43,8 +45,8 @@ def said_role(found: Directive, item: Item, inferred: Role, known: Known) -> Rol
     names = names_of(found, item) or _names(name, item, inferred)
     if name == DEFINITION and not kind and not {*names} & {*item.printed.heads.names}:
         kind = "square"
-    if found.verb == "skip":
-        kind = SKIPPED
+    if found.verb in _KINDS:
+        kind = _KINDS[found.verb]
     elif name == CLAIM:
         kind = SAID if found.kind is not None else found.ruled
     elif not kind and inferred.name == name:

@@ -1,6 +1,7 @@
 """Comments of authors go before all that is inferred; what they cannot mean is an error."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
@@ -8,11 +9,12 @@ from kowalevski_cas.audit.reading import ReadingSession
 from kowalevski_cas.cli import main
 from kowalevski_cas.paper.claims import Dimension, FirstIntegral, Implication
 from kowalevski_cas.reading import read
-from kowalevski_cas.reading.draft import beside, draft
+from kowalevski_cas.reading.draft import beside, comments, draft, text_of
 from kowalevski_cas.reading.grammar import kinds
-from kowalevski_cas.source.files import decode
+from kowalevski_cas.source.files import decode, read_source
 from kowalevski_cas.source.text import Source, SourceError
 from kowalevski_cas.verify.outcome import Verdict
+from tests.sample import sampled
 
 TOP = r"""\documentclass{article}\begin{document}
 The equations of motion are
@@ -147,6 +149,19 @@ def test_what_is_drafted_is_read_as_before():
     assert told_all(replace(source, beside=decode("top.kc", file.encode()))) == kept
     again = read(replace(source, beside=decode("top.kc", file.encode())))
     assert draft(again).text == source.text
+
+
+PAPERS = Path(__file__).parents[1] / "data" / "papers"
+
+
+@pytest.mark.parametrize("name", sampled(sorted(p.stem for p in PAPERS.glob("*.tex")), 1))
+def test_every_role_that_is_inferred_can_be_written(name):
+    reading = read(read_source(PAPERS / f"{name}.tex"))
+    lines = [line for _, own in comments(reading) for line in own]
+    assert lines
+    for formula in reading.formulas:
+        if formula.role.name in ("law", "definition", "level", "assumption", "claim"):
+            assert text_of(formula, reading.paper), (formula.item.printed.place, formula.role)
 
 
 def test_the_command_drafts(tmp_path, capfdbinary):
