@@ -14,6 +14,7 @@ from kowalevski_cas.notation.formula import (
     Name,
     Negative,
     Number,
+    Product,
     Relation,
     Sum,
 )
@@ -32,7 +33,7 @@ _COMMAND = re.compile(r"\\[A-Za-z]+$")
 class Edit:
     """One change of one place.
 
-    ``kind`` is one of sign, index, letter, exponent, coefficient, factor, power, missing;
+    ``kind`` is one of sign, index, letter, exponent, coefficient, factor, power, missing, exchange;
     ``replacement`` is the new subtree at ``path``, and ``words`` says what was changed.
     """
 
@@ -173,7 +174,7 @@ def changes_subject(edit: Edit) -> bool:
     >>> words = Vocabulary(frozenset({"U", "x"}))
     >>> [statement] = read_display("U=2x", words)
     >>> [edit.tex for edit in edits(statement, words) if changes_subject(edit)]
-    ['-U=2x', 'x=2x', 'U=2U', 'U^2=2x', '2U=2x', '\\frac{1}{2}U=2x', 'U=2 x U', 'Ux=2x']
+    ['-U=2x', 'x=2x', 'U=2U', 'U^2=2x', '2U=2x', '\\frac{1}{2}U=2x', 'UU=2x', 'Ux=2x', 'U=2xU']
     """
     formula, path = edit.statement.formula, edit.path
     first, moving = formula, False
@@ -184,10 +185,10 @@ def changes_subject(edit: Edit) -> bool:
             alone = isinstance(first, Name) and first not in formula.members[1:]
             return alone and first in edit.replacement.nodes()
         path = path[1:]
-    while path and not isinstance(first, Derivative):
-        first, path = first.children()[path[0]], path[1:]
-        if not path:
-            return False
+        if path and isinstance(first, Product):
+            first, path = first.factors[path[0]], path[1:]
+            if not isinstance(first, Derivative):
+                return False
     if moving and isinstance(first, Derivative) and first in edit.replacement.nodes():
         return False
     while isinstance(first, Derivative):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from functools import partial
+from itertools import combinations
 from typing import NamedTuple, TypeGuard
 
 from kowalevski_cas.notation.errors import closeness, letter_and_index
@@ -68,6 +69,7 @@ def misprints(
         partial(_names, "index", names, vocabulary),
         partial(_names, "letter", names, vocabulary),
         _functions,
+        partial(_dots, {one.mark for one in formula.nodes() if isinstance(one, Derivative)}),
         partial(_exponents, vocabulary),
         _fractions,
         _coefficients,
@@ -76,6 +78,7 @@ def misprints(
         partial(_partials, names, vocabulary),
         partial(_terms, names, vocabulary),
         partial(_missing, names, vocabulary),
+        _exchanged,
     ):
         for place in places:
             yield from slips(place)
@@ -150,8 +153,9 @@ def _names(
     kind: str, names: list[str], vocabulary: Vocabulary, place: _NodePlace
 ) -> Iterator[Misprint]:
     node = place.node
-    if not isinstance(node, Name) or node.name not in vocabulary.scalars:
+    if not isinstance(node, Name) or node.name not in vocabulary.scalars | vocabulary.vectors:
         return
+    names = names if node.name in vocabulary.scalars else sorted(vocabulary.vectors)
     letter = letter_and_index(node.name)[0]
     same = [n for n in names if n != node.name and (letter_and_index(n)[0] == letter)]
     others = same if kind == "index" else [n for n in names if n != node.name and n not in same]
@@ -159,6 +163,17 @@ def _names(
     wrong = f"${node.name}$" if known else f"${node.name}$, which is not defined,"
     for other in sorted(others, key=lambda name: -closeness(node.name, name)):
         yield kind, place.path, Name(other), f"for {wrong} read ${other}$"
+
+
+def _dots(marks: set[str], place: _NodePlace) -> Iterator[Misprint]:
+    """A derivative more, or one less, where others stand."""
+    node = place.node
+    if isinstance(node, Derivative) and isinstance(node.argument, Name | Derivative):
+        yield "letter", place.path, node.argument, _read(node, node.argument)
+    if isinstance(node, Name | Derivative) and not isinstance(place.parent, Derivative):
+        for mark in sorted(marks):
+            other = Derivative(node, mark)
+            yield "letter", place.path, other, _read(node, other)
 
 
 _PAIRS = ((r"\sin", r"\cos"), (r"\sinh", r"\cosh"), (r"\sin", r"\tan"), (r"\cosh", r"\tanh"))
@@ -256,13 +271,11 @@ def _missing(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> Ite
     # What multiplies a quotient multiplies its numerator.
     if not _printed(node) or isinstance(node, Negative | Quotient):
         return
-    if rank(node, vocabulary) != SCALAR:
-        return
     factors = _factors_of(node)
     if all(isinstance(factor, Name | Number | Power) for factor in factors):
         first = len(factors)
     else:
-        first = int(isinstance(factors[0], Number))
+        first = int(isinstance(factors[0], Number) or _is_fraction(factors[0]))
     tex = to_latex(node)
     for name in names:
         words = f"insert the factor ${name}$ in ${tex}$"
@@ -289,6 +302,28 @@ def _terms(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> Itera
                 yield "missing", place.path, Sum((Name(name), node)), words
 
 
+def _exchanged(place: _NodePlace) -> Iterator[Misprint]:
+    """Two names, or the sine and the cosine, each in the place of the other in a whole member."""
+    node = place.node
+    if isinstance(node, Relation) or not isinstance(place.parent, Relation | None):
+        return
+    nodes = dict.fromkeys(node.nodes())
+    names = [one.name for one in nodes if isinstance(one, Name)]
+    functions = {one.function for one in nodes if isinstance(one, Application)}
+    for pair in (*combinations(names, 2), *(one for one in _PAIRS if functions.issuperset(one))):
+        yield "exchange", place.path, _swapped(node, pair), f"exchange ${pair[0]}$ and ${pair[1]}$"
+
+
+def _swapped(formula: Formula, pair: tuple[str, str]) -> Formula:
+    """A formula with two names, or two functions, in each other's place."""
+    if isinstance(formula, Name) and formula.name in pair:
+        return Name(pair[pair[0] == formula.name])
+    changed = formula.map_children(lambda child: _swapped(child, pair))
+    if isinstance(changed, Application) and changed.function in pair:
+        return Application(pair[pair[0] == changed.function], changed.arguments)
+    return changed
+
+
 def _moves(vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
     """A factor of the denominator in the numerator, or the other way round."""
     node = place.node
@@ -306,6 +341,9 @@ def _moves(vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
                 moved = Quotient(rest, times(*below, factor))
                 words = f"move ${to_latex(factor)}$ from the numerator to the denominator"
                 yield "power", place.path, moved, words
+        if node.numerator != ONE and not _is_fraction(node):
+            other = Quotient(node.denominator, node.numerator)
+            yield "power", place.path, other, _read(node, other)
     elif isinstance(node, Product) and not isinstance(place.parent, Quotient):
         for index, factor in enumerate(node.factors):
             if not isinstance(factor, Number | Quotient) and rank(factor, vocabulary) == SCALAR:
