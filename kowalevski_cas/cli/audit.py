@@ -38,7 +38,7 @@ from kowalevski_cas.source.files import read_source
 from kowalevski_cas.source.listing import listing
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.certificate import load_certificates
-from kowalevski_cas.verify.confirm import receive
+from kowalevski_cas.verify.confirm import need_certificates
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.verify.teller import disagreement
 
@@ -102,8 +102,7 @@ def run(arguments: argparse.Namespace) -> int:
         lambda one: _audited(arguments, one), [source]
     )
     for outcome in outcomes:
-        if (received := receive(outcome)).verdict is not outcome.verdict:
-            raise CommandError(f"{outcome.claim}: {received.message}")
+        need_certificates(outcome)
     if arguments.patch:
         sys.stdout.flush()
         sys.stdout.buffer.write(said.encode(source.encoding, "replace"))

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain
 
+from kowalevski_cas import UserError
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Name
 from kowalevski_cas.paper.denominators import Shape, factors_below, shape_of
@@ -24,7 +25,7 @@ from kowalevski_cas.verify.statement import Statement, Verdicts
 Divided = Iterable[tuple[Simple, Sequence[Element]]]
 
 
-class Disagreement(ValueError):
+class Disagreement(UserError, ValueError):
     """The judge and the checker say two things of one statement; the message names both."""
 
 
@@ -52,9 +53,21 @@ def confirm(statement: Statement, verdicts: Verdicts, accepted: Accepted, text: 
 
 
 def receive(outcome: Outcome) -> Outcome:
-    """An outcome that comes from elsewhere, if the checker accepts here what comes with it.
+    """An outcome that comes from elsewhere; an error, if it is not accepted here."""
+    try:
+        need_certificates(outcome)
+    except Disagreement as error:
+        return outcome._replace(
+            verdict=Verdict.ERROR, message=str(error), certificate="", conditions=(),
+            counterexample=None, correction=None,
+        )  # fmt: skip
+    return outcome
 
-    An error otherwise: nothing that another process says is believed.
+
+def need_certificates(outcome: Outcome) -> None:
+    """Have the checker accept, here, what comes with an outcome from elsewhere.
+
+    Raises :class:`Disagreement`: nothing that another process says is believed.
     """
     due = []
     if outcome.certified:
@@ -66,12 +79,8 @@ def receive(outcome: Outcome) -> Outcome:
         for digest, sign, text in due:
             _theorems(outcome.claim, digest, sign, text)
     except (Disagreement, TimeoutError) as error:
-        said = f"what another process says of it is not accepted here: {error}"
-        return outcome._replace(
-            verdict=Verdict.ERROR, message=said, certificate="", conditions=(),
-            counterexample=None, correction=None,
-        )  # fmt: skip
-    return outcome
+        said = f"{outcome.claim}: what another process says of it is not accepted here: {error}"
+        raise Disagreement(said) from None
 
 
 def _theorems(claim: str, digest: str, sign: str, text: str) -> list[checker.Theorem]:
