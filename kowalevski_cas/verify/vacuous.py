@@ -18,7 +18,7 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.errors import closeness
 from kowalevski_cas.paper.claims import Neighbour
-from kowalevski_cas.paper.elaborate import finder_of
+from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import simple
 from kowalevski_cas.verify.statement import Statement
 
@@ -58,7 +58,7 @@ def says_something(neighbour: Neighbour, statement: Statement, printed: Statemen
 
 def _moves(statement: Statement) -> bool:
     """Whether variables are reached from a statement."""
-    return any(space.variables for space in statement.spaces.values())
+    return any(space.variables for space in statement.legend)
 
 
 def _empty(statement: Statement) -> int:
