@@ -144,7 +144,7 @@ def existing(papers):
 )
 def test_what_exists_is_not_zero(papers):
     """A transformation, a cofactor matrix, a root that is zero shows nothing."""
-    for statement, goal, found in existing(papers):
+    for _, goal, found in existing(papers):
         judge = Judge(finder_of)
         judge.holds(goal, found)
         for name in (None, *goal.bound):
@@ -157,7 +157,7 @@ def test_what_exists_is_not_zero(papers):
 
 def test_what_exists_is_used():
     """A value for a name that stands in no goal is none."""
-    statement, goal, found = existing(("kharlamov2002",))[0]
+    _, goal, found = existing(("kharlamov2002",))[0]
     more = replace(goal, expressions=(*goal.expressions, "unused"))
     with pytest.raises(Unproved, match="not used"):
         Judge(finder_of).holds(more, Found({**found.values, "unused": Number(1)}, found.evidence))
