@@ -1,11 +1,48 @@
-"""Files are written whole: nobody finds half a file, whatever happens meanwhile."""
+"""Files are read if they are files, and written whole.
+
+Nobody waits for a pipe that is found in the place of a file, or reads a device without end; and
+nobody finds half a file, whatever happens meanwhile.
+"""
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Mapping
+from errno import EFBIG, EINVAL
 from pathlib import Path
 from tempfile import mkstemp
+from typing import Any
+
+LARGEST = 20_000_000
+"""Bytes of a file that is read; the largest certificate has a hundredth of this."""
+
+
+def read(path: Path) -> str:
+    """The text of a file.
+
+    Raises:
+        OSError: it cannot be read, is no file (but a pipe, or a device), or is too large.
+        ValueError: it is no text in UTF-8.
+    """
+    if path.exists() and not path.is_file():
+        raise OSError(EINVAL, "is no file", str(path))
+    if path.stat().st_size > LARGEST:
+        raise OSError(EFBIG, f"has more than {LARGEST:,} bytes", str(path))
+    return path.read_text(encoding="utf-8")
+
+
+def read_json(path: Path) -> Any:
+    """The data in a file of JSON.
+
+    Raises:
+        OSError: it cannot be read.
+        ValueError: it is no JSON, or is nested too deeply.
+    """
+    try:
+        return json.loads(read(path))
+    except RecursionError:
+        raise ValueError("it is nested too deeply") from None
 
 
 def write(path: Path, contents: str | bytes) -> None:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from importlib import invalidate_caches
 from importlib.util import find_spec, module_from_spec, spec_from_file_location
@@ -39,6 +40,10 @@ EVIDENCE = ".evidence"
 """How the folder ends that holds the record and the certificates of a file beside it."""
 
 
+SOURCES = (".py", ".tex")
+"""How the files end of which something is kept beside them: derivations, and papers."""
+
+
 def find(name: str) -> Path:
     """The folder with what is kept of a derivation, by its name, its path, or its module.
 
@@ -53,12 +58,11 @@ def find(name: str) -> Path:
         path = _module(name) or path
     if path.name == "__init__.py":
         return path.parent
-    if path.is_file() and path.suffix == ".py":
-        return path.with_suffix(EVIDENCE)
+    if path.is_file() and path.suffix in SOURCES:
+        return _beside(path)
     if name and path.exists():
         raise LibraryError(
             f"{name} is no derivation: a Python file is expected, or a folder with an __init__.py"
-            + ("; a TeX source is for `kowalevski-cas audit`" if path.suffix == ".tex" else "")
         )
     if path.suffix:
         raise LibraryError(f"there is no file {name}")
@@ -74,9 +78,20 @@ MADE: list[Section] = []
 """The sections of systems that were made since a derivation was loaded last, named or not."""
 
 
+def _beside(path: Path) -> Path:
+    """The folder of what is kept of a file; raises :class:`LibraryError` if two would share it."""
+    others = [path.with_suffix(one) for one in SOURCES if one != path.suffix]
+    if shared := next((one for one in others if one.is_file()), None):
+        raise LibraryError(f"{path} and {shared.name} would share one folder: rename one of them")
+    return path.with_suffix(EVIDENCE)
+
+
 def source(folder: Path) -> Path:
     """The file that is executed for the derivation of which this folder keeps what there is."""
-    return folder.with_suffix(".py") if folder.suffix == EVIDENCE else folder / "__init__.py"
+    if folder.suffix != EVIDENCE:
+        return folder / "__init__.py"
+    paper = folder.with_suffix(".tex")
+    return paper if paper.is_file() else folder.with_suffix(".py")
 
 
 def _module(name: str) -> Path | None:
@@ -89,6 +104,9 @@ def _module(name: str) -> Path | None:
 
 MEND = "Mend the formula, or declare its names; `having` declares constants."
 """What to do about a name that is not declared."""
+
+ENDS = ("_exit", "abort", "execv", "execve")
+"""What ends a process at once; another program takes its place by the last two."""
 
 SHELF = "kowalevski_cas_derivations"
 """The package below which derivations are loaded, beside those that they rest on."""
@@ -128,12 +146,12 @@ def load(name: str, anew: bool = True) -> Derivation:
     sys.modules[module_name] = module
     MADE.clear()
     try:
-        with _without_bytecode(not file.is_relative_to(library())):
+        with _without_bytecode(not file.is_relative_to(library())), _alive():
             spec.loader.exec_module(module)
         return _derivation(module, file, folder.stem)
-    except LibraryError:
+    except (LibraryError, KeyboardInterrupt):
         raise
-    except (Exception, SystemExit) as error:
+    except BaseException as error:
         place = _place(error, folder if inside else file, file)
         kind = "" if isinstance(error, ValueError) else f"{type(error).__name__}: "
         said = error.msg if isinstance(error, SyntaxError) else str(error)
@@ -160,6 +178,31 @@ def _without_bytecode(wanted: bool) -> Iterator[None]:
         yield
     finally:
         sys.dont_write_bytecode = before
+
+
+@contextmanager
+def _alive() -> Iterator[None]:
+    """Let nobody end this process at once: who asked would hear nothing, and take it for success.
+
+    A process that is begun meanwhile may end as it likes.
+    """
+    here, before = os.getpid(), {name: getattr(os, name) for name in ENDS}
+
+    def refused(name: str) -> Callable[..., None]:
+        def end(*arguments: object) -> None:
+            if os.getpid() != here:
+                before[name](*arguments)
+            raise ValueError(f"os.{name} would end the program: leave it out")
+
+        return end
+
+    try:
+        for name in ENDS:
+            setattr(os, name, refused(name))
+        yield
+    finally:
+        for name, function in before.items():
+            setattr(os, name, function)
 
 
 def owner(scene: Scene) -> tuple[Path, str] | None:

@@ -18,6 +18,7 @@ from io import BufferedReader
 from math import inf
 from select import select
 from time import monotonic
+from traceback import format_exc
 from typing import Generic, TypeVar
 
 from kowalevski_cas.limits import LENGTH, ProcessDied, Watched, begin, watched
@@ -259,6 +260,7 @@ def _serve(work: Callable[[Item], Result], asked: BufferedReader, here: Watched)
                 sys.stdout.flush()
                 here.tell("result", result)
             except Exception as error:
+                error.add_note(format_exc())
                 here.tell("error", error)
     except BaseException as error:
         here.tell("error", error)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from kowalevski_cas.cli import main
 from kowalevski_cas.library import LibraryError, available, find, library, load
 
 
@@ -48,6 +49,11 @@ def test_what_is_loaded_twice_is_loaded_anew(tmp_path):
         ("from . import nothing", "{file}:1: ImportError"),
         ("import sys\nsys.exit()", "{file}:2: SystemExit"),
         ("\nint('a')", "{file}:2: invalid literal for int()"),
+        ("class Stop(BaseException): ...\nraise Stop", "{file}:2: Stop"),
+        ("import os\nos._exit(0)", "{file}:2: os._exit would end the program: leave it out"),
+        ("import os\nos.abort()", "{file}:2: os.abort would end"),
+        ("import os\nos.execvp('true', ['true'])", "{file}:2: os.execv would end"),
+        ("from os import *\nfrom os import _exit\n_exit(0)", "{file}:3: os._exit would end"),
     ],
 )
 def test_the_message_names_file_and_line(tmp_path, text, message):
@@ -56,6 +62,34 @@ def test_the_message_names_file_and_line(tmp_path, text, message):
     with pytest.raises(LibraryError) as raised:
         load(str(tmp_path))
     assert str(raised.value).startswith(message.format(file=initial))
+    assert os._exit.__module__ == "posix"
+
+
+def test_a_process_that_a_derivation_begins_may_end(tmp_path):
+    file = tmp_path / "forks.py"
+    file.write_text(
+        "import os\nfrom kowalevski_cas import System\n"
+        "if not (child := os.fork()):\n    os._exit(7)\n"
+        "assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 7\n"
+        'System("\\\\dot x=x").integral("x")\n'
+    )
+    assert len(load(str(file)).claims) == 1
+
+
+COMMANDS = [
+    "verify", "record", "report", "check", "certificates", "bundle -o out", "find integrals",
+    "export -o out rocq",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_derivation_that_ends_the_program_is_an_error_of_every_command(
+    command, tmp_path, monkeypatch, capsys
+):
+    monkeypatch.chdir(tmp_path)
+    Path("dead.py").write_text("import os\nos._exit(0)\n")
+    assert main([*command.split(), "dead.py"]) == 2
+    assert "dead.py:2: os._exit would end the program" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("name", ["euler1758", ""])
@@ -67,13 +101,19 @@ def test_what_is_not_there_is_said_with_what_is(name):
 
 
 def test_a_file_is_no_derivation(tmp_path):
-    file = tmp_path / "paper.tex"
+    file = tmp_path / "paper.txt"
     file.write_text("")
-    with pytest.raises(
-        LibraryError,
-        match=r"is no derivation: a Python file is expected, or a folder .*kowalevski-cas audit",
-    ):
+    with pytest.raises(LibraryError, match=r"is no derivation: a Python file is expected"):
         find(str(file))
+
+
+def test_a_paper_and_a_module_do_not_share_what_is_kept_of_them(tmp_path):
+    paper, module = tmp_path / "top.tex", tmp_path / "top.py"
+    paper.write_text("$x=1$")
+    assert find(str(paper)) == tmp_path / "top.evidence"
+    module.write_text("")
+    with pytest.raises(LibraryError, match=r"share one folder: rename one"):
+        find(str(paper))
 
 
 BELOW = """

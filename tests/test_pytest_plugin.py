@@ -71,9 +71,11 @@ circle.integral("x^2+y^2")
 def test_a_broken_file_hides_no_other(run):
     good = CIRCLE.format(', expect="refuted"')
     files = {"derivation_a.py": "1 +", "derivation_b.py": good, "derivation_c.py": "x = 1"}
+    files["derivation_d.py"] = "import os\nos._exit(0)"
     code, out = run(files)
-    assert code == 1 and "2 failed, 2 passed" in out
+    assert code == 1 and "3 failed, 2 passed" in out
     assert "derivation_a.py:1: SyntaxError" in out and "derivation_c.py states nothing" in out
+    assert "derivation_d.py:2: os._exit would end the program" in out
 
 
 def test_installed_packages_name_their_derivations(run):

@@ -24,7 +24,7 @@ from kowalevski_cas.notation import (
     to_latex,
     to_plain,
 )
-from kowalevski_cas.paper.claims import DarbouxPolynomial
+from kowalevski_cas.paper.claims import DarbouxPolynomial, Degree, Reality
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.verify.outcome import Verdict
@@ -672,6 +672,16 @@ def test_a_cofactor_may_be_a_number(lorenz):
     assert lorenz.where("b=1", r"\rho=0").darboux("y^2+z^2", -2).verdict is Verdict.PROVED
     with pytest.raises(TypeError, match="cofactor is to be a statement"):
         lorenz.states(DarbouxPolynomial, "darboux", "", printed="x", cofactor=2)
+
+
+def test_attributes_are_names_or_formulas_as_the_kind_declares_them():
+    circle = System(r"\dot x=y,\quad \dot y=-x")
+    claim = circle.states(Degree, "degree", "", variable="x", degree=1)
+    assert claim.verdict is Verdict.PROVED
+    claim = circle.states(Reality, "reality", "", real=("x", "xy"), imaginary=())
+    assert claim.verdict is Verdict.PROVED
+    with pytest.raises(TypeError, match="variable is to be a string, not 3"):
+        circle.states(Degree, "degree", "", variable=3, degree=1)
 
 
 @pytest.mark.parametrize(

@@ -213,5 +213,31 @@ def rank(matrix: list[list[Element]]) -> int:
     return found
 
 
+def independent(matrix: list[list[Element]]) -> bool:
+    """Whether rows are certainly independent: by elimination with what has an inverse only.
+
+    Among numbers with open roots there are divisors of zero.
+    """
+    rows = [*matrix]
+    while rows:
+        pivot = rows.pop()
+        found = next(((k, i) for k, e in enumerate(pivot) if (i := inverse_of(e))), None)
+        if found is None:
+            return False
+        column, inverse = found
+        rows = [
+            row if row[column].is_zero else _less(row, row[column] * inverse, pivot) for row in rows
+        ]
+    return True
+
+
+def inverse_of(number: Element) -> Element | None:
+    """One over a number; ``None`` for zero, and for its divisors."""
+    try:
+        return number.inverse()
+    except ZeroDivisionError:
+        return None
+
+
 def _less(row: list[Element], factor: Element, pivot: list[Element]) -> list[Element]:
     return [a if b.is_zero else a - factor * b for a, b in zip(row, pivot, strict=True)]

@@ -22,6 +22,8 @@ Number = Any
 Convert = Callable[[Fraction], Number]
 """A rational number as a number of the arithmetic."""
 
+CHAINS = (Op.SUM, Op.PRODUCT)
+"""The operations of which a program may have more than Python can call within each other."""
 
 Choose = Callable[[str, Number], Number]
 """A square root of a value, by the name of the root."""
@@ -49,17 +51,23 @@ class Valuation:
 
     def __call__(self, program: Program) -> Any:
         """The value of a program."""
-        known = self._known.get(program)
-        if known is None:
-            known = self._known[program] = self._value(program)
-        return known
+        known, waiting = self._known, [program]
+        while waiting:  # no recursion: a sum has as many steps as terms
+            step = waiting[-1]
+            if step in known:
+                waiting.pop()
+            elif step.op in CHAINS and (before := [arg for arg in step.args if arg not in known]):
+                waiting += before
+            else:
+                known[step] = self._value(step)
+        return known[program]
 
     def _value(self, program: Program) -> Any:
         op, args = program.op, program.args
         if op is Op.SUM:
-            return self(args[0]) + self(args[1])
+            return self._known[args[0]] + self._known[args[1]]
         if op is Op.PRODUCT:
-            return self(args[0]) * self(args[1])
+            return self._known[args[0]] * self._known[args[1]]
         if op is Op.NUMBER:
             assert program.number is not None
             return self.number(program.number)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from time import perf_counter
 
 from kowalevski_cas.audit.audited import SUSPECT, Audited
@@ -17,8 +17,11 @@ from kowalevski_cas.audit.session import AuditSession, formulas
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Display
 from kowalevski_cas.reading import Reading
+from kowalevski_cas.reading.text import Prose
+from kowalevski_cas.reading.uncovered import Uncovered, sentences
+from kowalevski_cas.reading.uncovered import formulas as uncovered_formulas
+from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.formulas import typed_formulas
-from kowalevski_cas.source.macros import Expanded
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.source.tokens import likeness, words
 from kowalevski_cas.verify.outcome import Outcome, Verdict, in_latex
@@ -45,6 +48,8 @@ class Audit:
     seconds: float = 0.0
     reading: Reading | None = None
     """The reading, if the source is its own derivation."""
+    uncovered: list[Uncovered] = field(default_factory=list)
+    """What the text claims and no verdict covers."""
 
     @property
     def outcomes(self) -> dict[str, Outcome]:
@@ -134,13 +139,19 @@ def audit(source: Source, base: AuditSession) -> Audit:
             (refused if reason else sources)[place.display] = reason or place.typed.tex
     quotations = Quotations(source, expanded, typed, places, base.derivation)
     session = AuthorSession(base, sources, refused, quotations.differing())
-    notes = [(source.line(offset), reason) for offset, reason in expanded.notes]
+    notes = [(source.line(offset), reason) for offset, reason in (*source.refused, *expanded.notes)]
     describe = Describer(source, expanded, session, refused)
     found = [formula for place in places for formula in describe.formulas(place)]
     found += describe.new(typed, places)
+    prose = Prose(expanded.text, expanded.body, typed)
+    stated = sentences(prose, source, expanded, quotations.intervals())
+    known = [place.typed for place in places if place.typed is not None]
+    uncovered = [one for *_, one in stated]
+    uncovered += uncovered_formulas(typed, known, source, expanded)
     return Audit(
-        source, expanded, places, found, session, notes, quotations.lines(), perf_counter() - start
-    )
+        source, expanded, places, found, session, notes, quotations.lines(),
+        perf_counter() - start, uncovered=sorted(uncovered),
+    )  # fmt: skip
 
 
 def _excess(display: Display, tex: str, base: AuditSession) -> str:

@@ -40,6 +40,7 @@ class Audited:
     conditions: tuple[Condition, ...] = ()
     counterexample: Counterexample | None = None
     correction: Correction | None = None
+    alternatives: tuple[Correction, ...] = ()
     causes: tuple[str, ...] = ()
     breaks: tuple[str, ...] = ()
     """The claims that are not true because of this formula."""

@@ -6,7 +6,7 @@ what the derivation has would have to be restored.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from itertools import zip_longest
 
@@ -74,11 +74,7 @@ class AuthorSession(AuditSession):
         if not claim.reads() & self.changed or self._same(claim, known):
             return known
         self.causes.pop(claim.id, None)
-        try:
-            outcome = super().decide(claim)
-        except Exception as error:  # what an author types must not end the audit of the rest
-            message = f"it cannot be decided as it is typed ({type(error).__name__}: {error})"
-            outcome = self.unread(claim, self.on(claim), Verdict.ERROR, message)
+        outcome = super().decide(claim)
         unclear = outcome.verdict in (Verdict.ERROR, Verdict.UNDECIDED, Verdict.TIMEOUT)
         with suppress(TimeoutError), time_limit(self.timeout):
             if unclear and not self._blame_changes(claim):
@@ -115,13 +111,14 @@ class AuthorSession(AuditSession):
         """Nothing is wrong with the derivation where the author has caused what is."""
         return outcome if claim.id in self.causes else super().with_acceptance(claim, outcome)
 
-    def correct(self, printed: Statement) -> Correction | None:
+    def known_corrections(self, printed: Statement) -> Sequence[Correction]:
         if self._blame_changes(printed.claim):
-            return None
+            return []
         try:
-            return self._restored(printed.claim, printed.on) or super().correct(printed)
+            restored = self._restored(printed.claim, printed.on)
+            return [restored] if restored else super().known_corrections(printed)
         except Exception:  # candidates are made of what an author types
-            return None
+            return []
 
     def _restored(self, claim: Claim, on: Elaborations) -> Correction | None:
         """What the derivation has for a claim, if the author has changed that and it is true."""

@@ -11,7 +11,7 @@ from kowalevski_cas.audit.roles import Role, Roles, undefined, unused
 from kowalevski_cas.notation import Formula, NotationError, split_display, to_latex
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.source.displays import Typed
-from kowalevski_cas.source.macros import Expanded
+from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.outcome import WORST
 
@@ -127,7 +127,7 @@ class Describer:
             audited.verdict = str(worst.verdict)
             audited.conditions = worst.conditions
             audited.counterexample = worst.counterexample
-            audited.correction = worst.correction
+            audited.correction, audited.alternatives = worst.correction, worst.alternatives
             audited.message = worst.message or audited.message
             causes = self.session.causes.get(worst.claim, ())
             audited.causes = tuple(cause.place for cause in causes)

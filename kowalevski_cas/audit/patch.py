@@ -3,31 +3,31 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from difflib import unified_diff
-from io import StringIO
 
 from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.audit.places import Place
 from kowalevski_cas.notation import NotationError, read_display
+from kowalevski_cas.source.difference import difference
+from kowalevski_cas.source.text import Source
 from kowalevski_cas.source.tokens import changes
 
 ROUNDS = 3
 """A misprint can hide behind another one; so what is mended is audited again."""
 
 
-def mended(found: Audit) -> str:
-    """The text of the source with every misprint mended that a true formula is known for."""
-    text = found.source.text
+def mended(found: Audit) -> Source:
+    """The source with every misprint mended that a true formula is known for."""
+    source = found.source
     for _ in range(ROUNDS):
-        before, text = text, _once(found)
-        if text == before:
+        before, source = source, _once(found)
+        if source.text == before.text:
             break
-        found = audit(replace(found.source, text=text), found.session.base)
-    return text
+        found = audit(source, found.session.base)
+    return source
 
 
-def _once(audit: Audit) -> str:
-    """The text with those misprints mended that one audit finds."""
+def _once(audit: Audit) -> Source:
+    """The source with those misprints mended that one audit finds."""
     replacements: dict[tuple[int, int], str] = {}
     end_of_line = "\r\n" if "\r\n" in audit.source.text else "\n"
     for place in audit.places:
@@ -43,7 +43,7 @@ def _once(audit: Audit) -> str:
                 behind = audit.expanded.origin(first - 1, first)[1] if first else 0
                 interval = behind, behind
             replacements[interval] = typed.replace("\r", "").replace("\n", end_of_line)
-    return _replaced(audit.source.text, replacements)
+    return audit.source.edited(replacements)
 
 
 def wanted_tex(audit: Audit, place: Place) -> str | None:
@@ -87,6 +87,4 @@ def _replaced(text: str, replacements: dict[tuple[int, int], str]) -> str:
 
 def patch(found: Audit) -> str:
     """A unified diff that mends every misprint, empty if there is none."""
-    path = found.source.path.lstrip("/")
-    before, after = ([*StringIO(text, "\n")] for text in (found.source.text, mended(found)))
-    return "".join(unified_diff(before, after, f"a/{path}", f"b/{path}", n=2))
+    return difference(found.source, mended(found))

@@ -15,7 +15,7 @@ from kowalevski_cas.audit.places import Place
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.source.displays import Typed, find_formulas
-from kowalevski_cas.source.macros import Expanded
+from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.sentences import STOP, Word, sentence_words
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.source.tokens import words
@@ -41,7 +41,7 @@ class Quotations:
         self.names = {words(d.tex): d.id for d in derivation.displays() if d.inline}
         ids = {id(place.typed): place.display.id for place in places}
         self.words = sentence_words(
-            expanded.text, source.body, typed, lambda f: ids.get(id(f)) or self.called(f)
+            expanded.text, expanded.body, typed, lambda f: ids.get(id(f)) or self.called(f)
         )
         self.texts = [word.text for word in self.words]
 
@@ -55,6 +55,17 @@ class Quotations:
         """The first words of the sentences that claims quote, if the source has them."""
         quoted = (claim for claim in self.derivation.claims if claim.sentence)
         return {claim: self.place(claim.sentence) for claim in quoted}
+
+    def intervals(self) -> list[tuple[int, int]]:
+        """The intervals of the text at which sentences stand that claims quote."""
+        firsts = {id(word): place for place, word in enumerate(self.words)}
+        found = []
+        for claim, word in self.found.items():
+            if word is not None:
+                first = firsts[id(word)]
+                last = self.words[first + len(self.split(claim.sentence)) - 1]
+                found.append((word.start, last.end))
+        return found
 
     def lines(self) -> dict[str, int]:
         """The lines of the sentences that are found, by the ids of claims."""

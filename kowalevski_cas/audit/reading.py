@@ -18,19 +18,24 @@ from kowalevski_cas.audit.describe import Describer
 from kowalevski_cas.audit.places import Place
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.reading import ASSUMPTION, CLAIM, LAW, Formula, Reading
+from kowalevski_cas.reading import ASSUMPTION, CLAIM, CONVENTION, LAW, Formula, Reading
+from kowalevski_cas.reading.uncovered import Uncovered, sentences
 from kowalevski_cas.verify.outcome import Outcome, Verdict
+from kowalevski_cas.verify.run import FALSE_AS_READ, Progress, shared
 
-FALSE_AS_READ = "false as it was read"
+PATIENCE = 6.0
+"""Seconds for what claims share, and for each that is corrected by itself."""
 NOT_JUDGED = "no goal states it yet"
 
 
 class ReadingSession(AuditSession):
     """A run over a reading.
 
-    A claim is refuted if it has a repair or an ancestor is to blame, or if it is a printed rate or
-    integral of a closed, printed law; whatever else fails is undecided.
+    What another formula explains has this formula for its cause, and is decided once more with it
+    as it should read.
     """
+
+    patience = PATIENCE
 
     def __init__(
         self,
@@ -38,30 +43,60 @@ class ReadingSession(AuditSession):
         arithmetics: Sequence[str] = ("flint",),
         explain: bool = False,
         timeout: float | None = None,
+        heard: Progress = lambda *_: None,
     ) -> None:
         super().__init__(reading.derivation, arithmetics, explain, timeout=timeout)
+        self.heard = heard
         self.reading = reading
-        self.claiming = {f.claim.id: f for f in reading.formulas if f.claim is not None}
+        every = (*reading.formulas, *reading.statements)
+        self.claiming = {f.claim.id: f for f in every if f.claim is not None}
 
     @cached_property
     def outcomes(self) -> dict[str, Outcome]:
-        """What is said about each claim."""
-        return {id: self.as_read(outcome) for id, outcome in super().outcomes.items()}
+        """What is said about each claim; processes share the work."""
+        (run,) = shared([self], progress=self.heard)
+        found = {one.claim: self._blaming(one) for one in run.outcomes}
+        self._mend(found)
+        return {
+            id: one._replace(verdict=Verdict.UNDECIDED) if one.verdict is Verdict.ERROR else one
+            for id, one in found.items()
+        }
 
-    def as_read(self, outcome: Outcome) -> Outcome:
-        """An outcome, undecided if what is refuted may have been meant otherwise."""
-        if outcome.verdict is not Verdict.REFUTED:
+    def _blaming(self, outcome: Outcome) -> Outcome:
+        """An outcome; what mends another formula makes that the cause, and corrects none of it."""
+        one = outcome.correction
+        if one is None or not one.blamed or one.printed is None or one.edit is None:
             return outcome
-        formula = self.claiming[outcome.claim]
-        if outcome.correction is not None or outcome.claim in self.causes or is_certain(formula):
-            return outcome
-        return outcome._replace(verdict=Verdict.UNDECIDED, message=FALSE_AS_READ)
+        self.causes[outcome.claim] = (one.printed,)
+        self.misprints[one.printed] = one.edit
+        return outcome._replace(correction=None, alternatives=())
 
+    def _mend(self, found: dict[str, Outcome]) -> None:
+        """Decide once more, with what is blamed as it should read, what that has not mended."""
+        mended = {place: edit.formula for place, edit in self.misprints.items()}
+        rest = [
+            claim.id
+            for claim in self.derivation.claims
+            if self._fails(found[claim.id]) and claim.reads() & mended.keys()
+        ]
+        if not rest:
+            return
+        again = ReadingSession(self.reading, self.arithmetics, timeout=self.timeout)
+        again.texts = self.texts.reading(mended)
+        again.elaborations = self.elaborations.apart(again.texts)
+        (run,) = shared([again], rest, self.heard)
+        for outcome in run.outcomes:
+            own = outcome.correction is not None and not outcome.correction.blamed
+            if outcome.verdict.green or own:
+                self.causes[outcome.claim] = (*mended,)
+                corrections = () if outcome.correction is None else (outcome.correction,)
+                failed = found[outcome.claim]._replace(verdict=Verdict.REFUTED, message="")
+                found[outcome.claim] = failed.corrected_by(corrections)
 
-def is_certain(formula: Formula) -> bool:
-    """Whether a claim is a printed rate or integral of a law, and nothing was taken for granted."""
-    rate = formula.role.kind == "integral" or formula.item.derives
-    return rate and not formula.constants
+    def _fails(self, outcome: Outcome) -> bool:
+        """Whether a claim is false as it was read, and nothing is known that mends it."""
+        failed = outcome.verdict is Verdict.REFUTED or outcome.message == FALSE_AS_READ
+        return failed and outcome.correction is None and outcome.claim not in self.causes
 
 
 def audit_reading(session: ReadingSession) -> Audit:
@@ -75,11 +110,21 @@ def audit_reading(session: ReadingSession) -> Audit:
     by_place = {formula.item.printed: formula for formula in reading.formulas}
     for audited in found:
         _as_read(audited, by_place.get(audited.place) if audited.place else None)
-    notes = [(paper.source.line(offset), reason) for offset, reason in paper.expanded.notes]
+    said = (*paper.source.refused, *paper.expanded.notes)
+    notes = [(paper.source.line(offset), reason) for offset, reason in said]
     return Audit(
         paper.source, paper.expanded, places, found, author, notes, {},
-        perf_counter() - start, reading,
+        perf_counter() - start, reading, uncovered(reading),
     )  # fmt: skip
+
+
+def uncovered(reading: Reading) -> list[Uncovered]:
+    """The sentences that claim something, and by which no claim is made that is judged."""
+    paper, said = reading.paper, reading.known.said
+    judged = [f for f in (*reading.formulas, *reading.statements) if f.claim is not None]
+    kinds = {(f.item.sentence, f.role.kind) for f in judged}
+    stated = sentences(paper.prose, paper.source, paper.expanded, said.skipped(paper.prose))
+    return [one for span, kind, one in stated if (span, kind) not in kinds]
 
 
 def _as_read(audited: Audited, formula: Formula | None) -> None:
@@ -114,6 +159,11 @@ def assumed(audit: Audit) -> Iterator[Assumed]:
             claims = (f.claim.id for f in claiming if f.claim and formula.item in f.on)
             tex = formula.item.printed.tex
             yield Assumed("assumption", f"${tex}$", formula.item.printed, tuple(claims))
+    for formula in reading.formulas:
+        if formula.role.name == CONVENTION:
+            place = formula.item.printed
+            claims = (f.claim.id for f in claiming if f.claim and place in f.claim.reads())
+            yield Assumed("convention", f"${place.tex}$", place, tuple(claims))
     names = dict.fromkeys(name for formula in claiming for name in formula.constants)
     for name in names:
         claims = (f.claim.id for f in claiming if f.claim and name in f.constants)

@@ -7,18 +7,16 @@ claim true and nothing is claimed about it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from functools import cached_property
 
 from kowalevski_cas.limits import tell, time_limit
-from kowalevski_cas.notation import Edit, Formula, NotationError, edits
-from kowalevski_cas.paper.claims import Claim, Neighbour
-from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.notation import Edit, Formula, NotationError
+from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.texts import Display, Printed, Texts
-from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.verify.corrections import true_ones
-from kowalevski_cas.verify.outcome import Outcome, Verdict
+from kowalevski_cas.verify.blame import Blame, Repairs
+from kowalevski_cas.verify.outcome import Correction, Outcome, Verdict
 from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement
 
@@ -52,47 +50,37 @@ class AuditSession(Session):
         for done, claim in enumerate(claims):
             tell(claim.id, done, len(claims))
             found[claim.id] = self.outcome(claim)
-        for claim in claims:
-            if self._unexplained(claim, found[claim.id]):
-                for id in self._misprint(claim, found):
-                    found[id] = found[id]._replace(correction=None)
+        explained = [c.id for c in claims if not self._unexplained(c, found[c.id])]
+        blame = Blame(self, {id: outcome.verdict for id, outcome in found.items()}, explained)
+        for id, corrections in self._repairs(blame).items():
+            found[id] = self._told(found[id], corrections)
         return found
+
+    def _repairs(self, blame: Blame) -> Repairs:
+        """The corrections that are found in time."""
+        found: Repairs = {}
+        failing = blame.open()
+        with suppress(TimeoutError, RecursionError), time_limit(self.patience):
+            found = blame.shared() if failing else {}
+        for claim in failing:
+            if claim.id not in found:
+                with suppress(TimeoutError, RecursionError), time_limit(self.patience):
+                    found[claim.id] = blame.alone(claim)
+        return found
+
+    def _told(self, outcome: Outcome, corrections: Sequence[Correction]) -> Outcome:
+        """An outcome with its corrections; one of another formula makes that the cause."""
+        for one in corrections[:1]:
+            if one.blamed and one.printed is not None and one.edit is not None:
+                self.causes[outcome.claim] = (one.printed,)
+                self.misprints[one.printed] = one.edit
+                return outcome
+        return outcome.corrected_by(corrections)
 
     def _unexplained(self, claim: Claim, outcome: Outcome) -> bool:
         """Whether nothing is known that would make a refuted claim true."""
         refuted = outcome.verdict is Verdict.REFUTED
         return refuted and outcome.correction is None and claim.id not in self.causes
-
-    def _misprint(self, claim: Claim, outcomes: Mapping[str, Outcome]) -> list[str]:
-        """The refuted claims that one edit elsewhere makes true, this one among them.
-
-        Of the edits that leave true what is true, the one is taken that makes most claims true.
-        """
-        best: tuple[Neighbour, list[str]] | None = None
-        claims = self.derivation.claims
-        on = self.on(claim)
-        with (
-            suppress(TimeoutError, NotationError, Meaningless, RecursionError),
-            time_limit(self.patience),
-        ):
-            for found in true_ones(self._elsewhere(claim, on), on.apart(on.texts)):
-                assert found.printed is not None and found.edit is not None
-                texts = self.texts.edited(found.printed, found.edit)
-                about = [c for c in claims if found.printed in c.reads()]
-                green = (c for c in about if outcomes[c.id].verdict.green)
-                if not all(self._true(c, texts) for c in green):
-                    continue
-                refuted = [c for c in about if outcomes[c.id].verdict is Verdict.REFUTED]
-                mended = [c.id for c in refuted if self._true(c, texts)]
-                if best is None or len(mended) > len(best[1]):
-                    best = found, mended
-                if len(mended) == len(refuted):
-                    break
-        if best is None or best[0].printed is None or best[0].edit is None:
-            return []
-        self.misprints[best[0].printed] = best[0].edit
-        self.causes.update((id, (best[0].printed,)) for id in best[1])
-        return best[1]
 
     def repairs(self, display: Display) -> Iterator[tuple[Printed, Edit]]:
         """The edits that make statements of a display true."""
@@ -111,14 +99,6 @@ class AuditSession(Session):
             raise
         except Exception:  # what an author types must not end the audit of the rest
             return False
-
-    def _elsewhere(self, claim: Claim, on: Elaborations) -> Iterator[Neighbour]:
-        """A claim with one edit of a formula on which it stands, and which no claim is about."""
-        names = frozenset(claim.scene.names()) - {*claim.scene.undefined}
-        for printed in Statement(claim, on).stands_on:
-            if printed not in self.established and printed not in self.accepted:
-                for edit in edits(on.texts.statement(printed), on.texts.vocabulary, names):
-                    yield Neighbour(edit.words, claim, on.texts, printed, edit)
 
 
 def formulas(texts: Texts, display: Display) -> tuple[Formula, ...]:

@@ -10,9 +10,11 @@ from contextlib import contextmanager
 from importlib import import_module
 from signal import SIGINT, SIGTERM, default_int_handler, pthread_kill, signal
 from threading import Timer, current_thread, get_ident, main_thread
+from traceback import print_exception
 
 from kowalevski_cas import UserError, __version__
-from kowalevski_cas.cli.exits import EXIT_CODES, INTERRUPTED, USAGE
+from kowalevski_cas.cli.exits import AS_RECORDED, EXIT_CODES, FAILED, INTERRUPTED, USAGE
+from kowalevski_cas.cli.terminal import output
 
 COMMANDS = {
     "verify": "prove or refute the claims of a derivation and compare with its record",
@@ -81,7 +83,20 @@ def _terminable() -> Iterator[None]:
 @_terminable()
 def _run(program: str, words: Sequence[str], parser: Callable[[], argparse.ArgumentParser]) -> int:
     """Run what the words ask a parser for; what goes wrong is told in the program's name."""
-    _prepare()
+    sys.unraisablehook = _unraisable
+    closed = sys.stdout is None
+    with output():
+        code = _ended(program, words, parser)
+        if closed and code == AS_RECORDED:
+            print(f"{program}: the output is closed", file=sys.stderr)
+            return USAGE
+        return code
+
+
+def _ended(
+    program: str, words: Sequence[str], parser: Callable[[], argparse.ArgumentParser]
+) -> int:
+    """How a command ends."""
     try:
         arguments = parser().parse_args(words)
         code: int = arguments.run(arguments)
@@ -108,15 +123,15 @@ def _run(program: str, words: Sequence[str], parser: Callable[[], argparse.Argum
         place = error.filename or "the output"
         print(f"{program}: {place}: {error.strerror}", file=sys.stderr)
         return USAGE
+    except Exception as error:
+        said = f"{type(error).__name__}: {error}"
+        print(f"{program}: this should not happen: {said}", file=sys.stderr)
+        if {"-v", "--verbose"} & {*words}:
+            print_exception(error)
+        else:
+            print("`--verbose` shows where; please report it", file=sys.stderr)
+        return FAILED
     return code
-
-
-def _prepare() -> None:
-    """Let any text be printed, and let no interruption be lost."""
-    for stream in (sys.stdout, sys.stderr):
-        if hasattr(stream, "reconfigure"):
-            stream.reconfigure(encoding="utf-8", errors="backslashreplace")
-    sys.unraisablehook = _unraisable
 
 
 def _overview() -> argparse.ArgumentParser:

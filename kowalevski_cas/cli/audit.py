@@ -2,8 +2,9 @@
 
 The derivation says what each place of the paper is; the source says what stands
 there. If no derivation of the library fits, the source is read as its own: what its formulas are
-is inferred, and said with the reason. Nothing in the source is executed. With --list, the formulas
-are only listed.
+is inferred, and said with the reason. Nothing in the source is executed; read are the files that
+are named, and those that they take from the paper's folder. With --list, the formulas are only
+listed.
 """
 
 from __future__ import annotations
@@ -34,6 +35,7 @@ from kowalevski_cas.files import write
 from kowalevski_cas.library import available
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.reading import CLAIM, read
+from kowalevski_cas.source.difference import difference
 from kowalevski_cas.source.files import read_source
 from kowalevski_cas.source.listing import listing
 from kowalevski_cas.source.text import Source
@@ -79,6 +81,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="print a unified diff that mends every misprint, instead of the results",
     )
     parser.add_argument(
+        "--draft",
+        action="store_true",
+        help="print all that is inferred as comments, to be corrected: as a diff of the source",
+    )
+    parser.add_argument(
+        "--beside", action="store_true", help="with --draft: as the file PAPER.kc beside the source"
+    )
+    parser.add_argument(
         "--report",
         type=Path,
         metavar="DIR",
@@ -98,14 +108,22 @@ def run(arguments: argparse.Namespace) -> int:
     source = read_source(arguments.source, arguments.macros)
     if arguments.list:
         return _list(source, arguments.format)
-    ((outcomes, said, note, code),) = session.watched(
-        lambda one: _audited(arguments, one), [source]
-    )
-    for outcome in outcomes:
-        need_certificates(outcome)
+    if arguments.draft:
+        said, code = _drafted(source, arguments.beside)
+        _write(said, source)
+        return code
+    alone = arguments.alone and arguments.derivation is None
+    known = None if alone else fitting(source, arguments.derivation)
+    if known is None:
+        _, said, note, code = _told(arguments, _read(source, arguments))
+    else:
+        ((outcomes, said, note, code),) = session.watched(
+            lambda one: _told(arguments, audit(one, auditing(*known, arguments))), [source]
+        )
+        for outcome in outcomes:
+            need_certificates(outcome)
     if arguments.patch:
-        sys.stdout.flush()
-        sys.stdout.buffer.write(said.encode(source.encoding, "replace"))
+        _write(said, source)
     else:
         print(said, end="")
     if note:
@@ -113,9 +131,23 @@ def run(arguments: argparse.Namespace) -> int:
     return code
 
 
-def _audited(arguments: argparse.Namespace, source: Source) -> tuple[list[Outcome], str, str, int]:
+def _write(text: str, source: Source) -> None:
+    """Print text of a source, in its encoding."""
+    sys.stdout.flush()
+    sys.stdout.buffer.write(text.encode(source.encoding, "replace"))
+
+
+def _drafted(source: Source, apart: bool) -> tuple[str, int]:
+    """All that is inferred of a source as comments, and the exit code."""
+    from kowalevski_cas.reading.draft import beside, draft
+
+    found = read(source)
+    said = beside(found) if apart else difference(source, draft(found))
+    return said, AS_RECORDED if found.formulas else NOTHING
+
+
+def _told(arguments: argparse.Namespace, found: Audit) -> tuple[list[Outcome], str, str, int]:
     """The outcomes of an audit, what is to be printed and noted, and the exit code."""
-    found = _found(source, arguments)
     outcomes, code = [*found.outcomes.values()], exit_code(found, arguments.strict)
     notes = [outcome.note for outcome in outcomes if outcome.note]
     notes += [_written(found, arguments.report)] if arguments.report is not None else []
@@ -127,16 +159,15 @@ def _audited(arguments: argparse.Namespace, source: Source) -> tuple[list[Outcom
     return outcomes, load_format(arguments.format).audited(found), note, code
 
 
-def _found(source: Source, arguments: argparse.Namespace) -> Audit:
-    """The audit of a source, by the derivation that is named or fits, or by what it says itself."""
-    if not arguments.alone or arguments.derivation is not None:
-        if (known := fitting(source, arguments.derivation)) is not None:
-            return audit(source, auditing(*known, arguments))
+def _read(source: Source, arguments: argparse.Namespace) -> Audit:
+    """The audit of a source as its own derivation; processes share the work."""
     explain = arguments.report is not None
-    run = ReadingSession(
-        read(source), arithmetics(arguments.arithmetic), explain, arguments.timeout
-    )
-    return audit_reading(run)
+    with session.progress_bar() as heard:
+        reading = read(source, heard)
+        run = ReadingSession(
+            reading, arithmetics(arguments.arithmetic), explain, arguments.timeout, heard
+        )
+        return audit_reading(run)
 
 
 def _written(found: Audit, folder: Path) -> str:
@@ -204,9 +235,8 @@ def _of_reading(found: Audit, strict: bool) -> int:
         return NOTHING
     verdicts = {outcome.verdict for outcome in found.outcomes.values()}
     unsettled = [f for f in found.formulas if f.verdict == OPEN and (strict or f.role == CLAIM)]
-    return (
-        AS_RECORDED if verdicts and all(v.green for v in verdicts) and not unsettled else UNDECIDED
-    )
+    settled = verdicts and all(v.green for v in verdicts) and not (unsettled or found.uncovered)
+    return AS_RECORDED if settled else UNDECIDED
 
 
 def _list(source: Source, format: str) -> int:
@@ -216,6 +246,7 @@ def _list(source: Source, format: str) -> int:
         value = {
             "formulas": [asdict(formula) for formula in found],
             "notes": [{"line": line, "words": words} for line, words in notes],
+            "files": [*source.files],
         }
         print(json.dumps(value, indent=2, ensure_ascii=False))
         return AS_RECORDED if found else NOTHING
@@ -227,6 +258,7 @@ def _list(source: Source, format: str) -> int:
         print(f"{formula.line:>5}  {kind:<10} {formula.label:<12} {tex:<60}  {state}")
     for line, words in notes:
         print(f"{line:>5}  {words}")
+    print(f"read: {', '.join(source.files)}")
     readable = sum(1 for formula in found if not formula.trouble)
     print(f"{len(found)} formulas, {readable} can be read")
     return AS_RECORDED if found else NOTHING

@@ -19,7 +19,7 @@ from kowalevski_cas.cli.check import tell
 from kowalevski_cas.cli.exits import NOTHING, CommandError
 from kowalevski_cas.cli.formats import Result
 from kowalevski_cas.cli.report import certified, explained
-from kowalevski_cas.files import write_all
+from kowalevski_cas.files import read, write_all
 from kowalevski_cas.problem import checker
 from kowalevski_cas.report.pdf import page
 from kowalevski_cas.verify.certificate import FOLDER
@@ -64,7 +64,7 @@ def _write(found: Result, output: Path) -> tuple[Checked, str]:
     _, written = page(run, found.paper, digests, evidence=FOLDER)
     contents: dict[str, bytes] = {name: text.encode() for name, text in written.items()}
     for path in certificate_files(folder):
-        contents[f"{FOLDER}/{path.relative_to(folder / FOLDER).as_posix()}"] = path.read_bytes()
+        contents[f"{FOLDER}/{path.relative_to(folder / FOLDER).as_posix()}"] = read(path).encode()
     for path in sorted(Path(checker.__file__).parent.glob("*.py")):
         contents[f"checker/{path.name}"] = path.read_bytes()
     contents["README.md"] = _readme(run, checked).encode()

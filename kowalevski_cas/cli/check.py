@@ -78,7 +78,8 @@ def _checked(names: list[str]) -> list[Checked]:
 
 
 def _committed(folder: Path) -> Checked:
-    return check_committed(folder, load(str(folder)), load_record(folder) or {})
+    derivation = session.loaded(folder, str(folder))
+    return check_committed(folder, derivation, load_record(folder) or {})
 
 
 def _about(folder: Path) -> Expected | None:

@@ -13,16 +13,18 @@ UNDECIDED = 3
 DISAGREEMENT = 4
 REJECTED = 5
 NOTHING = 6
+FAILED = 7
 INTERRUPTED = 130
 
 EXIT_CODES = """exit codes:
   0   as recorded; nothing is wrong that was not known to be
   1   a verdict differs from the record, or (audit) a formula is refuted
   2   wrong usage, or input that cannot be read
-  3   undecided or timed out
+  3   undecided or timed out, or (audit) a claim is not judged
   4   the arithmetics disagree
   5   a certificate is rejected, or not confirmed
-  6   nothing was selected
+  6   nothing was selected, or (audit) a source has no equations of motion, or no claims
+  7   the program itself failed
   130 interrupted
 """
 

@@ -15,7 +15,7 @@ from typing import Any
 
 from kowalevski_cas.cli import plain, session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, UNDECIDED, CommandError
-from kowalevski_cas.files import write
+from kowalevski_cas.files import read, write
 from kowalevski_cas.library import owner
 from kowalevski_cas.notation import NotationError, to_latex, to_plain
 from kowalevski_cas.paper.derivation import Derivation
@@ -98,7 +98,7 @@ def run(arguments: argparse.Namespace) -> int:
     pool = session.pool(arguments)
     (answer,) = session.watched(lambda _: _answer(derivation, scene, arguments, name, pool), [None])
     if file is not None:
-        write(file, file.read_text(encoding="utf-8") + answer.claims)
+        write(file, read(file) + answer.claims)
     outcomes = answer.run.outcomes
     if arguments.format == "json":
         print(json.dumps([*map(_data, answer.findings, outcomes)], indent=1))

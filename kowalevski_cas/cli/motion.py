@@ -17,6 +17,7 @@ import argparse
 import re
 import sys
 from collections.abc import Collection
+from math import isnan, nan
 from typing import Any
 
 import numpy as np
@@ -31,8 +32,8 @@ from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.formulas import source
 from kowalevski_cas.motion.general import AnyMotion
 from kowalevski_cas.motion.methods import METHODS, load
-from kowalevski_cas.motion.methods.ball import enclosed
-from kowalevski_cas.motion.parameters import MethodError, exact
+from kowalevski_cas.motion.methods.ball import enclosed, loss
+from kowalevski_cas.motion.parameters import Inadmissible, MethodError, exact
 from kowalevski_cas.motion.result import Result
 from kowalevski_cas.processes import each
 
@@ -44,6 +45,13 @@ CONSTANTS = ("a", "b", "c", *ON_N4, *ON_O4, "torus")
 
 ROUNDING = 1e-13
 """How far from a given state a motion may begin without a word, relative to its size."""
+
+
+PROMISE = 1e-12
+"""The error of the closed form on O⁴, relative to the size of the state, that is not told."""
+
+MOST_BALLS = 2000
+"""How many states are enclosed one by one where the closed form loses digits."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -119,12 +127,14 @@ def _followed(arguments: argparse.Namespace) -> Result:
     except (ValueError, OverflowError):
         raise CommandError(f"--until {arguments.until} is no finite number") from None
     motion = motion_of(arguments)
-    method = arguments.method or ("dop853" if isinstance(motion, General) else "closed")
-    if motion.off > ROUNDING and method in ("closed", "ball"):
+    beside = motion.off > ROUNDING  # whoever has a closed form begins elsewhere
+    method = arguments.method or ("dop853" if isinstance(motion, General) or beside else "closed")
+    if beside and arguments.method in (None, "closed", "ball"):
         name = "O⁴" if isinstance(motion, MotionO4) else "N⁴"
+        begins = "begins" if method in ("closed", "ball") else "follows it; --method closed begins"
         print(
-            f"the state is not quite on {name}: {method} begins {motion.off:.3g} of its "
-            "size away from it; the integrators begin at it",
+            f"the state is not quite on {name}: {method} {begins} {motion.off:.3g} of its "
+            f"size away from it, on {name}",
             file=sys.stderr,
         )
     times = np.linspace(0.0, until, arguments.samples)
@@ -135,9 +145,7 @@ def _followed(arguments: argparse.Namespace) -> Result:
 
     def states(motion: AnyMotion) -> tuple[Array, ...]:
         with time_limit(arguments.timeout):
-            if method == "ball" and not isinstance(motion, General):
-                return enclosed(motion, times)
-            return (load(method)(motion, times),)
+            return _states(motion, times, method, arguments.method is None)
 
     try:
         (found,) = each(states, [motion])
@@ -152,6 +160,31 @@ def _followed(arguments: argparse.Namespace) -> Result:
     except ValueError as error:
         raise CommandError(str(error)) from None
     return Result(motion, times, *found)
+
+
+def _states(motion: AnyMotion, times: Array, method: str, free: bool) -> tuple[Array, ...]:
+    """The states by a method, or, if nobody named it, as accurate as is promised; with radii."""
+    if method == "ball" and not isinstance(motion, General):
+        return enclosed(motion, times)
+    if free and method == "closed" and isinstance(motion, MotionO4):
+        return _as_promised(motion, times)
+    return (load(method)(motion, times),)
+
+
+def _as_promised(motion: MotionO4, times: Array) -> tuple[Array, ...]:
+    """States on O⁴ as accurate as is promised: in closed form, or else otherwise, and said so."""
+    try:
+        states = load("closed")(motion, times)
+        lost = loss(motion, times, states)
+        error = "an error that is not known" if isnan(lost) else f"an error of {lost:.1e}"
+    except Inadmissible:
+        lost, error = nan, "two roots too close"
+    if lost <= PROMISE:
+        return (states,)
+    many = len(times) > MOST_BALLS or isnan(lost)
+    name = "dop853" if many else "ball"
+    print(f"the closed form has {error} here: {name} follows the motion", file=sys.stderr)
+    return (load("dop853")(motion, times),) if many else enclosed(motion, times)
 
 
 def motion_of(arguments: argparse.Namespace) -> AnyMotion:

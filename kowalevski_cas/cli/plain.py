@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import os
-import re
 import shutil
-import sys
 from collections.abc import Iterable, Iterator
 from textwrap import TextWrapper
 from typing import Final
 
+from kowalevski_cas.cli.terminal import styled, width
 from kowalevski_cas.notation import (
     Formula,
     NotationError,
@@ -40,24 +38,19 @@ SHORT: Final = 24
 """How many letters a formula has at most that is not broken between two lines."""
 
 _COLOURS: Final = {
-    Verdict.PROVED: "32", Verdict.CONDITIONAL: "36", Verdict.REFUTED: "31",
-    Verdict.PROBABLE: "34", Verdict.ENCLOSED: "34",
+    Verdict.PROVED: 32, Verdict.CONDITIONAL: 36, Verdict.REFUTED: 31,
+    Verdict.PROBABLE: 34, Verdict.ENCLOSED: 34,
 }  # fmt: skip
 
 
 def sign(verdict: Verdict, words: str = "") -> str:
     """The sign of a verdict, and words, in its colour on a terminal; all signs are as wide."""
-    return _styled(f"{MARKS[verdict].sign:<3} {words}".ljust(4), _COLOURS.get(verdict, "33"))
+    return styled(f"{MARKS[verdict].sign:<3} {words}".ljust(4), _COLOURS.get(verdict, 33))
 
 
 def bold(line: str) -> str:
     """A line that stands out on a terminal."""
-    return _styled(line, "1")
-
-
-def _styled(said: str, code: str) -> str:
-    styled = sys.stdout.isatty() and not os.environ.get("NO_COLOR")
-    return f"\x1b[{code}m{said}\x1b[0m" if styled else said
+    return styled(line, 1)
 
 
 def formulas(found: Iterable[Formula], source: str = "") -> str:
@@ -106,16 +99,16 @@ def many(number: int, what: str) -> str:
 
 def shortened(line: str) -> str:
     """As much of a line as the terminal is wide."""
-    width = shutil.get_terminal_size().columns
-    return line if len(line) <= width else f"{line[: width - 1]}…"
+    columns = shutil.get_terminal_size().columns
+    return line if len(line) <= columns else f"{line[: columns - 1]}…"
 
 
 def wrapped(words: str, first: str = "", indent: int = 0) -> Iterator[str]:
     """The lines of words behind what stands ``first``; the others begin below these words."""
-    width = max(shutil.get_terminal_size().columns, 40 + indent)
-    begins = len(re.sub("\x1b\\[\\d*m", "", first)) * " "
+    columns = max(shutil.get_terminal_size().columns, 40 + indent)
+    begins = width(first) * " "
     wrapper = TextWrapper(
-        width, begins, " " * indent, break_long_words=False, break_on_hyphens=False
+        columns, begins, " " * indent, break_long_words=False, break_on_hyphens=False
     )
     start, *others = wrapper.wrap(words) or [begins]
     for line in (first + start[len(begins) :], *others):

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from kowalevski_cas import __version__
 from kowalevski_cas.cli.exits import NOTHING, CommandError
+from kowalevski_cas.cli.terminal import Output, printable
 from kowalevski_cas.library import available, find, load, source
 from kowalevski_cas.limits import tell
 from kowalevski_cas.notation import NotationError
@@ -51,7 +52,7 @@ def derivations(names: Sequence[str], only: Sequence[str] = ()) -> list[tuple[Pa
     names = names or available()
     if not names:
         raise CommandError("the library has no derivations", NOTHING)
-    found = [(find(name), load(name, anew=not k)) for k, name in enumerate(names)]
+    found = [(find(name), loaded(find(name), name, anew=not k)) for k, name in enumerate(names)]
     ids = {claim.id for _, derivation in found for claim in derivation.claims}
     for id in only:
         if id not in ids:
@@ -62,6 +63,17 @@ def derivations(names: Sequence[str], only: Sequence[str] = ()) -> list[tuple[Pa
             where = ", ".join(derivation.name for _, derivation in found)
             raise CommandError(f"there is no claim “{id}” in {where}{hint}", NOTHING)
     return [f for f in found if not only or any(claim.id in only for claim in f[1].claims)]
+
+
+def loaded(folder: Path, name: str, anew: bool = True) -> Derivation:
+    """The derivation with this name; a paper is read as its own."""
+    file = source(folder)
+    if file.suffix != ".tex":
+        return load(name, anew)
+    from kowalevski_cas.reading import read
+    from kowalevski_cas.source.files import read_source
+
+    return read(read_source(file)).derivation
 
 
 def runs(
@@ -250,17 +262,20 @@ def progress_bar() -> Iterator[Callable[..., None]]:
         yield lambda *words: None
         return
     from rich.console import Console
+    from rich.markup import escape
     from rich.progress import Progress as Bar
 
     tasks: dict[int, TaskID] = {}
 
     def move(name: str, done: int, total: int, number: int = 0) -> None:
+        name = escape(printable(name))
         if number not in tasks:
             tasks[number] = bar.add_task(name)
         bar.update(tasks[number], description=name, completed=done, total=total, refresh=True)
 
     # Without a thread of its own: processes are forked meanwhile.
-    with Bar(console=Console(stderr=True), transient=True, auto_refresh=False) as bar:
+    stream = sys.stderr.stream if isinstance(sys.stderr, Output) else sys.stderr
+    with Bar(console=Console(file=stream), transient=True, auto_refresh=False) as bar:
         yield move
 
 

@@ -16,6 +16,9 @@ Json = dict[str, Any]
 
 
 RANKS = "it rests on ranks modulo a prime, which are not computed there"
+SOLUTIONS = (
+    "it rests on the uniqueness of solutions of differential equations, which is not known there"
+)
 
 
 class Inexpressible(Exception):

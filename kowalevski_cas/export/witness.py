@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
@@ -94,11 +95,15 @@ def testify(
 
 
 def answer(arguments: Sequence[str], folder: Path) -> tuple[int, str]:
-    """The exit code of a program, and all that it said."""
+    """The exit code of a program, and all that it said.
+
+    Nobody has to have a home: a warning that there is none is no answer.
+    """
     try:
         done = subprocess.run(
             arguments,
             cwd=folder,
+            env={"HOME": str(folder)} | {k: v for k, v in os.environ.items() if k != "HOME" or v},
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,

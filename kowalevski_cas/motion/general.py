@@ -4,13 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NoReturn
+from math import hypot
+from typing import Final, NoReturn
+
+import numpy as np
 
 from kowalevski_cas.motion import formulas, point
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.o4.start import on_O4
 from kowalevski_cas.motion.parameters import Inadmissible, Real, exact
+from kowalevski_cas.motion.units import in_unit, rescaled, unit_of
+
+_WEIGHTS: Final = {"a": 2, "b": 2, "c": 4, "h": 2, "k": 4, "g": 6}
+"""The weights of the constants, of which the unit of time has the weight −1."""
 
 
 @dataclass(frozen=True)
@@ -25,11 +32,22 @@ class General:
     off: float = 0.0
 
     @property
-    def constants(self) -> dict[str, float]:
-        """The values of a, b, c and of the three integrals."""
-        found = formulas.offered("integrals")(*self.point)
-        values = dict(zip(formulas.INTEGRALS, found, strict=True))
-        lengths = {name: values[f"{name}^2"] ** 0.5 for name in "ab"}
+    def constants(self) -> dict[str, float | str]:
+        """The values of a, b, c and of the three integrals; in digits what no float holds."""
+        unit = int(unit_of(np.array(self.point)))
+        return {
+            name: rescaled(value, _WEIGHTS[name] * unit)
+            for name, value in self.constants_in_unit.items()
+        }
+
+    @property
+    def constants_in_unit(self) -> dict[str, float]:
+        """The constants in a unit of time in which the size of the state is about 1."""
+        state = np.array(self.point)
+        state = in_unit(state, unit_of(state))
+        found = formulas.offered("integrals")(*state)
+        values = dict(zip(formulas.INTEGRALS, map(float, found), strict=True))
+        lengths = {"a": hypot(*state[3:6]), "b": hypot(*state[6:])}
         return {**lengths, "c": values["c"], **{name.lower(): values[name] for name in "HKG"}}
 
     def oscillations(self) -> NoReturn:

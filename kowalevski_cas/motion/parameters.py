@@ -201,11 +201,16 @@ def exact(value: Real) -> Fraction:
 
 
 def usable(value: Real) -> Fraction:
-    """The number as a fraction; raises ``ValueError`` unless it is finite and not huge."""
+    """The number as a fraction; raises ``ValueError`` unless it is finite, and not huge either.
+
+    For a huge one that is :class:`Inadmissible`: there are motions, which integrators follow.
+    """
     number = exact(value)
     if abs(number) > LARGEST:
         words = "a constant" if isinstance(value, Fraction) else f"“{value}”"
-        raise ValueError(f"{words} is too large: {float(LARGEST):g} is the most; take other units")
+        raise Inadmissible(
+            f"{words} is too large: {float(LARGEST):g} is the most; take other units"
+        )
     return number
 
 

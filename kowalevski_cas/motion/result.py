@@ -18,6 +18,7 @@ from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.parameters import precision
 from kowalevski_cas.motion.regimes import coincidences, tori
 from kowalevski_cas.motion.transverse import exponent, kind
+from kowalevski_cas.motion.units import in_unit, unit_of
 
 INTEGRALS = {"H": "H", "K": "K", "G": "G", "a^2": "a2", "b^2": "b2", "c": "c"}
 """The integrals whose drift is told, and their names there."""
@@ -48,8 +49,9 @@ class Result:
 
     @cached_property
     def drift(self) -> dict[str, float]:
-        """The largest change of each integral over the states."""
-        values = formulas.offered("integrals")(*self.states.T)
+        """The largest change of each integral, relative to what it is for the size of the state."""
+        states = in_unit(self.states, unit_of(self.states[0]))
+        values = formulas.offered("integrals")(*states.T)
         return {
             INTEGRALS[name]: float(np.max(np.abs(value - value[0])))
             for name, value in zip(formulas.INTEGRALS, map(np.atleast_1d, values), strict=True)
@@ -104,7 +106,7 @@ class Result:
 
     def _on_M4(self, motion: General) -> dict[str, object]:
         """The number of tori on the level of a motion on M⁴ that fills one of them."""
-        values = motion.constants
+        values = motion.constants_in_unit
         p_square = values["a"] ** 2 + values["b"] ** 2
         r_square = np.hypot(values["a"] ** 2 - values["b"] ** 2, 2 * values["c"])
         longer, shorter = np.sqrt([(p_square + r_square) / 2, max(p_square - r_square, 0.0) / 2])

@@ -176,8 +176,19 @@ class Cursor:
         if name in vocabulary.functions:
             raise self.error(f"the argument of the function {name} is missing", token)
         what = f"{name} is not declared" if is_known(letter) else f"the macro {name} is not known"
+        if is_word(letter):
+            what = f"the word {name} is no function that is known, and not declared"
         known = (*vocabulary.ranks, *vocabulary.functions)
         raise Undeclared(f"{what} here", self.tex, token.start, name, known)
+
+
+def is_word(letter: str) -> bool:
+    r"""Whether it is a word: an upright one of several letters, of which none is a name.
+
+    >>> is_word(r"\mathrm{sgn}"), is_word(r"\sigma")
+    (True, False)
+    """
+    return letter.startswith(r"\mathrm{")
 
 
 def is_known(letter: str) -> bool:

@@ -8,7 +8,15 @@ from dataclasses import dataclass, field
 from itertools import count
 
 from kowalevski_cas.notation.errors import NotationError
-from kowalevski_cas.notation.formula import Formula, Name, Negative, Sum
+from kowalevski_cas.notation.formula import (
+    Derivative,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Relation,
+    Sum,
+)
 from kowalevski_cas.notation.latex import bracketed, to_latex
 from kowalevski_cas.notation.layout import split_display
 from kowalevski_cas.notation.lexer import scan
@@ -154,6 +162,37 @@ def substitute(formula: Formula, values: Mapping[str, Formula]) -> Formula:
     if isinstance(formula, Name):
         return values.get(formula.name, formula)
     return formula.mapped(lambda child: substitute(child, values))
+
+
+def changes_subject(edit: Edit) -> bool:
+    r"""Whether an edit changes what a statement is about, or explains it by itself.
+
+    That is a lone first member, as in :math:`U=1/6` and :math:`F`, and what is differentiated in
+    the first one, as in :math:`A\dot p=(B-C)qr`.
+
+    >>> words = Vocabulary(frozenset({"U", "x"}))
+    >>> [statement] = read_display("U=2x", words)
+    >>> [edit.tex for edit in edits(statement, words) if changes_subject(edit)]
+    ['-U=2x', 'x=2x', 'U=2U', 'U^2=2x', '2U=2x', '\\frac{1}{2}U=2x', 'U=2 x U', 'Ux=2x']
+    """
+    formula, path = edit.statement.formula, edit.path
+    first, moving = formula, False
+    if isinstance(formula, Relation):
+        first = formula.members[0]
+        moving = {*formula.members[1:]} != {Number(0)}
+        if path[:1] != (0,):
+            alone = isinstance(first, Name) and first not in formula.members[1:]
+            return alone and first in edit.replacement.nodes()
+        path = path[1:]
+    while path and not isinstance(first, Derivative):
+        first, path = first.children()[path[0]], path[1:]
+        if not path:
+            return False
+    if moving and isinstance(first, Derivative) and first in edit.replacement.nodes():
+        return False
+    while isinstance(first, Derivative):
+        first = first.argument
+    return isinstance(first, Name)
 
 
 LARGEST_CHANGE = 4

@@ -29,6 +29,8 @@ class Family:
         arguments, where :math:`s_1` is at the second one.
     ``parameters``
         what stands behind the argument, as the modulus.
+    ``angles``
+        the values of the generators at a part of :math:`\pi`, by that part.
     ``nonzero``
         generators that vanish nowhere.
     ``covers``
@@ -44,6 +46,7 @@ class Family:
     minus: Mapping[str, str]
     squares: Mapping[str, str] = field(default_factory=dict)
     parameters: tuple[str, ...] = ()
+    angles: Mapping[int, Mapping[str, str]] = field(default_factory=dict)
     nonzero: tuple[str, ...] = ()
     covers: bool = True
     argument: int = 1
@@ -63,6 +66,13 @@ CIRCULAR = Family(
     zero={"s": "0", "c": "1"},
     minus={"s": "-s"},
     sum={"s": "sc_1+cs_1", "c": "cc_1-ss_1"},
+    angles={
+        1: {"s": "0", "c": "-1"},
+        2: {"s": "1", "c": "0"},
+        3: {"s": r"\frac{\sqrt{3}}{2}", "c": r"\frac{1}{2}"},
+        4: {"s": r"\frac{\sqrt{2}}{2}", "c": r"\frac{\sqrt{2}}{2}"},
+        6: {"s": r"\frac{1}{2}", "c": r"\frac{\sqrt{3}}{2}"},
+    },
 )
 
 # The generator is e to half of the argument: it is real, so that its square is positive.
@@ -116,12 +126,15 @@ JACOBI = Family(
 FAMILIES = (CIRCULAR, EXPONENTIAL, JACOBI)
 
 DERIVATIVES = {
-    "ln": r"\frac{1}{x}",
+    "ln": r"\frac{1}{\sqrt{x}^2}",
     "arctan arctg": r"\frac{1}{1+x^2}",
     "arccot arcctg": r"-\frac{1}{1+x^2}",
-    "artanh arctanh arth": r"\frac{1}{1-x^2}",
+    "artanh arctanh arth": r"\frac{1}{\sqrt{1-x^2}^2}",
 }
-"""Functions of which only the derivatives are known, by their argument x."""
+"""Functions of which only the derivatives are known, by their argument x.
+
+They are real where the roots in these are.
+"""
 
 _OTHERS = ("log", "arcsin", "arccos", "max", "min", "det", "tr Tr")
 _MACROS = frozenset(

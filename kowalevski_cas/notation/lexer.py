@@ -28,6 +28,11 @@ LONGEST = 100_000
 
 _NOISE = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
 _WORD = re.compile(r"[A-Za-z]+")
+
+OF_WORDS = {r"\mathrm": "", r"\mathit": "", r"\mathsf": r"\mathsf"}
+"""The types in which letters in one group are a word, and that of a letter by itself."""
+
+ACCENTS = (r"\hat", r"\tilde", r"\vec", r"\check")
 _LENGTH = re.compile(
     r"\s*=?\s*[-+]?[\d.]+\s*[a-z]{2}(?:\s*(?:plus|minus)\s*[-+]?[\d.]+\s*[a-z]{2,5})*"
 )
@@ -113,14 +118,15 @@ class _Scanner:
         if self.once:
             start, self.once = self.once_at, ""
         self.argument()
-        if font == r"\mathrm" and len(text) == 1:
+        if font in OF_WORDS and len(text) == 1:
             word = _WORD.match(self.tex, self.at)
             if font == self.font and word is not None:
                 text, self.at = text + word[0], word.end()
             if text in WORDS:
                 self.add(WORDS[text], text, start)
                 return
-            font = font if len(text) > 1 else ""
+            font = r"\mathrm" if len(text) > 1 else OF_WORDS[font]
+        font = OF_WORDS[font] if font == r"\mathit" else font
         text = f"{font}{{{text}}}" if font else text
         self.add("letter", SPELLING.get(text, text), start)
 
@@ -167,9 +173,15 @@ class _Scanner:
         if self.halved and self.halved[-1] == len(self.groups):
             self.halved.pop()
             self.add("}", "}", start)
+        several = [token.kind for token in self.tokens[self.groups[-1][-1] :][:2]] == ["letter"] * 2
+        if self.font in ACCENTS and several:
+            raise NotationError(f"{self.font} stands over one letter", self.tex, start)
         argument, self.font, owed, begin, before = self.groups.pop()
         self.once = ""
-        if argument:
+        if argument and [token.kind for token in self.tokens[-2:]] in (["^", "{"], ["_", "{"]):
+            del self.tokens[-2:]  # nothing is printed above or below
+            self.owed = owed
+        elif argument:
             self.owed = owed
             self.add("}", "}", start)
         elif len(self.tokens) == before + 1:

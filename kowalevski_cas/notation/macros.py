@@ -39,7 +39,8 @@ ACTIONS: dict[str, str] = _table(
     glue="hskip vskip kern mkern mskip raise lower",
     text="text mbox hbox textrm textit textbf textup intertext shortintertext",
     font="""mathbf boldsymbol bm bs pmb mathrm operatorname operatorname* mathcal mathbb mathfrak
-    mathsf mathit mathnormal mathscr hat widehat tilde widetilde vec overrightarrow check""",
+    mathsf mathit mathnormal mathscr mathbfit symbfit mathbfup symbf symup mathup symit
+    hat widehat tilde widetilde vec overrightarrow check""",
     switch="bf rm cal boldmath sf",
     over="over",
     sum="sum",
@@ -53,11 +54,12 @@ ACTIONS: dict[str, str] = _table(
     times="cdot times",
     dots="ldots dots cdots dotsb dotsc dotsm",
     prime="prime",
-    relation="""coloneqq eqqcolon equiv ne neq leq le leqslant leqq lt geq ge geqslant geqq gt ll gg
-    approx simeq sim cong propto in notin subset to perp parallel rightarrow longrightarrow mapsto
-    Rightarrow Longrightarrow Leftrightarrow Longleftrightarrow iff implies""",
-    open="lbrace lbrack langle lgroup lvert lVert",
-    close="rbrace rbrack rangle rgroup rvert rVert",
+    relation="""coloneqq eqqcolon coloneq eqcolon equiv ne neq leq le leqslant leqq lt geq ge
+    geqslant geqq gt ll gg approx simeq sim cong propto in notin subset to perp parallel
+    rightarrow longrightarrow mapsto Rightarrow Longrightarrow Leftrightarrow
+    Longleftrightarrow iff implies""",
+    open="lparen lbrace lbrack langle lgroup lvert lVert",
+    close="rparen rbrace rbrack rangle rgroup rvert rVert",
     operator="Re Im diag",
     const="const",
     begin="begin",
@@ -100,13 +102,16 @@ TYPED: dict[str, str] = {letter: macro for macro, letter in GREEK.items()} | {
 SPELLING: dict[str, str] = {
     "\\" + name: spelling
     for spelling, names in {
-        "=": "coloneqq eqqcolon", r"\ne": "neq", r"\le": "leq leqslant leqq", "<": "lt",
+        "=": "coloneqq eqqcolon coloneq eqcolon", r"\ne": "neq", r"\le": "leq leqslant leqq",
+        "<": "lt",
         r"\ge": "geq geqslant geqq", ">": "gt", r"\to": "rightarrow longrightarrow",
-        r"\boldsymbol": "bs bm pmb boldmath", r"\mathrm": "rm operatorname operatorname*",
-        r"\mathbf": "bf", r"\mathsf": "sf", r"\mathcal": "cal", "": "mathit mathnormal",
+        r"\boldsymbol": "bs bm pmb boldmath mathbfit symbfit",
+        r"\mathrm": "rm operatorname operatorname* symup mathup",
+        r"\mathbf": "bf mathbfup symbf", r"\mathsf": "sf", r"\mathcal": "cal",
+        "": "mathnormal", r"\mathit": "symit",
         r"\vec": "overrightarrow", r"\hat": "widehat", r"\tilde": "widetilde", r"\overline": "bar",
-        r"\{": "lbrace", r"\}": "rbrace", "[": "lbrack", "]": "rbrack", r"\lvert": "lVert",
-        r"\rvert": "rVert",
+        "(": "lparen", ")": "rparen", r"\{": "lbrace", r"\}": "rbrace", "[": "lbrack",
+        "]": "rbrack", r"\lvert": "lVert", r"\rvert": "rVert",
     }.items()
     for name in names.split()
 }  # fmt: skip

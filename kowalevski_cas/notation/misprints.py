@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from functools import partial
-from typing import NamedTuple
+from typing import NamedTuple, TypeGuard
 
 from kowalevski_cas.notation.errors import closeness, letter_and_index
 from kowalevski_cas.notation.formula import (
+    Application,
     Conjugate,
     Constant,
+    Derivative,
     Formula,
     ImaginaryPart,
     Name,
     Negative,
     Number,
+    Partial,
     Power,
     Product,
     Quotient,
@@ -64,10 +67,14 @@ def misprints(
         _signs,
         partial(_names, "index", names, vocabulary),
         partial(_names, "letter", names, vocabulary),
+        _functions,
         partial(_exponents, vocabulary),
+        _fractions,
         _coefficients,
         partial(_factors, vocabulary),
         partial(_moves, vocabulary),
+        partial(_partials, names, vocabulary),
+        partial(_terms, names, vocabulary),
         partial(_missing, names, vocabulary),
     ):
         for place in places:
@@ -152,6 +159,18 @@ def _names(
         yield kind, place.path, Name(other), f"for {wrong} read ${other}$"
 
 
+_PAIRS = ((r"\sin", r"\cos"), (r"\sinh", r"\cosh"), (r"\sin", r"\tan"), (r"\cosh", r"\tanh"))
+
+
+def _functions(place: _Place) -> Iterator[Misprint]:
+    """The sine for the cosine, and the like."""
+    node = place.node
+    if isinstance(node, Application):
+        for pair in (one for one in _PAIRS if node.function in one):
+            other = Application(pair[pair[0] == node.function], node.arguments)
+            yield "letter", place.path, other, _read(node, other)
+
+
 def _exponents(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
     node, others = place.node, list[Formula]()
     if isinstance(node, Number) and place.raised:
@@ -162,7 +181,7 @@ def _exponents(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
         others.append(Number(node.value + 1))
     elif isinstance(node, Power) and node.exponent == TWO:
         others.append(node.base)
-    elif isinstance(node, Name) and not isinstance(place.parent, Power):
+    elif isinstance(node, Name | Derivative) and not isinstance(place.parent, Power | Derivative):
         others += [Power(node, TWO)] if rank(node, vocabulary) == SCALAR else []
     for other in dict.fromkeys(others):
         yield "exponent", place.path, other, _read(node, other)
@@ -170,6 +189,8 @@ def _exponents(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
 
 def _coefficients(place: _Place) -> Iterator[Misprint]:
     node = place.node
+    if _is_fraction(place.parent):
+        return  # it is changed as a whole
     if isinstance(node, Number) and not place.raised and node.value:
         value = node.value
         others: list[Formula] = [Number(value + 1), Number(2 * value)]
@@ -185,10 +206,30 @@ def _coefficients(place: _Place) -> Iterator[Misprint]:
                 yield "coefficient", place.path, other, _read(node, other)
     elif _term(place) and not isinstance(node, Sum | Number):
         factors = _factors_of(node)
-        if not isinstance(factors[0], Number):
+        if not isinstance(factors[0], Number) and not _is_fraction(factors[0]):
             for number in (TWO, HALF):
                 words = f"insert ${to_latex(number)}$ before ${to_latex(node)}$"
                 yield "coefficient", place.path, times(number, *factors), words
+
+
+def _is_fraction(node: Formula | None) -> TypeGuard[Quotient]:
+    """Whether a node is a quotient of numbers."""
+    return isinstance(node, Quotient) and all(isinstance(n, Number) for n in node.children())
+
+
+def _fractions(place: _Place) -> Iterator[Misprint]:
+    """Another fraction where one stands: half or twice of it, and those with the next numbers."""
+    if not _is_fraction(node := place.node):
+        return
+    above, below = (n.value for n in node.children() if isinstance(n, Number))
+    twice = (above, below // 2) if below % 2 == 0 else (2 * above, below)
+    pairs = [(above, 2 * below), twice, (1, below), (above, below + 1), (above, below - 1)]
+    for numerator, denominator in (*pairs, (above + 1, below), (above - 1, below)):
+        if numerator > 0 and denominator > 0 and numerator != denominator:
+            whole = Number(numerator)
+            other = whole if denominator == 1 else Quotient(whole, Number(denominator))
+            if other != node:
+                yield "coefficient", place.path, other, _read(node, other)
 
 
 def _factors(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
@@ -204,6 +245,10 @@ def _factors(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
 
 def _missing(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
     node = place.node
+    if isinstance(node, Power) and isinstance(node.base, Name) and not place.raised:
+        for name in names:
+            raised = times(node.base, Power(Name(name), node.exponent))
+            yield "missing", place.path, raised, _read(node, raised)
     if place.raised or not (place.parent is None or isinstance(place.parent, _WHOLE)):
         return
     # What multiplies a quotient multiplies its numerator.
@@ -220,6 +265,26 @@ def _missing(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterato
     for name in names:
         words = f"insert the factor ${name}$ in ${tex}$"
         yield "missing", place.path, times(*factors[:first], Name(name), *factors[first:]), words
+
+
+def _partials(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
+    """Another name by which something is derived."""
+    node = place.node
+    if isinstance(node, Partial):
+        for name in names:
+            if name != node.by and vocabulary.rank(name) == vocabulary.rank(node.by):
+                words = f"for the derivative by ${node.by}$ read that by ${name}$"
+                yield "letter", place.path, Partial(node.argument, name), words
+
+
+def _terms(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
+    """A name before a minus with which a bracket begins: it may be missing there."""
+    node = place.node
+    if isinstance(node, Negative) and isinstance(place.parent, Product | Power):
+        if rank(node, vocabulary) == SCALAR:
+            for name in names:
+                words = f"insert ${name}$ before ${to_latex(node)}$"
+                yield "missing", place.path, Sum((Name(name), node)), words
 
 
 def _moves(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:

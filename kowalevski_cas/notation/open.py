@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
-from kowalevski_cas.notation.cursor import BOLD, Cursor, is_known
+from kowalevski_cas.notation.cursor import BOLD, Cursor, is_known, is_word
 from kowalevski_cas.notation.formula import Name
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.parser import Parser
@@ -13,7 +14,7 @@ from kowalevski_cas.notation.vocabulary import Vocabulary
 
 
 class OpenParser(Parser):
-    r"""Takes every letter for a scalar; bold type has to be declared, and so have macros.
+    r"""Takes every letter for a scalar; bold type has to be declared, and so have macros and words.
 
     Each may be printed as a function of the time, if the vocabulary does not say which move.
 
@@ -26,7 +27,7 @@ class OpenParser(Parser):
         found = [
             (letter, index)
             for letter, index in Cursor(tex, tokens, vocabulary).letters()
-            if is_known(letter) and not letter.startswith(BOLD)
+            if is_known(letter) and not letter.startswith(BOLD) and not is_word(letter)
         ]
         names = {letter + more for letter, index in found for more in ("", index)}
         names -= {"d", *vocabulary.ranks}
@@ -68,6 +69,20 @@ def independent(tex: str) -> list[str]:
         if d.text == "d" and letter.kind == "letter":
             found[letter.text] = None
     return [*found]
+
+
+def words_that_move(tex: str) -> list[str]:
+    r"""The words that are differentiated: they are names.
+
+    >>> words_that_move(r"\dot{\mathrm{Ca}}=\mathrm{Na},\ dx_{\rm ab}/dt=0")
+    ['\\mathrm{Ca}']
+    """
+    tokens = [token for token in scan(tex) if token.kind != "{"]
+    return [
+        word.text
+        for before, word in pairwise(tokens)
+        if is_word(word.text) and (before.kind == "accent" or before.text == "d")
+    ]
 
 
 def bold_names(tex: str) -> list[str]:

@@ -71,7 +71,11 @@ class Symbols(Cursor):
                     f"by what is {name} derived? print \\partial {name}/\\partial x", token
                 )
             return self.application(name, token.start, on.power)
-        piece: Piece = (self.declared(token.text, on.index, token), token.start, on.name_end, ())
+        if (primed := name + "'" * on.primes) in self.names:  # as k', which no motion derives
+            piece: Piece = (self.names[primed], token.start, max(on.name_end, on.primes_end), ())
+            on.primes = 0
+        else:
+            piece = (self.declared(token.text, on.index, token), token.start, on.name_end, ())
         if accents:
             piece = _accented(piece, accents, start, max(on.name_end, accents_end))
         piece = _primed(piece, on.primes, on.primes_end)

@@ -61,7 +61,7 @@ def symbol(name: str) -> Symbol:
 
 
 def _letter(tex: str) -> str:
-    return _LETTERS.get(tex, tex.removeprefix("\\"))
+    return _LETTERS.get(tex, tex.removeprefix("\\")).replace("'", "′")
 
 
 def _index(tex: str) -> tuple[str, ...]:

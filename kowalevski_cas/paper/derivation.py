@@ -7,6 +7,7 @@ import sys
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from enum import Enum
 from typing import Any, TypeVar
 
 from kowalevski_cas.paper.claims import Claim, Identity
@@ -141,6 +142,13 @@ def _label(id: str) -> str:
     return f"({number})" if number != id and number.isdecimal() else ""
 
 
+class Doubt(Enum):
+    """How a claim that was inferred from words may have been meant otherwise."""
+
+    UNLESS_MENDED = "one that a small change makes true is what was meant"
+    ALWAYS = "it may say where something happens, and nothing that always holds"
+
+
 @dataclass(eq=False)
 class Derivation:
     """A paper as a sequence of sections.
@@ -152,6 +160,7 @@ class Derivation:
         source: where the paper was published.
         sections: the sections, in their order.
         rests_on: the derivations whose displays and scenes it uses, as they are corrected.
+        doubts: the claims that may have been meant otherwise, where they were inferred.
         offers: what motions are computed with, by its type (:mod:`.closed_form`); each is made
             when it is asked for.
         edition: which text was read, if it is not what was published, and its digest.
@@ -169,6 +178,7 @@ class Derivation:
     sections: tuple[Section, ...]
     rests_on: tuple[Derivation, ...] = ()
     offers: Mapping[type, Callable[[], object]] = field(default_factory=dict)
+    doubts: Mapping[str, Doubt] = field(default_factory=dict)
     edition: str = ""
     main: tuple[str, ...] = ()
 
@@ -264,4 +274,4 @@ class Derivation:
         yield from self.displays()
 
 
-__all__ = ["Change", "Derivation", "Locus", "Scene", "Section"]
+__all__ = ["Change", "Derivation", "Doubt", "Locus", "Scene", "Section"]

@@ -10,7 +10,7 @@ the setting checks it.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import pairwise, takewhile
 
 from kowalevski_cas.algebra import load
@@ -94,8 +94,7 @@ class Elaboration(Moving):
     def _root_names(self) -> Iterator[str]:
         if self.scene.unit is not None or (self.source is not None and "i" in self.source.roots):
             yield "i"
-        yield from self.transcendental.roots
-        primes, names = dict[str, None](), list[str]()
+        primes, names = dict.fromkeys(self.transcendental.numbers), list[str]()
         for name, printed in self.scene.roots.items():
             if not name.startswith(r"\sqrt"):
                 names.append(name)
@@ -103,7 +102,7 @@ class Elaboration(Moving):
                 number = root_of_number(self.texts.expression(name).children()[0])
                 primes |= dict.fromkeys(rf"\sqrt{{{p}}}" for p in number[1]) if number else {}
                 names += [] if number else [name]
-        yield from (*primes, *names)
+        yield from (*primes, *names, *self.transcendental.roots)
 
     @cached_property
     def loci(self) -> tuple[tuple[tuple[Equation, ...], Formula], ...]:  # type: ignore[override] # computed here, an attribute above
@@ -333,5 +332,9 @@ def _divided(parts: Parts, divisor: Polynomial) -> Parts | None:
 
 def finder_of(setting: Setting) -> Evaluation:
     """The evaluation of a setting with FLINT."""
-    assert isinstance(setting, Elaboration)
-    return setting.finder
+    return setting.finder if isinstance(setting, Elaboration) else _evaluated(setting)
+
+
+@cache
+def _evaluated(space: Setting) -> Evaluation:
+    return Evaluation(space, load("flint")).adjoin_roots()

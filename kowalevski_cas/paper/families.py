@@ -17,9 +17,10 @@ from kowalevski_cas.notation import (
     once,
     read,
     substitute,
+    times,
     to_latex,
 )
-from kowalevski_cas.notation.functions import EXPONENTIAL, FAMILY_OF, Family, canonical
+from kowalevski_cas.notation.functions import CIRCULAR, EXPONENTIAL, FAMILY_OF, Family, canonical
 from kowalevski_cas.paper.arguments import Monomial, product_of
 from kowalevski_cas.problem.space import Adjoined, Meaningless
 
@@ -39,12 +40,32 @@ class Kind(NamedTuple):
 
     def names(self, argument: Formula) -> dict[str, str]:
         """The names of the generators at an argument."""
-        if self.family is EXPONENTIAL:
+        if self.family.argument > 1:
             return {"e": rf"\mathrm{{e}}^{{{_over(argument, self.family.argument)}}}"}
         tex = ",".join(map(to_latex, (argument, *self.parameters)))
         whole = tex if isinstance(argument, Name | Quotient) and not self.parameters else f"({tex})"
         words = {one: names.split()[0] for names, one in self.family.functions.items()}
         return {g: f"{canonical(words[g])}{{{whole}}}" for g in self.family.rates}
+
+    def rates(self, names: Mapping[str, str], over: int = 1) -> dict[str, Formula]:
+        """The derivatives of generators with some names by what their argument is, ``over`` it."""
+        below = Number(over * self.family.argument)
+        values = {letter: Name(name) for letter, name in names.items()}
+        found = {}
+        for letter, tex in self.family.rates.items():
+            rate = self.formula(tex, values)
+            found[names[letter]] = rate if below == ONE else Quotient(rate, below)
+        return found
+
+    def opposite(self, values: Mapping[str, Formula]) -> dict[str, Formula]:
+        """The generators at the opposite argument."""
+        changed = {letter: self.formula(tex, values) for letter, tex in self.family.minus.items()}
+        return {**values, **changed}
+
+    def sum(self, left: Mapping[str, Formula], right: Mapping[str, Formula]) -> dict[str, Formula]:
+        """The generators at the sum of two arguments."""
+        values = {**left, **{f"{letter}_1": value for letter, value in right.items()}}
+        return {letter: self.formula(tex, values) for letter, tex in self.family.sum.items()}
 
 
 def _over(argument: Formula, number: int) -> str:
@@ -57,10 +78,48 @@ def _over(argument: Formula, number: int) -> str:
     return to_latex(Quotient(argument, Number(number)))
 
 
+class Imaginary(NamedTuple):
+    """The generators of a family at i times an argument, by those of the other one at it."""
+
+    kind: Kind
+    real: Generators
+    over: int
+
+    @property
+    def argument(self) -> Formula:
+        """Where they are taken."""
+        return times(Name("i"), product_of(self.real.monomial, self.over))
+
+    @property
+    def values(self) -> dict[str, Formula]:
+        """Their values, by Euler's formulas."""
+        euler = _EULER[self.kind.family is EXPONENTIAL]
+        return {letter: self.kind.formula(tex, self.real.values) for letter, tex in euler.items()}
+
+
+_EULER = (
+    {"s": r"\frac{i}{2}(e^2-\frac{1}{e^2})", "c": r"\frac{1}{2}(e^2+\frac{1}{e^2})"},
+    {"e": "c+is"},
+)
+"""Sine and cosine by the exponential function, and that by them."""
+
+
+def real_part(kind: Kind, monomial: Monomial) -> tuple[Kind, Monomial, int] | None:
+    """What an imaginary argument is i times, with the family of which functions stand there.
+
+    They are taken at the argument over a number as well. ``None`` for any other argument.
+    """
+    if (Name("i"), 1) not in monomial or kind.family not in (CIRCULAR, EXPONENTIAL):
+        return None
+    other = EXPONENTIAL if kind.family is CIRCULAR else CIRCULAR
+    rest = tuple(part for part in monomial if part[0] != Name("i"))
+    return Kind(other, ()), rest, kind.family.argument
+
+
 @cache
 def template(tex: str) -> Formula:
     """A formula of the table of functions."""
-    letters = (*"scdek", *(f"{letter}_1" for letter in "scde"))
+    letters = (*"scdeki", *(f"{letter}_1" for letter in "scde"))
     return read(tex, Vocabulary(frozenset(letters)))
 
 
@@ -99,13 +158,8 @@ class Generators(NamedTuple):
             yield Adjoined(self.names[letter], self.kind.formula(tex, self.values))
 
     def rates(self) -> dict[str, Formula]:
-        """Their derivatives by the product of names; what is above a number is as it is there."""
-        below = Number(self.over * self.kind.family.argument)
-        found = {}
-        for letter, tex in self.kind.family.rates.items():
-            rate = self.kind.formula(tex, self.values)
-            found[self.names[letter]] = rate if below == ONE else Quotient(rate, below)
-        return found
+        """Their derivatives by the product of names."""
+        return self.kind.rates(self.names, self.over)
 
 
 def kind_of(formula: Application) -> Kind:

@@ -36,12 +36,14 @@ def functions_of(setting: Meaning) -> Transcendental:
         return Transcendental((), (), (), (), "", lambda formula: formula)
     own = [*setting.printed_field, *setting.met, *_conditions(setting)]
     defined = [*_definitions(setting, scene.definitions)]
-    time = "" if scene.clock is not None or scene.time in scene.variables else scene.time
+    known = scene.clock is not None or scene.time in scene.names()  # the letter may be another's
+    time = "" if known else scene.time
     moving = (*scene.variables, *setting.velocities.values())
     roots = (name for name in scene.roots if name not in scene.variables)
-    constants = (*scene.constants, *scene.undefined, *roots)
+    unit = () if scene.unit is None else ("i",)
+    constants = (*scene.constants, *scene.undefined, *roots, *unit)
     free, expanded = free_names(setting, own), partial(_expanded, setting)
-    return Transcendental([*own, *defined], free, moving, constants, time, expanded)
+    return Transcendental([*own, *defined], free, moving, constants, time, expanded, scene.roots)
 
 
 def _expanded(setting: Meaning, formula: Formula, inside: tuple[str, ...] = ()) -> Formula:
@@ -133,6 +135,21 @@ def _rate(
         if one in reach.names and one not in rates:
             raise Meaningless(f"solve the equations of motion for the rate of {one}", one)
     return ONE, derivative(argument, rates, setting.step)
+
+
+def decides(goal: Goal) -> bool:
+    """Whether a point where a goal fails refutes what it says of functions.
+
+    It does not where the generators of functions may depend on each other in ways that are not
+    known here: as a point there may be none.
+    """
+    for one in simple(goal):
+        if isinstance(one.space, Meaning) and len(one.space.transcendental.groups) > 1:
+            reach = Reach(one.space)
+            reach.goal(one)
+            if not one.space.transcendental.independent(reach.names):
+                return False
+    return True
 
 
 def check_hypotheses(goals: Iterable[Goal]) -> None:

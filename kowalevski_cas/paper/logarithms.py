@@ -1,12 +1,13 @@
 r"""Functions of which only derivatives are known: :math:`(\ln f)'=f'/f`, and those of arcs.
 
 A logarithm of an absolute value is half that of its square. A logarithm, or an arc, is a term with
-a constant factor, so that it stands in no derivative.
+a constant factor, so that it stands in no derivative. It is real where the roots in its derivative
+are.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 from kowalevski_cas.notation import (
     Application,
@@ -17,6 +18,7 @@ from kowalevski_cas.notation import (
     Power,
     Product,
     Quotient,
+    Root,
     Sum,
     Vocabulary,
     read,
@@ -37,6 +39,21 @@ def has_logarithm(formula: Formula) -> bool:
     )
 
 
+def roots(formula: Formula) -> Iterator[Root]:
+    """The roots that are real where logarithms, but those of absolute values, and arcs are."""
+    for one in formula.nodes():
+        match one:
+            case Application(function, (inner,)) if function in DERIVATIVE_OF:
+                if not isinstance(inner, Modulus) and not has_logarithm(inner):
+                    slope = _slope(function, inner)
+                    yield from (node for node in slope.nodes() if isinstance(node, Root))
+
+
+def _slope(function: str, inner: Formula) -> Formula:
+    """The derivative of a function by its argument."""
+    return substitute(read(DERIVATIVE_OF[function], ARGUMENT), {"x": inner})
+
+
 def derived(formula: Formula, by: Callable[[Formula], Formula], space: Elaboration) -> Formula:
     """A derivative of a function with logarithms, of which ``by`` is the one without them.
 
@@ -53,8 +70,7 @@ def derived(formula: Formula, by: Callable[[Formula], Formula], space: Elaborati
             square = Power(inner, Number(2))
             return Quotient(by(square), Product((Number(2), square)))
         case Application(function, (inner,)) if not has_logarithm(inner):
-            slope = substitute(read(DERIVATIVE_OF[function], ARGUMENT), {"x": inner})
-            return Product((slope, by(inner)))
+            return Product((_slope(function, inner), by(inner)))
         case Sum() | Negative():
             return formula.mapped(of)
         case Quotient(above, below) if _is_constant(below, space):

@@ -61,7 +61,7 @@ def rows(formula: Formula, setting: Meaning, within: tuple[str, ...] = ()) -> Ro
             return _each(of(argument), Negative)
         case Derivative(argument, mark):
             return _each(of(argument), lambda entry: setting.plain(Derivative(entry, mark)))
-        case Sum(terms):
+        case Sum(terms) if any(is_matrix(term, setting) for term in terms):
             return reduce(_sum, alike(terms, setting, within))
     return _multiplied(formula, setting, of)
 

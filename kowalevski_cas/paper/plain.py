@@ -78,7 +78,7 @@ class Plain:
                 return OF_MATRICES[function](rows(argument, self.setting))
             case Application():
                 known = self.setting.transcendental(formula)
-                return self(value_of(formula, self.setting)) if known is None else known
+                return self(value_of(formula, self.setting) if known is None else known)
             case Root(argument):
                 value = self._printed_value(formula)
                 return self._positive(Root(self(argument))) if value is None else value
@@ -199,8 +199,11 @@ class Plain:
         if (number := root_of_number(root.argument)) is not None:
             roots = (Root(Number(prime)) for prime in number[1])
             return reduce(lambda a, b: Product((a, b)), roots, fraction_formula(number[0]))
-        name = self.setting.finder.root_name(root.argument)
-        if name in self.setting.scene.roots and not name.startswith(r"\sqrt"):
+        first, *others = self.setting.finder.root_names(root.argument)
+        either = [name for name in others if name in self.setting.scene.roots]
+        if first != "i" and not first.startswith(r"\sqrt"):
+            either = [first]
+        for name in (one for one in either if not one.startswith(r"\sqrt")):
             shown = to_latex(root)
             raise Meaningless(f"{name} may be {shown} or its opposite: print {name}, not {shown}")
         return root

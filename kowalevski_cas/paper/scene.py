@@ -111,6 +111,8 @@ class Scene:
         owner = f"the scene “{self.name}”"
         check_attributes(self, owner)
         check_names(owner, self._given())
+        if "i" in self.roots:
+            raise ValueError(f"{owner}: i is the imaginary unit, and no other root: rename it")
 
     def _given(self) -> Iterator[tuple[str, str]]:
         """Every name with what the scene says that it is."""

@@ -8,7 +8,7 @@ with other texts.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, fields, replace
 from dataclasses import field as default
 from typing import Any
@@ -108,7 +108,7 @@ def statements(*printed: Display | Printed) -> Iterator[Printed]:
 
 
 def check_attributes(one: Any, owner: str) -> None:
-    """Refuse a display or a single value where an attribute is declared as a tuple, and the like.
+    """Refuse an attribute of another type than is declared: a display for a statement, say.
 
     Raises ``TypeError``, which says what to write.
     """
@@ -120,19 +120,39 @@ def check_attributes(one: Any, owner: str) -> None:
                 f"{owner}: {field.name} is to hold statements, not the display {value.id}: "
                 f"write its variable as in {write}"
             )
-        if kind == "Printed" and not isinstance(value, Printed):
-            raise TypeError(
-                f"{owner}: {field.name} is to be a statement, as display[1], not {value!r}"
-            )
-        if not kind.startswith("tuple"):
-            continue
-        if not isinstance(value, tuple) and "|" not in kind:
-            raise TypeError(f"{owner}: {field.name} is to be a tuple, not {value!r}: add a comma")
-        entries = value if isinstance(value, tuple) else ()
-        if kind.startswith("tuple[Printed") and not all(isinstance(e, Printed) for e in entries):
-            raise TypeError(
-                f"{owner}: {field.name} is to hold statements: write (*display,), or display[1]"
-            )
+        if (wrong := _mistyped(value, kind)) is not None:
+            raise TypeError(f"{owner}: {field.name} {wrong}")
+
+
+_TYPES: Mapping[str, tuple[type, str]] = {
+    "Printed": (Printed, "a statement, as display[1]"),
+    "str": (str, "a string"),
+    "int": (int, "a whole number"),
+}
+
+
+def _mistyped(value: object, kind: str) -> str | None:
+    """What a value has to be, if it is not of a type; only the types above are looked at."""
+    kind, *others = kind.split(" | ") if "[" not in kind or kind[-1] != "]" else [kind]
+    if ("None" in others and value is None) or type(value).__name__ in others:
+        return None
+    if kind.startswith("tuple["):
+        if not isinstance(value, tuple):
+            return f"is to be a tuple, not {value!r}: add a comma"
+        inner = kind[len("tuple[") : -1].removesuffix(", ...")
+        inner = inner if "[" in inner else inner.partition(", ")[0]
+        return _first_mistyped(value, inner)
+    if kind.startswith("Mapping[str, ") and isinstance(value, Mapping):
+        inner = kind[len("Mapping[str, ") : -1]
+        return _first_mistyped(value, "str") or _first_mistyped(value.values(), inner)
+    expected, words = _TYPES.get(kind, (object, ""))
+    return None if isinstance(value, expected) else f"is to be {words}, not {value!r}"
+
+
+def _first_mistyped(values: Iterable[object], kind: str) -> str | None:
+    """What the first of some values has to be that is not of a type."""
+    wrong = (_mistyped(value, kind) for value in values)
+    return next((one.replace("to be", "to hold", 1) for one in wrong if one is not None), None)
 
 
 @dataclass(frozen=True, eq=False)

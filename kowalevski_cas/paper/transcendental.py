@@ -13,10 +13,11 @@ holds for the functions, and so does it that an equation fails, for no equation 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
 from math import lcm
+from typing import NamedTuple
 
 from kowalevski_cas.notation import (
     Application,
@@ -29,7 +30,7 @@ from kowalevski_cas.notation import (
     to_latex,
     total,
 )
-from kowalevski_cas.notation.functions import FAMILY_OF, MEANING
+from kowalevski_cas.notation.functions import FAMILY_OF, MEANING, Family
 from kowalevski_cas.paper.arguments import (
     Combination,
     Monomial,
@@ -39,10 +40,25 @@ from kowalevski_cas.paper.arguments import (
     product_of,
     single_name,
 )
-from kowalevski_cas.paper.families import Generators, Kind, applications, kind_of, template
-from kowalevski_cas.problem.space import Adjoined, Let, Meaningless
+from kowalevski_cas.paper.families import (
+    Generators,
+    Imaginary,
+    Kind,
+    applications,
+    kind_of,
+    real_part,
+    template,
+)
+from kowalevski_cas.problem.space import Adjoined, Meaningless
 
 ONE = Number(1)
+
+
+class Derived(NamedTuple):
+    """A generator by others: ``by`` says at what sum, as :func:`addition.theorem` takes it."""
+
+    formula: Formula
+    by: tuple[Family, bool, bool]
 
 
 class Transcendental:
@@ -60,7 +76,9 @@ class Transcendental:
         constants: Sequence[str],
         time: str,
         expanded: Callable[[Formula], Formula],
+        adjoined: Iterable[str] = (),
     ) -> None:
+        self.adjoined = frozenset(adjoined)
         self.free, self.time, self._expanded = frozenset(free), time, expanded
         self.variables, self.constants = (*variables, *([time] if time else [])), tuple(constants)
         known = {*self.variables, *constants}
@@ -71,12 +89,16 @@ class Transcendental:
                 continue
             if not all(is_arithmetic(formula) for monomial in argument for formula, _ in monomial):
                 continue
+            below = (name for one in kind.parameters for name in expanded(one).names())
+            if not {*constants}.issuperset(below):
+                continue  # what moves is no modulus: by it these functions are not derived
             for monomial, factor in argument.items():
                 if monomial:
-                    key = kind, monomial
-                    found[key] = lcm(found.get(key, 1), factor.denominator)
+                    own, real, over = real_part(kind, monomial) or (kind, monomial, 1)
+                    over *= factor.denominator
+                    found[own, real] = lcm(found.get((own, real), 1), over)
         self.groups = tuple(Generators(*key, over) for key, over in found.items())
-        self.derived: dict[str, Let] = {}
+        self.derived: dict[str, Derived] = {}
 
     def _argument(self, application: Application) -> Combination:
         """The argument of a function, in which no name is a defined one."""
@@ -102,6 +124,19 @@ class Transcendental:
                 below = (n for one in group.kind.parameters for n in one.names())
                 found.update(group.names.values(), group.argument.names(), below)
         return frozenset(found)
+
+    def independent(self, names: Container[str]) -> bool:
+        """Whether the generators in some names are known to obey no equations but their own.
+
+        It is not of functions with two moduli, nor where an argument has a root to a power, or a
+        sum below a line: arguments that look unlike may then have to do with one another.
+        """
+        groups = [g for g in self.groups if any(name in names for name in g.names.values())]
+        kinds = {group.kind for group in groups if group.kind.parameters}
+        parts = [part for group in groups for part in group.monomial]
+        odd = any(e < 0 and not isinstance(f, Name) for f, e in parts)
+        odd |= any(isinstance(f, Name) and f.name in self.adjoined and e * e > 1 for f, e in parts)
+        return len(kinds) < 2 and not (odd and len(groups) > 1)
 
     def __contains__(self, name: str) -> bool:
         return name in self.replaced
@@ -134,6 +169,15 @@ class Transcendental:
         return {root.name: root for group in self.groups for root in group.roots()}
 
     @property
+    def numbers(self) -> Iterator[str]:
+        """The roots of numbers in the values at parts of π."""
+        for group in self.groups:
+            if group.kind.family.angles and single_name(group.monomial) == r"\pi":
+                yield from {3: (r"\sqrt{3}",), 4: (r"\sqrt{2}",), 6: (r"\sqrt{3}",)}.get(
+                    group.over, ()
+                )
+
+    @property
     def nonzero(self) -> Iterator[Formula]:
         """The generators that vanish nowhere."""
         for group in self.groups:
@@ -153,9 +197,10 @@ class Transcendental:
         for application in dict.fromkeys(one for f in formulas for one in applications(f)):
             kind = kind_of(application)
             for monomial, factor in self._argument(application).items():
-                if monomial and known.get((kind, monomial), 0) % factor.denominator:
+                own, real, over = real_part(kind, monomial) or (kind, monomial, 1)
+                if monomial and known.get((own, real), 0) % (over * factor.denominator):
                     return False
-                if monomial and (kind, monomial) not in known:
+                if monomial and (own, real) not in known:
                     return False
         return True
 
@@ -169,10 +214,9 @@ class Transcendental:
         if formula.function not in FAMILY_OF:
             return None
         kind = kind_of(formula)
-        multiples: list[tuple[Generators, int]] = []
-        known = {(group.kind, group.monomial): group for group in self.groups}
+        multiples: list[tuple[Generators | Imaginary, int]] = []
         for monomial, factor in self._argument(formula).items():
-            group = known.get((kind, monomial))
+            group = self._group(kind, monomial)
             if group is None or (factor * group.over).denominator > 1:
                 raise Meaningless(
                     f"{to_latex(formula)} is not known here: its argument has to be made of "
@@ -181,34 +225,34 @@ class Transcendental:
             multiples.append((group, int(factor * group.over)))
         return kind.formula(MEANING[formula.function], self._at(kind, multiples))
 
-    def _at(self, kind: Kind, multiples: list[tuple[Generators, int]]) -> dict[str, Formula]:
+    def _group(self, kind: Kind, monomial: Monomial) -> Generators | Imaginary | None:
+        """The generators of a family at a product of names."""
+        own, real, over = real_part(kind, monomial) or (kind, monomial, 0)
+        found = next((g for g in self.groups if (g.kind, g.monomial) == (own, real)), None)
+        if found is None or not over:
+            return found
+        return Imaginary(kind, found, found.over // over)
+
+    def _at(
+        self, kind: Kind, multiples: list[tuple[Generators | Imaginary, int]]
+    ) -> dict[str, Formula]:
         """The generators of a family at a sum of multiples of arguments."""
         if not multiples:
             return {letter: template(tex) for letter, tex in kind.family.zero.items()}
         *before, (group, count) = multiples
         if not before and count == 1:
-            return group.values
+            return _values(group)
         names = kind.names(total(_multiple(group.argument, n) for group, n in multiples))
         if not {*names.values()} <= self.derived.keys():
-            last, rest = (1, count - 1) if count > 0 else (-1, count + 1)
-            left = self._at(kind, [*before, (group, rest)] if rest else before)
-            right = group.values if last > 0 else _opposite(kind, group.values)
-            self._derive(kind, names, left, right, alone=not before and not rest)
+            added, rest = count > 0, count - 1 if count > 0 else count + 1
+            alone = not before and not rest
+            right = _values(group) if added else kind.opposite(_values(group))
+            if not alone:
+                left = self._at(kind, [*before, (group, rest)] if rest else before)
+                right = kind.sum(left, right)
+            by = (kind.family, added, alone)
+            self.derived |= {names[g]: Derived(right[g], by) for g in names}
         return {letter: Name(name) for letter, name in names.items()}
-
-    def _derive(
-        self,
-        kind: Kind,
-        names: dict[str, str],
-        left: dict[str, Formula],
-        right: dict[str, Formula],
-        alone: bool,
-    ) -> None:
-        """Define the generators at a sum of two arguments, or at the second ``alone``."""
-        values = {**left, **{f"{letter}_1": value for letter, value in right.items()}}
-        for letter, tex in kind.family.sum.items():
-            formula = right[letter] if alone else kind.formula(tex, values)
-            self.derived[names[letter]] = Let(names[letter], formula)
 
     # -- derivatives -------------------------------------------------------------
 
@@ -222,6 +266,16 @@ class Transcendental:
         return found
 
 
+def _values(group: Generators | Imaginary) -> dict[str, Formula]:
+    """The generators at an argument; at a part of π they are known."""
+    angles = group.kind.family.angles
+    if isinstance(group, Imaginary) or not angles or single_name(group.monomial) != r"\pi":
+        return group.values
+    if group.over not in angles:
+        raise Meaningless(f"the values at {to_latex(group.argument)} are not known", r"\pi")
+    return {letter: template(tex) for letter, tex in angles[group.over].items()}
+
+
 def _multiple(argument: Formula, count: int) -> Formula:
     whole = times(Number(abs(count)), argument)
     if isinstance(argument, Quotient) and isinstance(argument.denominator, Number):
@@ -230,11 +284,6 @@ def _multiple(argument: Formula, count: int) -> Formula:
         below = Number(factor.denominator)
         whole = above if below == ONE else Quotient(above, below)
     return whole if count > 0 else Negative(whole)
-
-
-def _opposite(kind: Kind, values: dict[str, Formula]) -> dict[str, Formula]:
-    changed = {letter: kind.formula(tex, values) for letter, tex in kind.family.minus.items()}
-    return {**values, **changed}
 
 
 def _by_name(monomial: Monomial, name: str) -> Formula:

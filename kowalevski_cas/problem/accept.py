@@ -14,15 +14,17 @@ from operator import mul
 from types import MappingProxyType
 from typing import Any
 
-from kowalevski_cas.algebra.numbers import rank, rational
+from kowalevski_cas.algebra.numbers import independent, inverse_of, rational
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Number
+from kowalevski_cas.problem.along import Solved, check_departure, check_equal
 from kowalevski_cas.problem.collect import collect_sides
 from kowalevski_cas.problem.count import check_free, check_roots, check_solutions
 from kowalevski_cas.problem.differentials import chosen, differentials, minors
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import (
     At,
+    Departure,
     Evidence,
     Found,
     Further,
@@ -34,9 +36,19 @@ from kowalevski_cas.problem.evidence import (
     Solutions,
 )
 from kowalevski_cas.problem.examine import Examiner, Unproved, Vacuous, is_real, law, need_point
-from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Kernel, Rank, Simple
+from kowalevski_cas.problem.goals import (
+    Along,
+    Count,
+    Exists,
+    Fails,
+    Follows,
+    Goal,
+    Kernel,
+    Rank,
+    Simple,
+)
 from kowalevski_cas.problem.kernel import check_complete, check_further, check_no_solution
-from kowalevski_cas.problem.place import Misplaced, Place
+from kowalevski_cas.problem.place import Misplaced, Pieces, Place
 from kowalevski_cas.problem.space import Equation, Meaningless
 
 ZERO = Number(0)
@@ -114,12 +126,21 @@ class Judge(Examiner):
         self._point(at, evidence.point, known if goal.conclusions else ())
 
     def _fails(self, goal: Follows, evidence: At, at: Evaluation, sign: bool) -> None:
-        place = self._point(at, evidence.point, at.differences(goal.given))
+        known = at.differences(goal.given)
+        if type(goal) is Fails:
+            sides = (pair for one in goal.conclusions for pair in at.pairs(one))
+            self.accepted.divides([*known, *(e for pair in sides for e in pair)])
+        place = self._point(at, evidence.point, known)
         for conclusion in goal.conclusions:
             values = [(place(a), place(b)) for a, b in at.pairs(conclusion)]
             self.accepted.differs = next((v for v in values if not (v[0] - v[1]).is_zero), None)
             if self.accepted.differs is None:
                 raise Unproved("all equations hold at the point")
+            if type(goal) is Fails and not goal.given:
+                pieces = Pieces(place, ())
+                rests = (pieces(left - right) for left, right in at.pairs(conclusion))
+                if not any(map(inverse_of, rests)):
+                    raise Unproved("all equations may hold on another piece")
 
     # -- ranks ---------------------------------------------------------------------
 
@@ -130,9 +151,11 @@ class Judge(Examiner):
 
     def _rank(self, goal: Rank, evidence: At, at: Evaluation, sign: bool) -> None:
         rows = self._rows(goal, at)
-        place = self._point(at, evidence.point, at.differences(goal.given))
-        if rank([[place(entry) for entry in row] for row in rows]) != len(rows):
-            raise Unproved("the differentials are dependent at the point")
+        known = at.differences(goal.given)
+        place = self._point(at, evidence.point, known)
+        pieces = Pieces(place, known)
+        if not independent([[pieces(entry) for entry in row] for row in rows]):
+            raise Unproved("the differentials may be dependent at the point, or on another piece")
         if (len(rows) == goal.rank) != sign:
             raise Unproved(f"there are {len(rows)} independent differentials")
 
@@ -172,6 +195,16 @@ class Judge(Examiner):
             check_complete(goal, at, place)
         else:
             check_no_solution(goal, at, place)
+
+    # -- solutions -------------------------------------------------------------------
+
+    def _along(self, goal: Along, evidence: At | Departure, at: Evaluation, sign: bool) -> None:
+        solutions = Solved(goal, at)
+        self._point(at, evidence.point, solutions.differences)
+        if isinstance(evidence, Departure):
+            check_departure(solutions, evidence.order, self.accepted.places[-1])
+        else:
+            check_equal(solutions)
 
     # -- what exists ---------------------------------------------------------------
 
@@ -255,5 +288,7 @@ _RULES: dict[tuple[type, type, bool], Rule] = {
     (Kernel, At, True): Judge._kernel,
     (Kernel, At, False): Judge._kernel,
     (Kernel, Further, False): Judge._kernel,
+    (Along, At, True): Judge._along,
+    (Along, Departure, False): Judge._along,
 }
 """What checks a kind of evidence for a kind of goal, or against it."""

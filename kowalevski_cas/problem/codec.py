@@ -18,6 +18,7 @@ from typing import Any, get_args, get_origin, get_type_hints
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.problem.evidence import (
     At,
+    Departure,
     Evidence,
     Factor,
     Found,
@@ -30,7 +31,17 @@ from kowalevski_cas.problem.evidence import (
     Shown,
     Solutions,
 )
-from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Kernel, Problem, Rank
+from kowalevski_cas.problem.goals import (
+    Along,
+    Count,
+    Exists,
+    Fails,
+    Follows,
+    Goal,
+    Kernel,
+    Problem,
+    Rank,
+)
 from kowalevski_cas.problem.space import (
     Adjoined,
     Change,
@@ -55,6 +66,7 @@ SHAPES: dict[type[Any], str] = {
     Rank: "space functions given rank",
     Count: "space equations names number",
     Kernel: "space factor solutions integrals weights degree",
+    Along: "space initial equations",
     Proof: "product? cofactors:rows? cases? power?",
     Point: "values",
     At: "point",
@@ -65,6 +77,7 @@ SHAPES: dict[type[Any], str] = {
     Roots: "point root form eliminant solved cofactors:rows quotients factors minors",
     Solutions: "points",
     Further: "further:formula point",
+    Departure: "point order",
 }
 """Keys in their order, with the attribute behind a colon if it is called otherwise.
 
@@ -84,7 +97,7 @@ def _keys(kind: type[Any], shape: str) -> Iterator[_Key]:
 
 _KEYS = {kind: [*_keys(kind, shape)] for kind, shape in SHAPES.items()}
 _GOALS: dict[str, type[Any]] = {
-    kind.__name__.lower(): kind for kind in (Exists, Follows, Fails, Rank, Count, Kernel)
+    kind.__name__.lower(): kind for kind in (Exists, Follows, Fails, Rank, Count, Kernel, Along)
 }
 _STEPS: dict[str, type[Any]] = {"let": Let, "root": Adjoined, "power": Raised}
 _WORDS = {kind: word for word, kind in (*_GOALS.items(), *_STEPS.items())}
@@ -216,6 +229,8 @@ def _kind(data: Data, goal: Goal, holds: bool) -> type:
             return Minors
         case Kernel() if "further" in data:
             return Further
+        case Along():
+            return At if holds else Departure
         case Count():
             return Roots if "eliminant" in data else Solutions
     return At

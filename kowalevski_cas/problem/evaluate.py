@@ -137,18 +137,28 @@ class Evaluation(Fold):
         return True
 
     def root(self, argument: Formula, conjugated: bool = False) -> Element:
-        """The declared square root of an expression, which remembers what that is divided by."""
-        value = self.scalar(argument, conjugated)
-        return self.scalar(Name(self._root_of(value, argument))) + value * self.ring.zero
+        """The declared square root of an expression, which remembers what that is divided by.
+
+        Its conjugate is that of the root by its name: of two roots of the conjugate of the
+        expression it is one, and nothing but a declared pair says which.
+        """
+        value = self.scalar(argument)
+        root = self.scalar(Name(self._roots_of(value, argument)[0]), conjugated)
+        return root + (self.scalar(argument, conjugated) if conjugated else value) * self.ring.zero
 
     def root_name(self, argument: Formula) -> str:
         """The name of the declared square root of an expression, the first one of several."""
-        return self._root_of(self.scalar(argument), argument)
+        return self.root_names(argument)[0]
 
-    def _root_of(self, value: Element, argument: Formula) -> str:
-        for name, square in self.roots.items():
-            if (square - value).is_zero:
-                return name
+    def root_names(self, argument: Formula) -> list[str]:
+        """The names of all declared square roots of an expression; a printed root comes first."""
+        return self._roots_of(self.scalar(argument), argument)
+
+    def _roots_of(self, value: Element, argument: Formula) -> list[str]:
+        # A printed root is not negative; a name with the same square may be.
+        names = sorted(self.roots, key=lambda name: not name.startswith(r"\sqrt"))
+        if found := [name for name in names if (self.roots[name] - value).is_zero]:
+            return found
         raise Meaningless(f"no root of {to_latex(argument)} is declared here")
 
     # -- derivatives -------------------------------------------------------------

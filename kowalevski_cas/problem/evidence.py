@@ -121,7 +121,14 @@ class Further(NamedTuple):
     point: Point
 
 
-Evidence = Shown | At | Minors | Found | Regardless | Roots | Solutions | Further
+class Departure(NamedTuple):
+    """Where a motion begins, and the order of a derivative of which the two sides differ."""
+
+    point: Point
+    order: int
+
+
+Evidence = Shown | At | Minors | Found | Regardless | Roots | Solutions | Further | Departure
 
 
 @dataclass(frozen=True)

@@ -89,7 +89,19 @@ class Kernel(Theorem):
     degree: int
 
 
-Simple = Follows | Rank | Count | Kernel
+@dataclass(frozen=True, eq=False)
+class Along(Theorem):
+    """Along the motion with ``initial`` values variables are equal to the other sides.
+
+    The other sides solve the same system, which is regular where they begin, and begin as one.
+    """
+
+    space: Setting
+    initial: tuple[tuple[str, Formula], ...]
+    equations: tuple[tuple[str, Formula], ...]
+
+
+Simple = Follows | Rank | Count | Kernel | Along
 
 
 @dataclass(frozen=True, eq=False)

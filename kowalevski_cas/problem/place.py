@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from functools import cache
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cache, reduce
 from itertools import combinations
 from math import gcd, isqrt
+from operator import or_
 
-from kowalevski_cas.algebra.numbers import Substitution, is_negative
+from kowalevski_cas.algebra.numbers import Substitution, is_negative, rational
 from kowalevski_cas.algebra.polynomials import Polynomials
 from kowalevski_cas.algebra.present import multiple
 from kowalevski_cas.algebra.tower import Element
@@ -48,7 +49,8 @@ class Place:
     def __init__(self, at: Evaluation, point: Point) -> None:
         self.at, self.point = at, point
         squares = {number for value in point.values.values() for number in _squares(value)}
-        self.numbers = _numbers(at.polynomials, tuple(sorted(squares)))
+        self.squares = tuple(sorted(squares))
+        self.numbers = _numbers(at.polynomials, self.squares)
         given = {name: self.numbers.scalar(value) for name, value in point.values.items()}
         zero = self.numbers.ring.zero
         generators = {name: given.get(name, zero) for name in at.ring.polynomials.generators}
@@ -120,6 +122,55 @@ class Place:
             one = self.numbers.ring.one
             if not (value - one).is_zero or not (self(self.at.scalar(step.base)) - one).is_zero:
                 raise Misplaced(f"the value of {step.name} is not known there")
+
+
+class Pieces:
+    """The values of elements at a point, with the roots open that do not stand in what is known.
+
+    On each piece of the space there is a point with the same values of all else, where each root
+    has one of its signs. So an element whose value has an inverse is zero on none of them.
+    """
+
+    def __init__(self, place: Place, known: Sequence[Element]) -> None:
+        at, values = place.at, place.point.values
+        self.place = place
+        numbers = _numbers.__wrapped__(at.polynomials, place.squares)
+        given = {name: numbers.scalar(value) for name, value in values.items()}
+        generators = {n: given.get(n, numbers.ring.zero) for n in at.ring.polynomials.generators}
+        self._value = Substitution(at.ring, generators, numbers.ring, roots={})
+        fixed = self._fixed([*known, *self._bases()])
+        for bit, name in enumerate(at.ring.roots):
+            if name not in given:
+                continue
+            square, below = self._value(at.ring.radicands[bit]), at.ring.below[bit]
+            if fixed >> bit & 1 or square.is_zero or rational(square) == -1:
+                root = given[name] if below is None else given[name] * self._value(below)
+            else:
+                root = numbers.ring.adjoin(f":{name}", square)
+            self._value.roots[bit] = root
+
+    def __call__(self, element: Element) -> Element:
+        """The value, in which each open root stands for either value."""
+        if not self.place.knows(element):
+            raise Misplaced("the point leaves a value out")
+        return self._value(element)
+
+    def _bases(self) -> Iterator[Element]:
+        """The bases of powers, which are 1 at the point."""
+        at = self.place.at
+        for name in at.setting.powers:
+            step = at.setting.step(name)
+            if isinstance(step, Raised) and name in self.place.point.values:
+                yield at.scalar(step.base)
+
+    def _fixed(self, known: Sequence[Element]) -> int:
+        """The roots in elements, and in the squares of such roots."""
+        ring = self.place.at.ring
+        fixed = reduce(or_, (mask for element in known for mask in element.parts), 0)
+        for bit in reversed(range(len(ring.roots))):
+            if fixed >> bit & 1:
+                fixed = reduce(or_, ring.radicands[bit].parts, fixed)
+        return fixed
 
 
 @cache

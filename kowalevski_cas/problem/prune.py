@@ -6,7 +6,17 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from kowalevski_cas.notation import Formula, Name, Partial, Root
-from kowalevski_cas.problem.goals import Count, Exists, Goal, Kernel, Problem, Rank, Simple, simple
+from kowalevski_cas.problem.goals import (
+    Along,
+    Count,
+    Exists,
+    Goal,
+    Kernel,
+    Problem,
+    Rank,
+    Simple,
+    simple,
+)
 from kowalevski_cas.problem.mentions import Mentions, mentions
 from kowalevski_cas.problem.space import Adjoined, Change, Raised, Setting, Space, Step
 
@@ -54,7 +64,7 @@ class Reach:
 
     def _root(self, root: Root) -> None:
         """The declared roots: which of them is meant is a question of values."""
-        for name in self.setting.roots:
+        for name in sorted(self.setting.roots, key=lambda name: not name.startswith(r"\sqrt")):
             step = self.setting.step(name)
             if isinstance(step, Adjoined) and step.square == root.argument:
                 self.name(name)
@@ -82,6 +92,10 @@ class Reach:
                 self.name(name)
             if "i" in old.roots:
                 self.name("i")
+
+    def goal(self, goal: Simple) -> None:
+        """Reach what a goal uses; a rank is about all variables, a kernel about the motion."""
+        _reach_goal(goal, (), self)
 
     def whole(self) -> None:
         """Reach all variables."""
@@ -156,7 +170,7 @@ def _reach_goal(goal: Simple, bound: Iterable[str], reach: Reach) -> None:
         reach.formula(formula)
     if isinstance(goal, Rank):
         reach.whole()
-    if isinstance(goal, Kernel):
+    if isinstance(goal, Kernel | Along):
         reach.move()
     for name in goal.names if isinstance(goal, Count) else ():
         reach.name(name)

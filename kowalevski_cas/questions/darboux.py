@@ -14,6 +14,7 @@ from kowalevski_cas.algebra.numbers import rational
 from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import (
+    Application,
     Derivative,
     Formula,
     Name,
@@ -91,7 +92,8 @@ def search(
         if factor.is_polynomial:
             continue  # there are many of them: told where a product needs them
         exponent, rate = formula(factor.exponent), formula(factor.cofactor)
-        says = f"so $e^{{{to_latex(exponent)}}}$ is an exponential factor"
+        whole = to_latex(Application(r"\exp", (exponent,)))
+        says = f"so ${whole}$ is an exponential factor"
         yield Finding(
             Identity, scene, says, to_latex(equal(Derivative(exponent, scene.time), rate))
         )
@@ -158,16 +160,16 @@ def _product(
         quotient = above if below == ONE else Quotient(above, below)
         return Finding(FirstIntegral, scene, INTEGRAL, to_latex(quotient))
     exponents = [formula(exponent) for exponent, _ in used]
-    factors = [to_latex(power(base, n)) for base, n in zip(bases, exponents, strict=True)]
+    factors = [power(base, n) for base, n in zip(bases, exponents, strict=True)]
     terms: list[Formula] = [
         Product((n, formula(one.cofactor))) for n, (_, one) in zip(exponents, used, strict=True)
     ]
     if not relation.exponential.is_zero:
         exponential = formula(relation.exponential)
-        factors.append(rf"e^{{{to_latex(exponential)}}}")
+        factors.append(Application(r"\exp", (exponential,)))
         terms.append(Derivative(exponential, scene.time))
     if relation.multiplier:
         terms += [Partial(Derivative(Name(n), scene.time), n) for n in scene.variables]
     kind = "is a last multiplier" if relation.multiplier else "is constant along every motion"
-    says = f"so ${' '.join(factors)}$ {kind}"
+    says = f"so ${to_latex(times(*factors))}$ {kind}"
     return Finding(Identity, scene, says, to_latex(equal(Sum(tuple(terms)), Number(0))))

@@ -1,6 +1,16 @@
 """A paper's source read as a derivation: what each formula is, and on what it stands."""
 
-from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, Role
-from kowalevski_cas.reading.read import Formula, Reading, read
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, CONVENTION, DEFINITION, LAW, Role
+from kowalevski_cas.reading.reader import Formula, Reading, read
 
-__all__ = ["ASSUMPTION", "CLAIM", "DEFINITION", "LAW", "Formula", "Reading", "Role", "read"]
+__all__ = [
+    "ASSUMPTION",
+    "CLAIM",
+    "CONVENTION",
+    "DEFINITION",
+    "LAW",
+    "Formula",
+    "Reading",
+    "Role",
+    "read",
+]

@@ -97,6 +97,10 @@ CUES: dict[str, str] = {
 """Patterns by the cue that they give; spaces stand between them."""
 
 
+_CITED = re.compile(r"[\s~]*(?:[^\W\d]+[\s~]*)?\(?\\(?:eq|c|C|auto)?ref(?![A-Za-z])")
+"""A citation behind words: they say what is cited, and nothing of what follows."""
+
+
 @cache
 def _pattern(cue: str) -> re.Pattern[str]:
     return re.compile("|".join(CUES[cue].split()), re.IGNORECASE)
@@ -104,8 +108,10 @@ def _pattern(cue: str) -> re.Pattern[str]:
 
 def cue(name: str, words: str) -> str:
     """The first of some words that give a cue; empty if none do."""
-    found = _pattern(name).search(words)
-    return found[0].strip() if found else ""
+    for found in _pattern(name).finditer(words):
+        if not _CITED.match(words, found.end()):
+            return found[0].strip()
+    return ""
 
 
 def last_cue(name: str, words: str) -> int:

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import NamedTuple
 
+from kowalevski_cas.notation import Name, Number
 from kowalevski_cas.paper.names import BRACKET, head
+from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.laws import Law
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import Item, Paper
@@ -25,12 +28,18 @@ class Role(NamedTuple):
     names: tuple[str, ...] = ()
 
 
-LAW, DEFINITION, LEVEL, ASSUMPTION, CLAIM, NOTATION, OTHER, UNREAD = (
+LAW, DEFINITION, LEVEL, ASSUMPTION, CLAIM, NOTATION, OTHER, UNREAD, CONVENTION = (
     "law", "definition", "level", "assumption", "claim", "notation", "other", "unread",
+    "convention",
 )  # fmt: skip
 
-NAMING = (DEFINITION, LEVEL)
+NAMING = (DEFINITION, LEVEL, CLAIM, CONVENTION)
 """The roles by which a name gets a meaning."""
+
+
+def called(name: str) -> str:
+    """A head without its arguments; that of a bracket is itself."""
+    return name if name.startswith(BRACKET) else head(name)[0]
 
 
 @dataclass(eq=False)
@@ -40,20 +49,32 @@ class Known:
     paper: Paper
     names: Names
     laws: list[Law]
+    restated: list[Law] = field(default_factory=list)
     roles: dict[Item, Role] = field(default_factory=dict)
     definitions: dict[str, list[Item]] = field(default_factory=dict)
     assumptions: list[Item] = field(default_factory=list)
     units: list[Item] = field(default_factory=list)
     clocks: list[Item] = field(default_factory=list)
-    seen: set[str] = field(default_factory=set)
+    seen: dict[str, Item] = field(default_factory=dict)
+    """The equations in which names have been used first."""
+    said: Said = field(default_factory=Said)
+    """What comments say of statements."""
+
+    @cached_property
+    def later(self) -> dict[str, list[Item]]:
+        """The statements that have a name alone on their left, by this name: they may define it."""
+        found: dict[str, list[Item]] = {}
+        for item in self.paper.items:
+            if item.bare and item.members[0] == Name(item.bare[0]) and not item.derives:
+                if not any(isinstance(member, Number) for member in item.members):
+                    found.setdefault(item.bare[0], []).append(item)
+        return found
 
     def enter(self, item: Item, role: Role) -> None:
         """Keep what a statement says."""
         self.roles[item] = role
-        if role.name in NAMING:
-            for name in role.names:
-                self.definitions.setdefault(head(name)[0] if name[:2] != BRACKET else name, [])
-                self.definitions[head(name)[0] if name[:2] != BRACKET else name].append(item)
+        for name in role.names if role.name in NAMING else ():
+            self.definitions.setdefault(called(name), []).append(item)
         if role.name == ASSUMPTION:
             self.assumptions.append(item)
         if role.kind == "unit":
@@ -61,7 +82,8 @@ class Known:
         if role.kind == "clock":
             self.clocks.append(item)
         if item.formula is not None and (item.members or role.name == LAW):
-            self.seen |= item.names
+            for name in item.names:
+                self.seen.setdefault(name, item)
 
     # -- names ---------------------------------------------------------------------
 
@@ -99,9 +121,16 @@ class Known:
             found.add(one)
             if self.moves(one):
                 continue
-            by = self.definitions.get(one) or self.definitions.get(self.names.whole(one), [])
+            whole = self.names.whole(one)
+            by = self.definitions.get(one) or self.definitions.get(whole) or self.later.get(one, [])
             waiting += [other for item in by for other in item.names]
         return found
+
+    def is_explained(self, name: str) -> bool:
+        """Whether a law, a definition, or words say anything of a name."""
+        named = any(item.formula == Name(name) for item in self.paper.items)
+        mentioned = any(name in law.mentions for law in self.laws)
+        return named or mentioned or self.moves(name) or self.is_defined(name) or name in self.later
 
     def varies(self, name: str) -> bool:
         """Whether a name moves, or stands for something that does."""
@@ -126,13 +155,26 @@ class Known:
             taken |= names
         return found
 
+    def sets(self, item: Item) -> list[Item]:
+        """The sets of the phase space that are supposed, to the end of their section."""
+        found = (one for one in self.assumptions if self.roles[one].kind == "set in force")
+        return [one for one in found if one.order < item.order and _within(one, item)]
+
     def reaches(self, one: Item, item: Item) -> bool:
         """Whether what is said at a statement is in force at another one."""
-        if one.theorem is not None:
-            return one.theorem == item.theorem
+        if self.roles[one].kind.startswith("set"):
+            return False
         if self.roles[one].kind == "of the sentence":
             return one.sentence == item.sentence
-        return one.section in item.sections
+        return _within(one, item)
+
+    def special(self, law: Law) -> list[Item]:
+        """The assumptions about the constants of a law for which it is printed anew."""
+        first = law.items[-1]
+        assert law.restates is not None
+        below = {one for name in law.restates.mentions for one in self.below(name)}
+        mentioned = {*self.names.scalars(below)} | below
+        return [one for one in self.supposed(first) if {*self.roles[one].names} & mentioned]
 
     def cited(self, item: Item) -> Iterator[Item]:
         """The statements that are cited in a sentence."""
@@ -142,3 +184,8 @@ class Known:
     def varying(self, names: Iterable[str]) -> list[str]:
         """The names that move, or stand for something that does."""
         return [name for name in names if self.varies(name)]
+
+
+def _within(one: Item, item: Item) -> bool:
+    """Whether a statement stands in the theorem of another one, or else in its section."""
+    return one.section in item.sections if one.theorem is None else one.theorem == item.theorem

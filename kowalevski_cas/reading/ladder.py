@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from kowalevski_cas.notation import Application, Derivative, Name, Number
+from kowalevski_cas.notation import Application, Derivative, Name, Number, Root, to_latex
 from kowalevski_cas.paper.claims import (
     Claim,
     FirstIntegral,
@@ -33,6 +33,8 @@ class Rung:
     claim: Claim
     on: tuple[Item, ...]
     constants: tuple[str, ...]
+    given: tuple[Item, ...] = ()
+    """Those of them that hold on a part of the phase space only."""
 
 
 def rungs(item: Item, id: str, stage: Stage) -> Iterator[Rung]:
@@ -61,13 +63,38 @@ class _Ladder:
     # -- identities ------------------------------------------------------------------
 
     def identities(self) -> Iterator[Rung]:
-        """An equation by itself, and where cited equations hold."""
+        """An equation by itself, and where cited equations hold.
+
+        What vanishes where others are cited is one of a set: nobody says that it always does.
+        """
         says = "both sides are equal"
+        hypotheses = self.hypotheses()
         for assumptions in self.suppositions():
-            yield self.rung(Identity, says, assumptions)
-            if given := self.hypotheses():
+            if not hypotheses or ZERO not in self.item.members:
+                yield self.rung(Identity, says, assumptions)
+            for given in hypotheses:
                 said = "both sides are equal where the cited equations hold"
                 yield self.rung(Implication, said, assumptions, given, given=_places(given))
+                if root := self._root():
+                    chosen = f"{said}, for one value of ${root}$"
+                    beside = tuple(one for one in self._beside() if root in self._roots(one))
+                    yield self.rung(
+                        Implication, chosen, assumptions, given, (self.item, *beside),
+                        given=_places(given), root=root, together=_places(beside),
+                    )  # fmt: skip
+
+    def _root(self) -> str:
+        """The first square root that the statement prints."""
+        return next(iter(self._roots(self.item)), "")
+
+    def _roots(self, item: Item) -> list[str]:
+        nodes = item.formula.nodes() if item.formula is not None else ()
+        return [to_latex(node) for node in nodes if isinstance(node, Root)]
+
+    def _beside(self) -> list[Item]:
+        """The other statements of the same display."""
+        items = self.known.paper.items
+        return [one for one in items if one.typed is self.item.typed and one is not self.item]
 
     def suppositions(self) -> list[list[Item]]:
         """The assumptions with which a claim is tried: those in force, and fewer.
@@ -79,12 +106,17 @@ class _Ladder:
         ]
         return [kept, self.supposed] if len(kept) < len(self.supposed) else [self.supposed]
 
-    def hypotheses(self) -> tuple[Item, ...]:
-        """The equations that the sentence cites, or that stand just before, if it says so."""
-        found = [one for one in self.known.cited(self.item) if self._restricts(one)]
+    def hypotheses(self) -> list[tuple[Item, ...]]:
+        """What may be given: sets in force, what the sentence cites, and both.
+
+        What stands just before is given too, if the words say so.
+        """
+        sets = tuple(self.known.sets(self.item))
+        cited = [one for one in self.known.cited(self.item) if self._restricts(one)]
         if cue("on it", f"{self.item.before[-80:]} {self.item.tail[:40]}"):
-            found += self.just_before()
-        return tuple(dict.fromkeys(found))
+            cited += self.just_before()
+        found = (sets, tuple(cited), (*sets, *cited))
+        return [*dict.fromkeys(tuple(dict.fromkeys(one)) for one in found if one)]
 
     def _restricts(self, one: Item) -> bool:
         """Whether a statement holds on a part of the phase space only, so that it can be given."""
@@ -96,16 +128,18 @@ class _Ladder:
         return role.name == CLAIM and role.kind in ("integral", "identity") and not role.names
 
     def just_before(self) -> list[Item]:
-        """The set that was spoken of last, in the same paragraph."""
-        sets = [
-            one
-            for one, role in self.known.roles.items()
-            if one.order < self.item.order
-            and one.section is self.item.section
-            and role.kind in ("set", "invariant")
-        ]
-        last = sets[-1:] if sets and self.item.paragraph - sets[-1].paragraph <= 0 else []
-        return [one for one in sets if last and one.typed is last[0].typed]
+        """The set that was spoken of, or cited, last in the same paragraph."""
+        found: list[Item] = []
+        for one, role in self.known.roles.items():
+            if one.order < self.item.order and one.paragraph == self.item.paragraph:
+                near = [one] if role.kind in ("set", "invariant") else []
+                near += [o for o in self.known.cited(one) if self._is_set(o)]
+                found = near or found
+        return [one for one in self.known.roles if found and one.typed is found[-1].typed]
+
+    def _is_set(self, one: Item) -> bool:
+        role = self.known.roles.get(one)
+        return role is not None and role.kind in ("set", "set in force", "invariant")
 
     # -- integrals -------------------------------------------------------------------
 
@@ -120,7 +154,7 @@ class _Ladder:
                 yield self.rung(FirstIntegral, says, assumptions, printed=derived.printed)
             else:
                 yield self.rung(Identity, says, assumptions)
-        if given := self.hypotheses():
+        for given in self.hypotheses():
             said = "this is constant along every motion on the set"
             if derived is None:
                 yield self.rung(FirstIntegral, said, self.supposed, given, given=_places(given))
@@ -147,11 +181,7 @@ class _Ladder:
 
     def invariant(self) -> Iterator[Rung]:
         """That no motion leaves a set; its equations are claimed together."""
-        relations = tuple(
-            one
-            for one, role in self.known.roles.items()
-            if one.typed is self.item.typed and role.kind == "invariant"
-        )
+        relations = self._set()
         if relations and relations[0] is self.item:
             says = "no motion leaves the set of these equations"
             places = _places(relations)
@@ -159,6 +189,18 @@ class _Ladder:
                 yield self.rung(
                     InvariantRelations, says, assumptions, (), relations, relations=places
                 )
+
+    def _set(self) -> tuple[Item, ...]:
+        """The equations of the set: those of a display, or side by side in the text."""
+        found: list[list[Item]] = []
+        own = [one for one, role in self.known.roles.items() if role.kind == "invariant"]
+        for one in sorted(own, key=lambda one: one.order):
+            before = found[-1][-1] if found else None
+            if before and (one.typed is before.typed or _beside(before, one)):
+                found[-1].append(one)
+            else:
+                found.append([one])
+        return next((tuple(items) for items in found if self.item in items), ())
 
     # -- all -------------------------------------------------------------------------
 
@@ -176,7 +218,14 @@ class _Ladder:
         if "relations" not in attributes:
             attributes.setdefault("printed", self.item.printed)
         claim = kind(self.id, found.scene, says, **attributes)  # type: ignore[arg-type]
-        return Rung(claim, (*found.assumptions, *on), found.constants)
+        return Rung(claim, (*found.assumptions, *on), found.constants, (*on,))
+
+
+def _beside(one: Item, other: Item) -> bool:
+    """Whether two formulas stand side by side in a line of text, with nothing but an “and”."""
+    inline = one.typed.inline and other.typed.inline and one.sentence == other.sentence
+    between = other.lead.strip(" ,;~\n")
+    return inline and other.order == one.order + 1 and between in ("", "and", "и")
 
 
 def _places(items: Sequence[Item]) -> tuple[Printed, ...]:

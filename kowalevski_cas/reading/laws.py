@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from kowalevski_cas.notation import Derivative, Formula, Name, Number, Power, Product, Relation
+from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import Item, Paper
@@ -20,6 +21,8 @@ class Law:
     names: Names
     base: Law | None = None
     """The law of the names on its right sides, if it is another one."""
+    restates: Law | None = None
+    """The law of which it is printed anew, for special constants."""
 
     @cached_property
     def variables(self) -> tuple[str, ...]:
@@ -54,19 +57,39 @@ class Law:
         return ", ".join(filter(None, labels)) or "the equations of motion"
 
 
-def find_laws(paper: Paper, names: Names) -> list[Law]:
+def find_laws(paper: Paper, names: Names, said: Said) -> list[Law]:
     """The closed sets of equations of motion, in the order of the paper.
 
     The first display with rates of names that nothing defines is grown until the rates of all that
     moves in it are there. Another set has new variables, or is set up as another system.
     """
-    return [*_Finder(paper, names).laws()]
+    return [*_Finder(paper, names, said).laws()]
+
+
+def find_restated(paper: Paper, laws: Sequence[Law]) -> list[Law]:
+    """The laws that displays print anew, row for row, with what rows of the law are left."""
+    found: list[Law] = []
+    for items in {
+        id(i.typed): [o for o in paper.items if o.typed is i.typed] for i in paper.items
+    }.values():
+        rows = [item for item in items if is_row(item) and item not in paper.approximate]
+        if not rows or rows[0].typed.inline or any(rows[0] in law.items for law in laws):
+            continue
+        for law in laws:
+            rated = {name for row in rows for name in law.names.scalars(row.rates)}
+            own = [row for row in law.rows if rated & {*law.names.scalars(row.rates)}]
+            old = {name for row in own for name in law.names.scalars(row.rates)}
+            if law.order < rows[0].order and rated == old:
+                kept = tuple(row for row in law.rows if row not in own)
+                found.append(Law((*kept, *rows), law.names, restates=law))
+                break
+    return found
 
 
 class _Finder:
     """The equations with rates of a paper, and which of them belong together."""
 
-    def __init__(self, paper: Paper, names: Names) -> None:
+    def __init__(self, paper: Paper, names: Names, said: Said) -> None:
         self.paper, self.names = paper, names
         defined: dict[str, int] = {}
         for item in paper.items:
@@ -79,9 +102,13 @@ class _Finder:
         self.rows = [
             item
             for item in paper.items
-            if is_row(item)
-            and item not in paper.approximate
-            and not any(defined.get(n, item.order) < item.order for n in item.rates)
+            if (
+                verb == "law" and item.rates
+                if (verb := said.verb(item))
+                else is_row(item)
+                and item not in paper.approximate
+                and not any(defined.get(n, item.order) < item.order for n in item.rates)
+            )
         ]
 
     def laws(self) -> Iterator[Law]:
@@ -113,20 +140,21 @@ class _Finder:
         own = [row for row in self.rows if row.typed is first.typed]
         while True:
             rated = {name for row in own for name in self.scalars(row)}
-            wanted = {
-                name
-                for row in own
-                for name in self.names.scalars(row.names)
-                if name not in rated
-            }  # fmt: skip
+            wanted = {name for row in own for name in self.names.scalars(row.names)}
+            if self.given(own) >= len(rated):  # else a rate stands on a right side only
+                wanted -= rated
             more = self.following(own, wanted, apart)
             if not more:
                 break
             own += more
         rated_names = {name for row in own for name in self.scalars(row)}
-        if sum(len(self.names.vectors.get(_left(row), "1")) for row in own) < len(rated_names):
+        if self.given(own) < len(rated_names):
             return None
         return Law(tuple(sorted(own, key=lambda row: row.order)), self.names)
+
+    def given(self, rows: Sequence[Item]) -> int:
+        """How many rates some rows give, each one or those of a vector."""
+        return sum(len(self.names.vectors.get(_left(row), "1")) for row in rows)
 
     def following(
         self, own: Sequence[Item], wanted: Collection[str], apart: Collection[str]

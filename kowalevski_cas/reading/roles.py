@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable
 
 from kowalevski_cas.notation import (
+    Application,
     Constant,
     Derivative,
     Formula,
@@ -26,12 +27,14 @@ from kowalevski_cas.reading.known import (
     DEFINITION,
     LAW,
     LEVEL,
+    NAMING,
     NOTATION,
     OTHER,
     UNREAD,
     Known,
     Role,
 )
+from kowalevski_cas.reading.obey import said_role
 from kowalevski_cas.reading.statements import Item
 
 Rule = Callable[[Item, Known], Role | None]
@@ -39,8 +42,18 @@ ZERO = Number(0)
 
 
 def role_of(item: Item, known: Known) -> Role:
-    """What a statement is, by the first rule that says something."""
-    return next(role for rule in RULES if (role := rule(item, known)) is not None)
+    """What a statement is: what a comment says, or the first rule that says something."""
+    inferred = next(role for rule in RULES if (role := rule(item, known)) is not None)
+    found = known.said.role(item)
+    return inferred if found is None else said_role(found, item, inferred, known)
+
+
+_VERB = re.compile(
+    r"[\s~]*(?:(?:also|thus|hence)\s+)?"
+    r"(?:is|are|remains?|stays?|does|do|сохран|постоян|не\s+меня|есть|явля|оста[её]тся|[-—–]+\s)",
+    re.IGNORECASE,
+)
+"""What says of the expression before it that it is something, or does something."""
 
 
 # -- what states nothing ---------------------------------------------------------------
@@ -57,7 +70,7 @@ def expression(item: Item, known: Known) -> Role | None:
         return None
     if isinstance(item.formula, Name):
         return Role(NOTATION, "a name")
-    said = cue("integral", item.tail[:40]) if item.tail[:20].split(",")[0] else ""
+    said = cue("integral", item.tail[:40]) if _VERB.match(item.tail) else ""
     if said and known.varying(item.names):
         if role := unjudged(item, known):
             return role
@@ -72,8 +85,10 @@ def inequality(item: Item, known: Known) -> Role | None:
     assert isinstance(item.formula, Relation)
     if not {*item.formula.signs} & {"<", ">", r"\le", r"\ge", r"\leq", r"\geq", r"\ne", r"\neq"}:
         return Role(OTHER, "no equation")
-    claimed = last_cue("claim", item.before) > last_cue("suppose", item.before)
-    if item.typed.inline or not (claimed or cue("claim", item.tail)):
+    words = item.lead[-30:] if item.typed.inline else item.before
+    claimed = last_cue("claim", words) > last_cue("suppose", words)
+    supposed = cue("suppose", item.before[:12])
+    if supposed or not (claimed or (not item.typed.inline and cue("claim", item.tail))):
         why = "an inequality that is supposed"
         return Role(ASSUMPTION, why, "inequality", tuple(item.names))
     return Role(CLAIM, "an inequality that is claimed", "inequality")
@@ -130,12 +145,22 @@ def definition(item: Item, known: Known) -> Role | None:
     fresh = [n for n in item.printed.heads.names if _is_fresh(n, item, known)]
     if not fresh:
         return None
-    others = [m for m in item.members if not (isinstance(m, Name) and m.name in fresh)]
+    heads = {head(name)[0] for name in fresh}
+    others = [
+        m for m in item.members if getattr(m, "name", getattr(m, "function", "")) not in heads
+    ]
     if not any(known.is_known(n) for n in item.names - {*fresh}) and _is_number(others):
         return Role(ASSUMPTION, "gives a number for a name", "value", tuple(fresh))
+    if cue("if", item.lead):
+        return Role(ASSUMPTION, "supposed in its sentence", "set", tuple(fresh))
+    if len(others) == 1 and isinstance(others[0], Derivative) and not _is_law_left(item):
+        return Role(LEVEL, f"names the rate {_plain(fresh[0])}", "", tuple(fresh))
     role = _integral_that_defines(item, known, fresh)
     if role is not None:
         return role
+    if len([m for m in others if not isinstance(m, Name | Constant)]) > 1:
+        why = f"a chain of equalities; it names {_plain(fresh[0])}"
+        return Role(CLAIM, why, "identity", (*fresh,))
     named = [m for m in others if isinstance(m, Name) and known.varies(m.name)]
     if named and item.members and item.members[0] == named[0]:
         return Role(
@@ -149,6 +174,26 @@ def definition(item: Item, known: Known) -> Role | None:
         if known.varying(item.names - {*fresh}) and not isinstance(item.members[0], PoissonBracket):
             return Role(LEVEL, f"names the value {_plain(fresh[0])}", "", (*fresh,))
     return Role(DEFINITION, f"first with {_plain(fresh[0])} alone on a side", "", tuple(fresh))
+
+
+def repeated(item: Item, known: Known) -> Role | None:
+    """What has been said before, sign for sign, to name something."""
+    for one, role in known.roles.items():
+        if role.name in NAMING and one.formula == item.formula and one.order < item.order:
+            if role.name != CLAIM or item.typed.inline:
+                return Role(NOTATION, f"said before, at {one.printed.place}")
+    return None
+
+
+def change(item: Item, known: Known) -> Role | None:
+    r"""New names for the parts of what moves, as :math:`v=v_0+\zeta`."""
+    first = item.bare[0] if item.bare and item.members[0] == Name(item.bare[0]) else ""
+    new = [name for name in item.names if not known.is_known(name)]
+    said = cue("suppose", item.lead) or cue("define", item.lead)
+    if first and new and said and not item.derives:
+        if known.moves(known.names.whole(first)) or first.endswith("_i"):
+            return Role(DEFINITION, f"gives {_plain(first)} by what is new", "change")
+    return None
 
 
 def square(item: Item, known: Known) -> Role | None:
@@ -183,7 +228,7 @@ def assumption(item: Item, known: Known) -> Role | None:
         if cue("invariant", item.words) or cue("equilibrium", item.words):
             return None
         words = f"“{supposing}” supposes it of what moves"
-        return Role(ASSUMPTION, words, "set", tuple(moving))
+        return Role(ASSUMPTION, words, _reach(item), tuple(moving))
     if known.varying(item.names) or not item.names:
         return None
     if not names and not supposing:
@@ -221,6 +266,17 @@ def solution(item: Item, known: Known) -> Role | None:
     return None
 
 
+def value(item: Item, known: Known) -> Role | None:
+    r"""A value that is supposed of a function, as :math:`(\alpha,\alpha)=1`."""
+    said = cue("suppose", item.lead)
+    if len(item.members) != 2 or item.derives or not said or not item.typed.inline:
+        return None
+    left, right = item.members
+    if _is_number([right]) and known.varying(left.names()) and not cue("invariant", item.words):
+        return Role(ASSUMPTION, f"“{said}” supposes it of what moves", _reach(item))
+    return None
+
+
 def rate(item: Item, known: Known) -> Role | None:
     """Rates after the law: of a known function, and of variables once more."""
     if not item.derives:
@@ -239,24 +295,19 @@ def zero_set(item: Item, known: Known) -> Role | None:
     """Equations of a set: what vanishes, or has a value, without being so identically."""
     if not item.members or item.derives:
         return None
+    if ZERO in item.members and (said := cue("invariant", item.words)):
+        if len(item.members) == 2 and known.varying(item.names):
+            return Role(CLAIM, f"“{said}” in its sentence", "invariant")
     values = [m for m in item.members if _is_value(m) and not known.varying(m.names())]
-    others = [m for m in item.members if m not in values]
-    if (
-        not values
-        or not others
-        or not all(isinstance(m, Name) and known.varies(m.name) for m in others)
-    ):
+    others = [m.name for m in item.members if isinstance(m, Name) and known.varies(m.name)]
+    if not values or len(others) < len(item.members) - len(values) or not others:
         return None
-    words = item.words
-    if said := cue("invariant", words) or cue("equilibrium", words):
-        return Role(CLAIM, f"“{said}” in its sentence", "invariant")
-    if all(known.moves(m.name) for m in others if isinstance(m, Name)) and ZERO in values:
-        if cue("level", words) or cue("suppose", item.lead):
-            return Role(ASSUMPTION, "a set that the text speaks of", "set")
-        return Role(ASSUMPTION, "names a place of the phase space", "set")
-    if ZERO in values:
+    if all(map(known.moves, others)) or ZERO in values:
+        said = cue("invariant", item.words) or cue("equilibrium", item.words)
+        if said and (all(map(known.moves, others)) or cue("invariant", item.words)):
+            return Role(CLAIM, f"“{said}” in its sentence", "invariant")
         return Role(ASSUMPTION, "a set that the text speaks of", "set")
-    return None
+    return Role(CLAIM, "a value that is taken somewhere", "somewhere")
 
 
 def integral(item: Item, known: Known) -> Role | None:
@@ -282,8 +333,8 @@ def other(item: Item, known: Known) -> Role | None:
 
 
 RULES: tuple[Rule, ...] = (
-    unread, expression, inequality, law, unit, bracket, unjudged, definition, square, solution,
-    assumption, approximate, rate, zero_set, integral, identity, other,
+    unread, expression, inequality, law, unit, bracket, unjudged, repeated, change, definition,
+    square, solution, assumption, value, approximate, rate, zero_set, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""
 
@@ -301,8 +352,11 @@ def _is_fresh(name: str, item: Item, known: Known) -> bool:
     function, arguments = head(name)
     if function == BRACKET:
         return False
-    if function in known.definitions or known.names.whole(function) in known.definitions:
-        return False
+    if found := known.definitions.get(function) or known.definitions.get(
+        known.names.whole(function)
+    ):
+        unclear = any(not known.is_explained(n) for one in found for n in one.names)
+        return unclear and all(known.is_explained(n) for n in item.names)
     if known.moves(function) or function in known.paper.words.times:
         return False
     alone = (Name(function), Power(Name(function), Number(2)))
@@ -315,6 +369,13 @@ def _is_fresh(name: str, item: Item, known: Known) -> bool:
         or bool(cue("where", item.lead))
         or (new and not item.typed.inline)
     )
+
+
+def _called(formula: Formula) -> str:
+    """The name that a formula is, or of whose values it is one."""
+    if isinstance(formula, Application):
+        return formula.function
+    return formula.name if isinstance(formula, Name) else ""
 
 
 def _is_number(members: object) -> bool:
@@ -331,6 +392,16 @@ def _is_value(formula: Formula) -> bool:
     return (
         not any(isinstance(n, Derivative) for n in formula.nodes()) and len([*formula.nodes()]) <= 5
     )
+
+
+def _reach(item: Item) -> str:
+    """How far it reaches what is supposed of what moves."""
+    return "set" if cue("if", item.lead) or not cue("suppose", item.lead) else "set in force"
+
+
+def _is_law_left(item: Item) -> bool:
+    """Whether a rate stands on the left."""
+    return isinstance(item.members[0], Derivative) and not item.typed.inline
 
 
 def _supposing(item: Item) -> str:

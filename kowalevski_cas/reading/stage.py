@@ -8,6 +8,7 @@ from functools import cached_property
 
 from kowalevski_cas.notation import (
     Application,
+    Derivative,
     Formula,
     Modulus,
     Name,
@@ -24,13 +25,10 @@ from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.plain import half_power
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.texts import Display, Printed
-from kowalevski_cas.reading.known import ASSUMPTION, Known
+from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, Known
 from kowalevski_cas.reading.laws import Law
 from kowalevski_cas.reading.statements import Item
-
-UNIT = Display("unit", "i^2=-1", "", source="the usual convention")
-"""The imaginary unit of papers that print none."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +63,10 @@ class Stage:
     def scene(self, items: Sequence[Item], assumptions: Sequence[Item] = ()) -> Supposed:
         """The smallest scene of some statements, with what is supposed of its constants."""
         closure = self._closure(items)
-        about = [one for one in assumptions if {*self.known.roles[one].names} & closure.names]
+        law = closure.law
+        special = self.known.special(law) if law is not None and law.restates else []
+        given = dict.fromkeys((*assumptions, *special))
+        about = [one for one in given if {*self.known.roles[one].names} & closure.names]
         roots = tuple(
             dict.fromkeys(
                 root
@@ -73,9 +74,11 @@ class Stage:
                 for root in self._roots(item.formula)
             )
         )
-        key = (closure.law, closure.names, (*closure.definitions.items(),), (*about,), roots)
+        clock = next((one for one in self.known.clocks if any(map(self._has_clock, items))), None)
+        defined = (*closure.definitions.items(),)
+        key = (closure.law, closure.names, defined, (*about,), roots, clock)
         if key not in self.scenes:
-            self.scenes[key] = self._made(closure, about, roots)
+            self.scenes[key] = self._made(closure, about, roots, clock)
         return self.scenes[key]
 
     # -- names -----------------------------------------------------------------------
@@ -105,7 +108,7 @@ class Stage:
                 waiting += self._mentioned(by)
         return _Closure(law, frozenset(names), definitions)
 
-    def _mentioned(self, item: Item) -> set[str]:
+    def _mentioned(self, item: Item) -> list[str]:
         """The names that a statement needs, functions and brackets among them."""
         found = set(item.names)
         for node in item.formula.nodes() if item.formula is not None else ():
@@ -113,7 +116,7 @@ class Stage:
                 found.add(node.function)
             elif isinstance(node, PoissonBracket):
                 found |= {name for name in self.known.definitions if name.startswith(BRACKET)}
-        return found
+        return sorted(found)
 
     def law(self, at: Item, items: Sequence[Item]) -> Law | None:
         """The law of some statements: one that is cited, or the latest that moves their names."""
@@ -121,18 +124,42 @@ class Stage:
         below = {n for item in items for name in self._mentioned(item) for n in known.below(name)}
         moved = {*known.names.scalars(below)}
         moved = {name for name in moved if any(name in law.variables for law in known.laws)}
-        before = [law for law in known.laws if law.first.order <= at.order] or known.laws
+        before = [law for law in known.laws if law.first.typed.start <= at.typed.start]
+        before = before or known.laws
         fitting = [law for law in before if moved & {*law.variables}]
         least = min((len(moved - {*law.variables}) for law in fitting), default=0)
         near = [law for law in fitting if len(moved - {*law.variables}) == least]
         smallest = [law for law in near if law.base not in near] or near
         cited = {*known.cited(at)}
         named = [law for law in smallest if cited & {*law.rows}]
-        return next(iter((named or smallest)[::-1]), None)
+        law = next(iter((named or smallest)[::-1]), None)
+        for name in known.names.scalars(name for item in items for name in item.rates):
+            if not (known.is_defined(name) or (law and name in law.variables)):
+                raise ValueError(f"nothing says how {name} moves")
+        return self._restated(law, at) if law is not None else None
+
+    def _restated(self, law: Law, at: Item) -> Law:
+        """A law as it is printed anew before, where the assumptions for that are not in force."""
+        known = self.known
+        cited, supposed = {*known.cited(at)}, {*known.supposed(at)}
+        for one in reversed(known.restated):
+            new = {*one.items} - {*law.rows}
+            if one.restates is law and max(item.order for item in new) < at.order:
+                special = {*known.special(one)}
+                if (special and not special <= supposed) or new & cited:
+                    return one
+        return law
 
     # -- scenes ------------------------------------------------------------------------
 
-    def _made(self, closure: _Closure, about: Sequence[Item], roots: Iterable[str]) -> Supposed:
+    def _has_clock(self, item: Item) -> bool:
+        """Whether derivatives by another time are printed in a statement."""
+        law = {mark for one in self.known.laws for row in one.rows for mark in _marks(row)}
+        return bool(_marks(item) - {"dot", "t"} - ({"prime"} & law))
+
+    def _made(
+        self, closure: _Closure, about: Sequence[Item], roots: Iterable[str], clock: Item | None
+    ) -> Supposed:
         places, squares = self._places(closure)
         names = self.known.names
         vectors = {
@@ -144,7 +171,7 @@ class Stage:
         title = closure.law.title if closure.law else "the constants"
         rows = tuple(row.printed for row in closure.law.rows) if closure.law else ()
         scene = Scene(title, vectors, closure.variables, constants, rows, definitions=places)
-        scene = self._with_unit(scene.adjoining(*squares), closure.names)
+        scene = self._with_unit(scene.adjoining(*squares), closure.names, clock)
         used: list[Item] = []
         for one in sorted(about, key=lambda one: one.order):
             narrower = with_assumption(scene, one, self.known)
@@ -183,27 +210,29 @@ class Stage:
         taken = {head(name)[0] for name in places} | {n for p in squares for n in p.heads.squares}
         taken |= {part for name in taken for part in vectors.get(name, ())}
         taken |= {argument for name in places for argument in head(name)[1]}
-        taken |= {*closure.variables} | words.matrices | words.times
+        clocks = {name for item in self.known.clocks for name in item.bare}
+        taken |= {*closure.variables, "t"} | words.matrices | clocks
         taken |= words.functions - words.scalars
-        taken |= set() if self.known.moves("i") else {"i"}
+        taken |= {"i"} if self.known.units else set()
         for name in self.known.names.scalars(sorted(closure.names)):
             if name not in taken and not name.startswith(BRACKET):
                 yield name
 
-    def _with_unit(self, scene: Scene, names: frozenset[str]) -> Scene:
-        clocks = [item.printed for item in self.known.clocks]
-        if self.known.moves("i") or ("i" not in names and not clocks):
+    def _with_unit(self, scene: Scene, names: frozenset[str], clock: Item | None) -> Scene:
+        if not self.known.units or ("i" not in names and clock is None):
             return scene
-        units = [item.printed for item in self.known.units]
-        return scene.with_unit((units or [UNIT[1]])[0], clocks[0] if clocks else None)
+        unit = self.known.units[0].printed
+        return scene.with_unit(unit, clock.printed if clock else None)
 
     @cached_property
     def introduced(self) -> frozenset[str]:
         """The names of constants that the laws have, or that words introduce or suppose."""
-        found = {name for law in self.known.laws for name in law.mentions}
+        names = (name for law in self.known.laws for name in law.mentions)
+        found = {*self.known.names.scalars(names)}
         for item in self.known.paper.items:
-            supposed = item in self.known.roles and self.known.roles[item].name == ASSUMPTION
-            if isinstance(item.formula, Name) or supposed:
+            role = self.known.roles[item].name
+            fixed = role == DEFINITION and not self.known.varying(item.names)
+            if isinstance(item.formula, Name) or role == ASSUMPTION or fixed:
                 found |= item.names
         return frozenset(found)
 
@@ -217,6 +246,12 @@ class Stage:
                     yield to_latex(Root(base))
                 case Modulus(argument) if rank(argument, self.known.paper.words) == VECTOR:
                     yield to_latex(Root(Power(argument, Number(2))))
+
+
+def _marks(item: Item) -> set[str]:
+    """How the derivatives in a statement are printed."""
+    nodes = item.formula.nodes() if item.formula is not None else ()
+    return {node.mark for node in nodes if isinstance(node, Derivative)}
 
 
 def with_assumption(scene: Scene, item: Item, known: Known) -> Scene:

@@ -18,9 +18,9 @@ from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.text import MARK, Prose, Section, references
 from kowalevski_cas.source.displays import Typed
+from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.formulas import typed_formulas
 from kowalevski_cas.source.listing import guessed
-from kowalevski_cas.source.macros import Expanded
 from kowalevski_cas.source.text import Source
 
 LONGEST_ID = 32
@@ -130,7 +130,7 @@ class Paper:
 def read_statements(source: Source) -> Paper:
     """The statements of a source, read in the names that it uses."""
     expanded, formulas = typed_formulas(source)
-    prose = Prose(expanded.text, source.body, formulas)
+    prose = Prose(expanded.text, expanded.body, formulas)
     words = _vocabulary(formulas)
     displays: list[tuple[Display, Typed]] = []
     items: list[Item] = []
@@ -213,9 +213,16 @@ def _read(
         yield None, "there is no formula here", whole
     for tokens, start, end in found:
         try:
-            yield OpenParser(formula.tex, tokens, words).statement()[0], "", (start, end)
+            tree = OpenParser(formula.tex, tokens, words).statement()[0]
+            why = "a derivative by what is no time" if _is_derivative(tree, formula.tex) else ""
+            yield (None if why else tree), why, (start, end)
         except (NotationError, RecursionError) as error:
             yield None, getattr(error, "message", str(error)), (start, end)
+
+
+def _is_derivative(tree: Formula, tex: str) -> bool:
+    """Whether the letter d was read as a name, and stands above or below a fraction."""
+    return "d" in tree.names() and re.search(r"\\[dt]?frac\s*\{?\s*d\b|/\s*d\b", tex) is not None
 
 
 def _rates(formula: Formula) -> Iterator[tuple[str, int]]:

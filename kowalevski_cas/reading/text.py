@@ -24,7 +24,7 @@ MARK = "§"
 
 _DELIMITER = re.compile(
     rf"\\(?:begin|end)\s*\{{(?:{'|'.join(DISPLAYS)}|array|aligned|split|cases)\*?\}}"
-    r"(?:\s*\{[\d\s]*\})?|\\[\[\]()]|\$\$?"
+    r"(?:\s*\{[\d\s]*\})?|\\\\(?:\s*\*?\s*\[[^\]\n]{0,20}\])?|\\[\[\]()]|\$\$?|&"
 )
 _HEADING = re.compile(
     r"\\(?P<level>part|chapter|section|subsection|subsubsection|paragraph|subparagraph)\*?"
@@ -102,7 +102,11 @@ class Prose:
     def sections(self) -> list[Section]:
         """The parts of the text, in the order in which they begin."""
         heads = [
-            (found.start(), _level(found), " ".join((found["title"] or found["bold"]).split()))
+            (
+                found.start(),
+                _level(found),
+                " ".join((found["title"] or found["bold"] or "").split()),
+            )
             for found in _HEADING.finditer(self.text, self.start)
         ]
         heads += [(start, level, name) for start, level, name in self._environments()]

@@ -77,7 +77,7 @@ class _Annotated:
                 else:
                     (waiting if last is None else last).append(item)
         self.text = audit.expanded.text
-        self.typed = list(find_formulas(self.text, audit.source.body))
+        self.typed = list(find_formulas(self.text, audit.expanded.body))
         self.names = guessed(self.typed)
         self.placed = {
             (p.typed.start, p.typed.end): p.display for p in audit.places if p.typed is not None
@@ -156,7 +156,7 @@ class _Annotated:
     def _without_formulas(self) -> str:
         """The body of the text with a letter for each formula."""
         pieces: list[str] = []
-        at = self.audit.source.body
+        at = self.audit.expanded.body
         for number, typed in enumerate(self.typed):
             start, end = self._around(typed)
             if start >= at:

@@ -81,7 +81,9 @@ class Evidence:
         having = [
             (
                 row.claim,
-                one._replace(formulas=compared(row.formulas, one.formulas)[1]) if one.edit else one,
+                one._replace(formulas=compared(one.blamed or row.formulas, one.formulas)[1])
+                if one.edit
+                else one,
             )
             for row in self.rows
             if (one := row.correction)
@@ -90,6 +92,7 @@ class Evidence:
             one = ones[0]
             formulas = tuple(formula for each in ones for formula in each.formulas)
             what = "Correction" if one.edit else "The nearest true statement"
+            what = "Correction of another formula" if one.blamed else what
             said: Text = (
                 Emphasis((what,)),
                 *self._of(claims),

@@ -153,13 +153,21 @@ class Findings:
     def _misprint(self, slip: Slip) -> Claim:
         first, correction = slip[0], slip[0].correction
         assert correction is not None
-        where = self.phrases.found([outcome.claim for outcome in slip])
-        head: Text = (*capitalised(where), ": ", *self.phrases.words(correction.words), ".")
-        printed, meant = compared(first.formulas, correction.formulas)
+        where = capitalised(self.phrases.found([outcome.claim for outcome in slip]))
+        fails = "fails" if len(slip) == 1 else "fail"
+        why = f" {fails} because of another formula" if correction.blamed else ""
+        head: Text = (*where, f"{why}: ", *self.phrases.words(correction.words), ".")
+        printed, meant = compared(correction.blamed or first.formulas, correction.formulas)
+        source = "" if correction.blamed else first.source
         shown: list[Block] = [
-            Display(printed, first.source, first.verdict, wrong=True),
+            Display(printed, source, first.verdict, wrong=True),
             Display(meant, verdict=correction.verdict),
         ]
+        for other in first.alternatives:
+            shown.append(Paragraph(("Or: ", *self.phrases.words(other.words), ".")))
+            shown.append(Display(other.formulas, verdict=other.verdict))
+        if correction.others:
+            shown.append(Paragraph((*self.phrases.links(correction.others), _KEPT)))
         if first.counterexample:
             shown.append(Paragraph(self.phrases.values(first.counterexample), "note"))
         return Claim(None, "", head, blocks=tuple(shown))
@@ -191,6 +199,8 @@ class Findings:
                 said = (*said, *self.phrases.linked(outcome.claim, outcome.words), " ")
         return Paragraph((*said, *self.phrases.sentence(condition.words)))
 
+
+_KEPT = " stand on it as well, and are true with either."
 
 _OPEN = {
     Verdict.PROBABLE: "true but for a named chance of error",

@@ -107,7 +107,7 @@ class Passages:
     def _alone(self, stated: Stated) -> Claim:
         """A single claim, with its formulas."""
         (row,), (outcome,) = stated.rows, stated.outcomes
-        misprint = outcome.correction is not None and outcome.correction.edit is not None
+        misprint = outcome.misprinted
         shown = []
         if row.formulas or row.source:
             shown = [Display(_slips(row.formulas, outcome), row.source, wrong=misprint)]
@@ -167,7 +167,7 @@ def _role(item: Item) -> str:
 
 def _slips(formulas: tuple[Formula, ...], outcome: Outcome | None) -> tuple[Formula, ...]:
     """Formulas as printed, with marks on what the correction changes."""
-    if outcome is None or outcome.correction is None or outcome.correction.edit is None:
+    if outcome is None or outcome.correction is None or not outcome.misprinted:
         return formulas
     return compared(formulas, outcome.correction.formulas)[0]
 

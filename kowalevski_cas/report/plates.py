@@ -9,11 +9,12 @@ and each picture as ``torus.png``.
 
 from __future__ import annotations
 
-import json
 import shutil
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
+
+from kowalevski_cas.files import read_json
 
 LIST: Final = "plates.json"
 
@@ -43,7 +44,7 @@ def plates(folder: Path, derivation: str) -> tuple[Plate, ...]:
     found = []
     for file in sorted(folder.glob(f"*/{LIST}")):
         try:
-            content = json.loads(file.read_text(encoding="utf-8"))
+            content = read_json(file)
             entries = content.get(derivation, ())
             listed = [(str(entry["name"]), str(entry["caption"])) for entry in entries]
         except (OSError, ValueError, KeyError, TypeError, AttributeError):

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from typing import Any, Final
 
 from kowalevski_cas import UserError
@@ -60,11 +61,7 @@ def read_article(tex: str, placed: Sequence[Placed], labels: Mapping[str, Link])
         ProseError: if pylatexenc is not installed.
     """
     try:
-        from pylatexenc.latexwalker import (
-            LatexWalker,
-            LatexWalkerError,
-            get_default_latex_context_db,
-        )
+        from pylatexenc.latexwalker import LatexWalker, get_default_latex_context_db
         from pylatexenc.macrospec import std_environment, std_macro
     except ImportError:
         raise ProseError(
@@ -81,7 +78,7 @@ def read_article(tex: str, placed: Sequence[Placed], labels: Mapping[str, Link])
     try:
         walker = LatexWalker(tex, latex_context=known, tolerant_parsing=True)
         article.read(walker.get_latex_nodes()[0])
-    except (LatexWalkerError, RecursionError):
+    except Exception:  # whatever the parser stumbles over, all words are there
         article = _Article(tex, placed, labels)
         article.words(tex)
     article.end()
@@ -163,9 +160,10 @@ class _Article(Paragraphs):
         from pylatexenc.latex2text import LatexNodes2Text, get_default_latex_context_db
 
         if get_default_latex_context_db().get_macro_spec(node.macroname):
-            self.words(LatexNodes2Text().node_to_text(node) or " ")
-        else:
-            self.source(node.latex_verbatim())
+            with suppress(Exception):  # it stumbles over arguments that are missing or empty
+                self.words(LatexNodes2Text().node_to_text(node) or " ")
+                return
+        self.source(node.latex_verbatim())
 
     def _heading(self, level: int, text: Text) -> None:
         self.end()

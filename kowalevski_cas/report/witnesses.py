@@ -8,12 +8,12 @@ A program that read the certificates left in the folder of the reports what it c
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
+from kowalevski_cas.files import read_json
 from kowalevski_cas.tools import TOOLS, title
 from kowalevski_cas.verify.outcome import Outcome
 
@@ -51,7 +51,7 @@ def programs(folder: Path, derivation: str, certified: Mapping[str, str]) -> tup
     found: dict[str, Witness] = {}
     for file in sorted((folder / FOLDER / derivation).glob("*.json")):
         try:
-            content: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
+            content: dict[str, Any] = read_json(file)
             confirmed = dict(content["confirmed"]).items()
             claims = frozenset(c for c, digest in confirmed if certified.get(c) == digest)
             name, version = str(content["program"]), str(content["version"])

@@ -98,7 +98,8 @@ class _Search:
     def new(self, ansatz: _Ansatz, cases: Iterable[Branch]) -> Iterator[Darboux]:
         """What the solutions of its equations give besides what was found before."""
         for branch in cases:
-            one = None if branch.rest else self._irreducible(ansatz.solution(branch))
+            solution = None if branch.rest else ansatz.solution(branch)
+            one = None if solution is None else self._irreducible(solution)
             if one is not None and self._is_new(one):
                 self.found.append(one)
                 yield one
@@ -161,14 +162,22 @@ class _Search:
         return [*values.values()]
 
     def _holds(self, one: Darboux, values: Sequence[int]) -> bool:
-        return not any(self._at(left - right, values) for left, right in one.equations)
+        try:
+            return not any(self._at(left - right, values) for left, right in one.equations)
+        except ZeroDivisionError:
+            return False
 
     def _at(self, element: Element, values: Sequence[int]) -> Residues:
-        """An element whose denominators are constant, at values of the constants."""
+        """An element whose denominators are constant, at values of the constants.
+
+        Raises ``ZeroDivisionError`` if one vanishes there.
+        """
         below = 1
         for index, exponent in element.denominator.items():
             divisor = Element(element.ring, {0: element.ring.divisors[index]}, {})
-            (value,) = residues(self.field.polynomial(divisor), values).values()
+            value = residues(self.field.polynomial(divisor), values).get((0,) * self.field.size, 0)
+            if not value:
+                raise ZeroDivisionError
             below = below * pow(value, exponent, PRIME) % PRIME
         found = residues(self.field.polynomial(element), values)
         over = pow(below, -1, PRIME)
@@ -223,15 +232,24 @@ class _Ansatz:
         terms = found.setdefault(place, {})
         terms[key] = terms.get(key, Fraction(0)) + value
 
-    def solution(self, branch: Branch) -> Darboux:
-        """What a branch says of F, K and the constants; what it leaves open of F and K is zero."""
+    def solution(self, branch: Branch) -> Darboux | None:
+        """What a branch says of F, K and the constants; what it leaves open of F and K is small.
+
+        There is none if a coefficient that is not zero stands in an equation of the constants: it
+        would have to be a function of them, and no rational one.
+        """
         field, ring = self.field, self.field.at.ring
-        values = {k: ring.zero for k in range(self.unknowns)} | {-1: ring.one}
+        open_values = self._open_values(branch)
+        nonzero = [k for k, number in enumerate(open_values) if number]
+        of_constants = [equation for place, equation in branch.solved if place >= self.unknowns]
+        if any(equation.degrees()[k] for equation in of_constants for k in nonzero):
+            return None
+        values = {k: ring.number(n) for k, n in enumerate(open_values)} | {-1: ring.one}
         equations = []
         for place, equation in branch.solved:
             slope = equation.derivative(place)
-            value = self._element(slope * self.context.gens()[place] - equation)
-            value = value / self._element(slope)
+            value = self._element(slope * self.context.gens()[place] - equation, open_values)
+            value = value / self._element(slope, open_values)
             if place < self.unknowns:
                 values[place] = value
             else:
@@ -247,14 +265,26 @@ class _Ansatz:
         others = (0,) * (self.width - self.unknowns)
         return self.field.element({(*exponents, *others): Fraction(1)})
 
-    def _element(self, polynomial: fmpq_mpoly) -> Element:
-        """A polynomial in the constants, with zero for all unknowns."""
+    def _open_values(self, branch: Branch) -> list[int]:
+        """Numbers for all unknowns, zeros if the branch can be solved where they are zero."""
+        slopes = [equation.derivative(place) for place, equation in branch.solved]
+        degrees = [sum(int(slope.degrees()[k]) for slope in slopes) for k in range(self.unknowns)]
+        # As many numbers as degrees, and one more: at some of them no coefficient vanishes.
+        choices = product(*(range(degree + 1) for degree in degrees))
+        return next(
+            [*numbers]
+            for numbers in choices
+            if not any(self._element(slope, numbers).is_zero for slope in slopes)
+        )
+
+    def _element(self, polynomial: fmpq_mpoly, values: Sequence[int]) -> Element:
+        """A polynomial in the constants, with values for all unknowns."""
+        names = [*map(self.context.constant, values), *self.context.gens()[self.unknowns :]]
         before = (0,) * self.field.size
         return self.field.element(
             {
                 (*before, *exponents[self.unknowns :]): value
-                for exponents, value in terms_of(polynomial).items()
-                if not any(exponents[: self.unknowns])
+                for exponents, value in terms_of(polynomial.compose(*names)).items()
             }
         )
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Evidence
-from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Kernel, Rank
+from kowalevski_cas.problem.goals import Along, Count, Exists, Fails, Follows, Goal, Kernel, Rank
+from kowalevski_cas.search.along import departure, equal
 from kowalevski_cas.search.bound import found, never
 from kowalevski_cas.search.count import others, roots
 from kowalevski_cas.search.follows import FollowsFinder
@@ -30,6 +31,8 @@ class Finder(FollowsFinder, RankFinder):
                 return roots(goal, self)
             case Kernel():
                 return complete(goal, self)
+            case Along():
+                return equal(goal, self)
 
     def refutation(self, goal: Goal) -> Evidence | None:
         """Evidence that a goal is false."""
@@ -47,3 +50,5 @@ class Finder(FollowsFinder, RankFinder):
                 return others(goal, self)
             case Kernel():
                 return further(goal, self)
+            case Along():
+                return departure(goal, self)

@@ -7,16 +7,17 @@ from functools import reduce
 from itertools import product
 from operator import mul
 
+from kowalevski_cas.algebra.numbers import inverse_of
 from kowalevski_cas.algebra.present import written
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Proof, Shown
 from kowalevski_cas.problem.examine import is_real, law, value_of
-from kowalevski_cas.problem.goals import Follows
+from kowalevski_cas.problem.goals import Fails, Follows
 from kowalevski_cas.problem.place import Place
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.combinations import Combinations, combinations_of, complete, vanish_on
-from kowalevski_cas.search.place import Candidate, PointFinder
+from kowalevski_cas.search.place import Candidate, PointFinder, Values
 from kowalevski_cas.search.real_cases import proof_by_cases
 
 LARGEST_POWER = 3
@@ -105,8 +106,15 @@ class FollowsFinder(PointFinder):
         if any(all(vanish_on(one, known)) for one in failing):
             return None
 
+        def fail(values: Values) -> bool:
+            return all(any(map(inverse_of, map(values, one))) for one in failing)
+
+        everywhere = isinstance(goal, Fails) and not goal.given
+        on_pieces = self.on_pieces(known, fail) if everywhere else None
+
         def good(candidate: Candidate) -> bool:
-            return all(not candidate.vanish(one) for one in failing)
+            some = all(not candidate.vanish(one) for one in failing)
+            return some and (on_pieces is None or on_pieces(candidate))
 
         divided = [*law(goal, at), *known, *(e for one in failing for e in one)]
         divided += [condition.inverse() for condition in conditions]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterator, Sequence
 from contextlib import suppress
-from itertools import chain, combinations, islice
+from itertools import chain, combinations, count, islice
 
 from kowalevski_cas.algebra.numbers import Substitution, gaussian, number_ring
 from kowalevski_cas.algebra.points import ExactPoint
@@ -12,15 +12,21 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Conjugate, Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
-from kowalevski_cas.problem.place import Misplaced, Place, number_formula
+from kowalevski_cas.problem.place import Misplaced, Pieces, Place, number_formula
 from kowalevski_cas.problem.space import Adjoined, Setting, all_names
 from kowalevski_cas.search.real import real_points
 
 Of = Callable[[Setting], Evaluation]
 Good = Callable[["Candidate"], bool]
 
+Values = Callable[[Element], Element]
+"""What gives elements their values."""
+
 TRIES = 60
 """How many points of one kind are looked at."""
+
+ON_PIECES = 4
+"""At how many of them all pieces are looked at."""
 
 
 class Candidate:
@@ -91,6 +97,23 @@ class PointFinder:
                             return candidate.point(names)
         return None
 
+    def on_pieces(self, known: Sequence[Element], certain: Callable[[Values], bool]) -> Good:
+        """What asks whether something is certain on each piece of the space over a candidate.
+
+        If it is on none of the first few, it is on none.
+        """
+        tried = count()
+
+        def good(candidate: Candidate) -> bool:
+            at = candidate.at
+            if not {*at.ring.roots} - {"i"}:
+                return certain(candidate)
+            if next(tried) >= ON_PIECES:
+                return False
+            return certain(Pieces(Place(at, candidate.point(all_names(at.setting))), known))
+
+        return good
+
     def _sections(self, at: Evaluation, most: int) -> Iterator[Sequence[Element]]:
         """What vanishes besides: nothing, all variables, some, all but some; known powers are 1."""
         setting = at.setting
@@ -102,8 +125,8 @@ class PointFinder:
             assert base is not None
             fixed += [at.ring.generator(name) - one, at.scalar(base) - one]
         variables = [at.ring.generator(name) for name in setting.variables]
-        count = len(variables)
-        few = [0, count, *range(1, most + 1), *range(count - 1, max(count - 1 - most, 0), -1)]
+        whole = len(variables)
+        few = [0, whole, *range(1, most + 1), *range(whole - 1, max(whole - 1 - most, 0), -1)]
         for size in dict.fromkeys(few) if most else (0,):
             for chosen in combinations(variables, size):
                 yield [*fixed, *chosen]

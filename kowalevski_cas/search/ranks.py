@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from kowalevski_cas.algebra.numbers import rank
+from kowalevski_cas.algebra.numbers import independent, rank
 from kowalevski_cas.algebra.present import written
 from kowalevski_cas.problem.differentials import chosen, differentials, minors
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -12,7 +12,7 @@ from kowalevski_cas.problem.evidence import At, Evidence, Minors
 from kowalevski_cas.problem.examine import law
 from kowalevski_cas.problem.goals import Rank
 from kowalevski_cas.search.follows import rows_of
-from kowalevski_cas.search.place import Candidate, PointFinder
+from kowalevski_cas.search.place import Candidate, PointFinder, Values
 
 
 class RankFinder(PointFinder):
@@ -44,8 +44,14 @@ class RankFinder(PointFinder):
     def _independent(self, goal: Rank, at: Evaluation) -> At | None:
         rows, known = differentials(chosen(goal, at), at), at.differences(goal.given)
 
+        def are_independent(values: Values) -> bool:
+            return independent([[values(entry) for entry in row] for row in rows])
+
+        on_pieces = self.on_pieces(known, are_independent)
+
         def good(candidate: Candidate) -> bool:
-            return rank([[candidate(entry) for entry in row] for row in rows]) == len(rows)
+            found = rank([[candidate(entry) for entry in row] for row in rows])
+            return found == len(rows) and on_pieces(candidate)
 
         divided = [*law(goal, at), *known, *(entry for row in rows for entry in row)]
         point = self.point(at, known, divided, good)

@@ -1,253 +1,292 @@
-r"""What a source defines: its macros in their order, and what cannot be told.
+r"""What a source defines: macros, environments, flags, and what cannot be told.
 
-``\newcommand`` and its like, ``\DeclareMathOperator``, ``\def``, ``\gdef``, ``\edef``, ``\xdef``
-and ``\let`` are understood where they stand outside of all groups: they hold from there on.
-Whatever else gives a name a meaning makes the name unclear, and what changes the meaning of
-characters makes all formulas unclear. An unclear name is nowhere written out.
+``\newcommand`` and its like, ``\def`` and ``\let``, the commands of xparse, operators, paired
+delimiters, environments and flags are understood. Whatever else gives a name a meaning makes the
+name unclear, and what changes the meaning of characters makes all that follows unclear, to the end
+of its group.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from collections.abc import Callable, Sequence
 
-FAILURES = 20
-"""Definitions that are not understood, after which no more are looked for."""
-
-_DEFINING = re.compile(
-    r"\\(?:(?P<new>newcommand|renewcommand|providecommand|DeclareRobustCommand)"
-    r"|(?P<operator>DeclareMathOperator)|(?P<def>def|gdef|edef|xdef)|(?P<let>let)"
-    r"|(?P<other>futurelet|mathchardef|chardef|newif|DeclareMathSymbol|DeclareMathAccent"
-    r"|DeclareMathDelimiter|(?:New|Renew|Provide|Declare)DocumentCommand|newcommandx"
-    r"|DeclarePairedDelimiter)"
-    r"|(?P<environment>(?:re)?newenvironment))(?![A-Za-z])\*?\s*"
+from kowalevski_cas.source.characters import change_code
+from kowalevski_cas.source.meanings import (
+    Alias,
+    Environment,
+    Flag,
+    Macro,
+    Meaning,
+    Meanings,
+    Setter,
+    Unclear,
 )
-_CHANGING = re.compile(
-    r"\\(?:catcode(?!\s*`\\?@)|mathcode|delcode|lccode|uccode|everymath|everydisplay|@namedef"
-    r"|expandafter\s*\\(?:[gex]?def|let|(?:re)?newcommand))(?![A-Za-z])"
-)
-_NAME = re.compile(r"\s*(?:\{\s*(\\(?:[A-Za-z@]+|.))\s*\}|(\\(?:[A-Za-z@]+|.)))\s*", re.DOTALL)
-_TARGET = re.compile(r"=?\s*(\\(?:[A-Za-z@]+|.)|[^\s{}])", re.DOTALL)
-_WORD = re.compile(r"\s*\{\s*([A-Za-z]+\*?)\s*\}")
-_COUNT = re.compile(r"\[\s*([0-9])\s*\]\s*")
-_PARAMETERS = re.compile(r"((?:#[1-9])*)\s*(?=\{)")
-_BRACE = re.compile(r"\\.|[{}]", re.DOTALL)
-_SPACE = re.compile(r"\s*")
-MACRO = re.compile(r"\\(?:[A-Za-z@]+|.)", re.DOTALL)
-_NESTING = re.compile(
-    r"(?P<open>\{|\\[\[(]|\\(?:begingroup|bgroup)(?![A-Za-z])|\\begin\s*\{(?!\s*document\s*\})[^{}]*\})"
-    r"|(?P<close>\}|\\[\])]|\\(?:endgroup|egroup)(?![A-Za-z])|\\end\s*\{(?!\s*document\s*\})[^{}]*\})"
-    r"|(?P<if>\\if(?!f(?![A-Za-z])|thenelse)[A-Za-z@]*)|(?P<fi>\\fi(?![A-Za-z]))"
-    r"|(?P<dollar>\$\$?)|\\.",
-    re.DOTALL,
-)
+from kowalevski_cas.source.mouth import Malformed, Mouth
+from kowalevski_cas.source.parameters import Parameter, delimited, specified
+from kowalevski_cas.source.tex import Token, is_command, is_word, stripped, typed
+
+DEEPEST = 30
+"""Macros within macros in a body that is written out at once."""
+LONGEST = 10_000
+"""Tokens in such a body."""
+EVERYTHING = "everything"
+"""The name that is unclear where no formula can be told."""
 
 
-@dataclass(frozen=True)
-class Macro:
-    """A macro: how many arguments it takes, the default of the first, and what it stands for."""
-
-    name: str
-    arguments: int
-    default: str | None
-    body: str
+def environment(name: str) -> str:
+    """The name under which the meaning of an environment is kept."""
+    return f"environment {name}"
 
 
-@dataclass
-class Definitions:
-    """A text without its definitions, and what they say."""
-
-    text: str = ""
-    macros: list[tuple[int, Macro]] = field(default_factory=list)
-    """Macros, and the offsets from which on they hold."""
-    unclear: dict[str, str] = field(default_factory=dict)
-    """Names and environments that have a meaning which cannot be told, and why."""
-    everything: str = ""
-    """Why no formula at all can be told; empty if there is no such reason."""
-    conditional: list[tuple[int, int]] = field(default_factory=list)
-    """The intervals between an ``\\if`` and its ``\\fi``."""
-    notes: list[tuple[int, str]] = field(default_factory=list)
-    """Offsets in the file, and what is to be said about the place."""
-
-    def why(self, tex: str, kind: str, offset: int) -> str:
-        """Why the meaning of a formula cannot be told; empty if it can."""
-        if self.everything:
-            return self.everything
-        if any(start < offset < end for start, end in self.conditional):
-            return "it stands in a conditional, which is not executed"
-        names = {*MACRO.findall(tex), *re.findall(r"\\begin\{(\w+)", tex), kind.rstrip("*")}
-        return next((self.unclear[name] for name in sorted(names & self.unclear.keys())), "")
+def _texts(tokens: Sequence[Token]) -> tuple[str, ...]:
+    return tuple(token.text for token in tokens)
 
 
-def definitions(text: str, styles: Iterable[str] = ()) -> Definitions:
-    """The definitions of a text, and before them those of style files."""
-    known: dict[str, Macro] = {}
-    before = [_Reader(style, known).read() for style in styles]
-    found = _Reader(text, known).read()
-    for style in reversed(before):
-        found.macros[:0] = [(0, macro) for _, macro in style.macros]
-        found.unclear = style.unclear | found.unclear
-        found.everything = found.everything or style.everything
-        found.notes[:0] = [(0, f"in a style file: {words}") for _, words in style.notes]
-    return found
+class Definer:
+    """Reads definitions, where they come next, and keeps what they say."""
 
+    def __init__(self, mouth: Mouth, meanings: Meanings) -> None:
+        self.mouth, self.meanings = mouth, meanings
+        self.uncertain = False
+        """Whether it cannot be told if what is defined here is defined."""
+        self.everywhere = False
+        self.notes: list[tuple[int, str]] = []
+        self.commands: dict[str, Callable[[str], None]] = {
+            rf"\{name}": function
+            for function, names in (
+                (self._new, "newcommand renewcommand providecommand DeclareRobustCommand"),
+                (self._define, "def gdef edef xdef"),
+                (self._let, "let"),
+                (self._operator, "DeclareMathOperator"),
+                (self._document, _DOCUMENT),
+                (self._delimiter, "DeclarePairedDelimiter DeclarePairedDelimiterX"),
+                (self._environment, "newenvironment renewenvironment provideenvironment"),
+                (self._documented, _DOCUMENTED),
+                (self._flag, "newif"),
+                (self._named, "@namedef"),
+                (self._code, "catcode mathcode"),
+                (
+                    self._change,
+                    "delcode lccode uccode everymath everydisplay endlinechar escapechar",
+                ),
+                (self._unclear, _UNCLEAR),
+            )
+            for name in names.split()
+        }
 
-class _Reader:
-    def __init__(self, text: str, known: dict[str, Macro]) -> None:
-        self.text = text
-        self.found = Definitions()
-        self.known = known
-        self.fixed: dict[str, set[str]] = {}
-        """Names, and those that were given a meaning by them which does not change with it."""
+    def run(self, token: Token) -> bool:
+        """Read the definition that a token begins; whether it begins one."""
+        command = self.commands.get(token.text)
+        if command is None:
+            return False
+        try:
+            command(token.text)
+        except Malformed:
+            what = f"this {token.text} is not understood"
+            self.notes.append((token.start, what))
+            self.lose(what)
+        self.everywhere = False
+        return True
 
-    def read(self) -> Definitions:
-        """Go through the text once."""
-        text, found = self.text, self.found
-        pieces, at, position = [], 0, 0
-        nested = _Nesting(text, found.conditional)
-        while (match := _DEFINING.search(text, position)) is not None:
-            inside = nested.at(match.start())
-            parsed = self.definition(match)
-            position = match.end()
-            if parsed is None:
-                what = f"this {match[0].strip()} is not understood"
-                found.notes.append((match.start(), what))
-                self.lose(match, what)
-                if len(found.notes) == FAILURES:
-                    found.everything = "the source has definitions that are not understood"
-                    break
-                continue
-            macro, position = parsed
-            if inside and match["def"] not in ("gdef", "xdef"):
-                found.notes.append((match.start(), f"{macro.name} is defined inside a group"))
-                found.unclear[macro.name] = f"{macro.name} is defined inside a group"
-            self.define(macro, match, position)
-            nested.skip(position)
-            pieces.append(text[at : match.start()])
-            pieces.append(re.sub(r"[^\r\n]", " ", text[match.start() : position]))
-            at = position
-        nested.at(len(text))
-        if (changing := _CHANGING.search(text)) is not None:
-            found.everything = f"{changing[0]} changes what the characters of the source mean"
-            found.notes.append((changing.start(), found.everything))
-        found.text = "".join([*pieces, text[at:]])
-        return found
+    def lose(self, why: str) -> None:
+        """From here on no formula can be told."""
+        self.meanings.define(EVERYTHING, Unclear(why))
 
-    def define(self, macro: Macro, match: re.Match[str], position: int) -> None:
-        """From here on the macro holds, unless it is provided for where there is none."""
-        known = macro.name in self.known
-        if known and "providecommand" in match[0]:
+    def define(self, name: str, meaning: Meaning) -> None:
+        """The name has this meaning, if it is certain that it is defined."""
+        if self.uncertain and isinstance(meaning, Flag):
+            meaning = Flag(None)
+        elif self.uncertain:
+            why = f"{name} is defined in a conditional, which is not executed"
+            meaning = Unclear(why, perhaps=True)
+        self.meanings.define(name, meaning, self.everywhere)
+
+    def _change(self, command: str) -> None:
+        self.lose(f"{command} changes what the characters of the source mean")
+
+    def _code(self, command: str) -> None:
+        if not change_code(command, self.mouth):
+            self._change(command)
+
+    # -- names ----------------------------------------------------------------------
+
+    def target(self) -> str:
+        """The name that is defined."""
+        token = self.mouth.visible()
+        found = [token] if token is not None else []
+        if token is not None and token.text == "{":
+            found = [one for one in self.mouth.group(token) if not one.text.isspace()]
+        if len(found) != 1 or not (is_command(found[0].text) or found[0].text in self.mouth.active):
+            raise Malformed("a name is missing")
+        return found[0].text
+
+    def checked(self, command: str, name: str, read: Callable[[], Meaning]) -> None:
+        """Define a name by what is read; it is unclear if that is not understood."""
+        known = self.meanings.get(name)
+        try:
+            meaning = read()
+        except Malformed:
+            at = self.mouth.last
+            what = f"this {command} is not understood"
+            self.notes.append((at, f"{what}: {name}"))
+            meaning = Unclear(what)
+        new = command.lower().lstrip("\\")
+        if new.startswith("provide") and known is not None:
             return
-        if known and "newcommand" in match[0] and "renew" not in match[0]:
-            self.found.unclear[macro.name] = f"{macro.name} is new twice"
-        for other in self.fixed.get(macro.name, ()):
-            why = f"{other} is what {macro.name} was before it was defined again"
-            self.found.unclear[other] = why
-        if match["let"] or match["def"] in ("edef", "xdef"):
-            for name in MACRO.findall(macro.body):
-                self.fixed.setdefault(name, set()).add(macro.name)
-        for inner in _DEFINING.finditer(macro.body):
-            self.lose(inner, f"{macro.name} defines names where it is used")
-        self.known[macro.name] = macro
-        self.found.macros.append((position, macro))
+        if new.startswith("new") and known is not None and known != Alias(r"\relax"):
+            meaning = Unclear(f"{name} is new twice")
+        self.define(name, meaning)
 
-    def lose(self, match: re.Match[str], why: str) -> None:
-        """A name, or an environment, has a meaning that cannot be told."""
-        named = (_WORD if match["environment"] else _NAME).match(match.string, match.end())
-        if named is None:
-            self.found.everything = self.found.everything or why
-        else:
-            self.found.unclear[next(filter(None, named.groups()))] = why
+    # -- commands -------------------------------------------------------------------
 
-    def definition(self, match: re.Match[str]) -> tuple[Macro, int] | None:
-        """The macro that is defined, and the offset behind it; ``None`` if it is not understood."""
-        text, named = self.text, _NAME.match(self.text, match.end())
-        if named is None or match["other"] or match["environment"]:
-            return None
-        name, at = named[1] or named[2], named.end()
-        if match["let"]:
-            return self.same(name, at)
-        count, default = 0, None
-        if match["def"]:
-            parameters = _PARAMETERS.match(text, at)
-            if parameters is None:
-                return None
-            count, at = len(parameters[1]) // 2, parameters.end()
-        elif match["new"] and (arguments := _COUNT.match(text, at)) is not None:
-            count, at = int(arguments[1]), arguments.end()
-            if text[at : at + 1] == "[":
-                closing = text.find("]", at)
-                if closing < 0:
-                    return None
-                default = text[at + 1 : closing]
-                at = skip(text, closing + 1)
-        group = group_at(text, at)
-        if group is None:
-            return None
-        body, at = group
-        if match["operator"]:
-            body = rf"\operatorname{{{body}}}"
-        return Macro(name, count, default, body), at
+    def _new(self, command: str) -> None:
+        self.mouth.skips("*")
+        self.checked(command, self.target(), self._counted)
 
-    def same(self, name: str, at: int) -> tuple[Macro, int] | None:
-        """A macro that is let be what another one is now."""
-        target = _TARGET.match(self.text, at)
-        if target is None:
-            return None
-        known = self.known.get(target[1], Macro(name, 0, None, target[1]))
-        return Macro(name, known.arguments, known.default, known.body), target.end()
+    def _counted(self) -> Macro:
+        """A macro with the number of its arguments in brackets."""
+        return Macro(self._parameters(), _texts(self.mouth.argument()))
+
+    def _parameters(self) -> tuple[Parameter, ...]:
+        number = self.mouth.bracketed("[", "]")
+        if number is None:
+            return ()
+        text = typed(number).strip()
+        if not (text.isdigit() and len(text) == 1):
+            raise Malformed("how many arguments?")
+        found = [Parameter("m")] * int(text)
+        default = self.mouth.bracketed("[", "]")
+        if default is not None and found:
+            found[0] = Parameter("o", ("[", "]"), _texts(default))
+        return tuple(found)
+
+    def _define(self, command: str) -> None:
+        self.everywhere = self.everywhere or command in (r"\gdef", r"\xdef")
+        name = self.target()
+        fixed = command in (r"\edef", r"\xdef")
+        self.checked(command, name, lambda: self._delimited(fixed))
+
+    def _delimited(self, fixed: bool = False) -> Macro:
+        r"""A macro as ``\def`` defines it, with whatever stands around its arguments.
+
+        It is ``fixed`` if what stands in it keeps the meaning that it has now.
+        """
+        printed: list[str] = []
+        while (token := self.mouth.character()) is not None and token.text != "{":
+            if token.text == "}" or len(printed) > 100:
+                break
+            if not token.text.isspace():
+                printed.append(token.text)
+            elif printed and not is_word(printed[-1]):
+                printed.append(" ")
+        if token is None or token.text != "{":
+            raise Malformed("a macro without a body")
+        body = _texts(self.mouth.group(token))
+        return Macro(delimited(printed), self._fixed(body) if fixed else body)
+
+    def _fixed(self, body: Sequence[str], depth: int = 0) -> tuple[str, ...]:
+        """The body with macros without arguments written out; others cannot be kept as they are."""
+        found: list[str] = []
+        for text in body:
+            meaning = self.meanings.get(text)
+            if isinstance(meaning, Macro) and not meaning.parameters and depth < DEEPEST:
+                found += self._fixed(meaning.body, depth + 1)
+            elif meaning is None or isinstance(meaning, Alias):
+                found.append(text if meaning is None else meaning.text)
+            else:
+                raise Malformed(f"{text} cannot be written out here")
+            if len(found) > LONGEST:
+                raise Malformed("the body is too long")
+        return tuple(found)
+
+    def _named(self, command: str) -> None:
+        name = "\\" + typed(self.mouth.braced()).strip()
+        self.checked("renew", name, self._delimited)
+
+    def _let(self, command: str) -> None:
+        name = self.target()
+        self.mouth.skips("=")
+        token = self.mouth.visible()
+        if token is None:
+            raise Malformed("what is it?")
+        known = self.meanings.get(token.text)
+        self.define(name, known if known is not None else Alias(token.text))
+
+    def _operator(self, command: str) -> None:
+        self.mouth.skips("*")
+
+        def read() -> Macro:
+            body = _texts(self.mouth.argument())
+            return Macro((), (r"\operatorname", "{", *body, "}"))
+
+        self.checked("renew", self.target(), read)
+
+    def _document(self, command: str) -> None:
+        """A command of xparse."""
+
+        def read() -> Macro:
+            parameters = specified(stripped(self.mouth.argument()))
+            return Macro(parameters, _texts(self.mouth.argument()))
+
+        self.checked(command, self.target(), read)
+
+    def _delimiter(self, command: str) -> None:
+        def read() -> Macro:
+            plain = not command.endswith("X")
+            number = None if plain else self.mouth.bracketed("[", "]")
+            count = 1 if plain else int(typed(number or []).strip() or 0)
+            left, right = _texts(self.mouth.argument()), _texts(self.mouth.argument())
+            body = ("#1",) if plain else _texts(self.mouth.argument())
+            moved = (f"#{int(t[1:]) + 2}" if re.fullmatch("#[1-7]", t) else t for t in body)
+            options = (Parameter("s", ("*",)), Parameter("o", ("[", "]")))
+            return Macro((*options, *[Parameter("m")] * count), (*left, *moved, *right))
+
+        self.checked("renew", self.target(), read)
+
+    def _environment(self, command: str) -> None:
+        self.mouth.skips("*")
+        name = typed(self.mouth.braced()).strip()
+
+        def read() -> Environment:
+            parameters = self._parameters()
+            begin, end = _texts(self.mouth.argument()), _texts(self.mouth.argument())
+            return Environment(Macro(parameters, begin), Macro((), end))
+
+        self.checked(command, environment(name), read)
+
+    def _documented(self, command: str) -> None:
+        """An environment of xparse."""
+        name = typed(self.mouth.braced()).strip()
+
+        def read() -> Environment:
+            parameters = specified(stripped(self.mouth.argument()))
+            begin, end = _texts(self.mouth.argument()), _texts(self.mouth.argument())
+            if any(text.startswith("#") for text in end):
+                raise Malformed("arguments at the end of an environment")
+            return Environment(Macro(parameters, begin), Macro((), end))
+
+        self.checked(command, environment(name), read)
+
+    def _flag(self, command: str) -> None:
+        name = self.target()
+        self.define(name, Flag(False))
+        for value in (True, False):
+            setter = f"\\{name[3:]}{'true' if value else 'false'}"
+            self.define(setter, Setter(name, value))
+
+    def _unclear(self, command: str) -> None:
+        name = self.target()
+        what = f"this {command} is not understood"
+        self.notes.append((self.mouth.last, f"{what}: {name}"))
+        self.define(name, Unclear(what))
 
 
-class _Nesting:
-    """Whether an offset stands inside of a group, a formula or a conditional; asked in order."""
-
-    def __init__(self, text: str, conditional: list[tuple[int, int]]) -> None:
-        self.text, self.conditional = text, conditional
-        self.marks = self._found(0)
-        self.groups, self.dollars, self.ifs = 0, 0, list[int]()
-        self.waiting: re.Match[str] | None = None
-
-    def _found(self, start: int) -> Iterator[re.Match[str]]:
-        return _NESTING.finditer(self.text, start)
-
-    def skip(self, offset: int) -> None:
-        """Go on behind a definition, whose braces are its own."""
-        self.marks, self.waiting = self._found(offset), None
-
-    def at(self, offset: int) -> bool:
-        """Whether the offset is inside of anything."""
-        while True:
-            mark = self.waiting or next(self.marks, None)
-            self.waiting = mark
-            if mark is None or mark.start() >= offset:
-                return self.groups > 0 or self.dollars % 2 > 0 or bool(self.ifs)
-            self.waiting = None
-            kind = mark.lastgroup
-            if kind == "open" or kind == "close":
-                self.groups = max(0, self.groups + (1 if kind == "open" else -1))
-            elif kind == "if":
-                self.ifs.append(mark.start())
-            elif kind == "fi" and self.ifs:
-                self.conditional.append((self.ifs.pop(), mark.end()))
-            elif kind == "dollar":
-                self.dollars += 1
-
-
-def skip(text: str, at: int) -> int:
-    """The offset behind spaces."""
-    match = _SPACE.match(text, at)
-    assert match is not None
-    return match.end()
-
-
-def group_at(text: str, at: int) -> tuple[str, int] | None:
-    """The content of the group in braces that begins here, and the offset behind it."""
-    if text[at : at + 1] != "{":
-        return None
-    depth = 0
-    for brace in _BRACE.finditer(text, at, at + 100_000):
-        depth += {"{": 1, "}": -1}.get(brace[0], 0)
-        if depth == 0:
-            return text[at + 1 : brace.start()], brace.end()
-    return None
+_KINDS = ("New", "Renew", "Provide", "Declare")
+_CHANGING = "delcode lccode uccode everymath everydisplay endlinechar escapechar"
+_DOCUMENT = " ".join(f"{k}{e}DocumentCommand" for k in _KINDS for e in ("", "Expandable"))
+_DOCUMENTED = " ".join(f"{kind}DocumentEnvironment" for kind in _KINDS)
+_UNCLEAR = """futurelet chardef mathchardef countdef dimendef skipdef toksdef DeclareMathSymbol
+DeclareMathAccent DeclareMathDelimiter DeclareMathRadical DeclareRobustCommandx newcommandx
+renewcommandx providecommandx DeclareTextFontCommand DeclareMathAlphabet SetMathAlphabet newsymbol
+DeclarePairedDelimiterXPP"""

@@ -2,31 +2,48 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import islice
 
 from kowalevski_cas.source.comments import commented, find_comments
 from kowalevski_cas.source.displays import Typed, find_formulas
-from kowalevski_cas.source.macros import Expanded, expand
+from kowalevski_cas.source.expanded import Expanded
+from kowalevski_cas.source.macros import expand
 from kowalevski_cas.source.text import Source, SourceError
 
 MOST = 20_000
 """Formulas in one source."""
 
+_BIBLIOGRAPHY = re.compile(
+    r"\\begin\{thebibliography\}.*?(?:\\end\{thebibliography\}|\Z)", re.DOTALL
+)
+
 
 def typed_formulas(source: Source) -> tuple[Expanded, list[Typed]]:
     """A source with its macros written out, and the formulas in it with the comments on them."""
     expanded = expand(source)
-    found = list(islice(find_formulas(expanded.text, source.body), MOST + 1))
+    formulas = find_formulas(expanded.text, expanded.body)
+    found = list(islice(_of_the_paper(formulas, source, expanded), MOST + 1))
     if len(found) > MOST:
         raise SourceError(f"{source.path} has more than {MOST:,} formulas")
     intervals = [_interval(expanded, formula) for formula in found]
     said = commented(source, find_comments(source), intervals)
     for number, formula in enumerate(found):
-        why = expanded.definitions.why(formula.tex, formula.kind, intervals[number][0])
+        why = expanded.why(formula.start, formula.end)
         comments = tuple(said.get(number, ()))
         found[number] = replace(formula, trouble=formula.trouble or why, comments=comments)
     return expanded, found
+
+
+def _of_the_paper(formulas: Iterable[Typed], source: Source, expanded: Expanded) -> Iterator[Typed]:
+    """The formulas that are the paper's own: not those of its styles, nor of what it cites."""
+    cited = [match.span() for match in _BIBLIOGRAPHY.finditer(expanded.text)]
+    for formula in formulas:
+        place = expanded.origin(formula.start, formula.start + 1)[0]
+        if not source.part(place).style and not any(a < formula.start < b for a, b in cited):
+            yield formula
 
 
 def _interval(expanded: Expanded, formula: Typed) -> tuple[int, int]:

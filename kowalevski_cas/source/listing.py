@@ -50,7 +50,8 @@ def listing(source: Source) -> tuple[list[Listed], list[tuple[int, str]]]:
                 formula.kind, formula.inline, formula.tex.strip(), count, trouble,
             )
         )  # fmt: skip
-    return found, [(source.line(offset), words) for offset, words in expanded.notes]
+    notes = (*source.refused, *expanded.notes)
+    return found, [(source.line(offset), words) for offset, words in notes]
 
 
 def _read(formula: Typed, vocabularies: Iterable[Vocabulary]) -> tuple[int, str]:

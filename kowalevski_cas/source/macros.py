@@ -1,154 +1,302 @@
 """The author's own macros, written out within limits.
 
-What is written out remembers from where in the file it came.
+What is written out remembers from where in the file it came, and what of it cannot be told.
 """
 
 from __future__ import annotations
 
-import re
-from bisect import bisect_right
-from dataclasses import dataclass, field
+from collections.abc import Callable, Sequence
 
-from kowalevski_cas.source.definitions import MACRO, Definitions, Macro, definitions, group_at, skip
+from kowalevski_cas.source.built_in import BUILT_IN
+from kowalevski_cas.source.conditionals import Conditionals
+from kowalevski_cas.source.definitions import Definer, environment
+from kowalevski_cas.source.displays import DISPLAYS
+from kowalevski_cas.source.expanded import Expanded, Output
+from kowalevski_cas.source.groups import Groups
+from kowalevski_cas.source.meanings import (
+    Alias,
+    Environment,
+    Flag,
+    Macro,
+    Meanings,
+    Setter,
+    Unclear,
+)
+from kowalevski_cas.source.mouth import Malformed, Mouth
+from kowalevski_cas.source.packages import Files
+from kowalevski_cas.source.tex import Token, is_word, stripped, typed
 from kowalevski_cas.source.text import Source, SourceError
-from kowalevski_cas.source.tokens import set_apart
 
-DEEPEST = 30
-"""Macros within macros."""
-MOST = 20_000
-"""Macros written out in one file."""
+MOST_CALLS = 5_000
+"""Macros that one macro of the text may lead to."""
+LONGEST_CALL = 100_000
+"""Tokens that one macro of the text may be written out as."""
 LONGEST = 8_000_000
-"""Characters that all macros of a file may write out."""
-
-_TOKEN = re.compile(r"\\(?:[A-Za-z]+|.)|.", re.DOTALL)
-_SLOT = re.compile(r"#([1-9])")
-
-
-@dataclass
-class Expanded:
-    """A text with macros written out, and where each part of it stands in the file."""
-
-    text: str
-    notes: list[tuple[int, str]]
-    """Offsets in the file, and what is to be said about the place."""
-    definitions: Definitions
-    _starts: list[int] = field(default_factory=list)
-    _pieces: list[tuple[int, int, bool]] = field(default_factory=list)
-
-    def origin(self, start: int, end: int) -> tuple[int, int]:
-        """The interval of the file that printed an interval of the text."""
-        first = self._at(start)
-        last = self._at(max(start, end - 1))
-        return first[0], last[1]
-
-    def _at(self, offset: int) -> tuple[int, int]:
-        index = bisect_right(self._starts, offset) - 1
-        start, end, literal = self._pieces[index]
-        if literal:
-            place = start + offset - self._starts[index]
-            return place, place + 1
-        return start, end
+"""Tokens that all macros of a file may be written out as."""
+MOST_NOTES = 20
+"""Things that are not understood, after which no more are told."""
 
 
 def expand(source: Source) -> Expanded:
     """The visible text of a source with the author's macros written out."""
-    found = definitions(source.visible, (style.visible for style in source.styles))
-    writer = _Writer(found, source)
-    writer.run()
-    notes = found.notes + writer.notes
-    return Expanded("".join(writer.out), notes, found, writer.starts, writer.pieces)
+    return _Writer(source).run()
 
 
 class _Writer:
     """The state of writing out: what is written, and from where it came."""
 
-    def __init__(self, found: Definitions, source: Source) -> None:
-        self.text = found.text
-        self.unclear = found.unclear
-        self.coming = found.macros[::-1]
-        self.macros: dict[str, Macro] = {}
+    def __init__(self, source: Source) -> None:
         self.source = source
-        self.out: list[str] = []
-        self.starts: list[int] = []
-        self.pieces: list[tuple[int, int, bool]] = []
-        self.notes: list[tuple[int, str]] = []
-        self.size = 0
-        self.produced = 0
-        self.count = 0
+        self.mouth = Mouth(source.visible)
+        self.meanings = Meanings()
+        self.definer = Definer(self.mouth, self.meanings)
+        self.conditionals = Conditionals(self.mouth, self.meanings)
+        self.notes = self.definer.notes
+        self.body = 0
+        self.output = Output()
+        self.spans: list[tuple[str, int, str]] = []
+        """Open environments that cannot be told, where they begin, and why."""
+        self.files = Files(self.mouth, self.definer, self.conditionals)
+        self.groups = Groups(self.mouth, self.meanings, self.output, self.notes)
+        self.begun = Token("")
+        self.mark = (0, 0, 0)
+        self.calls = self.call_tokens = self.tokens = 0
+        self.commands: dict[str, Callable[[Token], None]] = {
+            r"\begin": self.begin,
+            r"\end": self.end,
+            r"\else": lambda _: self.conditionals.otherwise(),
+            r"\fi": self.fi,
+            r"\makeatletter": lambda _: self.at_is_letter(True),
+            r"\makeatother": lambda _: self.at_is_letter(False),
+            r"\AtBeginDocument": self.files.postpone,
+            r"\AtEndDocument": lambda _: void(self.mouth.argument()),
+            r"\global": lambda _: setattr(self.definer, "everywhere", True),
+            r"\long": void, r"\protected": void, r"\outer": void, r"\relax": void,
+            r"\begingroup": self.open_group,
+            r"\bgroup": self.open_group,
+            r"\endgroup": self.close_group,
+            r"\egroup": self.close_group,
+            r"\aftergroup": void,
+            r"\sp": lambda token: self.output.emit(token._replace(text="^", literal=False)),
+            r"\sb": lambda token: self.output.emit(token._replace(text="_", literal=False)),
+            r"\kern": self.kern,
+            r"\input": self.files.input,
+            r"\include": self.files.input,
+            r"\usepackage": self.files.use,
+            r"\RequirePackage": self.files.use,
+            r"\documentclass": self.files.use,
+            r"\LoadClass": self.files.use,
+            r"\DeclareOption": self.files.declare_option,
+            r"\ProcessOptions": self.files.process_options,
+            r"\ExplSyntaxOn": self.skip_code,
+            r"\expandafter": self.expand_after,
+            r"\csname": self.by_name,
+        }  # fmt: skip
 
-    def run(self) -> None:
-        at = 0
-        for match in MACRO.finditer(self.text):
-            self.until(match.start())
-            macro = self.macros.get(match[0])
-            if macro is None or match.start() < at:
-                continue
-            self.add(self.text[at : match.start()], at, match.start(), True)
+    def run(self) -> Expanded:
+        """Read all of the text."""
+        parts, in_style = [(part.start, part.style) for part in self.source.parts], False
+        while (token := self.mouth.take()) is not None:
+            while parts and self.mouth.at > parts[0][0]:
+                before, (_, in_style) = in_style, parts.pop(0)
+                if before != in_style:
+                    self.mouth.at_is_letter = in_style
+            if token.literal:
+                depth = len(self.meanings.kinds)
+                self.begun, self.mark = token, (len(self.output.out), self.output.size, depth)
+                self.calls = self.call_tokens = 0
             try:
-                body, at = self.call(self.text, macro, match.end(), 1)
-            except RecursionError as error:
-                self.notes.append((match.start(), str(error)))
-                self.add(match[0], match.start(), match.end(), True)
-                at = match.end()
-                continue
-            before = self.out[-1] if self.out else ""
-            self.add(set_apart(before, body, self.text[at : at + 1]), match.start(), at, False)
-        self.add(self.text[at:], at, len(self.text), True)
+                self.one(token)
+            except Malformed as error:
+                self.note(token, f"{token.text}: {error}")
+                self.output.emit(token, str(error))
+        while self.spans:
+            self.ended(self.spans[-1][0])
+        self.groups.found()
+        if len(self.notes) > MOST_NOTES:
+            rest = len(self.notes) - MOST_NOTES
+            self.notes[MOST_NOTES:] = [(self.notes[MOST_NOTES][0], f"and {rest} notes like these")]
+        return self.output.expanded(self.body, self.notes)
 
-    def until(self, offset: int) -> None:
-        """Learn the macros that hold at an offset, but for unclear ones."""
-        while self.coming and self.coming[-1][0] <= offset:
-            _, macro = self.coming.pop()
-            if macro.name not in self.unclear:
-                self.macros[macro.name] = macro
+    def note(self, token: Token, words: str) -> None:
+        """Say something about a place of the file."""
+        self.notes.append((token.start, words))
 
-    def add(self, text: str, start: int, end: int, literal: bool) -> None:
-        if text:
-            self.starts.append(self.size)
-            self.pieces.append((start, end, literal))
-            self.out.append(text)
-            self.size += len(text)
+    # -- one token ------------------------------------------------------------------
 
-    def call(self, text: str, macro: Macro, at: int, depth: int) -> tuple[str, int]:
-        """What a macro stands for here, and the offset behind its arguments."""
-        self.count += 1
-        if depth > DEEPEST:
-            raise RecursionError(f"the macro {macro.name} expands into itself; it is left alone")
-        if self.count > MOST:
-            raise SourceError(f"{self.source.path}: more than {MOST:,} macros to write out")
-        arguments, required = [], macro.arguments
-        if macro.default is not None and required:
-            required -= 1
-            opening = skip(text, at)
-            closing = text.find("]", opening) if text[opening : opening + 1] == "[" else -1
-            arguments.append(text[opening + 1 : closing] if closing >= 0 else macro.default)
-            at = closing + 1 if closing >= 0 else at
-        for _ in range(required):
-            at = skip(text, at)
-            group = group_at(text, at)
-            if group is None and (token := _TOKEN.match(text, at)) is not None:
-                group = token[0], token.end()
-            argument, at = group or ("", at)
-            arguments.append(argument)
-        body = _SLOT.sub(
-            lambda slot: arguments[int(slot[1]) - 1] if int(slot[1]) <= len(arguments) else "",
-            macro.body,
-        )
-        return self.written(body, depth), at
+    def one(self, token: Token) -> None:
+        """Execute a token, or write it."""
+        text = token.text
+        if text[0] != "\\" and text not in self.mouth.active:
+            self.groups.sign(token)
+            return
+        self.definer.uncertain = self.conditionals.uncertain
+        meaning = self.meanings.get(text)
+        if meaning is None:
+            self.command(token)
+        elif isinstance(meaning, Macro):
+            self.call(token, meaning)
+        elif isinstance(meaning, Alias):
+            self.command(token._replace(text=meaning.text, literal=False))
+        elif isinstance(meaning, Unclear):
+            self.output.emit(token, meaning.why)
+        elif isinstance(meaning, Setter):
+            self.definer.define(meaning.flag, Flag(meaning.value))
+        elif isinstance(meaning, Flag):
+            self.conditionals.start(text, self.output.size, self.groups.mathematics)
 
-    def written(self, body: str, depth: int) -> str:
-        """A body with the macros in it written out."""
-        pieces, at = [], 0
-        for match in MACRO.finditer(body):
-            macro = self.macros.get(match[0])
-            if macro is None or match.start() < at:
-                continue
-            pieces.append(body[at : match.start()])
-            inner, at = self.call(body, macro, match.end(), depth + 1)
-            pieces.append(set_apart("".join(pieces[-2:]), inner, body[at : at + 1]))
-        pieces.append(body[at:])
-        result = "".join(pieces)
-        self.produced += len(result)
-        if self.produced > LONGEST:
+    def command(self, token: Token) -> None:
+        """Execute what TeX and LaTeX provide, as far as it is known here; or write it."""
+        text = token.text
+        if text in self.commands:
+            self.commands[text](token)
+        elif self.definer.run(token):
+            self.groups.check_lost()
+        elif text in BUILT_IN:
+            self.put(token, BUILT_IN[text](self.mouth))
+        elif text[:3] == r"\if" and self.conditionals.begins(text):
+            self.conditionals.start(text, self.output.size, self.groups.mathematics)
+        else:
+            self.groups.sign(token)
+
+    def call(self, token: Token, macro: Macro) -> None:
+        """A macro comes next as what it stands for."""
+        self.calls += 1
+        begin = self.mouth.last
+        arguments = macro.arguments(self.mouth)
+        if self.calls > MOST_CALLS or self.call_tokens > LONGEST_CALL:
+            self.give_up(token)
+            return
+        end = max(token.end, self.mouth.last if self.mouth.last > begin else token.end)
+        body = macro.written(arguments, token.start, end)
+        self.put(token, body)
+
+    def put(self, token: Token, tokens: Sequence[Token]) -> None:
+        """These tokens come next, in the place of one that they are written for."""
+        self.call_tokens += len(tokens)
+        self.tokens += len(tokens)
+        if self.tokens > LONGEST:
             raise SourceError(f"{self.source.path}: its macros write out too much text")
-        return result
+        self.mouth.put_back(tokens)
+
+    def give_up(self, token: Token) -> None:
+        """Leave a macro of the text alone that would be written out without an end."""
+        begun = self.begun
+        while self.mouth.waiting and not self.mouth.waiting[-1].literal:
+            self.mouth.waiting.pop()
+        count, size, depth = self.mark
+        while len(self.meanings.kinds) > depth:
+            self.groups.close(self.meanings.kinds[-1])
+        self.output.back(count, size)
+        why = f"the macro {begun.text} expands into itself, or into too much; it is left alone"
+        self.note(begun, why)
+        self.output.emit(begun, why)
+
+    # -- environments ---------------------------------------------------------------
+
+    def begin(self, token: Token) -> None:
+        """An environment begins."""
+        name = typed(self.mouth.braced()).strip()
+        end = max(token.end, self.mouth.last)
+        meaning = self.meanings.get(environment(name))
+        if isinstance(meaning, Environment):
+            self.meanings.open(r"\begingroup")
+            self.call(token._replace(end=end), meaning.begin)
+            return
+        self.meanings.open(name.rstrip("*"))
+        self.output.write(rf"\begin{{{name}}}", token.start, end)
+        if isinstance(meaning, Unclear) and (not meaning.perhaps or name.rstrip("*") in DISPLAYS):
+            self.spans.append((name, self.output.size, meaning.why))
+        if name == "document":
+            self.meanings.close("document")  # what is defined in the document holds to its end
+            self.body = self.output.size
+            for tokens in reversed(self.files.later):
+                self.put(token, tokens)
+
+    def end(self, token: Token) -> None:
+        """An environment ends."""
+        name = typed(self.mouth.braced()).strip()
+        end = max(token.end, self.mouth.last)
+        meaning = self.meanings.get(environment(name))
+        if isinstance(meaning, Environment):
+            body = meaning.end.written((), token.start, end)
+            self.put(token, [*body, Token(r"\endgroup", token.start, end)])
+            return
+        self.ended(name)
+        self.output.write(rf"\end{{{name}}}", token.start, end)
+        self.groups.close(name.rstrip("*"))
+
+    def ended(self, name: str) -> None:
+        """An environment that cannot be told ends."""
+        if self.spans and self.spans[-1][0] == name:
+            _, begin, why = self.spans.pop()
+            self.output.lose(begin, why)
+
+    # -- commands -------------------------------------------------------------------
+
+    def fi(self, token: Token) -> None:
+        """A conditional ends."""
+        begin = self.conditionals.open.pop() if self.conditionals.open else None
+        if begin is not None:
+            self.output.lose(begin, "it stands in a conditional, which is not executed")
+
+    def open_group(self, token: Token) -> None:
+        """A group begins that prints no brace."""
+        self.meanings.open(r"\begingroup")
+
+    def close_group(self, token: Token) -> None:
+        """A group ends that prints no brace."""
+        self.groups.close(r"\begingroup")
+
+    def kern(self, token: Token) -> None:
+        """A length by name prints nothing."""
+        self.mouth.skips("-")
+        if is_word(self.mouth.peek()):
+            self.mouth.visible()
+        else:
+            self.output.emit(token)
+
+    def at_is_letter(self, value: bool) -> None:
+        """The sign @ is a letter from here on, or is none."""
+        self.mouth.at_is_letter = value
+
+    def skip_code(self, token: Token) -> None:
+        r"""What stands up to ``\ExplSyntaxOff`` is no LaTeX; what it defines cannot be told."""
+        defining = False
+        while (one := self.mouth.take()) is not None and one.text != r"\ExplSyntaxOff":
+            if defining and is_word(one.text):
+                why = f"{one.text} is defined in a language that is not read"
+                self.meanings.define(one.text, Unclear(why))
+                defining = False
+            elif one.text in self.definer.commands or one.text in (r"\cs", r"\tl"):
+                defining = one.text in self.definer.commands
+
+    def expand_after(self, token: Token) -> None:
+        """The token after the next one is expanded once, before the next one is looked at."""
+        first = self.mouth.character()
+        second = self.mouth.character()
+        if first is None or second is None:
+            return
+        meaning = self.meanings.get(second.text)
+        if second.text == r"\csname":
+            self.by_name(second)
+        elif isinstance(meaning, Macro):
+            self.call(second, meaning)
+        elif second.text == r"\expandafter":
+            self.expand_after(second)
+        else:
+            self.mouth.put_back([second])
+        self.mouth.put_back([first])
+
+    def by_name(self, token: Token) -> None:
+        r"""The name that stands up to ``\endcsname``."""
+        tokens = stripped(self.mouth.until([r"\endcsname"]))
+        if any(one.text[0] in "\\{}#" for one in tokens):
+            self.mouth.put_back(tokens)
+            raise Malformed("this name cannot be told")
+        name = "\\" + "".join(one.text for one in tokens)
+        self.mouth.put_back([Token(name, token.start, max(token.end, self.mouth.last))])
+
+
+def void(_: object) -> None:
+    """Nothing."""

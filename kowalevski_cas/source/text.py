@@ -1,14 +1,15 @@
-"""A TeX file as text: what prints of it, and where.
+"""The text of a paper's files, in the order in which TeX reads them: what prints of it, and where.
 
 What does not print (comments, verbatim text, what follows the end of the document)
-is blanked out, so that every offset stays that of the file.
+is blanked out, so that every offset stays that of the text.
 """
 
 from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from kowalevski_cas import UserError
@@ -16,18 +17,18 @@ from kowalevski_cas import UserError
 LONGEST_VERB = 1000
 """Characters in one line of verbatim text."""
 
-_VERBATIM = "verbatim|Verbatim|lstlisting|minted|comment|filecontents"
+_VERBATIM = "verbatim|Verbatim|alltt|lstlisting|minted|comment|filecontents"
 _SILENT = re.compile(
     r"\\(?:\\|%)"  # escaped: it prints
     r"|(?P<line>^[ \t]*%[^\n]*\n?)"
     r"|(?P<comment>%[^\n]*)"
     rf"|\\begin\s*\{{(?P<name>(?:{_VERBATIM})\*?)\}}"
-    r"|\\verb\*?(?P<mark>[^\w\s*])"
+    r"|(?P<link>\\(?:url|path|nolinkurl|href)\s*\{[^{}\n]*\})"
+    r"|\\(?:verb|lstinline)(?![A-Za-z])\*?(?P<mark>[^\w\s*])"
     r"|(?P<off>\\iffalse)(?![A-Za-z])"
     r"|(?P<end>\\end\s*\{document\})",
     re.MULTILINE,
 )
-_BEGINNING = re.compile(r"\\begin\s*\{document\}")
 _PRINTING = re.compile(r"[^\r\n]")
 
 
@@ -36,17 +37,37 @@ class SourceError(UserError, ValueError):
 
 
 @dataclass(frozen=True)
-class Source:
-    """The text of a TeX file, and the same text with all that does not print blanked.
+class Part:
+    """A stretch of the text, and where it stands in which file."""
 
-    ``styles`` are the files of macros that it uses, ``beside`` is that of comments on it.
+    path: str
+    start: int
+    end: int
+    first: int = 0
+    """The offset in the file at which it begins."""
+    style: bool = False
+    """Whether it is of a file of macros, in which no formula is read."""
+
+
+@dataclass(frozen=True)
+class Source:
+    """The text of a paper, and the same text with all that does not print blanked.
+
+    ``parts`` say of which files the text is made; without them it is that of one file. ``beside``
+    is the file of comments on it, ``refused`` what was not read: places, and the reasons.
     """
 
     path: str
     text: str
     encoding: str = "utf-8"
-    styles: tuple[Source, ...] = ()
+    parts: tuple[Part, ...] = ()
     beside: Source | None = None
+    refused: tuple[tuple[int, str], ...] = ()
+
+    def __post_init__(self) -> None:
+        """A text without parts is that of one file."""
+        if not self.parts:
+            object.__setattr__(self, "parts", (Part(self.path, 0, len(self.text)),))
 
     @property
     def visible(self) -> str:
@@ -60,28 +81,68 @@ class Source:
 
     @cached_property
     def _blanked(self) -> tuple[str, list[int]]:
-        return _blanked(self.text)
+        found = [(part.start, *blanked(self.text[part.start : part.end])) for part in self.parts]
+        comments = [start + at for start, _, places in found for at in places]
+        return "".join(text for _, text, _ in found), comments
 
     @cached_property
-    def body(self) -> int:
-        """The offset at which the document begins; 0 for a fragment."""
-        found = _BEGINNING.search(self.visible)
-        return found.end() if found else 0
+    def _starts(self) -> list[int]:
+        return [part.start for part in self.parts]
 
     @cached_property
     def _lines(self) -> list[int]:
         return [0, *(match.end() for match in re.finditer("\n", self.text))]
 
+    def part(self, offset: int) -> Part:
+        """The part of the text in which an offset stands."""
+        return self.parts[max(0, bisect_right(self._starts, offset) - 1)]
+
     def line(self, offset: int) -> int:
-        """The number of the line at an offset, counted from 1."""
-        return bisect_right(self._lines, offset)
+        """The number of the line of its file in which an offset stands, counted from 1."""
+        part = self.part(offset)
+        return 1 + sum(
+            bisect_right(self._lines, end) - bisect_right(self._lines, start)
+            for start, end in self._before(part, offset)
+        )
+
+    def _before(self, part: Part, offset: int) -> list[tuple[int, int]]:
+        """The intervals of the text that stand before an offset in its file."""
+        stretches = {p.first: p for p in self.parts if p.path == part.path and p.first < part.first}
+        return [*((p.start, p.end) for p in stretches.values()), (part.start, offset)]
 
     def column(self, offset: int) -> int:
         """The column at an offset, counted from 1."""
-        return offset - self._lines[self.line(offset) - 1] + 1
+        return offset - max(self.text.rfind("\n", 0, offset) + 1, self.part(offset).start) + 1
+
+    def place(self, offset: int) -> str:
+        """The file and the line at an offset."""
+        return f"{self.part(offset).path}:{self.line(offset)}"
+
+    @cached_property
+    def files(self) -> dict[str, str]:
+        """The texts of the files that are read, by their paths."""
+        stretches = {(p.path, p.first): self.text[p.start : p.end] for p in reversed(self.parts)}
+        texts: dict[str, str] = {path: "" for path in dict.fromkeys(p.path for p in self.parts)}
+        for (path, _), text in sorted(stretches.items()):
+            texts[path] += text
+        return texts
+
+    def edited(self, replacements: Mapping[tuple[int, int], str]) -> Source:
+        """The source with other text in some intervals."""
+        text, parts = self.text, list(self.parts)
+        for start, end in sorted(replacements, reverse=True):
+            new = replacements[start, end]
+            text = text[:start] + new + text[end:]
+            grown = len(new) - (end - start)
+            for number, part in enumerate(parts):
+                holds = part.start <= start and end <= part.end
+                moved = grown if start < part.start else 0
+                longer = grown if holds or moved else 0
+                parts[number] = replace(part, start=part.start + moved, end=part.end + longer)
+        return replace(self, text=text, parts=tuple(parts))
 
 
-def _blanked(text: str) -> tuple[str, list[int]]:
+def blanked(text: str) -> tuple[str, list[int]]:
     """The text with blanks for what does not print, and the offsets of the signs of comments."""
     pieces: list[str] = []
     comments: list[int] = []
@@ -99,6 +160,7 @@ def _blanked(text: str) -> tuple[str, list[int]]:
             end = end if closing < 0 or "\n" in text[end:closing] else closing + 1
         elif last == "off":
             end = _after_fi(text, end)
+            last = last if end > match.end() else None
         piece = text[start:end]
         if last in ("line", "comment"):
             comments.append(text.index("%", start))
@@ -109,15 +171,27 @@ def _blanked(text: str) -> tuple[str, list[int]]:
     return "".join([*pieces, text[at:]]), comments
 
 
-_CONDITIONAL = re.compile(r"\\(if[a-zA-Z]*|fi)(?![A-Za-z])|\\(?:newif|\\)")
+_CONDITIONAL = re.compile(
+    r"\\(?P<if>if(?!f(?![A-Za-z]))[a-zA-Z]*)|\\(?P<end>fi|else)(?![A-Za-z])"
+    r"|\\(?:newif|.)|[{}]",
+    re.DOTALL,
+)
 
 
 def _after_fi(text: str, at: int) -> int:
-    r"""The offset behind the ``\fi`` of a conditional that is never taken."""
-    depth = 1
+    r"""The offset behind what is never printed: the ``\fi`` or ``\else`` of this ``\iffalse``.
+
+    In the body of a definition, where a brace closes before it, nothing is left out.
+    """
+    depth, braces = 1, 0
     for match in _CONDITIONAL.finditer(text, at):
-        if match[1] and match[1] not in ("iff",):
-            depth += -1 if match[1] == "fi" else 1
-        if depth == 0:
-            return match.end()
+        braces += {"{": 1, "}": -1}.get(match[0], 0)
+        if braces < 0:
+            return at
+        if match["if"]:
+            depth += 1
+        elif match["end"] and (depth == 1 or match["end"] == "fi"):
+            depth -= 1
+            if depth == 0:
+                return match.end()
     return len(text)

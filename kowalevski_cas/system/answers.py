@@ -102,6 +102,11 @@ class Stated(Shown):
             if name != value  # as the imaginary unit
         )
         found += [f"not at {at}"] if at else []
+        if (one := own.correction) is not None:
+            meant = print_prose(read_prose(one.words, vocabulary((self.claim.scene,))), said, shown)
+            wrong = ", ".join(map(shown, one.blamed))
+            found += [f"it holds with another formula than {wrong}" if wrong else "correct"]
+            found[-1] += f": {meant}, {', '.join(map(shown, one.formulas))}"
         found += [said(own.message)] if own.message else []
         return f"{mark.format(own.verdict)}: {'; '.join(filter(None, found))}"
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import replace
 
 from kowalevski_cas.notation import (
@@ -26,8 +27,9 @@ from kowalevski_cas.notation import (
     read_display,
     to_latex,
 )
+from kowalevski_cas.notation.cursor import is_word
 from kowalevski_cas.notation.errors import undotted
-from kowalevski_cas.notation.open import OpenParser, independent
+from kowalevski_cas.notation.open import OpenParser, independent, words_that_move
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.names import BRACKET, head, is_bold, summed
@@ -44,18 +46,20 @@ from kowalevski_cas.system.refused import (
 )
 from kowalevski_cas.system.vectors import Vectors, bold, names_only, vectors_of
 
+Names = Collection[str]
 
-def components(tex: str, vectors: Vectors) -> dict[str, tuple[str, ...]]:
+
+def components(tex: str, vectors: Vectors, declared: Names = ()) -> dict[str, tuple[str, ...]]:
     """The vectors of equations of motion with their components, beside those that are told."""
     display, known = Display("field", tex, ""), bold(vectors)
-    words = replace(_vocabulary(display, known), matrices=frozenset())
+    words = replace(_vocabulary(display, known, declared), matrices=frozenset())
     return vectors_of(display, known, words)
 
 
-def with_time(tex: str, vectors: Vectors) -> str:
+def with_time(tex: str, vectors: Vectors, declared: Names = ()) -> str:
     """Equations of motion, with one for the time, :math:`dt/dt=1`, if it stands in them."""
     display = Display("field", tex, "")
-    words = _vocabulary(display, vectors)
+    words = _vocabulary(display, vectors, declared)
     formulas = [*_read(display, words).values()]
     moving = {name for formula in formulas for name in _moving(formula)}
     for time in words.times - moving:
@@ -64,12 +68,14 @@ def with_time(tex: str, vectors: Vectors) -> str:
     return tex
 
 
-def moving_by(display: Display, name: str, vectors: Vectors) -> Scene:
+def moving_by(display: Display, name: str, vectors: Vectors, declared: Names = ()) -> Scene:
     """The scene of equations of motion, and of what is defined and supposed beside them.
+
+    Words are names if they are ``declared``, differentiated or defined there.
 
     Raises ``ValueError`` if they do not say what moves, and how.
     """
-    words = _vocabulary(display, vectors)
+    words = _vocabulary(display, vectors, declared)
     formulas = _read(display, words)
     moving = dict.fromkeys(one for formula in formulas.values() for one in _moving(formula))
     words = replace(words, moving=frozenset(moving))  # only these may be printed as x(t)
@@ -95,7 +101,7 @@ def moving_by(display: Display, name: str, vectors: Vectors) -> Scene:
     return rooted(scene, display)
 
 
-def _vocabulary(display: Display, vectors: Vectors) -> Vocabulary:
+def _vocabulary(display: Display, vectors: Vectors, declared: Names) -> Vocabulary:
     """What is a vector, a matrix, a function or the independent variable in a display."""
     words = vocabulary(())
     names = [one for place in display for one in place.heads.names]
@@ -107,8 +113,9 @@ def _vocabulary(display: Display, vectors: Vectors) -> Vocabulary:
     if len(times) > 1:
         by = " and by ".join(times)
         raise ValueError(f"derivatives by {by}: print one independent variable, or partial ones")
+    scalars = functions.union(declared, words_that_move(display.tex), filter(is_word, names))
     return replace(
-        words, scalars=functions, functions=words.functions | functions, vectors=frozenset(vectors),
+        words, scalars=scalars, functions=words.functions | functions, vectors=frozenset(vectors),
         matrices=frozenset(matrices - vectors.keys()), times=frozenset(times),
         moving=frozenset(sorted(vectors)[:1]),  # by what a gradient is, does not matter yet
     )  # fmt: skip
@@ -231,12 +238,12 @@ def restricted(scene: Scene, place: Printed) -> Scene:
     formula = read(place.tex, vocabulary((scene,)), OpenParser)
     if (supposing := _supposing(scene, place, formula)) is not None:
         return supposing
-    if any(name in scene.constants for name in place.heads.squares):
-        return scene.adjoining(place)
-    for name in place.heads.names:
+    for name in (*place.heads.squares, *place.heads.names):
         if name in scene.constants:
             kept = tuple(one for one in scene.constants if one != name)
-            return replace(scene, constants=kept).naming(name, place)
+            rest = replace(scene, constants=kept)
+            squared = name in place.heads.squares
+            return rest.adjoining(place) if squared else rest.naming(name, place)
     known = ", ".join(scene.constants)
     solve = f"solve it for one of {known}, or" if known else "there is none:"
     raise ValueError(f"{place.tex} gives no constant: {solve} declare a further one by `having`")

@@ -27,6 +27,7 @@ from kowalevski_cas.system.equations import (
     with_parameters,
     with_time,
 )
+from kowalevski_cas.system.refused import check_constant, names_of
 from kowalevski_cas.system.solved import solved
 from kowalevski_cas.system.symbols import printed
 from kowalevski_cas.verify.found import Finding
@@ -65,9 +66,10 @@ class Field:
         self.section = Section(name or "1", "")
         MADE.append(self.section)
         tex = field if isinstance(field, str) else self._rows(field)
-        parts = components(tex, vectors or {})
-        display = self.section.display(f"{self.prefix}field", with_time(tex, parts))
-        self._stand_on(moving_by(display, name, parts))
+        words = [*self.symbols]
+        parts = components(tex, vectors or {}, words)
+        display = self.section.display(f"{self.prefix}field", with_time(tex, parts, words))
+        self._stand_on(moving_by(display, name, parts, words))
         moving, constant = self.scene.variables, self.scene.constants
         self.section.title = _echo(moving, constant, "${}$".format)
 
@@ -131,7 +133,7 @@ class Field:
 
         Raises:
             NotationError: a relation cannot be read.
-            ValueError: a relation gives no constant.
+            ValueError: a relation gives no constant, or gives it by what moves.
         """
         special, said = copy(self), ", ".join(map(self._tex, relations))
         scene = self.scene.called(f"{self.scene.name} where {said}")
@@ -139,16 +141,21 @@ class Field:
             tex = self._tex(relation)
             tex = tex if any(one.names for one in heads(tex)) else solved(tex, scene) or tex
             place = self._place("where", tex, "supposed")
-            scene = restricted(scene, place)
+            constants, scene = scene.constants, restricted(scene, place)
+            check_constant(scene, place, constants)
             scene = rooted(scene, place.display)
             special.special += (place.display,)
         special._stand_on(scene)
         return special
 
     def having(self, *constants: str) -> Self:
-        r"""The system with more constants, as ``\rho``, which stand in no equation of motion."""
-        more = copy(self)
-        scene = self.scene.having(constants=constants)
+        r"""The system with more constants, as ``\rho``, which stand in no equation of motion.
+
+        Raises:
+            ValueError: one is no name, or has a meaning already.
+        """
+        more, names = copy(self), (*names_of(constants, self.scene.time),)
+        scene = self.scene.having(constants=names)
         more._stand_on(scene.called(f"{scene.name} with {', '.join(constants)}"))
         return more
 

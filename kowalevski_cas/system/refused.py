@@ -3,11 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Container, Iterable, Mapping, Sequence
+from collections.abc import Collection, Container, Iterable, Iterator, Mapping, Sequence
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Partial, to_latex
+from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Vocabulary, read, to_latex
+from kowalevski_cas.notation.cursor import Cursor
 from kowalevski_cas.notation.errors import letter_and_index
-from kowalevski_cas.paper.texts import Display, Printed
+from kowalevski_cas.notation.functions import FUNCTIONS
+from kowalevski_cas.notation.lexer import scan
+from kowalevski_cas.notation.open import OpenParser
+from kowalevski_cas.paper.claims.forms import moving
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.texts import Display, Printed, Texts
+from kowalevski_cas.paper.vocabulary import vocabulary
 
 _INDEX, _NEXT = re.compile("[i-n]"), re.compile(r"[a-z][-+]\d+")
 _PERMUTATION = re.compile(r"\\(?:var)?epsilon_\{\d{3}\}")
@@ -76,6 +84,36 @@ def check_derivatives(
             raise ValueError(
                 rf"{name} is a name here: print \partial {letter}/\partial {by}, or rename it"
             )
+
+
+def names_of(constants: Iterable[str], time: str) -> Iterator[str]:
+    """The names that are printed so, as they are read.
+
+    Raises ``ValueError`` for what is no name, or the time, or a function.
+    """
+    for tex in constants:
+        try:
+            ((letter, index),) = Cursor(tex, scan(tex), Vocabulary()).letters()
+            known = Vocabulary(frozenset({letter + index}))
+            formula = None if letter in FUNCTIONS else read(tex, known, OpenParser)
+        except ValueError:
+            formula = None
+        if not isinstance(formula, Name) or formula.name == time:
+            what = "is the time" if tex == time else "is no name of a constant"
+            raise ValueError(f"“{tex}” {what}: give a letter, perhaps with an index, or a word")
+        yield formula.name
+
+
+def check_constant(scene: Scene, place: Printed, known: Container[str]) -> None:
+    """Refuse a ``known`` constant that a relation gives by what moves: it would be none."""
+    space = Elaborations(Texts(vocabulary((scene,))))(scene)
+    for name in place.heads.names:
+        if name in known:
+            names = {*moving(space, Name(name))}
+            names |= {scene.time} & space.texts.formula(place).names()
+            if names:
+                by = ", ".join(sorted(names))
+                raise ValueError(f"{place.tex} is no relation of constants, with {by}")
 
 
 def _derived(formula: Formula) -> list[str]:

@@ -27,7 +27,7 @@ def _name(symbol: Any, known: dict[str, Any]) -> str:
         raise ValueError(f"the symbol {symbol.name}: {said}; leave it out")
     for tex in (latex(symbol), rf"\mathrm{{{symbol.name}}}"):
         with suppress(NotationError):
-            formula = read(tex, Vocabulary(), OpenParser)
+            formula = read(tex, Vocabulary(frozenset({tex})), OpenParser)
             if isinstance(formula, Name):
                 if known.setdefault(formula.name, symbol) != symbol:
                     raise ValueError(f"two symbols are printed {formula.name}: rename one")

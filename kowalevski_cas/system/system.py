@@ -27,6 +27,7 @@ from kowalevski_cas.paper.claims import (
     InvariantRelations,
     Involution,
     Jacobi,
+    LaxPair,
     LiouvilleIntegrable,
 )
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -91,10 +92,11 @@ class System(Field):
         return self.states(DarbouxPolynomial, "darboux", says, expect, formula, cofactor=K)
 
     def lax(self, first: Function, second: Function, expect: str = "") -> Stated:
-        """A Lax pair of matrices: L' = LM - ML."""
+        """A Lax pair of matrices: L' = LM - ML, where L has invariants that are not constant."""
         L, M = self._tex(first), self._tex(second)
         says = "the equations of motion give this Lax equation"
-        return self.states(Identity, "lax", says, expect, rf"\frac{{d}}{{dt}}{L}={L}{M}-{M}{L}")
+        equation = rf"\frac{{d}}{{dt}}{L}={L}{M}-{M}{L}"
+        return self.states(LaxPair, "lax", says, expect, equation, matrix=first)
 
     def jacobi(self, expect: str = "") -> Stated:
         """The Poisson bracket that was defined satisfies Jacobi's identity."""

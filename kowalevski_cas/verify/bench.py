@@ -10,6 +10,7 @@ from kowalevski_cas.notation import Formula, to_plain
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.generators import decides
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -144,7 +145,8 @@ class Bench:
         try:
             if isinstance(verdicts, Denial):
                 judge.denies(statement.goals[verdicts.goal], verdicts.evidence)
-                if not statement.claim.refuted_by(verdicts):
+                denied = statement.goals[verdicts.goal]
+                if not (statement.claim.refuted_by(verdicts) and decides(denied)):
                     message = "what would prove it is false, which does not refute it"
                     return Decided(statement, None, judge.accepted, Verdict.UNDECIDED, message)
                 return Decided(statement, verdicts, judge.accepted, Verdict.REFUTED)

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.files import read_json
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.problem.codec import Data, evidence_data, problem_data, read_evidence
 from kowalevski_cas.problem.evidence import Denial, Evidence
@@ -57,8 +58,8 @@ class Stored:
         if self.instead is not None:
             return self.instead
         try:
-            data = json.loads(self.path.read_bytes())
-        except (OSError, ValueError, RecursionError) as error:
+            data = read_json(self.path)
+        except (OSError, ValueError) as error:
             raise FormatError(f"it cannot be read ({type(error).__name__})") from None
         if not isinstance(data, dict) or data.get("version") != VERSION:
             raise FormatError(f"it is no certificate of format {VERSION}")
@@ -82,8 +83,10 @@ class Stored:
             return None
         try:
             return _verdicts(data, statement)
-        except (FormatError, TypeError, ValueError, RecursionError) as error:
-            raise FormatError(str(error)) from None
+        except FormatError:
+            raise
+        except Exception as error:  # nobody trusts what is in a file
+            raise FormatError(f"it cannot be read ({type(error).__name__}: {error})") from None
 
     def failures(self, statement: Statement, condition: Tree) -> list[Stored] | None:
         """What it has of a condition of a statement; ``None`` if it says nothing of conditions."""

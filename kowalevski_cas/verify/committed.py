@@ -13,6 +13,7 @@ from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
 
+from kowalevski_cas.files import read
 from kowalevski_cas.limits import tell
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.derivation import Derivation
@@ -101,15 +102,16 @@ def check_files(paths: Sequence[Path], about: Expected | None = None) -> Checked
         tell(path.stem, done, len(paths))
         corrected = path.parent.name == CORRECTED
         try:
-            certificate = checker.check(path.read_text(encoding="utf-8"))
+            certificate = checker.check(read(path))
             claim = certificate.claim
             name = f"{CORRECTED}/{claim}" if corrected else claim
             checker.need(path.name == f"{claim}.json", f"it is about the claim {claim}")
             checker.need(name not in found.accepted, "the claim was certified before")
             if about is not None:
                 about.compare(name, certificate, corrected)
-        except (OSError, UnicodeDecodeError, checker.Rejected) as error:
-            found.rejected[str(path)] = checker.printable(str(error)) or type(error).__name__
+        except (OSError, ValueError, checker.Rejected) as error:
+            said = str(getattr(error, "strerror", None) or error)
+            found.rejected[str(path)] = checker.printable(said) or type(error).__name__
             continue
         found.accepted[name] = certificate
     return found
@@ -168,6 +170,8 @@ class Expected:
             on = self.bench.on(claim)
             if not corrected:
                 return Statement(claim, on)
-            near = recorded_correction(claim, on, str(self.record[id].get("correction")))
+            entry = self.record[id]
+            elsewhere = str(entry.get("mended", ""))
+            near = recorded_correction(claim, on, str(entry.get("correction")), elsewhere)
             return None if near is None else near[1]
         return None

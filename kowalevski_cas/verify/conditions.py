@@ -31,7 +31,9 @@ def conditions_of(accepted: Accepted, legend: Mapping[Setting, Elaboration]) -> 
     divisors: dict[Elaboration, set[int]] = {}
     stated: dict[Elaboration, list[Formula]] = {}
     for goal, elements in accepted.divided:
-        setting = legend[goal.space]
+        setting = legend.get(goal.space)
+        if setting is None:  # a theorem on functions: it has none
+            continue
         there = setting.finder
         for divisor in may_vanish(goal, elements):
             own = there.image(divisor).inverse().denominator
@@ -118,6 +120,8 @@ def excluding(goals: Iterable[Goal], legend: Mapping[Setting, Elaboration]) -> t
     for goal in goals:
         bound = goal.bound if isinstance(goal, Exists) else ()
         for one in simple(goal):
+            if one.space not in legend:
+                continue
             at = finder_of(one.space)
             known = at.differences(one.given) if isinstance(one, Follows) else []
             divisors = at.ring.divided_by(law(one, at, bound)) if known else []

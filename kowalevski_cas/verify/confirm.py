@@ -17,7 +17,7 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.finder import finder_of
-from kowalevski_cas.problem.goals import Simple, simple
+from kowalevski_cas.problem.goals import Along, Simple, simple
 from kowalevski_cas.problem.space import Raised, Setting
 from kowalevski_cas.problem.trees import decode
 from kowalevski_cas.verify.conditions import may_vanish
@@ -61,7 +61,7 @@ def receive(outcome: Outcome) -> Outcome:
     except Disagreement as error:
         return outcome._replace(
             verdict=Verdict.ERROR, message=str(error), certificate="", conditions=(),
-            counterexample=None, correction=None,
+            counterexample=None, correction=None, alternatives=(),
         )  # fmt: skip
     return outcome
 
@@ -75,8 +75,8 @@ def need_certificates(outcome: Outcome) -> None:
     if outcome.certified:
         sign = "denied" if outcome.verdict is Verdict.REFUTED else "holds"
         due.append((outcome.digest, sign, outcome.certificate))
-    if outcome.correction is not None:
-        due.append((outcome.correction.digest, "holds", outcome.correction.certificate))
+    for one in filter(None, (outcome.correction, *outcome.alternatives)):
+        due.append((one.digest, "holds", one.certificate))
     try:
         for digest, sign, text in due:
             _theorems(outcome.claim, digest, sign, text)
@@ -106,6 +106,9 @@ def _divided(
     """What the theorems suppose not to vanish, goal by goal, as what it is divided by."""
     parts = chain.from_iterable(one.parts or (one,) for one in theorems)
     for goal, theorem in zip(goals, parts, strict=True):
+        if isinstance(goal, Along):  # where a side is not defined it says nothing
+            yield []
+            continue
         scalar = finder_of(goal.space).scalar
         yield [scalar(decode(tree)).inverse() for tree in theorem.divisors]
 
@@ -114,6 +117,8 @@ def _factors(divided: Divided) -> dict[Setting, set[Shape]]:
     """The irreducible factors that may not vanish, by the spaces in which they stand."""
     found: dict[Setting, set[Shape]] = {}
     for goal, elements in divided:
+        if isinstance(goal, Along):
+            continue
         at = finder_of(goal.space)
         granted = granted_by(map(at.scalar, goal.space.nonzero)) | _of_powers(at)
         for divisor in may_vanish(goal, elements):

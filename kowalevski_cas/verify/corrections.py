@@ -10,13 +10,15 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, TypeGuard
 
 from kowalevski_cas.algebra.points import NoPoint
-from kowalevski_cas.notation import Formula, Negative, NotationError
+from kowalevski_cas.notation import Edit, Formula, Negative, NotationError, edits
+from kowalevski_cas.notation.edits import changes_subject
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.goals import Follows, Goal
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.outcome import as_recorded
+from kowalevski_cas.verify.relations import relations
 from kowalevski_cas.verify.statement import Statement
 from kowalevski_cas.verify.vacuous import says_something, unlike
 
@@ -28,23 +30,44 @@ DECIDED = 400
 
 
 def recorded_correction(
-    claim: Claim, on: Elaborations, recorded: str
+    claim: Claim, on: Elaborations, recorded: str, elsewhere: str = ""
 ) -> tuple[Neighbour, Statement] | None:
     """The neighbour of a claim that a record has as its correction, and what it says.
 
-    ``None`` if no neighbour is recorded so, or it says nothing.
+    It is that of another formula, if a place ``elsewhere`` is recorded. ``None`` if no neighbour
+    is recorded so, or it says nothing.
     """
     with suppress(NotationError, Meaningless):
-        own, wanted = claim.formulas(on.texts), None
-        if claim.printed is not None:
-            with suppress(NotationError):  # it may be several formulas, or words
-                wanted = on.texts.expression(recorded)
-        for neighbour in claim.neighbours(on.texts, wanted):
-            formulas = printed_of(neighbour)
-            same = formulas != own and wanted in formulas[:1]
-            if same or as_recorded(formulas, neighbour.words, own) == recorded:
-                return neighbour, stated(neighbour, on)
+        near = _at(elsewhere, claim, on, recorded) if elsewhere else _own(claim, on, recorded)
+        for neighbour in near:
+            return neighbour, stated(neighbour, on)
     return None
+
+
+def _own(claim: Claim, on: Elaborations, recorded: str) -> Iterator[Neighbour]:
+    """The neighbours of a claim that are recorded so."""
+    own, wanted = claim.formulas(on.texts), None
+    if claim.printed is not None:
+        with suppress(NotationError):  # it may be several formulas, or words
+            wanted = on.texts.expression(recorded)
+    for neighbour in claim.neighbours(on.texts, wanted):
+        formulas = printed_of(neighbour)
+        same = formulas != own and wanted in formulas[:1]
+        if same or as_recorded(formulas, neighbour.words, own) == recorded:
+            yield neighbour
+
+
+def _at(elsewhere: str, claim: Claim, on: Elaborations, recorded: str) -> Iterator[Neighbour]:
+    """A claim under the recorded edit of another formula, or the relation that it supposes."""
+    wanted, texts = on.texts.expression(recorded), on.texts
+    for place in claim.reads():
+        if place.place == elsewhere:
+            for edit in edits(texts.statement(place), texts.vocabulary, wanted=wanted):
+                if edit.formula == wanted:
+                    yield claim.edited(texts, place, edit)
+    for relation in relations(Statement(claim, on)):
+        if relation.formula == wanted:
+            yield relation.neighbour(claim, texts)
 
 
 def stated(neighbour: Neighbour, on: Elaborations) -> Statement:
@@ -54,21 +77,24 @@ def stated(neighbour: Neighbour, on: Elaborations) -> Statement:
 
 def corrections(printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:
     """The neighbours of what is refuted that are true and say something, the likeliest first."""
-    neighbours = sorted(printed.claim.neighbours(printed.on.texts), key=_unlikeliness)
-    for neighbour in true_ones(neighbours, printed.on):
+    near = printed.claim.neighbours(printed.on.texts)
+    meant = [one for one in near if one.edit is None or not changes_subject(one.edit)]
+    for neighbour in true_ones(sorted(meant, key=_likelihood), printed.on):
         statement = stated(neighbour, printed.on)
         if says_something(neighbour, statement, printed):
             yield neighbour, statement
 
 
-def _unlikeliness(neighbour: Neighbour) -> tuple[bool, bool, bool]:
-    """Names that are not alike are seldom taken for each other; what is defined is seldom wrong.
+def _likelihood(neighbour: Neighbour) -> tuple[bool, ...]:
+    return (False,) * 3 if neighbour.edit is None else unlikeliness(neighbour.edit)
 
-    A formula seldom begins with a minus: of two signs, the second is changed.
+
+def unlikeliness(edit: Edit) -> tuple[bool, ...]:
+    """What sorts edits: names that are not alike are seldom taken for each other.
+
+    What is defined is seldom wrong. A formula seldom begins with a minus: of two signs, the second
+    is changed.
     """
-    edit = neighbour.edit
-    if edit is None:
-        return False, False, False
     begins = isinstance(edit.replacement, Negative) and not any(edit.path[-1:])
     return unlike(edit), edit.path[:1] == (0,), begins
 
@@ -97,7 +123,7 @@ def _screened(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Nei
     stages: dict[object, Sampled] = {}
     decided = 0
     for neighbour in neighbours:
-        verdict = _passes(neighbour, on, stages)
+        verdict = passes(neighbour, on, stages)
         if verdict is None:
             decided += 1
             verdict = decided <= DECIDED
@@ -105,8 +131,11 @@ def _screened(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Nei
             yield neighbour
 
 
-def _passes(neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled]) -> bool | None:
-    """Whether all identities hold at points; ``None`` if there are other goals, or no points."""
+def passes(neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled]) -> bool | None:
+    """Whether all identities hold at points; ``None`` if there are other goals, or no points.
+
+    ``stages`` are the settings that were evaluated there already.
+    """
     from kowalevski_cas.problem.sampled import Sampled  # a recorded correction is only looked up
 
     try:

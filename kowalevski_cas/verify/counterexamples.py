@@ -24,6 +24,7 @@ from kowalevski_cas.paper.claims import (
     FirstIntegral,
     Involution,
     Jacobi,
+    LaxPair,
     LiouvilleIntegrable,
 )
 from kowalevski_cas.paper.claims.forms import ZERO
@@ -139,8 +140,12 @@ def _failing(goal: Follows, place: Place) -> tuple[Formula, Formula]:
 def why(claim: Claim, goal: Goal, evidence: Evidence) -> str:
     """Why a goal of a claim is denied, where no two values say so."""
     match goal, evidence:
+        case Fails(conclusions=()), Shown():
+            return "no real point is such that the function has this value"
         case Fails(), Shown() if isinstance(claim, FirstIntegral):
             return "the function is constant by itself"
+        case Fails(), Shown() if isinstance(claim, LaxPair):
+            return "all invariants of the matrix are constant by themselves: it gives no integral"
         case Fails(), Shown():
             return "what is said to fail somewhere holds everywhere"
         case Follows(conclusions=()), At():

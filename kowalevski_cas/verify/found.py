@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import Any
 
 from kowalevski_cas.paper.claims import Claim
@@ -19,8 +19,9 @@ class Finding:
     """A claim of some kind whose formulas are found, and stand in no paper.
 
     ``tex`` is the one formula of the claim, if it has one. TeX among the ``attributes`` becomes
-    places as well; the same TeX is the same place. If the formula is only how the words are seen
-    to hold, it is of ``steps``. What is ``computed`` besides is stated by no claim.
+    places where the kind declares them; the same TeX is the same place. If the formula is only how
+    the words are seen to hold, it is of ``steps``. What is ``computed`` besides is stated by no
+    claim.
     """
 
     kind: type[Claim]
@@ -39,7 +40,11 @@ class Finding:
                 return tuple(map(placed, value))
             return value if isinstance(value, int) else place(value)
 
-        attributes = {name: placed(value) for name, value in self.attributes.items()}
+        of_places = {field.name for field in fields(self.kind) if "Printed" in str(field.type)}
+        attributes: dict[str, Any] = {
+            name: placed(value) if name in of_places else value
+            for name, value in self.attributes.items()
+        }
         printed = None if self.tex == "" else place(self.tex)
         return self.kind(id, self.on, self.says, printed=printed, **attributes)
 

@@ -6,12 +6,13 @@ on a proof of the claim as it is corrected.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import islice
 
 from kowalevski_cas.algebra import POINTS
-from kowalevski_cas.notation import NotationError
+from kowalevski_cas.notation import Edit, Formula, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
-from kowalevski_cas.paper.texts import Texts
+from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.bench import Decided
@@ -25,25 +26,36 @@ from kowalevski_cas.verify.vacuous import says_something
 class Mender(Teller):
     """Corrections of claims, and their acceptance."""
 
-    def correct(self, printed: Statement) -> Correction | None:
-        """The nearest true statement, decided in every arithmetic."""
-        found = (self.proposed(*candidate) for candidate in self._candidates(printed))
-        return next((one for one in found if one is not None), None)
+    def known_corrections(self, printed: Statement) -> Sequence[Correction]:
+        """What the derivation accepts, or else is recorded, decided in every arithmetic."""
+        return [*islice(self._proposed(self._known(printed)), 1)]
 
-    def _candidates(self, printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:
-        """What the derivation accepts, what is recorded, and what is found; true, or not."""
+    def corrected_by(self, printed: Statement, most: int) -> Iterator[Correction]:
+        """The nearest true statements, so many at most, decided in every arithmetic."""
+        return islice(self._proposed(self._near(printed)), most)
+
+    def _proposed(self, candidates: Iterable[tuple[Neighbour, Statement]]) -> Iterator[Correction]:
+        found = (self.proposed(*candidate) for candidate in candidates)
+        return (one for one in found if one is not None)
+
+    def _known(self, printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:
+        """What the derivation accepts, and what is recorded; true, or not."""
         claim = printed.claim
         accepted = [
-            tex for place, tex in self.derivation.accepted.items() if place == claim.printed
+            (tex, "") for place, tex in self.derivation.accepted.items() if place == claim.printed
         ]
-        recorded = self.record.get(claim.id, {}).get("correction")
-        for tex in (*accepted, *([recorded] if isinstance(recorded, str) else [])):
-            found = recorded_correction(claim, printed.on, tex)
+        entry = self.record.get(claim.id, {})
+        recorded = str(entry.get("correction") or ""), str(entry.get("mended", ""))
+        for known in (*accepted, *([recorded] if recorded[0] else [])):
+            found = recorded_correction(claim, printed.on, *known)
             if found is not None and says_something(*found, printed):
-                if tex in accepted or self._leaves_true(claim, found[0]):
+                if known in accepted or self._leaves_true(claim, found[0]):
                     yield found
+
+    def _near(self, printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:
+        """What is found near a claim that is true, and leaves true what is true."""
         for found in corrections(printed):
-            if self._leaves_true(claim, found[0]):
+            if self._leaves_true(printed.claim, found[0]):
                 yield found
 
     def _leaves_true(self, claim: Claim, neighbour: Neighbour) -> bool:
@@ -51,23 +63,23 @@ class Mender(Teller):
         place, edit = neighbour.printed, neighbour.edit
         if place is None or edit is None:
             return True
-        texts = self.texts.edited(place, edit)
-        for other in self.derivation.claims:
-            if other is not claim and place in other.reads():
-                try:
-                    now = Statement(other, self.on(other))
-                    evidence = self._evidence(now, other.id)
-                except (NotationError, Meaningless, FormatError):
-                    continue  # it is not true now
-                if isinstance(evidence, tuple) and not self._holds(other, texts, now.digest):
-                    return False
-        return True
+        others = (c for c in self.derivation.claims if c is not claim and place in c.reads())
+        return all(self.keeps(other, place, edit) for other in others if self.is_true(other))
 
-    def _holds(self, claim: Claim, texts: Texts, digest: str) -> bool:
-        """Whether a claim is true under other texts; it is if its problem has this digest."""
+    def is_true(self, claim: Claim) -> bool:
+        """Whether evidence is found for a claim as it is printed."""
         try:
-            statement = Statement(claim, self.on(claim, texts))
-            return statement.digest == digest or statement.holds()
+            return isinstance(self._evidence(Statement(claim, self.on(claim)), claim.id), tuple)
+        except (NotationError, Meaningless, FormatError):
+            return False
+
+    def keeps(self, claim: Claim, place: Printed, edit: Edit) -> bool:
+        """Whether a claim that is true stays so under an edit, as if it says the same."""
+        try:
+            edited = claim.edited(self.texts, place, edit)
+            statement = Statement(edited.claim, self.on(edited.claim, edited.texts))
+            same = statement.digest == Statement(claim, self.on(claim)).digest
+            return same or statement.holds()
         except (NotationError, Meaningless, ZeroDivisionError):
             return False
 
@@ -78,10 +90,16 @@ class Mender(Teller):
         if decided is None:
             return None
         needed, text = self.certified(decided, name)
+        place, edit = neighbour.printed, neighbour.edit
+        formulas, blamed = printed_of(neighbour), tuple[Formula, ...]()
+        if place is not None and edit is None:  # a relation of constants, which is not printed
+            formulas = (neighbour.texts.formula(place),)
+        elif edit is not None and place not in {*neighbour.claim.establishes()}:
+            formulas, blamed = (edit.formula,), (edit.statement.formula,)
+        verdict = Verdict.CONDITIONAL if needed else Verdict.PROVED
         return Correction(
-            printed_of(neighbour), neighbour.words,
-            Verdict.CONDITIONAL if needed else Verdict.PROVED, needed, statement.digest,
-            neighbour.printed, neighbour.edit, certificate=text,
+            formulas, neighbour.words, verdict, needed, statement.digest, place, edit,
+            certificate=text, blamed=blamed,
         )  # fmt: skip
 
     def _proved(self, statement: Statement, name: str) -> Decided | None:

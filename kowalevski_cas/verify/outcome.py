@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from enum import StrEnum
 from hashlib import sha256
 from typing import NamedTuple
@@ -108,7 +108,10 @@ class Correction(NamedTuple):
 
     ``printed`` and ``edit`` say where, if one printed formula was changed, and ``accepted``
     that the derivation reads it in place of what is printed. ``certificate`` is the text that the
-    checker has accepted.
+    checker has accepted. If it is no formula of the claim that is wrong, but one on which it
+    stands, ``blamed`` is what is printed there, and ``formulas`` are what should be; ``others`` are
+    the true claims that stand on it as well, and stay true. A relation of constants that is to be
+    supposed stands at a place of its own.
     """
 
     formulas: tuple[Formula, ...]
@@ -120,6 +123,14 @@ class Correction(NamedTuple):
     edit: Edit | None = None
     accepted: bool = False
     certificate: str = ""
+    blamed: tuple[Formula, ...] = ()
+    others: tuple[str, ...] = ()
+
+    @property
+    def elsewhere(self) -> str:
+        """The place that is mended, if it is none of the claim's own."""
+        own = self.printed is None or (self.edit is not None and not self.blamed)
+        return "" if own or self.printed is None else self.printed.place
 
 
 class Outcome(NamedTuple):
@@ -133,7 +144,8 @@ class Outcome(NamedTuple):
     values of a printed root, ``corrected`` the claims whose accepted corrections it rests on. What
     the paper does not claim is ``ours``. ``certificate`` is the text that the checker has accepted;
     without one nothing is proved, conditional or refuted. A ``note`` is about a stored certificate
-    that was rejected. Words have mathematics between dollars.
+    that was rejected. An error that nobody expected has the ``stack`` of the process in which it
+    arose. Words have mathematics between dollars.
     """
 
     claim: str
@@ -147,6 +159,7 @@ class Outcome(NamedTuple):
     steps: tuple[Step, ...] = ()
     counterexample: Counterexample | None = None
     correction: Correction | None = None
+    alternatives: tuple[Correction, ...] = ()
     rests_on: tuple[str, ...] = ()
     digest: str = ""
     message: str = ""
@@ -160,6 +173,7 @@ class Outcome(NamedTuple):
     ours: bool = False
     certificate: str = ""
     note: str = ""
+    stack: str = ""
 
     @property
     def certified(self) -> bool:
@@ -173,6 +187,17 @@ class Outcome(NamedTuple):
         if self.correction is not None:
             found[f"{CORRECTED}/{self.claim}"] = self.correction.certificate
         return found if self.certified else {}
+
+    @property
+    def misprinted(self) -> bool:
+        """Whether a formula of the claim itself is to be corrected."""
+        one = self.correction
+        return one is not None and one.edit is not None and not one.blamed
+
+    def corrected_by(self, corrections: Sequence[Correction]) -> Outcome:
+        """The outcome with the likeliest of some corrections, and the others as alternatives."""
+        first, *others = (*corrections, None)
+        return self._replace(correction=first, alternatives=tuple(filter(None, others)))
 
 
 class Run(NamedTuple):

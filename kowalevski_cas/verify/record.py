@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from kowalevski_cas import UserError
+from kowalevski_cas.files import read_json
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict, as_recorded
 
@@ -29,7 +30,7 @@ class Difference(NamedTuple):
 def describe(outcome: Outcome) -> dict[str, object]:
     """What is recorded of an outcome."""
     correction = outcome.correction
-    return {
+    recorded: dict[str, object] = {
         "verdict": str(outcome.verdict),
         "conditions": [to_latex(condition.expression) for condition in outcome.conditions],
         "correction": None
@@ -37,6 +38,9 @@ def describe(outcome: Outcome) -> dict[str, object]:
         else as_recorded(correction.formulas, correction.words, outcome.formulas),
         "statement": outcome.digest,
     }
+    if correction is not None and correction.elsewhere:
+        recorded["mended"] = correction.elsewhere
+    return recorded
 
 
 def dump_record(run: Run, recorded: Mapping[str, Mapping[str, object]]) -> str:
@@ -54,6 +58,11 @@ def open_ones(run: Run) -> list[Outcome]:
     return [o for o in run.outcomes if o.verdict in (Verdict.TIMEOUT, Verdict.ERROR)]
 
 
+def _unordered(value: object) -> object:
+    """What is recorded, whatever the order in which conditions were found."""
+    return sorted(map(str, value)) if isinstance(value, list) else value
+
+
 def _text(value: object) -> str:
     return json.dumps(value, indent=1, ensure_ascii=False) + "\n"
 
@@ -64,7 +73,7 @@ def load_record(folder: Path) -> dict[str, dict[str, object]] | None:
     if not path.exists():
         return None
     try:
-        claims = json.loads(path.read_text(encoding="utf-8"))["claims"]
+        claims = read_json(path)["claims"]
         if all(isinstance(entry, dict) for entry in claims.values()):
             return dict(claims)
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
@@ -86,7 +95,7 @@ def differences(
             result.append(Difference(claim, "not in the record", str(now["verdict"])))
             continue
         for key, value in now.items():
-            if then.get(key) != value:
+            if _unordered(then.get(key)) != _unordered(value):
                 result.append(Difference(claim, _shown(key, then.get(key)), _shown(key, value)))
     if whole:
         gone = [claim for claim in record if claim not in found]

@@ -2,28 +2,44 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from functools import cached_property
 from itertools import count, permutations
+from math import inf
 from time import perf_counter
+from traceback import format_exc
+from typing import Any
 
 from kowalevski_cas.algebra import POINTS, load, load_points
 from kowalevski_cas.library import library
 from kowalevski_cas.limits import ProcessDied, tell, time_limit, watched
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.derivation import Doubt
+from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
 from kowalevski_cas.verify.bench import Decided
+from kowalevski_cas.verify.blame import Blame, Repairs
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.confirm import Disagreement, receive
 from kowalevski_cas.verify.mender import Mender
-from kowalevski_cas.verify.outcome import CORRECTED, Outcome, Run, Screened, Verdict
+from kowalevski_cas.verify.outcome import CORRECTED, Correction, Outcome, Run, Screened, Verdict
 from kowalevski_cas.verify.statement import Statement
 
+FALSE_AS_READ = "false as it was read"
+"""The words for a claim that fails, and that may have been meant otherwise."""
+
 Progress = Callable[[str, int, int], None]
+
+Work = Callable[[Callable[[Any], Any], Sequence[Any]], Iterable[Any]]
+"""How something is done for each of several items: here, or in processes of their own."""
+
+FRAMES = 20
+"""The innermost calls of a stack that are shown."""
 
 LEAST = 0.5
 """Seconds for a correction, however little the refutation has left."""
@@ -53,7 +69,15 @@ def shared(
 
     outcomes = each(decided, range(len(tasks)), heard=heard)
     received = map(receive, outcomes)
-    return [session.result([next(received) for _ in claims]) for session, claims in chosen]
+    found = [(session, [next(received) for _ in claims]) for session, claims in chosen]
+    return [session.result(_corrected(session, ones)) for session, ones in found]
+
+
+def _corrected(session: Session, outcomes: Sequence[Outcome]) -> list[Outcome]:
+    """The outcomes with corrections that other processes find, and are received from them."""
+    found = session.with_corrections(outcomes, each)
+    pairs = zip(outcomes, found, strict=True)
+    return [new if new is old else receive(new) for old, new in pairs]
 
 
 class Session(Mender):
@@ -79,7 +103,8 @@ class Session(Mender):
         With a limit of time, the run has processes of its own.
         """
         if self.timeout is None or watched():
-            return self.result([self.outcome(claim) for claim in self.chosen(only)])
+            found = [self.outcome(claim) for claim in self.chosen(only)]
+            return self.result(self.with_corrections(found, map))
         (run,) = shared([self], only)
         return run
 
@@ -92,13 +117,24 @@ class Session(Mender):
             author=derivation.author,
             source=derivation.source,
             sections=tuple((s.number, s.title) for s in derivation.sections),
-            outcomes=tuple(outcomes),
+            outcomes=tuple(map(self.settled, outcomes)),
             arithmetics=tuple(self.arithmetics),
             versions={},
             vocabulary=self.texts.vocabulary,
             edition=derivation.edition,
             main=derivation.main,
         )
+
+    def settled(self, outcome: Outcome) -> Outcome:
+        """An outcome, undecided if what is refuted may have been meant otherwise."""
+        doubt = self.derivation.doubts.get(outcome.claim)
+        mended = outcome.correction is not None and doubt is not Doubt.ALWAYS
+        if outcome.verdict is not Verdict.REFUTED or doubt is None or mended:
+            return outcome
+        return outcome._replace(
+            verdict=Verdict.UNDECIDED, message=FALSE_AS_READ, certificate="", correction=None,
+            alternatives=(),
+        )  # fmt: skip
 
     def outcome(self, claim: Claim) -> Outcome:
         """The outcome for one claim; it is undecided if something that it rests on is."""
@@ -135,12 +171,11 @@ class Session(Mender):
         return session._confirms(claim, session.outcome(claim))
 
     def decide(self, claim: Claim) -> Outcome:
-        """The outcome for one claim, if all stands that it rests on."""
-        on, start = self.on(claim), perf_counter()
+        """The outcome for one claim, if all stands that it rests on; an error, whatever happens."""
+        on = self.on(claim)
         try:
-            with time_limit(self.timeout):
-                statement = Statement(claim, on)
-                outcome = self.anew(statement, claim.id, lambda: self._decided(statement, start))
+            with time_limit(inf):  # if the process dies here, this claim is lost, and not the run
+                return self.with_acceptance(claim, self._corrected(claim, on))
         except TimeoutError as error:
             late = str(error) or f"not decided within {self.timeout:g} s"
             return self.unread(claim, on, Verdict.TIMEOUT, late)
@@ -148,18 +183,26 @@ class Session(Mender):
             NotationError, Meaningless, FormatError, ProcessDied, Unproved, Disagreement
         ) as error:  # fmt: skip
             return self.unread(claim, on, Verdict.ERROR, str(error))
-        except (ArithmeticError, MemoryError, RecursionError) as error:
-            said = f"it cannot be computed ({type(error).__name__}: {error})"
-            return self.unread(claim, on, Verdict.ERROR, said)
+        except (Exception, SystemExit) as error:
+            return self._broken(claim, error)
+
+    def _broken(self, claim: Claim, error: BaseException) -> Outcome:
+        """The outcome for a claim where something goes wrong that nobody has thought of."""
+        said = f"it cannot be computed ({type(error).__name__}: {error})"
+        outcome = self.unread(claim, self.on(claim), Verdict.ERROR, said)
+        return outcome._replace(stack=format_exc(limit=-FRAMES))
+
+    def _corrected(self, claim: Claim, on: Elaborations) -> Outcome:
+        """The outcome for one claim, with the nearest true statement if it is refuted."""
+        start = perf_counter()
+        with time_limit(self.timeout):
+            statement = Statement(claim, on)
+            outcome = self.anew(statement, claim.id, lambda: self._decided(statement, start))
         if outcome.verdict is Verdict.REFUTED:
-            correcting = perf_counter()
-            outcome = self._with_correction(statement, outcome, correcting - start)
-            first = self.arithmetics[0]
-            spent = outcome.seconds[first] + perf_counter() - correcting
-            outcome = outcome._replace(seconds={**outcome.seconds, first: spent})
+            outcome = self._timed(claim, outcome, lambda: self.known_corrections(statement))
         names = (claim.id, f"{CORRECTED}/{claim.id}")
         notes = [self.rejected.pop(name) for name in names if name in self.rejected]
-        return self.with_acceptance(claim, outcome._replace(note="\n".join(notes)))
+        return outcome._replace(note="\n".join(notes))
 
     def _decided(self, statement: Statement, start: float) -> Outcome:
         """The outcome for one claim, without a correction."""
@@ -172,17 +215,63 @@ class Session(Mender):
             start = perf_counter()
         return self._outcome(statement, found)._replace(seconds=seconds)
 
-    def _with_correction(self, statement: Statement, outcome: Outcome, spent: float) -> Outcome:
-        """The outcome with the nearest true statement, if that is found in what time is left."""
+    # -- corrections -----------------------------------------------------------------
+
+    def with_corrections(self, outcomes: Sequence[Outcome], work: Work) -> list[Outcome]:
+        """The outcomes with the corrections of what is refuted, where none is known.
+
+        What claims share is looked at first, then they are one by one.
+        """
+        found = {outcome.claim: outcome for outcome in outcomes}
+        blame = self.blame(found)
+        if failing := blame.open():
+            (shared,) = work(lambda _: self._shared(blame), ["shared"])
+            for id, corrections in shared.items():
+                found[id] = found[id].corrected_by(corrections)
+            left = [claim for claim in failing if claim.id not in shared]
+
+            def alone(place: int) -> Outcome:
+                claim = left[place]
+                tell(claim.id)
+                try:
+                    with time_limit(inf):
+                        return self._timed(claim, found[claim.id], lambda: blame.alone(claim))
+                except (Exception, SystemExit) as error:
+                    return self._broken(claim, error)
+
+            for outcome in work(alone, range(len(left))):
+                found[outcome.claim] = outcome
+        return [*found.values()]
+
+    def blame(self, outcomes: Mapping[str, Outcome]) -> Blame:
+        """The search for what makes claims fail, of which these are the outcomes so far."""
+        verdicts = {id: outcome.verdict for id, outcome in outcomes.items()}
+        explained = [id for id, outcome in outcomes.items() if outcome.correction]
+        return Blame(self, verdicts, explained)
+
+    def _shared(self, blame: Blame) -> Repairs:
+        """What mends several claims, if it is found in time."""
+        with suppress(Exception), time_limit(inf), time_limit(self.patience or self.timeout):
+            return blame.shared()
+        return {}  # what goes wrong with one of the claims is told where it is by itself
+
+    def _timed(
+        self, claim: Claim, outcome: Outcome, search: Callable[[], Sequence[Correction]]
+    ) -> Outcome:
+        """An outcome with the corrections that are found in time, and with what that took."""
+        first, start = self.arithmetics[0], perf_counter()
         limits = [] if self.patience is None else [self.patience]
-        limits += [] if self.timeout is None else [max(self.timeout - spent, LEAST)]
+        limits += (
+            [] if self.timeout is None else [max(self.timeout - outcome.seconds[first], LEAST)]
+        )
         try:
             with time_limit(min(limits, default=None)):
-                return outcome._replace(correction=self.correct(statement))
+                outcome = outcome.corrected_by(search())
         except TimeoutError:
             late = "no correction was found within the time"
-            accepted = statement.claim.printed in self.accepted
-            verdict = Verdict.TIMEOUT if accepted else outcome.verdict
-            return outcome._replace(verdict=verdict, message=outcome.message or late)
+            verdict = Verdict.TIMEOUT if claim.printed in self.accepted else outcome.verdict
+            outcome = outcome._replace(verdict=verdict, message=outcome.message or late)
         except (FormatError, Unproved, Disagreement, ProcessDied) as error:
-            return outcome._replace(verdict=Verdict.ERROR, message=str(error))
+            outcome = outcome._replace(verdict=Verdict.ERROR, message=str(error))
+        spent = outcome.seconds[first] + perf_counter() - start
+        return outcome._replace(seconds={**outcome.seconds, first: spent})

@@ -13,6 +13,7 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Found
 from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import (
+    Along,
     Count,
     Exists,
     Fails,
@@ -82,7 +83,9 @@ def questions(
 
     for place, goal in enumerate(statement.goals):
         found = verdicts[place] if isinstance(verdicts, tuple) else None
-        if isinstance(goal, Exists):
+        if isinstance(goal, Along):
+            unseen.append("that two solutions are equal cannot be seen at points")
+        elif isinstance(goal, Exists):
             if not isinstance(found, Found):
                 unseen.append("what exists cannot be seen at points")
                 continue
@@ -116,7 +119,7 @@ def _asked(goal: Simple, at: Evaluation, unseen: list[str]) -> Iterator[Question
             unseen.append("that there are no more polynomials cannot be seen at points")
         case Count():
             unseen.append("how many solutions are real cannot be seen at points")
-        case _:
+        case Follows() | Rank():
             yield _question(goal, at)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cached_property
 
+from kowalevski_cas.paper.addition import addition_theorems
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -33,7 +34,10 @@ class Statement:
         self, claim: Claim, on: Elaborations, goals: tuple[Goal, ...] | None = None
     ) -> None:
         self.claim, self.on = claim, claim.settings(on)
-        self.claimed: tuple[Goal, ...] = tuple(claim.goals(self.on)) if goals is None else goals
+        if goals is None:
+            own = tuple(claim.goals(self.on))
+            goals = (*own, *addition_theorems(own))
+        self.claimed: tuple[Goal, ...] = goals
         if not self.claimed:  # all of them would hold
             raise Meaningless(f"{claim.id} states nothing")
         check_hypotheses(self.claimed)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
+
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import (
     Edit,
     Formula,
@@ -18,8 +21,11 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.errors import closeness
 from kowalevski_cas.paper.claims import Neighbour
+from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.finder import finder_of
-from kowalevski_cas.problem.goals import simple
+from kowalevski_cas.problem.goals import Exists, Follows, simple
+from kowalevski_cas.search.combinations import vanish_on
 from kowalevski_cas.verify.statement import Statement
 
 ALIKE = 2.5
@@ -38,12 +44,15 @@ def says_something(neighbour: Neighbour, statement: Statement, printed: Statemen
     """Whether a true neighbour is a statement about what is printed, and not true of itself.
 
     It involves variables if the print does, and the function that the print is about; no equation
-    that it supposes vanishes identically; its sides are not the same and have no function as a
-    common factor that they do not have in print.
+    that it supposes vanishes identically, or is a multiple of another one, and it states no
+    multiple of one of them; none of its formulas stands there twice; its sides are not the same and
+    have no function as a common factor that they do not have in print, and no sum has a term twice.
     """
     if _moves(printed) and not _moves(statement):
         return False
-    if _empty(statement) > _empty(printed):
+    if _empty(statement) > _empty(printed) or _repeated(statement) > _repeated(printed):
+        return False
+    if _printed_twice(statement) > _printed_twice(printed):
         return False
     edit = neighbour.edit
     if edit is None:
@@ -53,7 +62,7 @@ def says_something(neighbour: Neighbour, statement: Statement, printed: Statemen
     replaced = (before.names() - after.names()) & defined
     if replaced and unlike(edit) and not edit.replacement.names() & defined:
         return False
-    return not _trivial(after) and not (_common(after) - _common(before)) & defined
+    return _trivial(before) >= _trivial(after) and not (_common(after) - _common(before)) & defined
 
 
 def _moves(statement: Statement) -> bool:
@@ -68,10 +77,35 @@ def _empty(statement: Statement) -> int:
     return sum(d.is_zero for space, some in given for d in finder_of(space).differences(some))
 
 
+def _printed_twice(statement: Statement) -> int:
+    """How many formulas of a claim stand there before."""
+    formulas = statement.claim.formulas(statement.on.texts)
+    return len(formulas) - len({*formulas})
+
+
+def _repeated(statement: Statement) -> int:
+    """How many equations that are supposed or stated are multiples of another that is supposed."""
+    count = 0
+    for goal in statement.goals:
+        for one in simple(goal):
+            at = finder_of(one.space)
+            given = at.differences(getattr(one, "given", ()))
+            others = [[*given[:k], *given[k + 1 :]] for k in range(len(given))]
+            count += sum(map(_is_multiple, given, others))
+            if isinstance(one, Follows) and not isinstance(goal, Exists):
+                stated = [e for conclusion in one.conclusions for e in at.differences(conclusion)]
+                count += sum(_is_multiple(element, given) for element in stated)
+    return count
+
+
+def _is_multiple(element: Element, others: Sequence[Element]) -> bool:
+    return not element.is_zero and any(vanish_on([element], [one]) == [True] for one in others)
+
+
 def _trivial(formula: Formula) -> bool:
-    """Whether two sides, or both arguments of a bracket, are literally the same."""
-    paired = (one for one in formula.nodes() if isinstance(one, Relation | PoissonBracket))
-    return any(len({*one.children()}) < len(one.children()) for one in paired)
+    """Whether two sides, terms, or arguments of a bracket are literally the same."""
+    several = (one for one in formula.nodes() if isinstance(one, Relation | PoissonBracket | Sum))
+    return any(len({*one.children()}) < len(one.children()) for one in several)
 
 
 def _common(formula: Formula) -> set[str]:
@@ -91,3 +125,20 @@ def _common(formula: Formula) -> set[str]:
         case Quotient():
             return _common(formula.numerator)
     return set()
+
+
+def stands_still(before: Elaboration, after: Elaboration, names: Iterable[str]) -> bool:
+    """Whether of what moves on a scene something stands still on an edited one, or of some names.
+
+    So no law is changed into one of which anything is true, and no function into a constant.
+    """
+    was, now = before.finder, after.finder
+    if any(now.rates[x].is_zero for x, rate in was.rates.items() if not rate.is_zero):
+        return True
+    return any(_still(name, now) and not _still(name, was) for name in names)
+
+
+def _still(name: str, at: Evaluation) -> bool:
+    """Whether a name stands for numbers and constants."""
+    parts = at.components(Name(name))
+    return all(at.partial(part, x).is_zero for part in parts for x in at.setting.variables)

@@ -177,3 +177,15 @@ def test_series_have_inverses_and_roots(a):
 def test_a_series_without_constant_term_has_no_inverse():
     with pytest.raises(ZeroDivisionError):
         inverse(Series(0, [Fraction(0), Fraction(1)]))
+
+
+@pytest.mark.parametrize("chain", ["+", "*", "both"])
+def test_a_program_may_have_more_steps_than_python_calls_within_each_other(chain):
+    ring, size = SampledPrograms(NAMES), 20_000
+    x, y = map(ring.generator, NAMES)
+    program = x
+    for k in range(size):
+        program = program * y if chain == "*" or (chain == "both" and k % 2) else program + y
+    value = Valuation(Fraction, {"x": Fraction(3), "y": Fraction(1)}, lambda name, square: square)
+    added = {"+": size, "*": 0, "both": size // 2}[chain]
+    assert value(program) == 3 + added

@@ -63,7 +63,7 @@ def audited() -> Audit:
 @cache
 def patched() -> str:
     """The source with its misprints mended."""
-    return mended(audited())
+    return mended(audited()).text
 
 
 @cache

@@ -148,7 +148,8 @@ def test_a_point_that_is_not_quite_returned_to_is_said(cli, power):
     given = ["--point", *map(repr, point.tolist()), "--samples", 1]
     code, out, err = cli(*given)
     off = json.loads(out)["invariants"]["off"]
-    assert code == 0 and f"closed begins {off:.3g} of its size away" in err
+    said = "dop853 follows it; --method closed begins"
+    assert code == 0 and f"{said} {off:.3g} of its size away" in err
     assert 10.0 ** (power - 2) < off < 10.0 ** (power + 2)
     assert cli(*given, "--method", "dop853")[2] == ""
 
@@ -227,8 +228,6 @@ def test_numbers_may_be_quotients_and_negative_and_times_too(cli):
         (["--a", "1e400", "--b", "1", "--m", "1", "--l", "1"], "“1e400” is too large: 1e+50"),
         ([*FIELDS, "--m", "1e-400", "--l", "1"], "m = almost 0: the roots"),
         ([*FIELDS, "--m", "-inf", "--l", "1"], "“-inf” is no finite number"),
-        (["--point", "1e300", *"00100040"], "“1e300” is too large"),
-        (["--point", "1e50", *"001000", ".4", "0"], "a constant is too large"),
         (
             ["--point", *"123456789", "--method", "closed"],
             "no closed form, but integrators follow the motion: the state is not on N⁴",

@@ -2,7 +2,10 @@
 
 import json
 
+import pytest
+
 from kowalevski_cas.cli import main
+from kowalevski_cas.export.witness import answer
 from kowalevski_cas.verify.committed import certificate_files
 
 
@@ -50,3 +53,13 @@ def test_no_certificates(small, tmp_path, capsys):
     (small / "record.json").unlink()
     assert main(["export", "rocq", str(small), "-o", str(tmp_path / "out")]) == 6
     assert "no claim of" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("home", [None, "", "/somewhere"])
+def test_a_program_has_a_home(home, tmp_path, monkeypatch):
+    if home is None:
+        monkeypatch.delenv("HOME", raising=False)
+    else:
+        monkeypatch.setenv("HOME", home)
+    code, said = answer(["sh", "-c", 'echo "$HOME"'], tmp_path)
+    assert (code, said.strip()) == (0, home or str(tmp_path))

@@ -12,6 +12,7 @@ from kowalevski_cas.motion import General, Inadmissible, Motion, load, through
 from kowalevski_cas.motion.diagram import Fields
 from kowalevski_cas.motion.formulas import INTEGRALS, offered
 from kowalevski_cas.motion.frame import turned
+from kowalevski_cas.motion.methods.integrators import integrate
 from kowalevski_cas.motion.regimes import tori
 from kowalevski_cas.motion.result import Result
 from tests.motion.levels_on_M4 import by_chance
@@ -39,13 +40,24 @@ def test_every_state_is_followed_and_the_integrals_are_kept(state):
     found = dop853(motion, T)
     assert found[0].tolist() == state.tolist()
     result = Result(motion, T, found)
-    size = (np.max(np.abs(state[:3])) + np.max(np.abs(state[3:])) ** 0.5 + 1) ** 8
-    assert max(result.drift.values()) < 1e-11 * size
+    assert max(result.drift.values()) < 1e-10
     assert ("none" in result.regime) == isinstance(motion, General)
     names = [name.strip("_12").lower() for name in INTEGRALS]
     values = dict(zip(names, offered("integrals")(*state), strict=True))
     for name in "hkg":
         assert result.invariants[name] == pytest.approx(values[name], rel=1e-9, abs=1e-9)
+
+
+@given(states, st.one_of(st.floats(1e-25, 1e25), st.sampled_from([1e-70, 1e-140, 1e60, 1e70])))
+def test_a_motion_is_the_same_in_another_unit_of_time(state, rate):
+    r"""(νω, ν²α, ν²β) at t/ν: followed with the same relative error and the same drift."""
+    scale = np.array([rate] * 3 + [rate**2] * 6)
+    here, there = integrate("DOP853", state, T), integrate("DOP853", state * scale, T / rate)
+    size = np.max(np.abs(here)) + 1
+    assert np.max(np.abs(there / scale - here)) < 1e-9 * size
+    far = General(tuple((state * scale).tolist()), "")
+    drift, other = Result(General(tuple(state), ""), T, here).drift, Result(far, T, there).drift
+    assert all(abs(drift[name] - other[name]) < 1e-9 for name in drift)
 
 
 @given(st.integers(0, 199), st.floats(-3, 3))

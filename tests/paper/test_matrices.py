@@ -25,6 +25,15 @@ def verdict(tex):
 
 
 @pytest.mark.parametrize(
+    "number", ["x^2-y^2", "x^2", "x+y+1", "-(x+y)", r"\frac{x}{y}", "0", "xy-x"]
+)
+def test_a_matrix_is_no_number_but_zero(number):
+    found, message = verdict(rf"\begin{{pmatrix}}x&y\\y&x\end{{pmatrix}}={number}")
+    assert found is (Verdict.REFUTED if number == "0" else Verdict.ERROR)
+    assert number == "0" or "is no matrix" in message
+
+
+@pytest.mark.parametrize(
     "tex",
     [
         r"\dot{\bf R} = {\bf J}{\bf R}",

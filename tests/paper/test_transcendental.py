@@ -272,3 +272,23 @@ def test_a_name_that_stands_by_itself_keeps_its_values():
     )
     [outcome] = decide(section, claim)
     assert str(outcome.verdict) == "proved"
+
+
+def test_the_letter_of_the_time_may_be_that_of_something_else():
+    section = Section("1", "")
+    scene = Scene(variables=("x",)).defining(section.display("t", r"t=\tan\frac{x}{2}"))
+    claim = Identity("c", scene, "", printed=section.display("d", r"\sin x=\frac{2t}{1+t^2}")[1])
+    [outcome] = decide(section, claim)
+    assert str(outcome.verdict) == "conditional"
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize(
+    "tex", sampled([r"\cos x=\sqrt{1-\sin^2x}", r"\sin x=\sqrt{1-\cos^2x}"], 1)
+)
+def test_a_printed_root_is_no_sine(tex):
+    section = Section("1", "")
+    scene = Scene(variables=("x",)).adjoining(tex[tex.index("=") + 1 :])
+    claim = Identity("c", scene, "", printed=section.display("d", tex)[1])
+    [outcome] = decide(section, claim)
+    assert str(outcome.verdict) == "refuted"

@@ -231,3 +231,36 @@ def test_a_scene_is_refused_for_each_claim_on_it(paper):
     scene = Scene("s", variables=("x",), nonzero=("x-x",))
     claims = [Identity(f"t{k}", scene, "", printed=paper("x=x")) for k in (1, 2)]
     assert verdicts(paper.section, *claims) == ["error", "error"]
+
+
+@pytest.mark.parametrize("tex", ["i^2=1", "i^2=x", "i^2=2"])
+def test_the_letter_i_is_no_root_but_the_imaginary_unit(tex, paper):
+    with pytest.raises(ValueError, match="i is the imaginary unit, and no other root"):
+        Scene("s", variables=("x",)).adjoining(paper(tex))
+
+
+@pytest.mark.parametrize(
+    ("attribute", "value"),
+    [
+        ("definitions", {"F": "x^2"}),
+        ("roots", {"r": "x^2"}),
+        ("unit", "i^2=-1"),
+        ("clock", r"\tau=it"),
+        ("zero", ("x=0",)),
+        ("field", ("x'=y",)),
+        ("variables", ("x", 3)),
+        ("constants", "c"),
+        ("time", 0),
+        ("name", None),
+        ("vectors", {"v": ("x", 1)}),
+        ("conjugates", (("x", 2),)),
+    ],
+)
+def test_an_attribute_of_another_type_is_refused_by_name(attribute, value):
+    with pytest.raises(TypeError, match=f"the scene “.*”: {attribute} is to "):
+        Scene(**{attribute: value})
+
+
+def test_what_names_something_is_a_place_and_no_tex():
+    with pytest.raises(TypeError, match="definitions is to hold a statement, as display"):
+        Scene("s", variables=("x",)).naming("F", "x^2")

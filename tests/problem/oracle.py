@@ -19,6 +19,8 @@ from operator import mul
 from flint import nmod, nmod_mat
 from flint.utils.flint_exceptions import DomainError
 
+from .series import solution
+
 PRIME = 2305843009213423681  # 1 modulo 8, 3, 5, 7, 11, 13: small numbers have square roots
 POINTS = 2
 
@@ -221,7 +223,9 @@ class Names:
             return base ** rest[1] if rest[1] >= 0 else 1 / base ** -rest[1]
         if op == "sqrt":
             wanted = self.value(rest[0], values)
-            for name, radicand in self.radicands.items():
+            for name, radicand in sorted(
+                self.radicands.items(), key=lambda one: one[0][:5] != "\\sqrt"
+            ):
                 if self.value(radicand, values) == wanted:
                     return values[name]
             raise Untrue("a root is not declared")
@@ -616,6 +620,46 @@ class Judge:
         whole, known, _ = self.spans()
         require(whole == known, "one is missing")
 
+    def solved(self, constants):
+        """The series of both sides, where the constants have values."""
+        names, moving = self.names, [*self.names.data["variables"]]
+        initial = {name: names.open(tree) for name, tree in self.goal["initial"]}
+        require(len(initial) == len(self.goal["initial"]), "an initial value is given twice")
+        moving += [name for name in names.radicands if name in initial]
+        require({*moving} == {*initial}, "an initial value is missing")
+        fixed = {name: value for name, value in constants.items() if name not in initial}
+        start = {name: names.value(tree, fixed) for name, tree in initial.items()}
+        for name in names.radicands:
+            if name in initial:
+                require(
+                    start[name] ** 2 == names.value(names.radicands[name], {**fixed, **start}),
+                    "root",
+                )
+            else:
+                require(names.value(names.along(name), constants) == 0, "a root moves")
+        rates = {name: names.along(name) for name in initial}
+        found = {**fixed, **solution(rates, start, names.value, fixed)}
+        return start, [
+            (found[y], names.value(names.open(tree), found)) for y, tree in self.goal["equations"]
+        ]
+
+    def along(self):
+        require(
+            {y for y, _ in self.goal["equations"]} <= {*self.names.data["variables"]}, "no variable"
+        )
+        point = self.at(given=False)
+        start, _ = self.solved(point)
+        require(all(point[name] == value for name, value in start.items()), "it begins elsewhere")
+        for values in self.general():
+            for left, right in self.solved(values)[1]:
+                require(left == right, "they part")
+
+    def no_along(self):
+        point = self.at(given=False)
+        start, both = self.solved(point)
+        require(all(point[name] == value for name, value in start.items()), "it begins elsewhere")
+        require(any(left != right for left, right in both), "they do not part")
+
     def no_kernel(self):
         point = self.at(given=False)
         if "further" in self.evidence:
@@ -634,7 +678,7 @@ class Judge:
 
 OPPOSITE = {
     "follows": "fails", "fails": "follows", "rank": "no_rank",
-    "count": "no_count", "kernel": "no_kernel",
+    "count": "no_count", "kernel": "no_kernel", "along": "no_along",
 }  # fmt: skip
 
 

@@ -12,7 +12,7 @@ OTHERS = {
     "dot": ("cross",), "cross": ("dot",), "sqrt": ("-",), "vector": ("diag",), "diag": ("vector",),
     "d": (), "^": (), "let": ("root",), "root": ("let",), "power": ("let",),
     "follows": ("fails", "rank"), "rank": ("follows",), "fails": ("follows",),
-    "count": ("follows",), "kernel": ("follows",), "exists": ("follows",),
+    "count": ("follows",), "kernel": ("follows",), "along": ("follows", "kernel"), "exists": ("follows",),
     "holds": ("denied",), "denied": ("holds",),
 }  # fmt: skip
 

@@ -17,7 +17,7 @@ FILES = sorted((Path(__file__).parent / "handwritten").glob("*.json"))
 TEXTS = {path.stem: path.read_text(encoding="utf-8") for path in FILES}
 SHARES = (0.05, pytest.param(1, marks=pytest.mark.slow))
 """How many of all changes are tried."""
-KINDS = ("follows", "fails", "rank", "exists", "count", "kernel")
+KINDS = ("follows", "fails", "rank", "exists", "count", "kernel", "along")
 
 
 def accepted(data):
@@ -31,7 +31,7 @@ def accepted(data):
 def test_all_are_certified(capsys):
     assert main([*map(str, FILES)]) == 0
     assert capsys.readouterr().out.endswith(f"CERTIFIED {len(FILES)} of {len(FILES)}\n")
-    assert len(FILES) >= 28
+    assert len(FILES) >= 30
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -6,7 +6,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 
 from kowalevski_cas.audit.reading import ReadingSession
-from kowalevski_cas.notation import Name
+from kowalevski_cas.notation import Relation
 from kowalevski_cas.reading import read
 from kowalevski_cas.source.files import read_source
 from kowalevski_cas.verify.outcome import Verdict
@@ -73,7 +73,7 @@ def matching(reading, one):
     for formula in reading.formulas:
         line = source.line(formula.item.span[0])
         text = bared(source.text[slice(*formula.item.span)])
-        within = text in wanted and len(text) > 2 and not isinstance(formula.item.formula, Name)
+        within = text in wanted and len(text) > 2 and isinstance(formula.item.formula, Relation)
         if first <= line <= last + 2 and text and (text == wanted or within or wanted in text):
             found.append(formula)
     return found

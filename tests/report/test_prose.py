@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from pylatexenc.latexwalker import get_default_latex_context_db
 
 from kowalevski_cas.notation import Name
 from kowalevski_cas.report.document import (
@@ -146,6 +147,31 @@ def test_no_formula_is_lost_and_none_is_there_twice(pieces: list[str], data: Any
     blocks = read("".join(pieces))
     names = Counter(part for part in parts(blocks) if isinstance(part, Name))
     assert names == {Name(f"{letter}_{k}"): 1 for letter in "xy" for k in range(3)}
+
+
+EVERY = sorted(
+    spec.macroname
+    for category in get_default_latex_context_db().categories()
+    for spec in get_default_latex_context_db().iter_macro_specs([category])
+)
+
+
+@given(
+    st.lists(
+        st.tuples(
+            st.sampled_from(EVERY), st.sampled_from(["", "{}", "{}{}", "{a}{}", "[]", "[a]{"])
+        ),
+        max_size=5,
+    )
+)
+def test_a_macro_may_have_any_arguments(macros: list[tuple[str, str]]) -> None:
+    assert isinstance(read(" ".join(f"\\{name}{after}" for name, after in macros)), tuple)
+
+
+@pytest.mark.parametrize("after", ["{}{}", "{x}{}", "{}{y}", ""])
+def test_a_link_that_leads_nowhere_stands_as_it_is_typed(after: str) -> None:
+    (block,) = read(rf"word \href{after} word")
+    assert said(block).startswith("word ")
 
 
 def test_without_the_parser_the_reader_says_what_to_install(

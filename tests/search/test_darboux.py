@@ -115,3 +115,16 @@ def test_cofactors_are_as_heavy_as_a_motion_that_is_homogeneous_by_other_weights
     for polynomial, cofactor in known:
         assert (at.derivative(polynomial) - cofactor * polynomial).is_zero
         assert any((cofactor - own).is_zero for own in cofactors)
+
+
+YABLONSKII = (
+    r"\dot x=-4abcx-(a+b)y+3(a+b)cx^2+4xy,\quad "
+    r"\dot y=(a+b)abx-4abcy+(4abc^2-\frac32(a+b)^2+4ab)x^2+8(a+b)cxy+8y^2"
+)
+"""It has a cycle of degree four, and special constants by which other cases may not be divided."""
+
+
+def test_special_constants_of_one_case_may_be_excluded_by_another():
+    found = System(YABLONSKII).find_darboux(1, special=True)
+    assert {one.verdict.green for one in found} == {True}
+    assert len(found) == 9

@@ -1,6 +1,8 @@
 import pytest
 
 from kowalevski_cas.source.displays import LONGEST, find_formulas
+from kowalevski_cas.source.formulas import typed_formulas
+from kowalevski_cas.source.text import Source
 
 
 def found(text: str):
@@ -62,3 +64,15 @@ def test_unclosed_formulas_take_no_time():
     # Where too many are never closed, the rest is not looked at.
     for piece in ("\\begin{equation}", "\\[", "\\begin{align}x\\\\", "$ x \n\n"):
         assert list(find_formulas(piece * (4 * LONGEST // len(piece))))
+
+
+def test_what_is_cited_is_no_formula_of_the_paper():
+    text = "$a$ \\begin{thebibliography}{9}\\bibitem{b} On $H=5$.\\end{thebibliography} $c$"
+    assert [f.tex for f in typed_formulas(Source("p.tex", text))[1]] == ["a", "c"]
+
+
+def test_footnotes_captions_tables_and_appendices_are_read():
+    text = """\\footnote{See $a$.} \\begin{table}\\caption{Of $b$}\\begin{tabular}{c}$c$ & $d$\\end{tabular}
+    \\end{table} \\appendix \\section{On $e$} \\[ f=\\begin{cases}1\\\\2\\end{cases} \\]"""
+    found = [f.tex.strip() for f in typed_formulas(Source("p.tex", text))[1]]
+    assert found[:5] == [*"abcde"] and found[5].startswith("f=")

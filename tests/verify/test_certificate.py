@@ -53,7 +53,7 @@ def decided(derivation):
 
     def decided(id, stored, record=()):
         session.stored, session.record = dict(stored), dict(record)
-        return session.decide(claims[id])
+        return session.with_corrections([session.decide(claims[id])], map)[0]
 
     return decided
 

@@ -15,7 +15,7 @@ from kowalevski_cas.verify.bench import Decided
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.record import differences, load_record
-from kowalevski_cas.verify.run import Session, shared
+from kowalevski_cas.verify.run import FRAMES, Session, shared
 from tests.paper.small import Oscillator, decide, derivation, verdicts
 from tests.sample import sampled
 
@@ -67,6 +67,48 @@ def test_a_claim_whose_evidence_is_not_found_in_time_is_a_timeout(small):
     (outcome,) = decide(small.section, claim, timeout=0.05)
     assert outcome.verdict == "timeout"
     assert outcome.message == "not decided within 0.05 s"
+
+
+class Crashes(Identity):
+    """Whatever happens when a claim says what it states."""
+
+    how: str
+
+    def goals(self, on):
+        yield from eval(self.how)
+
+
+CRASHES = [
+    "1 / 0", "next(iter(()))", "{}['x']", "(lambda f: f(f))(lambda f: f(f))", "[7]", "(yield)",
+    "(_ for _ in ()).throw(AssertionError('it is so'))", "(_ for _ in ()).throw(MemoryError)",
+    "__import__('sys').exit(0)",
+]  # fmt: skip
+DEATHS = ["__import__('os')._exit(0)", "__import__('os').kill(__import__('os').getpid(), 9)"]
+
+
+@pytest.mark.parametrize("how", CRASHES)
+@pytest.mark.parametrize("timeout", [None, 60.0])
+def test_whatever_a_claim_does_is_an_error_of_its_own(how, timeout, small):
+    claims = [
+        Crashes("bad", small.scene, "", how, printed=small("x=x")),
+        Identity("good", small.scene, "", printed=small("x=x")),
+    ]
+    bad, good = decide(small.section, *claims, timeout=timeout)
+    assert (bad.verdict, good.verdict) == ("error", "proved")
+    assert bad.message.startswith("it cannot be computed (") and "Traceback" in bad.stack
+    assert bad.stack.count("File") <= 2 * FRAMES and not good.stack
+
+
+@pytest.mark.parametrize("how", DEATHS)
+def test_a_process_that_dies_takes_its_claim_along_and_no_other(how, small):
+    claims = [
+        Identity("first", small.scene, "", printed=small("x=x")),
+        Crashes("bad", small.scene, "", how, printed=small("x=x")),
+        Identity("good", small.scene, "", printed=small("x=x")),
+    ]
+    first, bad, good = decide(small.section, *claims, timeout=60.0)
+    assert (first.verdict, bad.verdict, good.verdict) == ("proved", "error", "proved")
+    assert "has died" in bad.message
 
 
 def test_a_timeout_in_one_arithmetic_is_a_timeout(small):

@@ -33,7 +33,8 @@ def _refuted(outcome: Outcome) -> str:
     """A misprint and what it should be; of what is false besides, what it says."""
     correction = outcome.correction
     if correction is not None and correction.edit is not None:
-        return f"misprint: {outcome.source}\ncorrect: {in_latex(correction.formulas)}"
+        wrong = in_latex(correction.blamed) or outcome.source
+        return f"misprint: {wrong}\ncorrect: {in_latex(correction.formulas)}"
     said = ": ".join(filter(None, (outcome.words, outcome.source)))
     return f"false: {said}\ncorrect: {correction.words if correction else 'unknown'}"
 

@@ -81,6 +81,7 @@ def _evidence(found: Outcome | Audited) -> dict[str, Any]:
         "conditions": conditions(found.conditions),
         "counterexample": counterexample(found.counterexample),
         "correction": correction(found.correction),
+        "alternatives": [*map(correction, found.alternatives)],
         "message": found.message,
     }
 
@@ -91,6 +92,7 @@ def audited(audit: Audit) -> str:
         **_assumed(audit),
         "formulas": [_formula(formula) for formula in audit.formulas],
         "statements": [_statement(audit, outcome) for outcome in audit.statements],
+        "uncovered": [one._asdict() for one in audit.uncovered],
         "summary": {
             "source": audit.source.path,
             "derivation": audit.session.derivation.name,
@@ -179,6 +181,9 @@ def correction(found: Correction | None) -> dict[str, Any] | None:
         "verdict": str(found.verdict),
         "conditions": conditions(found.conditions),
         "accepted": found.accepted,
+        "blamed": in_latex(found.blamed),
+        "place": found.printed.place if found.printed else None,
+        "others": list(found.others),
     }
 
 

@@ -24,6 +24,10 @@ if TYPE_CHECKING:
     from kowalevski_cas.audit.audited import Audited
 
 
+SHORT = 120
+"""Characters that are shown of a sentence."""
+
+
 def render(results: Sequence[Result]) -> str:
     """Each derivation with what was found in it, each slip once; those with findings last."""
     shown = [told(result) for result in sorted(results, key=_worst)]
@@ -137,16 +141,8 @@ class Told:
         audit = self.audit
         findings = Findings(self.phrases, tuple(audit.outcomes.values()))
         if audit.reading is not None:
-            return "\n".join(
-                (
-                    *reading.told(audit, self.phrases),
-                    *self.wrong(),
-                    *details,
-                    "",
-                    *self.summary(),
-                    "",
-                )
-            )
+            head = *reading.answer(audit), *self.wrong(), *reading.rest(audit, self.phrases)
+            return "\n".join((*head, *details, *self.uncovered(), "", *self.summary(), ""))
         source = f"{audit.source.path}, by the derivation {audit.session.derivation.name}."
         notes = (f"line {line}: {words}" for line, words in audit.notes)
         wrong = *self.wrong(), *plain.lines(findings.hypotheses()), *details, *notes
@@ -165,7 +161,7 @@ class Told:
             printed = () if first.formula is None else (first.formula,)
             yield from self._finding(
                 f"{place}: {why}" if why else place, printed, first.tex,
-                first.correction, first.counterexample,
+                (first.correction, *first.alternatives), first.counterexample,
             )  # fmt: skip
         for outcome in audit.false:
             yield from self._false(outcome)
@@ -180,7 +176,7 @@ class Told:
             why = f"; because of {named}"
         yield from self._finding(
             f"{place}{outcome.claim} is refuted: {outcome.words}{why}", outcome.formulas,
-            outcome.source, outcome.correction, outcome.counterexample,
+            outcome.source, (outcome.correction, *outcome.alternatives), outcome.counterexample,
         )  # fmt: skip
 
     def _finding(
@@ -188,10 +184,11 @@ class Told:
         head: str,
         printed: tuple[Formula, ...],
         source: str,
-        correction: Correction | None,
+        corrections: Sequence[Correction | None],
         against: Counterexample | None,
     ) -> Iterator[str]:
         said = self.phrases.words(head)
+        correction, *others = corrections
         if correction is not None:
             said += self.phrases.words(
                 f"{'; ' if correction.edit else '. Correct: '}{correction.words}"
@@ -204,9 +201,27 @@ class Told:
             shown.append(Display(printed, source, Verdict.REFUTED))
         if correction is not None:
             shown.append(Display(correction.formulas, verdict=correction.verdict))
+        for one in filter(None, others):
+            shown.append(Paragraph(("Or: ", *self.phrases.words(one.words), ".")))
+            shown.append(Display(one.formulas, verdict=one.verdict))
         if against is not None and self.evidence:
             shown.append(Paragraph(self.phrases.values(against)))
         yield from plain.lines(shown, 2)
+
+    def uncovered(self) -> Iterator[str]:
+        """What the text claims and no verdict covers; formulas once, with their lines."""
+        listed = self.audit.uncovered
+        if listed:
+            yield from ("", "What the text claims and no verdict covers")
+        lines: dict[str, list[str]] = {}
+        for one in listed:
+            if one.kind == "formula":
+                lines.setdefault(one.words, []).append(str(one.line))
+            else:
+                words = one.words if len(one.words) <= SHORT else f"{one.words[: SHORT - 1]}…"
+                yield from plain.wrapped(f"{one.line}: {words}")
+        formulas = (f"{words} ({', '.join(places)})" for words, places in lines.items())
+        yield from plain.wrapped("; ".join(formulas)) if lines else ()
 
     def summary(self) -> Iterator[str]:
         """How many there are of each verdict."""

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from kowalevski_cas.audit.audited import OPEN
 from kowalevski_cas.cli import plain
 from kowalevski_cas.report.document import Display, Paragraph
 from kowalevski_cas.report.sentences import Phrases
@@ -15,25 +17,48 @@ if TYPE_CHECKING:
     from kowalevski_cas.audit.audited import Audited
 
 
-def told(audit: Audit, phrases: Phrases) -> Iterator[str]:
-    """The answer, what is assumed, what is undecided, and what is not judged."""
+def answer(audit: Audit) -> Iterator[str]:
+    """By which equations of motion a source was read, and how many of its claims hold."""
     assert audit.reading is not None
     laws = audit.reading.known.laws
     equations = "; ".join(law.title for law in laws) or "no equations of motion are found"
     yield f"{audit.source.path}, read as it stands: {equations}."
     yield ""
-    yield from _lead(audit)
+    verdicts = [outcome.verdict for outcome in audit.outcomes.values()]
+    green = sum(verdict.green for verdict in verdicts)
+    refuted = sum(verdict is Verdict.REFUTED for verdict in verdicts)
+    unjudged = sum(formula.verdict == OPEN for formula in audit.formulas)
+    parts = [
+        (green, "as printed, or where its denominators do not vanish: {}"),
+        (refuted, "false: {}"),
+        (len(verdicts) - green - refuted, "not decided: {}"),
+        (unjudged, "not judged besides: {}"),
+    ]
+    told = "; ".join(words.format(count) for count, words in parts if count)
+    claims = plain.many(len(verdicts), "claim")
+    yield from plain.wrapped(f"{claims}. {told[:1].upper()}{told[1:]}." if told else f"{claims}.")
+    yield from _obeyed(audit)
+
+
+def rest(audit: Audit, phrases: Phrases) -> Iterator[str]:
+    """What is assumed, what is not decided, and what is not judged."""
     yield from _assumed(audit, phrases)
     yield from _undecided(audit, phrases)
     yield from _open(audit)
 
 
-def _lead(audit: Audit) -> Iterator[str]:
-    verdicts = [outcome.verdict for outcome in audit.outcomes.values()]
-    green = sum(verdict.green for verdict in verdicts)
-    wrong = sum(formula.wrong for formula in audit.formulas)
-    claims = plain.many(len(verdicts), "claim")
-    yield f"Of {claims} {green} hold as printed; {wrong or 'no'} wrong."
+def _obeyed(audit: Audit) -> Iterator[str]:
+    """How many comments there are of each kind, and those that contradict what is inferred."""
+    assert audit.reading is not None
+    said = audit.reading.known.said
+    if not said.directives:
+        return
+    counts = Counter(one.verb for one in said.directives)
+    counted = ", ".join(f"{number} {verb}" for verb, number in sorted(counts.items()))
+    yield f"Comments are obeyed: {counted}."
+    for formula in audit.reading.formulas:
+        if formula.item in said.of and "; without it: " in formula.role.reason:
+            yield from plain.wrapped(f"{formula.item.printed.place}: {formula.role.reason}")
 
 
 def _assumed(audit: Audit, phrases: Phrases) -> Iterator[str]:
@@ -61,8 +86,6 @@ def _undecided(audit: Audit, phrases: Phrases) -> Iterator[str]:
 
 
 def _open(audit: Audit) -> Iterator[str]:
-    from kowalevski_cas.audit.audited import OPEN
-
     unjudged = [formula for formula in audit.formulas if formula.verdict == OPEN]
     if unjudged:
         yield from ("", "What is not judged")

@@ -33,6 +33,7 @@ def _claim(outcome: Outcome, phrases: Phrases, width: int) -> Iterator[str]:
     time = f"{1000 * sum(outcome.seconds.values()):8.1f} ms"
     first = f"{plain.sign(outcome.verdict, f'{outcome.claim:<{width}}')} {time}  "
     yield from plain.wrapped("; ".join(_notes(outcome, phrases)), first, 4)
+    yield from (f"        {line}" for line in outcome.stack.splitlines())
     if outcome.verdict is not Verdict.ERROR:
         yield from plain.lines(Evidence(phrases, (outcome,)).first(), 8)
 

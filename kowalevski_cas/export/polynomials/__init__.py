@@ -15,11 +15,13 @@ from __future__ import annotations
 from abc import ABC
 from copy import deepcopy
 
-from kowalevski_cas.export.format import RANKS, Format, Inexpressible, Json
+from kowalevski_cas.export.format import RANKS, SOLUTIONS, Format, Inexpressible, Json
 from kowalevski_cas.export.polynomials.language import Language
 from kowalevski_cas.export.polynomials.space import Space
 from kowalevski_cas.export.polynomials.trace import Traced, Writer
 from kowalevski_cas.problem import checker
+
+UNSAID = {"kernel": RANKS, "along": SOLUTIONS}
 
 
 class Polynomials(Language, Format, ABC):
@@ -45,8 +47,8 @@ class Polynomials(Language, Format, ABC):
             denied = certificate["sign"] == "denied"
             for k, evidence in enumerate(deepcopy(certificate["evidence"])):
                 goal = goals[evidence.pop("goal") if denied else k]
-                if goal["goal"] == "kernel":
-                    raise Inexpressible(RANKS)
+                if goal["goal"] in UNSAID:
+                    raise Inexpressible(UNSAID[goal["goal"]])
                 writer.comment(checker.sentence(goal, not denied))
                 (problem.denied if denied else problem.holds)(goal, evidence)
         except checker.Rejected as error:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from itertools import combinations, product
 
-from kowalevski_cas.export.format import RANKS, Inexpressible, Json
+from kowalevski_cas.export.format import RANKS, SOLUTIONS, Inexpressible, Json
 from kowalevski_cas.export.rocq.facts import AT, Facts
 from kowalevski_cas.export.rocq.points import Place
 from kowalevski_cas.export.rocq.space import Sides, Space
@@ -250,6 +250,7 @@ KINDS: dict[str, tuple[Callable[..., None], Callable[..., None]]] = {
     "rank": (rank, no_rank),
     "count": (_inexpressible(REAL.format("real solutions are counted")),) * 2,
     "kernel": (_inexpressible(RANKS),) * 2,
+    "along": (_inexpressible(SOLUTIONS),) * 2,
 }
 """How goals are proved, and how they are denied."""
 

@@ -9,11 +9,14 @@ import numpy as np
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.general import AnyMotion, General
+from kowalevski_cas.motion.methods.ball import start_on_O4
 from kowalevski_cas.motion.methods.closed import states as closed
+from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.parameters import MethodError
+from kowalevski_cas.motion.units import in_unit, unit_of
 
 TOLERANCE = 1e-12
-"""The relative and absolute tolerance unless another is asked for."""
+"""The tolerance, relative to the size of the state, unless another is asked for."""
 
 
 def states(
@@ -28,6 +31,8 @@ def initial_state(motion: AnyMotion) -> Array:
     if motion.point is not None:
         return np.array(motion.point)
     assert not isinstance(motion, General)
+    if isinstance(motion, MotionO4):
+        return start_on_O4(motion)
     start: Array = closed(motion, np.zeros(1))[0]
     return start
 
@@ -41,11 +46,11 @@ def integrate(method: str, start: Array, times: Array, tolerance: float = TOLERA
 
     rates = formulas.offered("equations")
 
-    def run(grid: Array) -> Array:
+    def run(begin: Array, grid: Array) -> Array:
         if grid[-1] == 0:
-            return start[None]
+            return begin[None]
         solution = solve_ivp(
-            lambda t, y: rates(*y.tolist()), (0.0, grid[-1]), start, method=method, t_eval=grid,
+            lambda t, y: rates(*y.tolist()), (0.0, grid[-1]), begin, method=method, t_eval=grid,
             rtol=tolerance, atol=tolerance,
         )  # fmt: skip
         if not solution.success:
@@ -53,15 +58,20 @@ def integrate(method: str, start: Array, times: Array, tolerance: float = TOLERA
         states: Array = solution.y.T
         return states
 
-    return both_ways(run, times)
+    return both_ways(run, start, times)
 
 
-def both_ways(run: Callable[[Array], Array], times: Array) -> Array:
-    """The states at times in any order, by those at times on one way from 0, the farthest last."""
+def both_ways(run: Callable[[Array, Array], Array], start: Array, times: Array) -> Array:
+    """The states at times in any order, by ``run`` of a start and times on one way from 0.
+
+    It gets a start of the size 1, so that its tolerances are relative, and the farthest time last.
+    """
+    unit = unit_of(start)
+    start, times = in_unit(start, unit), np.ldexp(times, unit)
     found = np.empty((len(times), 9))
     for sign in (1.0, -1.0):
         chosen = np.flatnonzero(times >= 0 if sign > 0 else times < 0)
         if len(chosen):
             since, places = np.unique(np.abs(times[chosen]), return_inverse=True)
-            found[chosen] = run(sign * since)[places]
-    return found
+            found[chosen] = run(start, sign * since)[places]
+    return in_unit(found, -unit)

@@ -27,9 +27,9 @@ def integrate(start: Array, times: Array, tolerance: float = TOLERANCE) -> Array
 
     variables = heyoka.make_vars(*(f"x{index}" for index in range(9)))
     system = list(zip(variables, formulas.offered("equations")(*variables), strict=True))
-    integrator = heyoka.taylor_adaptive(system, list(start), tol=tolerance)
+    integrator = heyoka.taylor_adaptive(system, [0.0] * 9, tol=tolerance)
 
-    def run(times: Array) -> Array:
+    def run(start: Array, times: Array) -> Array:
         added = int(times[0] != 0)  # the grid begins at 0
         integrator.time, integrator.state[:] = 0.0, start
         outcome, *_, values = integrator.propagate_grid(np.append([0.0] * added, times))
@@ -38,4 +38,4 @@ def integrate(start: Array, times: Array, tolerance: float = TOLERANCE) -> Array
         states: Array = values[added:]
         return states
 
-    return both_ways(run, times)
+    return both_ways(run, start, times)

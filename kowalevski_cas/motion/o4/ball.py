@@ -16,6 +16,20 @@ from kowalevski_cas.motion.o4.series import Series, matrix
 from kowalevski_cas.motion.parameters import ball
 
 
+def state_by_angles(motion: MotionO4) -> list[arb]:
+    """The state at t = 0, where the motion has its angles: no quadrature is needed."""
+    halves = [ball(angle) / 2 for angle in motion.angles]
+    point = PhasePoint(motion.parameters, motion.regime, motion.signs, lambda x: x, arb.sqrt)
+    first, second = ((half.cos(), half.sin()) for half in halves)
+    return _turned_back(motion, list(point(first, second)))
+
+
+def _turned_back(motion: MotionO4, state: list[arb]) -> list[arb]:
+    """The state in the fields as they were given."""
+    cos, sin = motion.turn
+    return turned(state, ball(cos), ball(-sin)) if sin else state
+
+
 class SolutionO4:
     """The closed form at one working precision."""
 
@@ -42,9 +56,7 @@ class SolutionO4:
             ((angle + turn * count) / 2).sin_cos()
             for angle, count in zip(angles, turns, strict=True)
         )
-        state = list(self._point((cos_1, sin_1), (cos_2, sin_2)))
-        cos, sin = self._motion.turn
-        return turned(state, ball(cos), ball(-sin)) if sin else state
+        return _turned_back(self._motion, list(self._point((cos_1, sin_1), (cos_2, sin_2))))
 
     def _integrals(self, angles: Sequence[arb]) -> arb_mat:
         """Both integrals, a column."""

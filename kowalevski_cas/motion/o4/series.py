@@ -15,13 +15,16 @@ from math import acosh, ceil, log
 from flint import arb, arb_mat, ctx
 
 from kowalevski_cas.motion.o4.point import Pair, Variable, cosines
-from kowalevski_cas.motion.parameters import Inadmissible
+from kowalevski_cas.motion.parameters import Inadmissible, MethodError
 
 WIDEST, SHARE = 20.0, 0.98
 """The greatest cosh S, and its share of the way from 1 to the nearest root."""
 
 MOST = 20000
 """Values of a differential, beyond which two roots are too close."""
+
+LARGEST_TRANSFORM = 2500
+"""Values that are transformed at most: the matrix for it is dense, and takes half a gigabyte."""
 
 
 class Series:
@@ -68,8 +71,17 @@ class Series:
         ]
 
     def sines(self) -> Callable[[arb], Pair]:
-        """The integrals of both, less their means, as functions of φ."""
+        """The integrals of both, less their means, as functions of φ.
+
+        Raises :class:`~kowalevski_cas.motion.parameters.MethodError` for too many values.
+        """
         count = len(self._values)
+        if count > LARGEST_TRANSFORM:
+            raise MethodError(
+                f"two roots are so close that an enclosure needs series of {count} terms, and "
+                f"{LARGEST_TRANSFORM} are the most that fit into memory; the other methods follow "
+                "the motion"
+            )
         transform = arb_mat.dct(count) * arb_mat([list(pair) for pair in self._values])
         scale = (arb(2) / count).sqrt()
         terms = [

@@ -18,10 +18,12 @@ from kowalevski_cas.paper.claims.first_integral import FirstIntegral
 from kowalevski_cas.paper.claims.identity import Identity
 from kowalevski_cas.paper.claims.implication import Implication
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
+from kowalevski_cas.paper.claims.lax_pair import LaxPair
 from kowalevski_cas.paper.claims.limit import Limit
 from kowalevski_cas.paper.claims.local_dimension import LocalDimension
 from kowalevski_cas.paper.claims.measure import LastMultiplier
 from kowalevski_cas.paper.claims.poisson import Casimir, Involution, Jacobi, LiouvilleIntegrable
 from kowalevski_cas.paper.claims.reality import Reality
 from kowalevski_cas.paper.claims.scaling import Scaling
+from kowalevski_cas.paper.claims.solutions import EqualSolutions
 from kowalevski_cas.paper.claims.union import Union

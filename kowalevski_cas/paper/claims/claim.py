@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import Any, NamedTuple, dataclass_transform
 
-from kowalevski_cas.notation import Edit, Formula, NotationError, Relation, edits
+from kowalevski_cas.notation import Edit, Formula, NotationError, Relation, Root, edits, to_latex
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts, check_attributes
@@ -160,7 +160,7 @@ class Claim(_Kind, ABC):
             statement = texts.statement(printed)
             for edit in edits(statement, texts.vocabulary, names, wanted):
                 if printed not in defining or _head(edit.formula) == _head(statement.formula):
-                    yield Neighbour(edit.words, self, texts, printed, edit)
+                    yield self.edited(texts, printed, edit)
         for attribute in fields(self):
             value = getattr(self, attribute.name)
             if type(value) is int:
@@ -168,6 +168,16 @@ class Claim(_Kind, ABC):
                     words = f"{attribute.name} {number} instead of {value}"
                     changed: dict[str, Any] = {attribute.name: number}
                     yield Neighbour(words, replace(self, **changed), texts)
+
+    def edited(self, texts: Texts, printed: Printed, edit: Edit) -> Neighbour:
+        """The claim under an edit of a place, on a scene with the roots that the edit prints."""
+        before, scene = {*edit.statement.formula.nodes()}, self.scene
+        for node in edit.formula.nodes():
+            if isinstance(node, Root) and node not in before:
+                with suppress(ValueError):  # it is known
+                    scene = scene.adjoining(to_latex(node))
+        claim = self if scene is self.scene else replace(self, scene=scene)
+        return Neighbour(edit.words, claim, texts, printed, edit)
 
 
 def _head(formula: Formula) -> Formula:

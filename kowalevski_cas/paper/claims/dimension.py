@@ -16,7 +16,6 @@ from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.evidence import At, Denial, Evidence, Minors
 from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Follows, Goal, Rank
-from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.problem.space import Meaningless
 
 
@@ -119,7 +118,8 @@ class Independence(Claim):
 
     ``functions`` are the first members of printed equations. The set has to be a graph: its
     ``equations`` say the same as those in ``graph``, which give some variables by the others. So
-    it is irreducible, and a minor that does not vanish at one point vanishes on no open part.
+    each piece of it lies over all of these, and a minor that does not vanish at one point, whatever
+    the signs of the roots in it are, vanishes on no open part.
     """
 
     levels: tuple[Printed, ...]
@@ -136,16 +136,6 @@ class Independence(Claim):
             own = tuple(first_member(on, space, p) for p in (*self.levels, *self.functions))
             yield Rank(space, own, given, len(own) + len(self.graph))
         functions = tuple(first_member(on, others, p) for p in (*self.levels, *self.functions))
-        reach = Reach(others)
-        for function in functions:
-            reach.formula(function)
-        roots = reach.names & {*others.roots} - {"i"}
-        if roots:
-            raise Meaningless(
-                f"the set is not known to be one piece: the functions involve the root "
-                f"{min(roots)}; choose a scene on which they do not",
-                min(roots),
-            )
         yield Rank(others, functions, (), len(functions))
 
     def refuted_by(self, denial: Denial) -> bool:

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation
+from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation, to_latex
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import equations, members, rate, sides, vanishes
+from kowalevski_cas.paper.claims.dimension import check_conjugates
+from kowalevski_cas.paper.claims.forms import equations, members, minus, rate, sides, vanishes
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.components import parts
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.logarithms import derived, has_logarithm
+from kowalevski_cas.paper.logarithms import derived, has_logarithm, roots
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.space import Equation, Meaningless
@@ -25,11 +26,11 @@ class FirstIntegral(Claim):
     """The printed expression is constant along every motion on the invariant set ``given``.
 
     All members of a printed chain are the same function, save those that say which value it has,
-    in numbers and names of constants; these are equal too, but for a name that is given to it. The
-    function is not constant by itself (nor is any component of it, if it is a vector): its
-    differential is independent of those of the set at a real point. With a set, the claim includes
-    that the set is invariant. Of logarithms, which stand with constant factors, it is the
-    derivatives that are stated.
+    in numbers and names of constants; these are equal too, but for a name that is given to it, and
+    the function has it at a real point. The function is not constant by itself (nor is any
+    component of it, if it is a vector): its differential is independent of those of the set at a
+    real point. With a set, the claim includes that the set is invariant. Of logarithms, which stand
+    with constant factors, it is the derivatives that are stated.
     """
 
     given: tuple[Printed, ...] = ()
@@ -38,14 +39,19 @@ class FirstIntegral(Claim):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
         printed = self.constants(on, space)
+        values = self._values(on, space, printed)
+        there = self._with_names_of(values, on)
+        if equal := (*pairwise(sides(values, there)),):
+            yield Follows(there, (equal,), ())
         if any(map(has_logarithm, printed)):
-            yield from self._of_logarithms(space, printed)
+            yield from self._of_logarithms(on, printed)
             return
         chain = [parts(member, space) for member in sides(printed, space)]
         for same in zip(*chain, strict=True):
             yield from self._goals(on, space, same)
-        if values := [*pairwise(sides(self._values(on, space, printed), space))]:
-            yield Follows(space, (tuple(values),), ())
+        if values:
+            level = [parts(member, there) for member in sides([printed[0], values[0]], there)]
+            yield Fails(there, (), tuple(zip(*level, strict=True)))
 
     def _goals(
         self, on: Elaborations, space: Elaboration, same: tuple[Formula, ...]
@@ -53,16 +59,28 @@ class FirstIntegral(Claim):
         """What is claimed of one function, or of a component of a vector."""
         still = tuple(vanishes(rate(member)) for member in same)
         given = equations(on, space, self.given)
+        check_conjugates([*map(minus, given)], space)
         yield Follows(space, ((*still, *pairwise(same)),), given, self.main)
         if self.given:
             invariant = InvariantRelations(self.id, self.scene, "", self.given, self.main)
             yield from invariant.goals(on)
         yield Rank(space, (same[-1],), given, 1 + len(space.finder.differences(given)))
 
-    def _of_logarithms(self, space: Elaboration, printed: list[Formula]) -> Iterator[Goal]:
-        """The rate of a function with logarithms vanishes, and its differential does not."""
+    def _of_logarithms(self, on: Elaborations, printed: list[Formula]) -> Iterator[Goal]:
+        """The rate of a function with logarithms vanishes, and its differential does not.
+
+        It is about points at which the logarithms, and the roots in their derivatives, are real.
+        """
         if len(printed) > 1 or self.given:
             raise Meaningless("a function with logarithms is claimed by itself, on no set")
+        new = dict.fromkeys(map(to_latex, roots(printed[0]))).keys() - self.scene.roots.keys()
+        space = on(self.scene.adjoining(*sorted(new)))
+        try:
+            _ = space.finder
+        except Meaningless as error:
+            raise Meaningless(
+                f"a logarithm, or an arc, is real nowhere: {error}", error.name
+            ) from None
 
         def vanishing(by: Callable[[Formula], Formula]) -> Equation:
             return vanishes(space.plain(derived(printed[0], by, space)))
@@ -91,6 +109,12 @@ class FirstIntegral(Claim):
     def _chain(self, on: Elaborations) -> list[Formula]:
         formula = on.texts.formula(self.own)
         return members(formula) if isinstance(formula, Relation) else [formula]
+
+    def _with_names_of(self, values: Sequence[Formula], on: Elaborations) -> Elaboration:
+        """The setting in which all names of the values are constants."""
+        names = frozenset[str]().union(*(value.names() for value in values))
+        known = {*self.scene.names(), *self.scene.definitions, *self.scene.vectors}
+        return on(self.scene.having(constants=tuple(sorted(names - known))))
 
     def _values(
         self, on: Elaborations, space: Elaboration, printed: list[Formula]

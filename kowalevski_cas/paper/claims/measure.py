@@ -7,7 +7,8 @@ from dataclasses import replace
 
 from kowalevski_cas.notation import Formula, Name, Partial, times, total
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
-from kowalevski_cas.paper.claims.forms import equations, matrix, names_in, rate, vanishes
+from kowalevski_cas.paper.claims.dimension import check_conjugates
+from kowalevski_cas.paper.claims.forms import equations, matrix, minus, names_in, rate, vanishes
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.matrices import trace
@@ -38,6 +39,7 @@ class LastMultiplier(Claim):
         there = on(self.relations.scene)
         given = equations(on, there, self.relations.relations)
         on_set = Follows(there, ((vanishes(trace(cofactors)),),), given)
+        check_conjugates([*map(minus, given)], there)
         yield Exists((*self.relations.moves_by(cofactors, on), on_set), names_in(cofactors))
         yield Rank(there, (), given, len(given))
 

@@ -12,7 +12,7 @@ To be read in this order, and each file knows those before it only:
 * ``formulas``: what formulas mean; derivatives, conjugates;
 * ``spaces``: names with definitions, a vector field or a change of variables;
 * ``evidence``: real points, combinations, sums of squares, proofs by cases;
-* ``goals``, ``counts`` and ``kernels``: what is stated, what shows it, and what denies it;
+* ``goals``, ``along``, ``counts``, ``kernels``: what is stated, what shows it, what denies it;
 * ``problem``: spaces and goals, what exists, and the words for what is proved;
 * ``certificate``, and ``command`` for the command line, which ``__main__`` runs.
 

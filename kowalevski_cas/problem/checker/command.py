@@ -11,6 +11,7 @@ from .reading import SIZE, Rejected, need, printable
 
 def read(path: str) -> str:
     """The text of a file."""
+    need(not os.path.exists(path) or os.path.isfile(path), "it is no file")
     try:
         with open(path, encoding="utf-8") as file:
             return file.read(SIZE)

@@ -42,6 +42,30 @@ def locate(space: Space, data: Json, given: list[Element], numbers: Space | None
     return at
 
 
+def on_each_piece(at: Map, given: list[Element]) -> Map:
+    """The values at a point, with the roots left open that do not stand in what is given.
+
+    Each piece of the space has a point with the same values of all else, where each root has one of
+    its signs. So what differs from zero whatever they are is zero on none of the pieces.
+    """
+    ring, numbers = at.ring, at.space
+    bases = [base for base, _ in ring.powers.values()]
+    fixed = {name for element in [*given, *bases] for name in element.generators()}
+    for name in reversed(ring.roots):
+        fixed |= {*ring.roots[name].generators()} if name in fixed else set()
+    others = {*ring.roots, *ring.divisors, *ring.powers}
+    pieces = numbers.carried(ring, {n: e for n, e in at.images.items() if n not in others})
+    for name in (n for n in ring.roots if n in at.images):
+        square = pieces(ring.roots[name])
+        if name in fixed or not square.terms or square.value() == -1:
+            pieces.images[name] = at.images[name]
+        else:
+            pieces.images[name] = numbers.ring.adjoin(f":{name}")
+            numbers.ring.relate(f":{name}", square)
+    pieces.images |= {name: at.images[name] for name in ring.powers}
+    return pieces
+
+
 def is_negative(number: Element) -> bool:
     """Whether a number is negative, or may be; its roots are the positive ones."""
     ring, low = number.ring, 0

@@ -135,8 +135,8 @@ class Formulas(Divisors):
             return self.derivative(element)
         if op == "conj":
             return self.conj(element)
-        for name, square in self.ring.roots.items():
-            if (square - element).vanishes():
+        for name in sorted(self.ring.roots, key=lambda name: not name.startswith("\\sqrt")):
+            if (self.ring.roots[name] - element).vanishes():
                 return self.scalar(name)
         raise Rejected("a root is taken that is not declared")
 

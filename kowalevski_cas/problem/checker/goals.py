@@ -7,7 +7,8 @@ from itertools import product
 from math import prod
 from typing import ClassVar
 
-from .evidence import PROOF, combined, independent, locate, minors, settle
+from .evidence import PROOF, combined, independent, locate, minors, on_each_piece, settle
+from .formulas import Map
 from .reading import Json, items, names_in, need, pairs, part_of, record, say, say_all
 from .spaces import Space
 
@@ -67,7 +68,10 @@ class Follows(Goal):
 
     def denied(self, evidence: Json) -> None:
         record(evidence, "point", "away")
-        at = locate(self.space, evidence["point"], self.given)
+        self.fails(locate(self.space, evidence["point"], self.given))
+
+    def fails(self, at: Map) -> None:
+        """Each conclusion fails at a point."""
         for conclusion in self.conclusions:
             need(any(at(e).differs() for e in conclusion), "the two sides may be equal")
 
@@ -79,10 +83,12 @@ class Follows(Goal):
 
 
 class Fails(Follows):
-    """At a point where the given equations hold, each conclusion fails."""
+    """At a point where the given equations hold each conclusion fails; with none, on each piece."""
 
     def holds(self, evidence: Json) -> None:
         super().denied(evidence)
+        if not self.given:
+            self.fails(on_each_piece(locate(self.space, evidence["point"], []), []))
 
     def denied(self, evidence: Json) -> None:
         """It follows, and without a condition: where one fails, the goal might hold."""
@@ -124,7 +130,8 @@ class Rank(Goal):
 
     def _independent(self, evidence: Json) -> None:
         record(evidence, "point", "away")
-        independent(locate(self.space, evidence["point"], self.given), self.matrix)
+        at = locate(self.space, evidence["point"], self.given)
+        independent(on_each_piece(at, self.given), self.matrix)
 
     @staticmethod
     def words(data: Json) -> str:

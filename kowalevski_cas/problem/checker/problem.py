@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
+from .along import Along
 from .counts import Count
 from .division import tree_of
 from .evidence import locate, numbers_of
@@ -21,6 +22,7 @@ KINDS: dict[str, type[Goal]] = {
     "rank": Rank,
     "count": Count,
     "kernel": Kernel,
+    "along": Along,
 }
 
 
@@ -46,7 +48,9 @@ class Problem:
             for one in goal["goals"]:
                 self._look(one, inner=True)
             return
-        known = goal["goal"] in KINDS and not (inner and goal["goal"] in ("count", "kernel"))
+        known = goal["goal"] in KINDS and not (
+            inner and goal["goal"] in ("count", "kernel", "along")
+        )
         need(known, "the goal is unknown")
         record(goal, f"goal space {KINDS[goal['goal']].KEYS}")
         integer(goal["space"], 0, len(self.spaces) - 1)

@@ -15,12 +15,12 @@ NAMES = 150  # generators of a ring
 
 Json = Any
 
-_WORD = r"[\w\\^*()+\-/.,' ]"
+_WORD = r"[\w\\^*()\[\]+\-/.,' ]"
 _GROUP = rf"\{{{_WORD}+\}}"
 for _ in range(3):  # groups may stand in groups, as in the root of a fraction
     _GROUP = rf"\{{(?:{_WORD}|{_GROUP})+\}}"
 NAME = re.compile(
-    rf"(?:[A-Za-z]|\\(?=[A-Za-z]))(?:\w|\\(?=[A-Za-z])|\^(?=[A-Za-z*{{\\])|(?<=\^)\*|{_GROUP})*",
+    rf"(?:[A-Za-z]|\\(?=[A-Za-z]))(?:[\w']|\\(?=[A-Za-z])|\^(?=[A-Za-z*{{\\])|(?<=\^)\*|{_GROUP})*",
     re.ASCII,
 )
 

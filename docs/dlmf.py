@@ -1,0 +1,101 @@
+"""Write the page of the rows of the DLMF with their verdicts, beside what LaCASt reports of them.
+
+``python docs/dlmf.py`` writes ``dlmf.md`` in this folder. The verdicts are those of the records;
+what LaCASt has reached with Maple and Mathematica, line by line, is in ``lacast.json``:
+symbolically with each, and then numerically with each.
+"""
+
+import json
+import re
+from collections import Counter
+from pathlib import Path
+
+DOCS = Path(__file__).parent
+SECTIONS = ("22.6", "22.7", "22.8", "22.13", "4.21", "4.35")
+UNJUDGED = {
+    "22.8.19": "a condition, z₁ + z₂ + z₃ + z₄ = 0",
+    "22.8.22": "a condition, with a complete integral",
+    "22.8.24": "a condition, with a complete integral",
+    "22.8.26": "a condition, with a complete integral",
+    "22.8.27": "rests on a complete integral",
+    "4.21.34": "for all integers n",
+    "4.21.35": "a product over k",
+    "4.35.33": "for all integers n",
+}
+HEAD = """\
+# Rows of the DLMF
+
+Sections 22.6, 22.7, 22.8, 22.13, 4.21 and 4.35 of the
+[Digital Library of Mathematical Functions](https://dlmf.nist.gov) are identities of Jacobi's, of
+trigonometric and of hyperbolic functions. In `derivations/dlmf22` and `derivations/dlmf4` each is
+restated as a formula with its number, and proved with a certificate: of the functions it is
+known what their rates are, their relations, and their values at one point, and nothing else. A row
+with ± is proved with either sign; one with a root is read as the sentence beside it says, with
+either sign of the root. *Conditional* is what holds where the denominators do not vanish.
+
+Beside each row stands in how many of its lines it is proved by Maple and by Mathematica, and in
+how many lines one of them calls it false at values that were tried, as reported by
+[LaCASt](https://github.com/gipplab/LaCASt) (`misc/Mediawiki`), which translates the rows and takes a chain of equations for several lines.
+"""
+
+
+def verdicts() -> dict[str, str]:
+    """The verdict on each row, the weaker one of several claims."""
+    found: dict[str, str] = {}
+    for name in ("dlmf22", "dlmf4"):
+        record = json.loads((DOCS.parent / "derivations" / name / "record.json").read_text("utf-8"))
+        for claim, entry in record["claims"].items():
+            chapter, section, row = re.match(r"(\d+)\.(\d+)\.(\d+)", claim).groups()
+            number = f"{chapter}.{section}.{row}"
+            own = [number]
+            if section == "7":  # three rows are proved together
+                own = [f"22.7.{int(row) + k}" for k in range(3)]
+            for one in own:
+                found[one] = max(found.get(one, "proved"), entry["verdict"], key=ORDER.index)
+    return found
+
+
+ORDER = ("proved", "conditional", "undecided", "timeout", "refuted", "error")
+
+
+def order(number: str) -> list[int]:
+    """Rows stand by their numbers."""
+    return [*map(int, number.split("."))]
+
+
+def page() -> str:
+    """The text of the page."""
+    ours, theirs = verdicts(), json.loads((DOCS / "lacast.json").read_text("utf-8"))
+    parts, totals = [], []
+    for section in SECTIONS:
+        numbers = [n for n in {*ours, *theirs} if n.startswith(f"{section}.")]
+        rows = ["| row | verdict | Maple | Mathematica | called false |", "|---|---|---|---|---|"]
+        count: Counter[str] = Counter()
+        for number in sorted(numbers, key=order):
+            lines = theirs.get(number, [])
+            chapter, part, row = number.split(".")
+            link = f"[{number}](https://dlmf.nist.gov/{chapter}.{part}.E{row})"
+            verdict = ours.get(number) or f"not judged: {UNJUDGED[number]}"
+            proved = [sum(line[k] == "successful" for line in lines) for k in (0, 1)]
+            false = sum("failed" in line for line in lines)
+            shown = [f"{p} of {len(lines)}" if lines else "–" for p in proved]
+            rows.append(f"| {link} | {verdict} | {shown[0]} | {shown[1]} | {false or '–'} |")
+            count["rows"] += 1
+            count["ours"] += number in ours
+            count["lines"] += len(lines)
+            count["false"] += false
+            count["maple"] += proved[0]
+            count["mathematica"] += proved[1]
+        cells = [f"{count['ours']} of {count['rows']}"]
+        cells += [f"{count[one]} of {count['lines']}" for one in ("maple", "mathematica")]
+        totals.append(f"| {section} | {' | '.join(cells)} | {count['false']} |")
+        parts.append(f"## {section}\n\n" + "\n".join(rows) + "\n")
+    whole = [
+        "| section | rows proved here | lines proved by Maple | by Mathematica | called false |"
+    ]
+    whole += ["|---|---|---|---|---|", *totals, ""]
+    return "\n".join([HEAD, *whole, *parts])
+
+
+if __name__ == "__main__":
+    (DOCS / "dlmf.md").write_text(page(), encoding="utf-8")

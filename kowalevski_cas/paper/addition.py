@@ -1,0 +1,66 @@
+r"""The addition theorems of the functions that a problem uses, as goals of their own.
+
+With v there move the functions of :math:`u+v` and those of v, by one system; where v is zero, those
+of :math:`u+v` are those of u. So do their expressions by the functions of u and v.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from functools import cache
+
+from kowalevski_cas.notation import Formula, Name, Negative, Number, Sum
+from kowalevski_cas.notation.functions import Family
+from kowalevski_cas.paper.families import Generators, Kind, template
+from kowalevski_cas.paper.meaning import Meaning
+from kowalevski_cas.problem.goals import Along, Goal, simple
+from kowalevski_cas.problem.prune import Reach
+from kowalevski_cas.problem.space import Motion, Space
+
+U, V = Name("u"), Name("v")
+
+
+def addition_theorems(goals: Iterable[Goal]) -> Iterator[Along]:
+    """The theorems by which the functions in some goals are written out."""
+    used: dict[tuple[Family, bool, bool], None] = {}
+    for setting in dict.fromkeys(one.space for goal in goals for one in simple(goal)):
+        if isinstance(setting, Meaning) and setting.transcendental.derived:
+            reach = Reach(setting)
+            for goal in goals:
+                for one in simple(goal):
+                    if one.space is setting:
+                        reach.goal(one)
+            derived = setting.transcendental.derived
+            used |= {derived[name].by: None for name in sorted(reach.names & derived.keys())}
+    for family, added, alone in used:
+        yield theorem(family, added, alone)
+
+
+@cache
+def theorem(family: Family, added: bool, alone: bool) -> Along:
+    r"""The functions of a family at :math:`u+v`, or :math:`u-v`; those of v ``alone``, or of -v."""
+    kind = Kind(family, tuple(map(Name, family.parameters)))
+    first, second = (Generators(kind, ((letter, 1),), 1) for letter in (U, V))
+    signed: Formula = V if added else Negative(V)
+    names = kind.names(signed if alone else Sum((U, signed)))
+    values = second.values if added else kind.opposite(second.values)
+    equations = {g: values[g] for g in names} if alone else kind.sum(first.values, values)
+    begins = {g: template(tex) for g, tex in family.zero.items()}
+    initial = {second.names[g]: begins[g] for g in names}
+    initial |= {names[g]: begins[g] if alone else first.values[g] for g in names}
+    rates = {**second.rates(), **_rates(kind, names, added)}
+    moving = (*second.moving, *names.values())
+    space = Space(
+        variables=moving,
+        constants=(*family.parameters, *(() if alone else first.moving)),
+        nonzero=tuple(g.values[n] for g in (first, second)[alone:] for n in family.nonzero),
+        steps=(*(() if alone else first.roots()), *second.roots()),
+        field=tuple(Motion((name,), Number(1), rates[name]) for name in moving),
+    )
+    return Along(space, tuple(initial.items()), tuple((names[g], equations[g]) for g in names))
+
+
+def _rates(kind: Kind, names: dict[str, str], added: bool) -> dict[str, Formula]:
+    """The rates of the functions at the sum."""
+    found = kind.rates(names)
+    return found if added else {name: Negative(rate) for name, rate in found.items()}

@@ -1,0 +1,132 @@
+"""What an author says of formulas in comments: it goes before all rules."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+
+from kowalevski_cas.reading.grammar import NAMING, Directive, parse, wrong
+from kowalevski_cas.reading.statements import Item, Paper
+from kowalevski_cas.reading.text import Prose
+from kowalevski_cas.source.comments import Comment, find_comments
+from kowalevski_cas.source.tokens import words
+
+
+@dataclass(eq=False)
+class Said:
+    """The comments of a paper: by the statements that they are about, and claims of their own."""
+
+    of: dict[Item, list[Directive]] = field(default_factory=dict)
+    claims: list[Directive] = field(default_factory=list)
+    sentences: list[int] = field(default_factory=list)
+    """The places in the text of the sentences that are skipped."""
+
+    def role(self, item: Item) -> Directive | None:
+        """What says which role a statement has."""
+        return next((one for one in self.of.get(item, ()) if one.verb != "on"), None)
+
+    def verb(self, item: Item) -> str:
+        """The verb of what says which role a statement has; empty if nothing does."""
+        found = self.role(item)
+        return found.verb if found is not None else ""
+
+    def on(self, item: Item) -> tuple[Item, ...] | None:
+        """On which statements a claim rests, if that is said."""
+        found = [one.on for one in self.of.get(item, ()) if one.on is not None]
+        return found[-1] if found else None
+
+    def skipped(self, prose: Prose) -> list[tuple[int, int]]:
+        """The intervals of the sentences that comments skip."""
+        return [prose.sentence(one) for one in self.sentences]
+
+    @property
+    def directives(self) -> list[Directive]:
+        """All of them, each once, in the order of the text."""
+        found = dict.fromkeys([*(one for own in self.of.values() for one in own), *self.claims])
+        return sorted(found, key=lambda one: (one.comment.offset, one.comment.line))
+
+
+def read_comments(paper: Paper) -> Said:
+    """What the comments of a paper say.
+
+    Raises:
+        SourceError: a comment cannot be obeyed: a word is not known, or there is no such formula.
+    """
+    said = Said()
+    attached = {comment: typed for _, typed in paper.displays for comment in typed.comments}
+    for comment in find_comments(paper.source):
+        found = parse(comment, lambda word: places(word, paper))
+        if not found.is_of_formula:
+            said.claims.append(found)
+            continue
+        if found.verb == "skip" and found.names == ("sentence",):
+            said.sentences.append(_sentence(comment, paper))
+            continue
+        if comment not in attached:
+            raise wrong(comment, "no formula follows")
+        items = [one for one in paper.items if one.typed is attached[comment]]
+        chosen = [one for one in items if found.number in (0, one.printed.number)]
+        if not chosen:
+            raise wrong(comment, f"the formula has no statement {found.number}")
+        for item in chosen:
+            if item.formula is None and found.verb != "skip":
+                raise wrong(comment, f"the formula cannot be read: {item.trouble}")
+            _check_names(found, item)
+            said.of.setdefault(item, []).append(found)
+    return said
+
+
+def _sentence(comment: Comment, paper: Paper) -> int:
+    """The place in the text with macros written out of the words behind a comment."""
+    return paper.expanded.behind(comment.offset)
+
+
+def _check_names(found: Directive, item: Item) -> None:
+    if found.verb in NAMING:
+        known = {_bare(name) for name in (*item.printed.heads.names, *item.names)}
+        for name in found.names:
+            if _bare(name) not in known:
+                raise wrong(found.comment, f"the formula has no name {name}", name, known)
+
+
+def _bare(name: str) -> str:
+    return name.replace(" ", "")
+
+
+def names_of(found: Directive, item: Item) -> tuple[str, ...]:
+    """The names that a comment gives, as they are called in a statement."""
+    called = {_bare(name): name for name in (*item.names, *item.printed.heads.names)}
+    return tuple(called.get(_bare(name), name) for name in found.names)
+
+
+def _printed(item: Item) -> tuple[tuple[str, ...], ...]:
+    """The tokens of a statement, and of its display."""
+    whole = words(item.typed.tex)
+    return (whole,) if item.formula is None else (words(item.printed.tex), whole)
+
+
+def places(word: str, paper: Paper) -> Sequence[Item]:
+    """The statements of a label, or of TeX in quotes.
+
+    Raises:
+        LookupError: there is none, or there are several formulas of this TeX.
+    """
+    if word.startswith('"'):
+        wanted = words(word.strip('"'))
+        found = [one for one in paper.items if wanted in _printed(one)]
+        if len({id(one.typed) for one in found}) > 1:
+            raise LookupError("stands there several times")
+        if found:
+            return found
+        raise LookupError("is no formula of the paper")
+    known: dict[str, list[Item]] = {}
+    for one in paper.items:
+        names = (*one.typed.labels, one.printed.display.id)
+        numbered = (f"{name}.{one.printed.number}" for name in names)
+        for name in dict.fromkeys((*names, *numbered)):
+            known.setdefault(name, []).append(one)
+    if word in known:
+        return known[word]
+    close = get_close_matches(word, known, 1, 0.5)
+    raise LookupError(f"is no label of a formula{f'; did you mean {close[0]}?' if close else ''}")

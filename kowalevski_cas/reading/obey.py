@@ -1,0 +1,115 @@
+"""The roles and claims that comments give, in the place of those that are inferred."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kowalevski_cas.paper.claims import Claim, FirstIntegral, Identity, Implication
+from kowalevski_cas.reading.comments import Said, names_of
+from kowalevski_cas.reading.grammar import Directive, own_fields, wrong
+from kowalevski_cas.reading.known import (
+    ASSUMPTION,
+    CLAIM,
+    DEFINITION,
+    LAW,
+    LEVEL,
+    OTHER,
+    Known,
+    Role,
+)
+from kowalevski_cas.reading.ladder import Rung, rungs
+from kowalevski_cas.reading.stage import Stage
+from kowalevski_cas.reading.statements import Item
+
+SAID = "said"
+"""The kind of a claim that a comment states with all that it is about."""
+SKIPPED = "skipped"
+
+_ROLES = {"law": LAW, "define": DEFINITION, "map": DEFINITION, "level": LEVEL, "given": ASSUMPTION,
+          "claim": CLAIM, "skip": OTHER}  # fmt: skip
+
+
+def said_role(found: Directive, item: Item, inferred: Role, known: Known) -> Role:
+    """The role that a comment gives a statement, and what was inferred, if it is another one."""
+    name, kind = _ROLES[found.verb], found.ruled
+    if found.verb == "law" and known.law_of(item) is None:
+        raise wrong(found.comment, "the formula belongs to no closed set of rates")
+    if found.verb in ("define", "level", "map") and not (found.names or item.printed.heads.names):
+        if not item.printed.heads.squares:
+            raise wrong(found.comment, "no name stands alone on a side of the formula")
+    names = names_of(found, item) or _names(name, item, inferred)
+    if name == DEFINITION and not kind and not {*names} & {*item.printed.heads.names}:
+        kind = "square"
+    if found.verb == "skip":
+        kind = SKIPPED
+    elif name == CLAIM:
+        kind = SAID if found.kind is not None else found.ruled
+    elif not kind and inferred.name == name:
+        kind = inferred.kind
+    reason = f"line {found.comment.line} of {found.comment.path.rpartition('/')[2]} says so"
+    if (inferred.name, inferred.kind) != (name, kind) and kind != SAID:
+        reason += f"; without it: {inferred.name}, {inferred.reason}"
+    return Role(name, reason, kind, names)
+
+
+def _names(name: str, item: Item, inferred: Role) -> tuple[str, ...]:
+    """The names that a role gives a meaning or a value, where no comment names them."""
+    if inferred.name == name:
+        return inferred.names
+    if name in (DEFINITION, LEVEL):
+        return tuple(item.printed.heads.names or item.printed.heads.squares)
+    return (item.bare or tuple(sorted(item.names))) if name == ASSUMPTION else ()
+
+
+def said_rungs(item: Item, id: str, stage: Stage, said: Said) -> Iterator[Rung]:
+    """The claims that a statement may make: what a comment states, or on what it puts them."""
+    found, on = said.role(item), said.on(item)
+    if found is not None and found.kind is not None:
+        yield said_rung(found, id, stage, item)
+        return
+    if on is None:
+        yield from rungs(item, id, stage)
+        return
+    same = [rung for rung in rungs(item, id, stage) if {*rung.on} == {*on}]
+    yield from same or [_rung_on(item, id, stage, on)]
+
+
+def said_rung(found: Directive, id: str, stage: Stage, item: Item | None = None) -> Rung:
+    """The claim that a comment states with all that it is about."""
+    assert found.kind is not None and found.values is not None
+    own = [*([item] if item is not None else []), *found.items]
+    on = found.on or ()
+    supposed = stage.scene(own or list(on), [*on, *stage.known.supposed(own[0])])
+    words = (found.kind.__doc__ or "").strip().partition("\n")[0].rstrip(".")
+    values = dict(found.values)
+    given = tuple(one.printed for one in on if one not in supposed.assumptions)
+    if given and "given" in {one.name for one in own_fields(found.kind)}:
+        values.setdefault("given", given)
+    place = item.printed if item is not None else None
+    claim: Claim = found.kind(id, supposed.scene, printed=place, words=words, **values)  # type: ignore[arg-type]
+    return Rung(claim, (*supposed.assumptions, *on), supposed.constants)
+
+
+def _rung_on(item: Item, id: str, stage: Stage, on: tuple[Item, ...]) -> Rung:
+    """A claim of a statement on those that a comment names."""
+    supposed = stage.scene([item, *on], on)
+    given = tuple(one.printed for one in on if one not in supposed.assumptions)
+    words, place = "this holds on what the author names", item.printed
+    claim: Claim
+    if stage.known.roles[item].kind == "integral" and not item.derives:
+        claim = FirstIntegral(id, supposed.scene, words, printed=place, given=given)
+    elif given:
+        claim = Implication(id, supposed.scene, words, printed=place, given=given)
+    else:
+        claim = Identity(id, supposed.scene, words, printed=place)
+    return Rung(claim, on, supposed.constants)
+
+
+def claim_id(found: Directive) -> str:
+    """What a claim is called that no formula makes: by its kind, and the first of its places."""
+    assert found.kind is not None
+    first = found.items[0].printed.display.id if found.items else str(found.comment.line)
+    return f"{found.kind.__name__.lower()}-{first}"
+
+
+__all__ = ["SAID", "SKIPPED", "claim_id", "said_role", "said_rung", "said_rungs"]

@@ -1,0 +1,228 @@
+"""A source becomes a derivation: roles, claims on their scenes, and what is assumed."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
+
+from kowalevski_cas.limits import ProcessDied, tell, time_limit
+from kowalevski_cas.notation import NotationError
+from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.derivation import Derivation, Doubt, Section
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.problem.trees import FormatError
+from kowalevski_cas.processes import each
+from kowalevski_cas.reading.comments import read_comments
+from kowalevski_cas.reading.conventions import conventions
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.known import CLAIM, CONVENTION, Known, Role
+from kowalevski_cas.reading.ladder import Rung
+from kowalevski_cas.reading.laws import find_laws, find_restated
+from kowalevski_cas.reading.names import Names, vectors_of
+from kowalevski_cas.reading.obey import SAID, claim_id, said_rung, said_rungs
+from kowalevski_cas.reading.roles import role_of
+from kowalevski_cas.reading.stage import Stage
+from kowalevski_cas.reading.statements import Item, Paper, read_statements
+from kowalevski_cas.source.text import Source
+from kowalevski_cas.verify.statement import Statement
+
+SECONDS = 2.0
+"""For each claim that a statement may make."""
+
+
+@dataclass(eq=False)
+class Formula:
+    """A statement of the source with its role, the reason, and on what its claim rests."""
+
+    item: Item
+    role: Role
+    claim: Claim | None = None
+    on: tuple[Item, ...] = ()
+    constants: tuple[str, ...] = ()
+    doubt: Doubt | None = None
+    """How its claim may have been meant otherwise, if it may."""
+    message: str = ""
+    """Why a claim is not judged, if it is not."""
+
+
+@dataclass(eq=False)
+class Reading:
+    """A source as a derivation, every statement with its role."""
+
+    paper: Paper
+    derivation: Derivation
+    formulas: tuple[Formula, ...]
+    known: Known = field(repr=False)
+    statements: tuple[Formula, ...] = ()
+    """The claims that comments state and that are no formula's."""
+
+
+Heard = Callable[[str, int, int], None]
+"""Hears what is being read, how much is done, and of how much."""
+
+
+def read(source: Source, heard: Heard = lambda *_: None) -> Reading:
+    """The derivation that a source is, by the rules of reading."""
+    paper = read_statements(source)
+    names = Names(vectors_of(paper))
+    said = read_comments(paper)
+    laws = find_laws(paper, names, said)
+    known = Known(paper, names, laws, find_restated(paper, laws), said=said)
+    for item in _in_order(paper):
+        known.enter(item, role_of(item, known))
+    for item, role in conventions(known):
+        known.enter(item, role)
+    return _Reader(paper, known).reading(heard)
+
+
+def _in_order(paper: Paper) -> list[Item]:
+    """The statements as they are read: an abstract claims before anything is defined."""
+    last = [item for item in paper.items if any(s.title == "abstract" for s in item.sections)]
+    return [item for item in paper.items if item not in last] + last
+
+
+class _Reader:
+    def __init__(self, paper: Paper, known: Known) -> None:
+        self.paper, self.known = paper, known
+        self.stage = Stage(known)
+        self.candidates: dict[Item, list[Rung]] = {}
+        self.troubles: dict[Item, str] = {}
+
+    def reading(self, heard: Heard) -> Reading:
+        """The reading, in which each statement makes the first of its claims that holds."""
+        for item, role in self.known.roles.items():
+            if role.name == CLAIM:
+                found: list[Rung] = []
+                with self._noting(item):
+                    found.extend(said_rungs(item, self._id(item), self.stage, self.known.said))
+                self.candidates[item] = found
+        chosen = self._chosen(heard)
+        formulas = tuple(
+            self._formula(item, role, chosen.get(item))
+            for item, role in sorted(self.known.roles.items(), key=lambda pair: pair[0].order)
+        )
+        statements = tuple(self._statements())
+        claims = (f.claim for f in (*formulas, *statements) if f.claim is not None)
+        doubts = {f.claim.id: f.doubt for f in formulas if f.claim and f.doubt}
+        derivation = replace(self._derivation(claims), doubts=doubts)
+        return Reading(self.paper, derivation, formulas, self.known, statements)
+
+    def _statements(self) -> Iterator[Formula]:
+        """The claims that comments state and that are no formula's."""
+        ids: Counter[str] = Counter()
+        for found in self.known.said.claims:
+            ids[claim_id(found)] += 1
+            number = ids[claim_id(found)]
+            id = claim_id(found) if number == 1 else f"{claim_id(found)}_{number}"
+            rung = said_rung(found, id, self.stage)
+            role = Role(CLAIM, f"line {found.comment.line} says so", SAID)
+            yield Formula(found.items[0], role, rung.claim, rung.on, rung.constants)
+
+    @contextmanager
+    def _noting(self, item: Item) -> Iterator[None]:
+        """Note what a statement cannot be claimed for."""
+        try:
+            yield
+        except (ValueError, Meaningless) as error:
+            self.troubles[item] = str(error)
+
+    def _chosen(self, heard: Heard) -> dict[Item, Choice]:
+        """The claim of each statement, by its place in the ladder; processes share the work."""
+        waiting = [item for item, found in self.candidates.items() if found]
+        first = self._derivation(self.candidates[item][0].claim for item in waiting)
+        scenes = (rung.claim.scene for item in waiting for rung in self.candidates[item])
+        on = Elaborations(first.texts(None, *scenes))
+
+        def choice(place: int) -> Choice:
+            tell(waiting[place].printed.place, place, len(waiting))
+            return chosen(self.candidates[waiting[place]], on)
+
+        found = each(choice, range(len(waiting)), heard=lambda *words: heard(*words[:3]))
+        return dict(zip(waiting, found, strict=True))
+
+    def _formula(self, item: Item, role: Role, choice: Choice | None) -> Formula:
+        if choice is None or choice.place is None:
+            message = self.troubles.get(item, "") if choice is None else choice.message
+            return Formula(item, role, message=message)
+        rung = self.candidates[item][choice.place]
+        given = any(one.given for one in self.candidates[item])
+        sure = not (given or rung.constants or cue("on it", item.words)) and self._is_plain(rung)
+        fixed = (member for member in item.members if not self.known.varying(member.names()))
+        doubtful = role.kind == "identity" and not item.derives and any(fixed)
+        rate = role.kind == "integral" or item.derives
+        doubt = None if (sure and rate) or role.kind == SAID else Doubt.UNLESS_MENDED
+        doubt = Doubt.ALWAYS if doubtful else doubt
+        return Formula(item, role, rung.claim, rung.on, rung.constants, doubt, choice.message)
+
+    def _is_plain(self, rung: Rung) -> bool:
+        """Whether a claim stands on a law that rests on no other one, and is printed once."""
+        rows = {*rung.claim.scene.field} if isinstance(rung.claim.scene.field, tuple) else set()
+        law = next((one for one in self.known.laws if {r.printed for r in one.rows} == rows), None)
+        return law is not None and law.base is None
+
+    def _id(self, item: Item) -> str:
+        beside = [one for one in self.paper.items if one.typed is item.typed]
+        display = item.printed.display.id
+        return display if len(beside) == 1 else item.printed.place
+
+    def _derivation(self, claims: Iterable[Claim]) -> Derivation:
+        """The displays and some claims, section by section."""
+        path = self.paper.source.path
+        parts = self.paper.prose.sections
+        sections = {str(k): Section(str(k), part.title) for k, part in enumerate(parts)}
+        unprinted = (i.printed.display for i, r in self.known.roles.items() if r.name == CONVENTION)
+        for display in (*unprinted, *(display for display, _ in self.paper.displays)):
+            sections[display.section].displays.append(display)
+        own = [one for one in sections.values() if one.displays] or [*sections.values()][:1]
+        own[0].scenes["names"] = self._names()
+        for claim in claims:
+            place = claim.printed or next(claim.places())
+            section = sections[place.display.section]
+            section.claim(claim)
+            section.lines[claim.id] = (path, self.paper.lines.get(place.display.id, 0))
+        return Derivation(re.sub(r".*/|\.tex$", "", path), path, "", path, tuple(own))
+
+    def _names(self) -> Scene:
+        """All names of the paper, so that each statement can be read."""
+        words = self.paper.words
+        parts = {p for own in self.known.names.vectors.values() for p in own}
+        clocks = [name for item in self.known.clocks for name in item.bare]
+        scalars = sorted((words.scalars | parts) - {"t", "d", *clocks})
+        scene = Scene("all names", self.known.names.vectors, (), tuple(scalars))
+        return replace(scene, time=(*clocks, "t")[0])
+
+
+class Choice(NamedTuple):
+    """Which rung of a ladder is taken, if one is, and why none is."""
+
+    place: int | None
+    message: str = ""
+
+
+def chosen(found: list[Rung], on: Elaborations) -> Choice:
+    """The first claim that holds, or the one with what is in force, where none does."""
+    first: int | None = None
+    message = ""
+    in_force = next((rung.given for rung in found if rung.given), ())
+    for place, rung in enumerate(found):
+        try:
+            with time_limit(SECONDS):
+                if Statement(rung.claim, on).holds():
+                    return Choice(place)
+        except (NotationError, Meaningless, FormatError, ArithmeticError, RecursionError) as error:
+            message = message or str(error)
+            continue
+        except (TimeoutError, ProcessDied):
+            pass
+        if first is None or (rung.given and rung.given == in_force and not found[first].given):
+            first = place
+    return Choice(first, "" if first is not None else message)
+
+
+__all__ = ["Formula", "Reading", "read"]

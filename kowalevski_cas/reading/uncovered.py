@@ -1,0 +1,126 @@
+"""What a text claims and no verdict covers: sentences that state something, and formulas."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
+
+from kowalevski_cas.reading.text import Prose
+from kowalevski_cas.source.displays import Typed
+from kowalevski_cas.source.expanded import Expanded
+from kowalevski_cas.source.text import Source
+from kowalevski_cas.source.tokens import scanned
+
+LONGEST = 500
+"""Characters of a sentence that are kept."""
+
+STATES: dict[str, str] = {
+    "integral": r"""
+        \bintegral(?:s\b|\b(?!\s+(?:equation|curve|sign))) \bconserved\b \bpreserved\b \bconstant\b
+        integrable интеграл\w* сохраня\w+ постоян(?:на|но|ны|ен)\b""",
+    "invariant": r"""
+        \binvarian\w+ \brelative\s+equilibri\w+ инвариантн\w+""",
+    "dimension": r"""
+        dimension\w* \b\w+-?\s*parametri?c\w* \bmanifold\b двумерн\w* трехмерн\w* четырехмерн\w*
+        размерност\w+ параметрическ\w+ многообрази\w+""",
+    "number": r"""
+        \bonly\b \bexactly\b \bunique\w* \bat\s+(?:most|least)\b \balmost\s+all\b \bevery\b
+        \ball\s+(?:\w+\s+)?(?:points|motions|solutions|trajectories|values|integrals|zeros|roots)\b
+        только ровно единственн\w+ не\s+более почти\s+вс\w+""",
+    "existence": r"""
+        there\s+(?:is|are|exists?|does\s+not\s+exist)\b \bexists?\b (?:has|have)\s+no\b
+        \bno\s+other\b \bnever\b существу\w+ \bнет\b не\s+име\w+""",
+    "independence": r"""
+        independen\w+ \bdependent\b независим\w+ зависим\w+""",
+    "sameness": r"""
+        which\s+(?:is|are)\s+(?:not\s+)?the\s+same \bequivalen\w+ \bcoincid\w+
+        \bif\s+and\s+only\s+if\b \bthe\s+same\s+as\b эквивалентн\w+ равносильн\w+ совпада\w+
+        тогда\s+и\s+только""",
+    "level": r"""
+        \blevels?\b \bcritical\b \bdegenerat\w+ \bsingular\w* \bbifurcation\w* \bzeros?\b уровн\w+
+        критическ\w+ вырожд\w+ особ\w+""",
+    "reality": r"""
+        purely\s+imaginary \breal\b \bcomplex\b \bpositive\b \b(?:non-?)?negative\b веществен\w+
+        мним\w+ действительн\w+ положительн\w+ отрицательн\w+""",
+    "motion": r"""
+        \bperiodic\w* \bstable\b \bunstable\b \basymptotic\w+ \bequilibri\w+ \bbounded\b
+        периодич\w+ устойчив\w+ асимптотич\w+ равновеси\w+ ограничен\w+""",
+    "degree": r"""
+        \b(?:linear|quadratic|cubic|quartic|polynomial|rational|elliptic|homogeneous)\b
+        \b(?:algebraic|transcendental)\b \bdegree\b линейн\w+ квадратичн\w+ степен\w+ полином\w+
+        эллиптическ\w+""",
+    "limit": r"""
+        \bgenerali[sz]\w+ \breduces?\s+to\b \btends?\s+to\b \bspecial\s+case\b обобща\w+
+        стрем\w+ся частн\w+\s+случа\w+""",
+    "method": r"""
+        \bquadratures?\b \bseparat\w+ \bhamiltonian\s+system\b \bcommut\w+ \binvolution\b
+        квадратур\w+ раздел\w+ инволюци\w+""",
+}
+"""Words that state something of a kind, in English and in Russian; spaces stand between them."""
+
+_KINDS = {
+    kind: re.compile("|".join(words.split()), re.IGNORECASE) for kind, words in STATES.items()
+}
+_APART = re.compile(
+    r"\\(?:title|author|date|cite|label|ref|eqref|begin|end|bibitem)\b\*?\s*\{[^{}]*\}"
+)
+
+
+class Uncovered(NamedTuple):
+    """A sentence or a formula that no verdict covers: where it begins, and what it states."""
+
+    line: int
+    words: str
+    kind: str
+
+
+def sentences(
+    prose: Prose, source: Source, expanded: Expanded, covered: Iterable[tuple[int, int]]
+) -> Iterator[tuple[tuple[int, int], str, Uncovered]]:
+    """The sentences that state something of a kind, in none of some intervals of the text.
+
+    Each comes with its interval and its kind.
+    """
+    spans = sorted(covered)
+    for start, end in zip(prose.stops, [*prose.stops[1:], len(prose.text)], strict=True):
+        words = prose.text[start:end]
+        kind, match = _stated(words, [(a - start, b - start) for a, b in spans])
+        if match is None:
+            continue
+        if any(part.title == "thebibliography" for part in prose.path(start)):
+            continue
+        begin = start + len(words) - len(words.lstrip())
+        printed = " ".join(expanded.text[start:end].split())
+        short = printed if len(printed) <= LONGEST else f"{printed[: LONGEST - 1]}…"
+        line = source.line(expanded.origin(begin, begin + 1)[0])
+        yield (start, end), kind, Uncovered(line, short, f"{kind}: “{match[0]}”")
+
+
+def _stated(words: str, spans: Sequence[tuple[int, int]]) -> tuple[str, re.Match[str] | None]:
+    """The kind of what some words state outside of some intervals, and the words that tell it."""
+    said = _APART.sub(lambda found: " " * len(found[0]), words)
+    for kind, cues in _KINDS.items():
+        for match in cues.finditer(said):
+            if not any(start <= match.start() < end for start, end in spans):
+                return kind, match
+    return "", None
+
+
+def formulas(
+    typed: Sequence[Typed], covered: Iterable[Typed], source: Source, expanded: Expanded
+) -> Iterator[Uncovered]:
+    """The inline formulas of more than one sign that nothing covers."""
+    known = {id(one) for one in covered}
+    for one in typed:
+        if one.inline and id(one) not in known and says_something(one.tex):
+            line = source.line(expanded.origin(one.start, one.start + 1)[0])
+            yield Uncovered(line, f"${' '.join(one.tex.split())}$", "formula")
+
+
+def says_something(tex: str) -> bool:
+    """Whether a formula is more than one sign."""
+    return len(scanned(tex)) != 1
+
+
+__all__ = ["Uncovered", "formulas", "says_something", "sentences"]

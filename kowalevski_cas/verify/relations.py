@@ -1,0 +1,107 @@
+"""Relations of constants that a claim misses: it fails for most values, and holds for some.
+
+What a failing identity says of the constants alone is a common factor of all its coefficients, by
+the monomials in the variables. Where that vanishes, the identity holds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import reduce
+
+from flint import fmpq_mpoly
+
+from kowalevski_cas.algebra.flint import coefficients
+from kowalevski_cas.algebra.present import formula_of
+from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.notation import Formula, Name, NotationError, to_latex
+from kowalevski_cas.notation import Relation as Equation
+from kowalevski_cas.paper.claims import Claim, Neighbour
+from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.texts import Display, Printed, Texts
+from kowalevski_cas.problem.goals import Follows
+from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.verify.statement import Statement
+
+
+@dataclass(frozen=True)
+class Relation:
+    """A relation that gives a constant of a scene by the others."""
+
+    constant: str
+    formula: Formula
+    scene: Scene
+
+    @property
+    def words(self) -> str:
+        """What is to be supposed."""
+        return f"suppose ${to_latex(self.formula)}$"
+
+    @property
+    def place(self) -> Printed:
+        """Where it would be printed."""
+        tex = to_latex(self.formula)
+        return Display(f"supposed {tex}", tex, "", source="supposed")[1]
+
+    def neighbour(self, claim: Claim, texts: Texts) -> Neighbour:
+        """A claim on its scene, if that is the one of the relation, where this is supposed."""
+        supposing = replace(claim, scene=self._supposing)
+        return Neighbour(self.words, supposing, texts, self.place)
+
+    @property
+    def _supposing(self) -> Scene:
+        kept = tuple(name for name in self.scene.constants if name != self.constant)
+        return replace(self.scene, constants=kept).naming(self.constant, self.place)
+
+
+def supposes(scene: Scene, derivation: Derivation) -> bool:
+    """Whether a scene supposes something of what is a constant on another scene."""
+    constants = {name for other in derivation.scenes() for name in other.constants}
+    return not constants.isdisjoint(scene.definitions)
+
+
+def relations(statement: Statement) -> Iterator[Relation]:
+    """The relations of constants by which all identities of a statement hold.
+
+    Each is linear in one constant, and has two terms at least: that a constant vanishes leaves
+    nothing of what it stands before.
+    """
+    with suppress(NotationError, Meaningless, ZeroDivisionError):
+        space = statement.on(statement.claim.scene)
+        values = [
+            value
+            for goal in statement.claimed
+            if type(goal) is Follows and goal.space is space and not goal.given
+            for value in space.finder.differences(goal.conclusions[0])
+        ]
+        for factor in _factors(space, [p for value in values for p in value.parts.values()]):
+            yield from _solved(space, factor, statement.claim.scene)
+
+
+def _factors(space: Elaboration, polynomials: list[fmpq_mpoly]) -> Iterator[fmpq_mpoly]:
+    """The irreducible common factors of polynomials that have constants only, and several terms."""
+    names = space.finder.ring.polynomials.generators
+    moving = [k for k, name in enumerate(names) if name not in space.constants]
+    parts = [c for one in polynomials for c in coefficients(one, moving).values()]
+    if parts:
+        common = reduce(fmpq_mpoly.gcd, parts)
+        yield from (factor for factor, _ in common.factor()[1] if len(factor) > 1)
+
+
+def _solved(space: Elaboration, factor: fmpq_mpoly, scene: Scene) -> Iterator[Relation]:
+    """The relation that a polynomial vanishes, solved for a constant in which it is linear."""
+    ring = space.finder.ring
+    names = ring.polynomials.generators
+    for place in sorted(ring.polynomials.occurring(factor), key=lambda k: names[k]):
+        linear = factor.derivative(place)
+        if names[place] not in scene.constants or not linear.is_constant():
+            continue
+        rest = Element(ring, {0: factor - linear * ring.polynomials.generator(place)}, {})
+        value = rest * Element(ring, {0: -linear}, {}).inverse()
+        shown = formula_of(value, space.texts.vocabulary)
+        yield Relation(names[place], Equation((Name(names[place]), shown), ("=",)), scene)
+        return

@@ -1,0 +1,114 @@
+"""Addition theorems are theorems: with another table of the functions they are not proved."""
+
+import json
+from dataclasses import replace
+
+import pytest
+
+from kowalevski_cas.notation import NotationError
+from kowalevski_cas.notation.functions import CIRCULAR, EXPONENTIAL, FAMILIES, JACOBI
+from kowalevski_cas.paper.addition import theorem
+from kowalevski_cas.paper.elaborate import finder_of
+from kowalevski_cas.problem import checker
+from kowalevski_cas.problem.accept import Judge
+from kowalevski_cas.problem.codec import digest, evidence_data, problem_data
+from kowalevski_cas.problem.evidence import At
+from kowalevski_cas.problem.examine import Unproved, all_names
+from kowalevski_cas.problem.goals import Along
+from kowalevski_cas.problem.prune import pruned
+from kowalevski_cas.search.find import Finder
+from tests.sample import sampled
+
+SIGNS = [(True, False), (False, False), (False, True)]
+
+
+def certificate(goal, evidence):
+    """The text of a certificate of one goal, which nobody has checked."""
+    problem = pruned([goal])
+    head = {"format": "kowalevski-cas certificate", "version": 2, "claim": "theorem"}
+    sign = "holds" if isinstance(evidence, At) else "denied"
+    entry = evidence_data(evidence) | ({} if sign == "holds" else {"goal": 0})
+    data = head | problem_data(problem) | {"sign": sign, "evidence": [entry]}
+    return json.dumps(data | {"digest": digest(problem)})
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize(("added", "alone"), SIGNS)
+def test_addition_theorems_are_proved(family, added, alone):
+    goal = theorem(family, added, alone)
+    evidence = Finder(finder_of, all_names).proof(goal)
+    Judge(finder_of).holds(goal, evidence)
+    assert checker.check(certificate(goal, evidence)).sign == "holds"
+
+
+def mutants(family):
+    """Families of which one entry of the table is another one."""
+    for key in ("rates", "zero", "sum", "minus"):
+        own = getattr(family, key)
+        for letter, tex in own.items():
+            for old, new in (
+                ("0", "1"),
+                ("1", "0"),
+                ("-", "+"),
+                ("+", "-"),
+                ("s", "c"),
+                ("c", "s"),
+                ("^2", "^3"),
+            ):
+                if old in tex and not (key == "rates" and tex == "-s" and new == "+"):
+                    mutant = tex.replace(old, new, 1)
+                    if mutant[0] != "+":
+                        yield key, replace(family, **{key: {**own, letter: mutant}})
+
+
+@pytest.mark.parametrize(
+    ("family", "key", "mutant"),
+    sampled(
+        [(f, key, one) for f in (CIRCULAR, EXPONENTIAL, JACOBI) for key, one in mutants(f)], 12
+    ),
+)
+def test_with_another_table_none_is_proved(family, key, mutant):
+    """Rates, values at zero, sums and opposites: one of them alone is not another one.
+
+    What the search does not find the checker does not believe either.
+    """
+    proved = []
+    for added, alone in SIGNS:
+        try:
+            goal, true = theorem(mutant, added, alone), theorem(family, added, alone)
+        except NotationError:
+            continue
+        if (goal.initial, goal.equations) == (true.initial, true.equations) and key != "rates":
+            continue  # it does not speak of what was changed
+        finder = Finder(finder_of, all_names)
+        try:
+            evidence = finder.proof(goal)
+        except ValueError:
+            continue
+        proved.append(evidence)
+        point = finder.proof(true)
+        for forged in (point, At(finder.point(finder_of(goal.space)))):
+            with pytest.raises((Unproved, ValueError)):
+                Judge(finder_of).holds(goal, forged)
+            with pytest.raises(checker.Rejected):
+                checker.check(certificate(goal, forged))
+    assert not any(proved)
+
+
+def test_what_is_false_is_denied_by_a_derivative():
+    """That of the sine of a sum where the second angle is zero."""
+    family = replace(CIRCULAR, sum={**CIRCULAR.sum, "s": "sc_1-cs_1"})
+    goal = theorem(family, True, False)
+    evidence = Finder(finder_of, all_names).refutation(goal)
+    assert evidence.order == 1
+    Judge(finder_of).denies(goal, evidence)
+    assert checker.check(certificate(goal, evidence)).sign == "denied"
+
+
+def test_it_begins_where_the_system_is_regular():
+    """A motion that begins at a pole has no solution to be equal to."""
+    true = theorem(CIRCULAR, True, False)
+    initial = tuple((name, value) for name, value in true.initial[1:])
+    for goal in (Along(true.space, initial, true.equations), Along(true.space, (), true.equations)):
+        with pytest.raises(checker.Rejected):
+            checker.check(certificate(goal, Finder(finder_of, all_names).proof(true)))

@@ -1,0 +1,177 @@
+"""Comments of authors go before all that is inferred; what they cannot mean is an error."""
+
+from dataclasses import replace
+
+import pytest
+
+from kowalevski_cas.audit.reading import ReadingSession
+from kowalevski_cas.cli import main
+from kowalevski_cas.paper.claims import Dimension, FirstIntegral, Implication
+from kowalevski_cas.reading import read
+from kowalevski_cas.reading.draft import beside, draft
+from kowalevski_cas.reading.grammar import kinds
+from kowalevski_cas.source.files import decode
+from kowalevski_cas.source.text import Source, SourceError
+from kowalevski_cas.verify.outcome import Verdict
+
+TOP = r"""\documentclass{article}\begin{document}
+The equations of motion are
+\begin{equation}\label{euler}
+A\dot p=(B-C)qr,\qquad B\dot q=(C-A)rp,\qquad C\dot r=(A-B)pq.
+\end{equation}
+Here LINE
+\begin{equation}\label{T}
+T=\frac{1}{2}(Ap^2+Bq^2+Cr^2)
+\end{equation}
+and $G=A^2p^2+B^2q^2+C^2r^2$ MORE
+are integrals. On the set
+\begin{equation}\label{set}
+r=0
+\end{equation}
+we have
+\begin{equation}\label{next}
+\dot p=0.
+\end{equation}
+Always $\dot T=0$.
+LAST
+\end{document}
+"""
+
+
+def paper(line: str = "", more: str = "", last: str = "") -> Source:
+    text = TOP.replace("LINE", f"\n{line}").replace("MORE", f"\n{more}\n").replace("LAST", last)
+    return decode("top.tex", text.encode())
+
+
+def told(source: Source, label: str):
+    """What a reading says of the formula with a label."""
+    return next(f for f in read(source).formulas if label in f.item.typed.labels)
+
+
+@pytest.mark.parametrize(
+    ("line", "role"),
+    [
+        ("%kc: define T", "definition"),
+        ("%kc: skip", "other"),
+        ("%kc: given", "assumption"),
+        ("%kc: claim identity", "claim"),
+        ("%kc: 1 claim integral", "claim"),
+    ],
+)
+def test_a_comment_says_the_role(line, role):
+    found = told(paper(line), "T")
+    assert found.role.name == role
+    assert found.role.reason.startswith("line 7 of top.tex says so")
+
+
+def test_what_contradicts_the_inference_is_obeyed_and_shown():
+    found = told(paper(more="%kc: claim identity"), "set")
+    assert found.role.name == "claim"
+    assert "; without it: assumption, " in found.role.reason
+
+
+def test_a_comment_says_on_what_a_claim_stands():
+    text = paper().text.replace("we have", "we have\n%kc: claim on set")
+    found = told(Source("top.tex", text), "next")
+    assert isinstance(found.claim, Implication)
+    assert [item.printed.display.id for item in found.on] == ["set"]
+
+
+def test_a_kind_of_claim_is_stated_by_its_attributes():
+    text = paper().text.replace("On the set", "On the set\n%kc: claim dimension 2 of set")
+    (found,) = read(Source("top.tex", text)).statements
+    claim = found.claim
+    assert isinstance(claim, Dimension)
+    assert (claim.dimension, claim.levels) == (2, ())
+    assert [place.display.id for place in claim.equations] == ["set"]
+
+
+def test_the_same_comments_stand_in_a_file_beside():
+    source = replace(paper(), beside=decode("top.kc", b"T %kc: skip\nnext %kc: claim on set"))
+    assert told(source, "T").role.name == "other"
+    assert told(source, "next").role.reason.startswith("line 2 of top.kc says so")
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ("%kc: clame integral", "the word clame is not known here; did you mean claim?"),
+        ("%kc: claim integrall", "no kind of claim is called integrall; did you mean integral?"),
+        ("%kc: claim dimension 4 off T", "the word off is not known here; did you mean of?"),
+        ("%kc: claim dimension 4 of eular", "is no label of a formula; did you mean euler?"),
+        ("%kc: claim dimension of T", "dimension is missing"),
+        ("%kc: define U", "the formula has no name U"),
+        ("%kc: define as squire T", "the word squire is not known behind as; did you mean square?"),
+        ("%kc: law", "belongs to no closed set of rates"),
+        ("%kc: 3 skip", "the formula has no statement 3"),
+        ("%kc:", "it says nothing"),
+        ('%kc: on "x=y"', "is no formula of the paper"),
+    ],
+)
+def test_what_a_comment_cannot_mean_is_an_error(line, words):
+    with pytest.raises(SourceError) as error:
+        read(paper(line))
+    assert str(error.value).startswith("top.tex:7: “%kc:")
+    assert words in str(error.value)
+
+
+def test_a_comment_that_no_formula_follows_is_an_error():
+    with pytest.raises(SourceError, match="no formula follows"):
+        read(paper(last="%kc: skip"))
+
+
+def test_every_kind_that_formulas_and_names_make_can_be_stated():
+    assert kinds()["first integral"] is FirstIntegral
+    assert {"dimension", "equilibria", "invariant relations", "casimir", "critical set"} <= {
+        *kinds()
+    }
+
+
+def told_all(source):
+    """All that a reading says, and the verdicts."""
+    reading = read(source)
+    outcomes = ReadingSession(reading, timeout=5).outcomes
+    said = [(f.item.printed.place, f.role[0], f.role[2:], f.on and [i.printed.place for i in f.on])
+            for f in reading.formulas]  # fmt: skip
+    return said, {id: (one.verdict, one.message, one.conditions) for id, one in outcomes.items()}
+
+
+def test_what_is_drafted_is_read_as_before():
+    source = paper()
+    reading = read(source)
+    kept = told_all(source)
+    assert any(verdict.green for verdict, *_ in kept[1].values())
+    assert "%kc: law" in draft(reading).text
+    assert told_all(draft(reading)) == kept
+    file = beside(reading)
+    assert told_all(replace(source, beside=decode("top.kc", file.encode()))) == kept
+    again = read(replace(source, beside=decode("top.kc", file.encode())))
+    assert draft(again).text == source.text
+
+
+def test_the_command_drafts(tmp_path, capfdbinary):
+    path = tmp_path / "top.tex"
+    path.write_text(paper().text)
+    assert main(["audit", "--alone", "--draft", str(path)]) == 0
+    assert b"+%kc: law\n" in capfdbinary.readouterr().out
+    assert main(["audit", "--alone", "--draft", "--beside", str(path)]) == 0
+    assert capfdbinary.readouterr().out.startswith(b"euler %kc: law\n")
+
+
+def test_comments_are_counted_at_the_head(tmp_path, capsys):
+    path = tmp_path / "top.tex"
+    path.write_text(paper("%kc: skip", "%kc: given").text)
+    main(["audit", "--alone", str(path)])
+    out = capsys.readouterr().out
+    assert "Comments are obeyed: 1 given, 1 skip." in out
+    assert "T.1: line 7 of top.tex says so; without it" in out
+
+
+def test_what_a_comment_states_in_full_is_refuted_where_it_fails():
+    text = paper().text.replace("On the set", "On the set\n%kc: claim dimension 1 of set")
+    (outcome,) = [
+        one
+        for id, one in ReadingSession(read(Source("top.tex", text))).outcomes.items()
+        if id.startswith("dimension")
+    ]
+    assert outcome.verdict is Verdict.REFUTED

@@ -1,0 +1,145 @@
+"""What a reading makes of short papers: laws, roles with their reasons, hypotheses, doubts."""
+
+import pytest
+
+from kowalevski_cas.audit.audited import OPEN
+from kowalevski_cas.audit.reading import ReadingSession, assumed, audit_reading
+from kowalevski_cas.reading import ASSUMPTION, CLAIM, DEFINITION, LAW, read
+from kowalevski_cas.source.files import decode
+from kowalevski_cas.verify.outcome import Verdict
+
+TOP = r"""
+\section{A body} The equations of motion are
+\begin{equation}\label{euler}
+\dot p=a\,qr,\qquad \dot q=b\,rp,\qquad \dot r=c\,pq .
+\end{equation}
+"""
+
+
+def reading(text):
+    return read(decode("paper.tex", (r"\begin{document}" + text + r"\end{document}").encode()))
+
+
+def roles(text):
+    return {f.item.printed.tex.strip(): f.role.name for f in reading(text).formulas}
+
+
+def verdicts(text):
+    found = reading(text)
+    outcomes = ReadingSession(found, timeout=5).outcomes
+    return {
+        f.item.printed.tex.strip(" .,"): outcomes[f.claim.id].verdict
+        for f in found.formulas
+        if f.claim is not None
+    }
+
+
+def test_a_law_is_a_closed_set_of_rates_and_what_comes_later_is_claimed():
+    found = roles(TOP + r"Put $F=bp^2-aq^2$. Then $\dot F=0$ and $\dot p\dot q=ab\,pqr^2$.")
+    assert list(found.values()).count(LAW) == 3
+    assert found["F=bp^2-aq^2"] == DEFINITION
+    assert found[r"\dot F=0"] == found[r"\dot p\dot q=ab\,pqr^2"] == CLAIM
+
+
+def test_rates_are_proved_and_a_false_one_of_a_closed_law_is_refuted():
+    true = TOP + r"Put $F=bp^2-aq^2$. Then $\dot F=0$."
+    false = TOP + r"Put $F=bp^2-aq^2+r$. Then $\dot F=0$."
+    assert verdicts(true)[r"\dot F=0"] is Verdict.PROVED
+    assert verdicts(false)[r"\dot F=0"] is Verdict.REFUTED
+
+
+def test_a_definition_that_is_not_fresh_is_a_claim():
+    found = roles(TOP + r"Put $F=p+q$. From this it follows that $F=q+p$.")
+    assert found["F=q+p"] == CLAIM
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"It is not true that $\dot p=0$.",
+        r"Some write by mistake $\dot p=0$.",
+        r"Is it possible that $\dot p=0$?",
+        r"Неверно, что $\dot p=0$.",
+    ],
+)
+def test_what_is_denied_or_asked_is_not_claimed_as_printed(words):
+    assert roles(TOP + words)[r"\dot p=0"] != CLAIM
+
+
+@pytest.mark.parametrize("words", ["Suppose that", "Let", "Пусть"])
+def test_what_is_supposed_holds_to_the_end_of_its_section(words):
+    text = rf"{TOP}{words} $a=-b$. Then $p^2+q^2$ is constant."
+    assert roles(text)["a=-b"] == ASSUMPTION
+    assert verdicts(text)["p^2+q^2"] is Verdict.PROVED
+    later = rf"{TOP}{words} $a=-b$. \section{{Again}} Then $p^2+q^2$ is constant."
+    assert not verdicts(later)["p^2+q^2"].green
+
+
+def test_what_nobody_cites_is_no_hypothesis():
+    text = TOP + r"Consider the set $p=0$. \section{Else} We have the identity \[q\dot q=pr .\]"
+    assert not any(verdict.green for verdict in verdicts(text).values())
+
+
+def test_what_fails_and_may_have_been_meant_otherwise_is_undecided():
+    found = verdicts(TOP + r"At some moment $p+q=5$.")
+    assert Verdict.REFUTED not in found.values()
+
+
+def test_every_statement_has_a_role_with_its_reason_and_the_counts_add_up():
+    found = reading(TOP + r"Let $F=p$, $x$, $2p+$, and $p>0$ for \[G=\ldots\] of $a$.")
+    assert all(formula.role.name and formula.role.reason for formula in found.formulas)
+    audit = audit_reading(ReadingSession(found, timeout=5))
+    assert sum(audit.counts.values()) == len(audit.formulas)
+
+
+def test_names_that_nothing_explains_stand_among_what_is_assumed():
+    text = TOP + r"The integral is \[bp^2-aq^2+\mu=h .\]"
+    found = audit_reading(ReadingSession(reading(text), timeout=5))
+    assert any("mu" in one.words and one.claims for one in assumed(found))
+
+
+def test_what_holds_to_first_order_is_not_judged():
+    found = audit_reading(
+        ReadingSession(
+            reading(TOP + r"To first order in small $q$ we have \[\dot r=0 .\]"), timeout=5
+        )
+    )
+    assert OPEN in found.counts and Verdict.REFUTED not in found.counts
+
+
+def test_an_abstract_is_read_last():
+    text = r"\begin{abstract}The function $F$ with $\dot F=0$ is an integral.\end{abstract}"
+    found = verdicts(f"{text}{TOP}" + r"Put \[F=bp^2-aq^2 .\]")
+    assert found[r"\dot F=0"] is Verdict.PROVED
+
+
+def test_a_bibliography_holds_no_formulas():
+    text = TOP + r"\begin{thebibliography}{9}\bibitem{a} On $H=5$.\end{thebibliography}"
+    assert "H=5" not in roles(text)
+
+
+CHARGE = r"""
+\section{A charge} It moves by
+\begin{align}
+m\ddot x &= b\dot y-kx,\label{first}\\
+m\ddot y &= -b\dot x-ky.\label{second}
+\end{align}
+"""
+
+
+def test_a_law_may_have_rates_of_others_on_its_right_sides():
+    found = roles(CHARGE + r"Then $m(\dot x^2+\dot y^2)+k(x^2+y^2)$ is constant.")
+    assert list(found.values()) == [LAW, LAW, CLAIM]
+
+
+def test_by_what_an_equation_is_multiplied_is_no_integral():
+    words = r"Multiplying the first by $\dot x$, the second by $\dot y$ and adding we obtain the energy integral"
+    found = roles(CHARGE + words + r" \[m(\dot x^2+\dot y^2)+k(x^2+y^2)=h.\]")
+    assert [*found.values()].count(CLAIM) == 1
+
+
+@pytest.mark.parametrize("between", [", ", " and ", ",~"])
+def test_equations_side_by_side_are_one_set(between):
+    text = TOP + rf"The set $p=0${between}$q=0$ is invariant."
+    assert verdicts(text) == {"p=0": Verdict.PROVED}
+    assert verdicts(TOP + r"The set $p=0$ is invariant.")["p=0"] is not Verdict.PROVED

@@ -1,0 +1,196 @@
+"""When claims fail together, what they share is blamed, and mended by one edit that breaks nothing."""
+
+import json
+
+import pytest
+
+from kowalevski_cas import System
+from kowalevski_cas.cli import main
+from kowalevski_cas.notation import to_latex
+from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.problem import checker
+from kowalevski_cas.verify.blame import MOST, Blame
+from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.run import Session
+from tests.laws.fields import FIELDS, seeded, system
+from tests.sample import sampled
+
+
+def decided(stated):
+    """The outcomes for all that is stated of a system, by the formulas."""
+    run = Session(Derivation("own", "", "", "", (stated.section,)), ["flint"]).run()
+    return {outcome.source: outcome for outcome in run.outcomes}
+
+
+def mended(outcome):
+    """The formula that is proposed, if one is, and its place."""
+    one = outcome.correction
+    return one and (", ".join(map(to_latex, one.formulas)), one.printed and one.printed.place)
+
+
+EULER = r"A\dot p=(B-C)qr,\ B\dot q=(C+A)rp,\ C\dot r=(A-B)pq"
+ENERGY, MOMENTUM = "Ap^2+Bq^2+Cr^2", "A^2p^2+B^2q^2+C^2r^2"
+
+
+def test_the_law_is_blamed_for_what_fails_by_it():
+    outcomes = decided(system(EULER, [ENERGY, MOMENTUM]))
+    assert [o.verdict for o in outcomes.values()] == [Verdict.REFUTED] * 2  # nothing turns green
+    assert {mended(o) for o in outcomes.values()} == {(r"B\dot{q} = (C - A)rp", "field.2")}
+    for outcome in outcomes.values():
+        assert [*map(to_latex, outcome.correction.blamed)] == [r"B\dot{q} = (C + A)rp"]
+        assert checker.check(outcome.correction.certificate).sign == "holds"
+
+
+def test_what_rests_on_the_blamed_formula_is_named():
+    outcomes = decided(
+        system(r"\dot x=v,\ \dot v=-y,\ \dot y=w,\ \dot w=-y", ["x^2+v^2", "y^2+w^2"])
+    )
+    assert mended(outcomes["x^2+v^2"]) == (r"\dot{v} = -x", "field.2")
+    assert outcomes["y^2+w^2"].verdict == "proved"
+    outcomes = decided(
+        system(r"\dot x=v,\ \dot v=y,\ \dot y=1-x,\ z=x^2", [r"\ddot x=y", r"\ddot v=x"])
+    )
+    assert outcomes[r"\ddot x=y"].verdict == "proved"
+
+
+def test_its_own_formula_is_corrected_if_a_claim_fails_alone():
+    outcomes = decided(system(EULER.replace("+A", "-A"), [ENERGY, "A^2p^2+B^2q^2+C^2r"]))
+    one = outcomes["A^2p^2+B^2q^2+C^2r"]
+    assert mended(one)[0] == "A^2p^2 + B^2q^2 + C^2r^2" and not one.correction.blamed
+
+
+def test_one_edit_of_a_definition_comes_before_one_of_each_claim():
+    stated = System(r"\dot x=p,\ \dot p=-x,\ H=p^2+2x^2")
+    for claim in ("H", "H^2", "H+3H^3"):
+        stated.integral(claim)
+    for outcome in decided(stated).values():
+        assert mended(outcome)[1] == "field.3"
+        found = (outcome.correction, *outcome.alternatives)
+        assert "H = p^2 + x^2" in [to_latex(one.formulas[0]) for one in found]
+
+
+HEILES = r"\ddot x=-Ax-2Cxy,\ \ddot y=-By-Cx^2-y^2"
+
+
+def test_a_missing_relation_of_constants_comes_before_a_law():
+    """The law is needed as it is: its energy is an integral for all constants, if C = 1."""
+    stated = System(HEILES)
+    stated.where("C=1").integral(r"\dot x\dot y+Axy+\frac13x^3+xy^2")
+    (outcome,) = decided(stated).values()
+    assert mended(outcome)[0] == "A = B"
+    assert outcome.correction.words == "suppose $A = B$"
+
+
+def test_a_repair_leaves_true_what_is_true():
+    stated = System(HEILES)
+    special = stated.where("C=1")
+    special.integral(r"\frac12(\dot x^2+\dot y^2+Ax^2+By^2)+x^2y+\frac13y^3")
+    special.integral(r"\dot x\dot y+Axy+\frac13x^3+xy^2")
+    energy, other = decided(stated).values()
+    assert energy.verdict == "proved"
+    assert [to_latex(one.formulas[0]) for one in (other.correction, *other.alternatives)] == [
+        "A = B"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("display", "claim", "nonsense"),
+    [
+        (r"\dot x=p,\ \dot p=-x,\ U=x^2+1", r"U=\frac16", "U = "),
+        (r"\dot x=p,\ \dot p=-x+b", r"x=0", "b = 0"),
+        (r"\dot x=p,\ \dot p=-x,\ A=xp,\ L=x^2+p^2", r"\dot A=0", r"\dot{L} = 0"),
+        (r"\dot x=ky,\ \dot y=x", "x^2+y^3", r"\dot{x} = 0"),
+    ],
+)
+def test_what_is_no_repair(display, claim, nonsense):
+    """The subject of a claim is never edited, and no edit makes a law of which anything is true."""
+    stated = System(display)
+    (stated.identity if "=" in claim else stated.integral)(claim)
+    (outcome,) = decided(stated).values()
+    found = [one for one in (outcome.correction, *outcome.alternatives) if one]
+    assert not any(to_latex(f).startswith(nonsense) for one in found for f in one.formulas)
+
+
+def test_alternatives_are_few_and_all_proved():
+    (outcome,) = decided(system(r"\dot q=p,\ \dot p=-q", ["p^2+2q^2"])).values()
+    found = [outcome.correction, *outcome.alternatives]
+    assert 1 < len(found) <= MOST
+    assert all(checker.check(one.certificate).digest == one.digest for one in found)
+
+
+def test_nobody_looks_for_a_correction_of_what_is_expected_to_be_refuted(monkeypatch):
+    monkeypatch.setattr(Blame, "alone", lambda *_: pytest.fail("it is looked for"))
+    stated = System(r"\dot q=p,\ \dot p=-q")
+    assert stated.integral("p^2+2q^2", expect="refuted").outcome.correction is None
+
+
+def test_the_terminal_says_which_formula_is_blamed_and_the_exit_code_is_that_of_a_refutation(
+    tmp_path, capsys
+):
+    file = tmp_path / "euler.py"
+    lines = [f"top.integral({claim!r})" for claim in (ENERGY, MOMENTUM)]
+    lines = ["from kowalevski_cas import System", f"top = System({EULER!r})", *lines, ""]
+    file.write_text("\n".join(lines))
+    assert main(["verify", str(file)]) == 1
+    said = capsys.readouterr().out
+    assert "fail because of another formula: change the sign of A." in " ".join(said.split())
+    assert "✗   Bq̇ = (C + A)rp\n(✓) Bq̇ = (C − A)rp\n" in said
+    assert main(["verify", "--format", "json", str(file)]) == 1
+    (first, _) = json.loads(capsys.readouterr().out)["claims"]
+    assert first["correction"]["blamed"] == r"B\dot{q} = (C + A)rp"
+    assert first["correction"]["place"] == "field.2" and first["alternatives"] == []
+    assert main(["record", str(file)]) == 0
+    assert main(["verify", str(file)]) == main(["check", str(file)]) == 0
+    assert "CERTIFIED 4 of 4" in capsys.readouterr().out
+
+
+def test_a_notebook_says_it():
+    stated = system(EULER, [ENERGY])
+    claim = stated.integral(MOMENTUM)
+    assert "it holds with another formula than Bq̇ = (C + A)rp: change the sign of A" in repr(claim)
+
+
+# -- fields with one wrong token ------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", sampled(FIELDS, 4))
+def test_what_is_true_of_a_field_is_proved(name):
+    display, *claims = FIELDS[name]
+    assert all(o.verdict.green for o in decided(system(display, claims)).values())
+
+
+FIRST = [(name, 0) for name in FIELDS] + [(name, 1) for name in FIELDS][: 50 - len(FIELDS)]
+
+
+def changed(stated, name):
+    """The one statement of a field that differs from what it should be."""
+    right = system(*FIELDS[name][:1], FIELDS[name][1:]).section.displays[0]
+    pairs = zip(stated.section.displays[0], right, strict=True)
+    (place,) = [one for one, other in pairs if one.tex.strip() != other.tex.strip()]
+    return place
+
+
+def with_a_false_claim(name, number):
+    """A field with one wrong token by which a claim is false, the first or the second in a random order.
+
+    Those are left out that leave all claims true, which is proved.
+    """
+    for _, stated in seeded(name, seed=3):
+        outcomes = decided(stated)
+        verdicts = {o.verdict for o in outcomes.values()}
+        if Verdict.REFUTED in verdicts and verdicts <= {*Verdict} - {"error", "undecided"}:
+            if not number:
+                return stated, outcomes
+            number -= 1
+    raise LookupError(name)
+
+
+@pytest.mark.parametrize(("name", "number"), sampled(FIRST, 3, seed=1))
+def test_the_equation_with_the_wrong_token_is_the_first_to_be_blamed(name, number):
+    """The one that mends most claims, and no other equation mends as many."""
+    stated, outcomes = with_a_false_claim(name, number)
+    wrong = changed(stated, name).place
+    proposals = [(o.correction, *o.alternatives) for o in outcomes.values() if o.correction]
+    blamed = [[one.printed.place for one in ones if one.printed] for ones in proposals]
+    assert [wrong in ones[:1] for ones in blamed].count(True) > len(blamed) / 2
+    assert {place for ones in blamed for place in ones[:1]} == {wrong}
