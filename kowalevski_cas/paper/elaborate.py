@@ -10,7 +10,7 @@ the setting checks it.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from functools import cache, cached_property
+from functools import cached_property
 from itertools import pairwise, takewhile
 
 from kowalevski_cas.algebra import load
@@ -38,6 +38,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.paper.validation import validate
 from kowalevski_cas.paper.written_out import WrittenOut
+from kowalevski_cas.problem import finder
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.mentions import mentions
 from kowalevski_cas.problem.space import (
@@ -332,9 +333,4 @@ def _divided(parts: Parts, divisor: Polynomial) -> Parts | None:
 
 def finder_of(setting: Setting) -> Evaluation:
     """The evaluation of a setting with FLINT."""
-    return setting.finder if isinstance(setting, Elaboration) else _evaluated(setting)
-
-
-@cache
-def _evaluated(space: Setting) -> Evaluation:
-    return Evaluation(space, load("flint")).adjoin_roots()
+    return setting.finder if isinstance(setting, Elaboration) else finder.finder_of(setting)
