@@ -146,7 +146,7 @@ def load(name: str, anew: bool = True) -> Derivation:
     sys.modules[module_name] = module
     MADE.clear()
     try:
-        with _without_bytecode(not file.is_relative_to(library())), _alive():
+        with _without_bytecode(not file.is_relative_to(library())), _staying_alive():
             spec.loader.exec_module(module)
         return _derivation(module, file, folder.stem)
     except (LibraryError, KeyboardInterrupt):
@@ -181,7 +181,7 @@ def _without_bytecode(wanted: bool) -> Iterator[None]:
 
 
 @contextmanager
-def _alive() -> Iterator[None]:
+def _staying_alive() -> Iterator[None]:
     """Let nobody end this process at once: who asked would hear nothing, and take it for success.
 
     A process that is begun meanwhile may end as it likes.
@@ -220,8 +220,14 @@ def _derivation(module: ModuleType, file: Path, name: str) -> Derivation:
     if isinstance(found, Derivation):
         return found
     sections = (getattr(value, "section", None) for value in vars(module).values())
-    stated = [one for one in MADE if any(place == str(file) for place, _ in one.lines.values())]
-    own = tuple(dict.fromkeys([*stated, *(one for one in sections if isinstance(one, Section))]))
+    stated = [
+        section
+        for section in MADE
+        if any(place == str(file) for place, _ in section.lines.values())
+    ]
+    own = tuple(
+        dict.fromkeys([*stated, *(section for section in sections if isinstance(section, Section))])
+    )
     if not own:
         raise LibraryError(
             f"{file} states nothing: make a System(...), or define `derivation = Derivation(...)`"

@@ -31,7 +31,7 @@ WIDTH = 6.3
 
 
 @dataclass(frozen=True)
-class Mark:
+class PlotMark:
     """A colour with the marker and the line style that go with it; ``dashes`` is Matplotlib's."""
 
     colour: str
@@ -45,14 +45,16 @@ class Mark:
 
 
 MARKS = (
-    Mark("#0072b2", "o", "-"),  # blue
-    Mark("#d55e00", "s", (0, (5, 1.5))),  # vermilion
-    Mark("#009e73", "^", (0, (5, 1.5, 1, 1.5))),  # bluish green
-    Mark("#cc79a7", "D", (0, (1, 1.2))),  # reddish purple
-    Mark("#e69f00", "v", (0, (3, 1, 1, 1, 1, 1))),  # orange
-    Mark("#56b4e9", "P", (0, (7, 2))),  # sky blue
-    Mark("#000000", "X", (0, (2, 1))),  # black
-    Mark("#7a7a00", "*", (0, (8, 2, 2, 2))),  # olive: the yellow of the palette, darkened for paper
+    PlotMark("#0072b2", "o", "-"),  # blue
+    PlotMark("#d55e00", "s", (0, (5, 1.5))),  # vermilion
+    PlotMark("#009e73", "^", (0, (5, 1.5, 1, 1.5))),  # bluish green
+    PlotMark("#cc79a7", "D", (0, (1, 1.2))),  # reddish purple
+    PlotMark("#e69f00", "v", (0, (3, 1, 1, 1, 1, 1))),  # orange
+    PlotMark("#56b4e9", "P", (0, (7, 2))),  # sky blue
+    PlotMark("#000000", "X", (0, (2, 1))),  # black
+    PlotMark(
+        "#7a7a00", "*", (0, (8, 2, 2, 2))
+    ),  # olive: the yellow of the palette, darkened for paper
 )
 """Marks in the order in which series take them."""
 
@@ -102,7 +104,7 @@ def new_figure(width: float = WIDTH, height: float = 4.0) -> Figure:
     return Figure(figsize=(width, height))
 
 
-def mark(index: int) -> Mark:
+def mark(index: int) -> PlotMark:
     """The mark of the series with this index; they repeat after the last one."""
     return MARKS[index % len(MARKS)]
 

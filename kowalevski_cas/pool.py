@@ -74,7 +74,7 @@ class Pool:
             yield found[key][0]
         waiting, late = deque[Key](), list[Exception]()
         batches = self._batches(source, lambda item: self._key(work, item), found, waiting, late)
-        for seconds, results in self._done(partial(_done, work), batches):
+        for seconds, results in self._run_batches(partial(_run_batch, work), batches):
             found.update(results)
             self._keep(seconds, results)
             yield from _in_order(waiting, found)
@@ -110,7 +110,7 @@ class Pool:
         if self.file is not None:
             self.file.unlink(missing_ok=True)
 
-    def _done(
+    def _run_batches(
         self,
         work: Callable[[dict[Key, Item]], tuple[float, Found]],
         batches: Iterator[dict[Key, Item]],
@@ -151,7 +151,7 @@ HERE = Pool()
 """The pool that is this process."""
 
 
-def _done(
+def _run_batch(
     work: Callable[[Item], Result], batch: dict[Key, Item]
 ) -> tuple[float, dict[Key, tuple[Result | None, Exception | None]]]:
     """The results of a batch up to the first error, and how long it took."""

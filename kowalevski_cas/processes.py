@@ -57,7 +57,7 @@ def each(
     Raises:
         ProcessDied: a process died, and not under a limit, and so did one that was begun anew.
     """
-    done = dict[int, _Answer[Result]]()
+    done = dict[int, _WorkResult[Result]]()
     following = 0
     with closing(_answers(work, items, jobs, heard)) as answers:
         for place, answer in answers:
@@ -67,7 +67,7 @@ def each(
                 following += 1
 
 
-class _Answer(Generic[Result]):
+class _WorkResult(Generic[Result]):
     """What came of an item: a result, or an error."""
 
     def __init__(self, results: Sequence[Result], error: BaseException | None = None) -> None:
@@ -83,12 +83,12 @@ class _Answer(Generic[Result]):
 
 def _answers(
     work: Callable[[Item], Result], items: Iterable[Item], jobs: int, heard: Callable[..., None]
-) -> Generator[tuple[int, _Answer[Result]], None, None]:
+) -> Generator[tuple[int, _WorkResult[Result]], None, None]:
     """What came of the items at these places; an item is taken when somebody is free."""
-    take = _taken(items)
+    take = _next_items(items)
     if not hasattr(os, "fork"):
         while (one := take(0)) is not None:
-            yield one[0], _Answer([work(one[1])])
+            yield one[0], _WorkResult([work(one[1])])
         return
     running = list[_Process[Item, Result]]()
     try:
@@ -97,7 +97,7 @@ def _answers(
             running[-1].give(*one)
         while running:
             _listen(running, heard)
-            for process in [one for one in running if one.answer is not None]:
+            for process in [process for process in running if process.answer is not None]:
                 place, answer = process.place, process.answer
                 assert answer is not None
                 if (one := take(process.number)) is not None:
@@ -114,7 +114,7 @@ def _answers(
             process.end()
 
 
-def _taken(items: Iterable[Item]) -> Callable[[int], tuple[int, Item] | None]:
+def _next_items(items: Iterable[Item]) -> Callable[[int], tuple[int, Item] | None]:
     """What the process with a number takes next, with its place; nothing if nothing is left."""
     if not isinstance(items, Sequence):
         numbered = enumerate(items)
@@ -147,9 +147,12 @@ class _Process(Generic[Item, Result]):
         self.pid = os.fork()
         if self.pid == 0:
             try:
-                for one in {self, *self.others}:  # who waits has to see that nobody asks any more
-                    os.close(one.reading)
-                    os.close(one.writing)
+                for process in {
+                    self,
+                    *self.others,
+                }:  # who waits has to see that nobody asks any more
+                    os.close(process.reading)
+                    os.close(process.writing)
                 _serve(self.work, os.fdopen(asked, "rb"), Watched(os.fdopen(told, "wb")))
             finally:
                 os._exit(1)  # whatever happens, a copy does not go on with what the original does
@@ -161,7 +164,7 @@ class _Process(Generic[Item, Result]):
     def give(self, place: int, item: Item) -> None:
         """Let it work on an item."""
         self.place, self.item = place, item
-        self.answer: _Answer[Result] | None = None
+        self.answer: _WorkResult[Result] | None = None
         self.given_up: dict[int, Exception] = {}
         self.again = False
         self.ask()
@@ -194,9 +197,9 @@ class _Process(Generic[Item, Result]):
                 case "words":
                     heard(*words, self.place)
                 case "result":
-                    self.answer = _Answer(words)
+                    self.answer = _WorkResult(words)
                 case "error":
-                    self.answer = _Answer([], words[0])
+                    self.answer = _WorkResult([], words[0])
 
     def give_up(self, limit: int | None, error: Exception | None = None) -> None:
         """End the process; the next one does not come under this limit, if there is any.
@@ -208,7 +211,7 @@ class _Process(Generic[Item, Result]):
         if limit is not None:
             self.given_up[limit] = error
         elif self.again:
-            self.answer = _Answer([], error)
+            self.answer = _WorkResult([], error)
         else:
             self.again = True
         self.start()
@@ -238,8 +241,10 @@ class _Process(Generic[Item, Result]):
 
 def _listen(running: Sequence[_Process[Item, Result]], heard: Callable[..., None]) -> None:
     """Hear what is told next, or end what has come to a limit."""
-    left = min(one.deadline for one in running) - monotonic()
-    ready, _, _ = select([one.reading for one in running], [], [], min(max(left, 0), LONGEST))
+    left = min(process.deadline for process in running) - monotonic()
+    ready, _, _ = select(
+        [process.reading for process in running], [], [], min(max(left, 0), LONGEST)
+    )
     for one in running:
         if one.reading in ready:
             one.hear(heard)

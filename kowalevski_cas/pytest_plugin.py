@@ -29,23 +29,23 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
     """A file of a derivation."""
     found = file_path.match("derivation_*.py")
-    return Derivation.from_parent(parent, path=file_path) if found else None
+    return DerivationFile.from_parent(parent, path=file_path) if found else None
 
 
 def pytest_collection_modifyitems(session: pytest.Session, items: list[pytest.Item]) -> None:
     """Add the derivations of installed packages."""
     for entry in entry_points(group=GROUP) if session.config.option.derivations else ():
-        one = Derivation.from_parent(session, path=session.path, name=entry.value)
-        items += session.genitems(one)
+        derivation = DerivationFile.from_parent(session, path=session.path, name=entry.value)
+        items += session.genitems(derivation)
 
 
-class Derivation(pytest.File):
+class DerivationFile(pytest.File):
     """A derivation in a file, or in a module by its name."""
 
-    def collect(self) -> Iterator[Claim]:
+    def collect(self) -> Iterator[ClaimItem]:
         """A test for each claim, or for what is wrong with all."""
         from kowalevski_cas.cli import session
-        from kowalevski_cas.cli.verify import told
+        from kowalevski_cas.cli.verify import failure_text
         from kowalevski_cas.verify.certificate import load_certificates
 
         try:
@@ -54,15 +54,15 @@ class Derivation(pytest.File):
             )
             stored = load_certificates(folder)
         except UserError as error:
-            yield Claim.from_parent(self, name="loading", said=partial(str, error))
+            yield ClaimItem.from_parent(self, name="loading", said=partial(str, error))
             return
         seconds = self.config.option.claim_timeout
         for claim in derivation.claims:
-            said = partial(told, folder, derivation, stored, claim.id, seconds)
-            yield Claim.from_parent(self, name=claim.id, said=said)
+            said = partial(failure_text, folder, derivation, stored, claim.id, seconds)
+            yield ClaimItem.from_parent(self, name=claim.id, said=said)
 
 
-class Claim(pytest.Item):
+class ClaimItem(pytest.Item):
     """A test, by what is said if it fails."""
 
     def __init__(self, said: Callable[[], str], **options: Any) -> None:

@@ -10,17 +10,17 @@ from __future__ import annotations
 from importlib import import_module
 from typing import cast
 
-from study.step import Measured, Row, Step, Task
+from study.step import Measured, Row, StudyStep, Task
 
 STEPS = ("speed-accuracy", "growth", "failures", "work-precision", "leaving", "searches")
 """The steps in the order of the study; each is a module of that name below this package."""
 
 
-def load(name: str) -> Step:
+def load(name: str) -> StudyStep:
     """The step with this name."""
     if name not in STEPS:
         raise ValueError(f"there is no step “{name}”; the study has: {', '.join(STEPS)}")
-    return cast(Step, import_module(f"{__name__}.{name.replace('-', '_')}"))
+    return cast(StudyStep, import_module(f"{__name__}.{name.replace('-', '_')}"))
 
 
 __all__ = ["STEPS", "Measured", "Row", "Step", "Task", "load"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from decimal import ROUND_CEILING, Context
 from typing import TYPE_CHECKING, Any
 
-from kowalevski_cas.pictures import Mark, mark
+from kowalevski_cas.pictures import PlotMark, mark
 from kowalevski_cas.tools import title
 from study.step import Row
 
@@ -43,26 +43,26 @@ _MARKS = (
 """The methods with the first mark, with the second, …; those with the same one never meet."""
 
 
-def shown(method: str) -> str:
+def display_name(method: str) -> str:
     """The name of a method in print; a name that is not known stays as it is."""
     return _NAMES.get(method, title(method))
 
 
-def look(method: str) -> Mark:
+def look(method: str) -> PlotMark:
     """The mark of a method, the same in every chart; one that is not known has the last."""
     found = (index for index, methods in enumerate(_MARKS) if method in methods)
     return mark(next(found, len(_MARKS)))
 
 
-def marked(one: Mark) -> dict[str, Any]:
+def line_style(one: PlotMark) -> dict[str, Any]:
     """What Matplotlib has to be told to draw a line with its points."""
     return {**one.line, "marker": one.marker}
 
 
-def points(one: Mark, full: bool = True) -> dict[str, Any]:
+def points(one: PlotMark, full: bool = True) -> dict[str, Any]:
     """The same for points alone, full or hollow."""
     fill = one.colour if full else "white"
-    return {**marked(one), "linestyle": "none", "markerfacecolor": fill}
+    return {**line_style(one), "linestyle": "none", "markerfacecolor": fill}
 
 
 def curve(axes: Axes, row: Row, x: str, y: str, label: str = "", least: float = 0.0) -> None:
@@ -71,7 +71,7 @@ def curve(axes: Axes, row: Row, x: str, y: str, label: str = "", least: float = 
     What is smaller than ``least``, or zero, is drawn there.
     """
     known = [(a, max(b, least)) for a, b in zip(row[x], row[y], strict=True) if b is not None]
-    name, style = label or shown(row["method"]), marked(look(row["method"]))
+    name, style = label or display_name(row["method"]), line_style(look(row["method"]))
     axes.plot([a for a, _ in known], [b for _, b in known], label=name, **style)
 
 

@@ -19,7 +19,7 @@ from kowalevski_cas.pool import Pool
 from study import STEPS, Row, load
 from study.page import write_page
 from study.step import DISAGREEMENT, ERROR, LEFT_OUT
-from study.store import data_file, measure, stored
+from study.store import data_file, load_rows, measure
 
 FULL, QUICK = Path("reports/study"), Path("build/study")
 
@@ -75,7 +75,7 @@ def _rows(name: str, folder: Path, arguments: argparse.Namespace) -> list[Row]:
             return measure(
                 name, load(name), folder, arguments.quick, progress, arguments.afresh, pool
             )
-    if rows := stored(name, folder):
+    if rows := load_rows(name, folder):
         return rows
     raise CommandError(f"nothing is stored for “{name}” in {folder}", NOTHING)
 

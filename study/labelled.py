@@ -25,10 +25,10 @@ from kowalevski_cas.problem.goals import Fails, Follows, Problem
 from kowalevski_cas.problem.space import Meaningless, Setting
 from kowalevski_cas.verify.statement import Statement
 from study.near_misses import near_misses
-from study.paper import Paper, exact, paper
+from study.paper import CorrectedPaper, exact, paper
 
 
-class Disagreement(Exception):
+class ArithmeticDisagreement(Exception):
     """Two exact arithmetics say different things; the message has the statement and both."""
 
 
@@ -52,7 +52,7 @@ class Labelled:
     def truth(self) -> bool:
         """The label; raises :class:`Disagreement` if the exact arithmetics do not agree."""
         if len(set(self.verdicts.values())) > 1:
-            raise Disagreement(f"{self.id}: {self.verdicts}")
+            raise ArithmeticDisagreement(f"{self.id}: {self.verdicts}")
         return self.verdicts[EXACT[0]]
 
 
@@ -80,13 +80,17 @@ def holds(problem: Problem, arithmetic: str) -> bool:
     return all(residual.is_zero for residual in residuals(problem, exact(arithmetic)))
 
 
-def labelled(mutants: int, names: Sequence[str] = ()) -> list[Labelled]:
+def labelled_set(mutants: int, names: Sequence[str] = ()) -> list[Labelled]:
     """The labelled set of the named derivations, of the whole library if none is named.
 
     ``mutants`` is how many are taken of each statement. Statements without meaning,
     as with a name that nothing defines, are left out, and so is what is no identity.
     """
-    return [one for name in names or available() for one in _statements(paper(name), mutants)]
+    return [
+        statement
+        for name in names or available()
+        for statement in _statements(paper(name), mutants)
+    ]
 
 
 def spread(statements: Sequence[Labelled], size: int) -> list[Labelled]:
@@ -106,7 +110,7 @@ def _thinned(statements: list[Labelled], size: int) -> list[Labelled]:
     return [statements[k * len(statements) // size] for k in range(size)]
 
 
-def _statements(source: Paper, mutants: int) -> Iterator[Labelled]:
+def _statements(source: CorrectedPaper, mutants: int) -> Iterator[Labelled]:
     for claim in source.claims.values():
         for id, kind, texts in _versions(source, claim, mutants):
             try:
@@ -119,7 +123,9 @@ def _statements(source: Paper, mutants: int) -> Iterator[Labelled]:
             yield Labelled(f"{source.name}/{id}", kind, statement)
 
 
-def _versions(source: Paper, claim: Claim, mutants: int) -> Iterator[tuple[str, str, Texts]]:
+def _versions(
+    source: CorrectedPaper, claim: Claim, mutants: int
+) -> Iterator[tuple[str, str, Texts]]:
     """An id, a kind and texts for each reading of a claim, the corrected one first."""
     place, texts = claim.printed, source.corrected.texts
     if place is None:

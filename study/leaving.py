@@ -48,10 +48,10 @@ def measure(quick: bool) -> Iterator[Task]:
     for name, motion in MOTIONS.items():
         for method in ("closed", *TOLERANCES):
             if not (quick and method == "radau"):
-                yield Task(method, name, partial(followed, method, motion))
+                yield Task(method, name, partial(follow, method, motion))
 
 
-def followed(method: str, motion: Motion) -> Measured:
+def follow(method: str, motion: Motion) -> Measured:
     """The distance from N⁴, its median in each window; the rate at which it grows; λ."""
     times = np.linspace(0.0, SPAN, WINDOWS * POINTS + 1)[1:]
     if method == "closed":
@@ -74,8 +74,8 @@ def followed(method: str, motion: Motion) -> Measured:
 
 def transverse(states: Array) -> tuple[Complex, Complex]:
     """F1, F2 (…, 2) and the matrices (…, 2, 2) of d(F1,F2)/dt at states (…, 9)."""
-    functions, rates = formulas.offered("across"), formulas.offered("across_rates")
-    known = formulas.offered("complex_variables")(*np.moveaxis(states, -1, 0), 1j)
+    functions, rates = formulas.offered_values("across"), formulas.offered_values("across_rates")
+    known = formulas.offered_values("complex_variables")(*np.moveaxis(states, -1, 0), 1j)
     root = np.sqrt(known[0] * known[1])  # of x1x2
     F1, F2, U1, U2 = functions(*known, root)
     columns = [rates(*unit, U1, U2, *known[:2], root) for unit in ((1.0, 0.0), (0.0, 1.0))]

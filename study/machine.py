@@ -7,7 +7,7 @@ import platform
 from functools import cache
 from pathlib import Path
 
-from kowalevski_cas.cli.session import installed
+from kowalevski_cas.cli.session import installed_versions
 from kowalevski_cas.export.witness import version
 from kowalevski_cas.tools import TOOLS, MissingTool, Tool
 
@@ -25,7 +25,7 @@ def machine() -> dict[str, str]:
         "Python": platform.python_version(),
     }
     tools = {name: number for name, tool in TOOLS.items() if (number := _number(tool))}
-    return known | installed(*LIBRARIES) | tools
+    return known | installed_versions(*LIBRARIES) | tools
 
 
 def _number(tool: Tool) -> str:

@@ -14,7 +14,7 @@ from kowalevski_cas.motion import Motion, Parameters, load
 from kowalevski_cas.motion.general import AnyMotion
 from kowalevski_cas.motion.methods import taylor
 from kowalevski_cas.motion.methods.integrators import integrate
-from study.charts import digit, shown
+from study.charts import digit, display_name
 
 Array = NDArray[np.float64]
 Integrator = Callable[[Array, Array, float], Array]
@@ -41,7 +41,7 @@ def parameters(name: str) -> str:
 
 def tolerances(of: Mapping[str, float]) -> str:
     """The tolerances of integrators, as a caption gives them."""
-    return ", ".join(f"{digit(tolerance)} ({shown(name)})" for name, tolerance in of.items())
+    return ", ".join(f"{digit(tolerance)} ({display_name(name)})" for name, tolerance in of.items())
 
 
 def relative_error(motion: AnyMotion, found: Array, times: Array) -> float:
@@ -50,7 +50,7 @@ def relative_error(motion: AnyMotion, found: Array, times: Array) -> float:
     return float(np.max(np.linalg.norm(found - exact, axis=1) / np.linalg.norm(exact, axis=1)))
 
 
-def timed(run: Callable[[], Any]) -> tuple[float, Any]:
+def time_call(run: Callable[[], Any]) -> tuple[float, Any]:
     """The seconds of processor time that a call took, and its result."""
     begin = process_time()
     result = run()

@@ -22,7 +22,7 @@ from kowalevski_cas.verify.statement import Statement
 FIRST = "kharlamov2002"
 
 
-class Paper:
+class CorrectedPaper:
     """A derivation with the corrections of its record, whether it accepts them or not.
 
     ``claims`` are the corrected ones, by id; ``printed`` and ``corrected`` give scenes a meaning.
@@ -56,9 +56,9 @@ class Paper:
 
 
 @cache
-def paper(name: str = FIRST) -> Paper:
+def paper(name: str = FIRST) -> CorrectedPaper:
     """The paper with this name, read once."""
-    return Paper(name)
+    return CorrectedPaper(name)
 
 
 def exact(arithmetic: str) -> Callable[[Setting], Evaluation]:

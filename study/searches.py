@@ -45,7 +45,7 @@ from kowalevski_cas.search.groebner import Basis
 from kowalevski_cas.search.integrals import first_integrals
 from kowalevski_cas.search.parameters import Ansatz, cofactor_monomials
 from kowalevski_cas.tools import TOOLS
-from study.charts import look, marked, seconds, shown
+from study.charts import display_name, line_style, look, seconds
 from study.published import PUBLISHED, Published
 from study.step import Measured, Row, Task
 
@@ -59,8 +59,8 @@ SECONDS = 5.0
 QUICK = ("the oscillator", "Nahm", "logistic growth")
 """The systems of a quick study."""
 
-LEFT = [one for one in PUBLISHED if one.question == "integrals"]
-RIGHT = [one for one in PUBLISHED if one.question == "darboux"]
+LEFT = [published for published in PUBLISHED if published.question == "integrals"]
+RIGHT = [published for published in PUBLISHED if published.question == "darboux"]
 
 CAPTION = (
     f"The share of systems that a search finishes within a time, up to {SECONDS:g} s. On the "
@@ -276,7 +276,7 @@ def draw(rows: Sequence[Row]) -> Figure:
             own = [row for row in here if row["method"] == method]
             times = sorted(row["seconds"] for row in own if row["verdict"] == "finished")
             shares = [100 * k / len(own) for k, _ in zip(count(1), times, strict=False)]
-            axes.plot(times, shares, label=shown(method), **marked(look(method)))
+            axes.plot(times, shares, label=display_name(method), **line_style(look(method)))
         axes.set(xscale="log", xlabel="time for a system", ylim=(0, 104))
         axes.xaxis.set_major_formatter(FuncFormatter(seconds))
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2))

@@ -11,9 +11,9 @@ from statistics import median, quantiles
 from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.library import available
-from kowalevski_cas.pictures import INK, Mark, mark, new_figure
-from study.charts import digit, points, seconds, shown
-from study.labelled import Disagreement, Labelled, labelled, spread
+from kowalevski_cas.pictures import INK, PlotMark, mark, new_figure
+from study.charts import digit, display_name, points, seconds
+from study.labelled import ArithmeticDisagreement, Labelled, labelled_set, spread
 from study.methods import ACCEPTED, REJECTED, Method, methods
 from study.step import DISAGREEMENT, Measured, Row, Task
 
@@ -50,7 +50,7 @@ def measure(quick: bool) -> Iterable[Task]:
 
     Methods take turns, so that a noisy moment of the machine touches all of them.
     """
-    statements = labelled(1, available()[:1]) if quick else labelled(MUTANTS)
+    statements = labelled_set(1, available()[:1]) if quick else labelled_set(MUTANTS)
     turns = []
     for method in methods():
         most = min(method.share or MOST, QUICK if quick else MOST)
@@ -63,7 +63,7 @@ def _decide(method: Method, statement: Labelled) -> Measured:
     found = {**method.decide(statement), "kind": statement.kind, "proves": method.proves}
     try:
         return {**found, "truth": statement.truth}
-    except Disagreement as error:
+    except ArithmeticDisagreement as error:
         return {**found, "verdict": DISAGREEMENT, "reason": str(error)}
 
 
@@ -142,7 +142,7 @@ def summaries(rows: Iterable[Row]) -> list[Summary]:
         for method, mine in found.items()
         if any(row.get("seconds") is not None for row in mine)
     ]
-    return sorted(timed, key=lambda one: (one.grade, one.times))
+    return sorted(timed, key=lambda summary: (summary.grade, summary.times))
 
 
 # -- the chart -------------------------------------------------------------------------
@@ -155,7 +155,7 @@ def draw(rows: Sequence[Row]) -> Figure:
     axes = figure.subplots()
     _times(axes, found)
     top = end = -0.5
-    for number, (words, group) in enumerate(groupby(found, key=lambda one: one.grade[2])):
+    for number, (words, group) in enumerate(groupby(found, key=lambda summary: summary.grade[2])):
         ground = GROUNDS[number % 2]
         for one in group:
             _line(axes, end + 0.5, one, ground)
@@ -165,13 +165,13 @@ def draw(rows: Sequence[Row]) -> Figure:
         axes.text(1.02, middle, words, va="center", transform=places)
         top = end
     if found:
-        fastest = min(found, key=lambda one: one.times)
+        fastest = min(found, key=lambda summary: summary.times)
         time = fastest.times[0]
         axes.axvline(time, color=INK, lw=0.9, ls=(0, (4, 2)), zorder=1)
-        kind, name = fastest.grade[2].partition(":")[0], shown(fastest.method)
+        kind, name = fastest.grade[2].partition(":")[0], display_name(fastest.method)
         words = f"the fastest answer: {kind}, by {name} in {seconds(time)}"
         axes.set_title(words, weight="bold")
-    axes.set_yticks(range(len(found)), [shown(one.method) for one in found])
+    axes.set_yticks(range(len(found)), [display_name(summary.method) for summary in found])
     axes.set(ylim=(len(found) - 0.5, -0.5), xlabel="time for a statement: median, and eight of ten")
     axes.grid(axis="y", visible=False)
     axes.tick_params(axis="y", length=0)
@@ -184,8 +184,8 @@ def _times(axes: Axes, found: Sequence[Summary]) -> None:
 
     axes.set_xscale("log")
     axes.set_xlim(
-        min((one.times[1] for one in found), default=1e-3) / 2,
-        max((one.times[2] for one in found), default=1.0) * 2,
+        min((summary.times[1] for summary in found), default=1e-3) / 2,
+        max((summary.times[2] for summary in found), default=1.0) * 2,
     )
     axes.xaxis.set_major_locator(LogLocator())
     axes.xaxis.set_minor_locator(NullLocator())
@@ -211,7 +211,7 @@ def _line(axes: Axes, line: float, one: Summary, ground: str) -> None:
         )  # fmt: skip
 
 
-def _mark(one: Summary) -> tuple[Mark, bool]:
+def _mark(one: Summary) -> tuple[PlotMark, bool]:
     """A mark a class, and whether it is full: all was answered, or an error was seen."""
     kind = one.grade[0]
     full = one.answers == len(one.rows) if kind < 2 else kind == 3

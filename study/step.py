@@ -58,7 +58,7 @@ class Task:
         return {"method": self.method, "case": self.case, **usual, **found}
 
 
-class Step(Protocol):
+class StudyStep(Protocol):
     """A module with these names is a step."""
 
     TITLE: str

@@ -12,7 +12,7 @@ from kowalevski_cas.files import write
 from kowalevski_cas.pool import HERE, Pool
 from study import load
 from study.machine import machine
-from study.step import Row, Step, Task
+from study.step import Row, StudyStep, Task
 
 Progress = Callable[[str, int, int], None]
 Key = tuple[str, str]
@@ -25,7 +25,7 @@ def data_file(folder: Path, name: str) -> Path:
 
 def measure(
     name: str,
-    step: Step,
+    step: StudyStep,
     folder: Path,
     quick: bool,
     progress: Progress,
@@ -54,7 +54,7 @@ def measure(
         progress(f"{name}: {row['method']}, {row['case']}", len(rows) + done, len(tasks))
     measured = _read(path)[1]
     write(path, "".join(map(_line, (header, *(measured[key] for key in tasks)))))
-    return stored(name, folder)
+    return load_rows(name, folder)
 
 
 _TASKS: dict[tuple[str, bool], Mapping[Key, Task]] = {}
@@ -69,7 +69,7 @@ def _row(name: str, quick: bool, key: Key) -> Row:
     return _TASKS[name, quick][key].row()
 
 
-def stored(name: str, folder: Path) -> list[Row]:
+def load_rows(name: str, folder: Path) -> list[Row]:
     """The rows of a step that were measured before."""
     return list(_read(data_file(folder, name))[1].values())
 

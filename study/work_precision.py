@@ -15,7 +15,15 @@ from kowalevski_cas.motion.general import AnyMotion
 from kowalevski_cas.motion.methods.integrators import initial_state
 from kowalevski_cas.pictures import new_figure
 from study.charts import curve, digit, legend_below, seconds
-from study.motions import INTEGRATORS, MOTIONS, Array, parameters, relative_error, timed, tolerances
+from study.motions import (
+    INTEGRATORS,
+    MOTIONS,
+    Array,
+    parameters,
+    relative_error,
+    time_call,
+    tolerances,
+)
 from study.step import Measured, Row, Task
 
 TITLE = "work against precision"
@@ -77,7 +85,7 @@ def measure(quick: bool) -> Iterator[Task]:
 
 def _known(method: str, motion: AnyMotion) -> Measured:
     times, states = np.array([AT]), load(method)
-    spent = median(timed(lambda: states(motion, times))[0] for _ in range(ROUNDS))
+    spent = median(time_call(lambda: states(motion, times))[0] for _ in range(ROUNDS))
     found = relative_error(motion, states(motion, times), times)
     return {"times": [spent], "errors": [max(found, 2.0**-53)]}
 
@@ -85,7 +93,7 @@ def _known(method: str, motion: AnyMotion) -> Measured:
 def _many(count: int, motion: AnyMotion) -> Measured:
     """States at random times on both sides of zero; the time for one of them."""
     times = np.random.default_rng(2004).uniform(-LATEST, LATEST, count)
-    return _each(motion, times, *timed(lambda: load("closed")(motion, times)))
+    return _each(motion, times, *time_call(lambda: load("closed")(motion, times)))
 
 
 def _dense(method: str, tolerance: float, count: int, motion: AnyMotion) -> Measured:
@@ -93,7 +101,7 @@ def _dense(method: str, tolerance: float, count: int, motion: AnyMotion) -> Meas
     times = np.linspace(0.0, WINDOW, count)
     run = partial(INTEGRATORS[method], initial_state(motion))
     run(times[1:2], tolerance)  # whatever is prepared once
-    return _each(motion, times, *timed(partial(run, times, tolerance)))
+    return _each(motion, times, *time_call(partial(run, times, tolerance)))
 
 
 def _each(motion: AnyMotion, times: Array, spent: float, states: Array) -> Measured:
@@ -107,7 +115,7 @@ def _integrated(method: str, found: Sequence[float], motion: AnyMotion) -> Measu
     times, run = np.array([AT]), partial(INTEGRATORS[method], initial_state(motion))
     for tolerance in found:
         run(np.array([1e-3]), tolerance)  # whatever is prepared once
-    runs = [timed(partial(run, times, tolerance)) for tolerance in found]
+    runs = [time_call(partial(run, times, tolerance)) for tolerance in found]
     return {
         "tolerances": list(found),
         "times": [spent for spent, _ in runs],

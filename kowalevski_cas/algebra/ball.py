@@ -51,7 +51,7 @@ class Arithmetic(Points):
         found, radius, bits = 0, 0.0, 0
         random = Random(self.seed)
         try:
-            system = System(question.ring, question.given)
+            system = NewtonSystem(question.ring, question.given)
         except NoPoint as error:
             return Answer(None, str(error))
         for _ in range(TRIES):
@@ -72,7 +72,7 @@ class Arithmetic(Points):
         return Answer(True, words, radius=radius)
 
 
-class System:
+class NewtonSystem:
     """Equations that some generators are to be solved for, with their partial derivatives."""
 
     def __init__(self, ring: Programs, equations: Sequence[Program]) -> None:
@@ -83,7 +83,7 @@ class System:
             [along(equation, {name: ring.one}) for name in self.unknowns] for equation in equations
         ]
 
-    def solved(self, values: Mapping[str, acb]) -> dict[str, acb]:
+    def solve(self, values: Mapping[str, acb]) -> dict[str, acb]:
         """The values, with balls for the unknowns, each around exactly one solution.
 
         Raises ``ZeroDivisionError`` where Newton's method does not lead to one.
@@ -116,7 +116,7 @@ class System:
         return [step[k, 0] for k in range(len(self.unknowns))]
 
 
-def _at(question: Question, system: System, start: ExactPoint) -> tuple[Answer | None, int]:
+def _at(question: Question, system: NewtonSystem, start: ExactPoint) -> tuple[Answer | None, int]:
     """What one point says, and with how many bits; ``None`` if something is undefined there."""
     answer: Answer | None = None
     unknown: dict[str, acb] = {}
@@ -124,7 +124,7 @@ def _at(question: Question, system: System, start: ExactPoint) -> tuple[Answer |
         with ctx.workprec(bits):
             values = exact_balls(start) | unknown
             try:
-                values = system.solved(values)
+                values = system.solve(values)
             except ZeroDivisionError:
                 return None, bits
             unknown = {name: values[name].mid() for name in system.unknowns}

@@ -24,9 +24,9 @@ def irreducible_factors(terms: Terms) -> list[tuple[Terms, int]]:
     return [(terms_of(factor), int(exponent)) for factor, exponent in factors]
 
 
-def divided(terms: Terms, divisor: Terms) -> Terms | None:
+def exact_quotient(terms: Terms, divisor: Terms) -> Terms | None:
     """The quotient of two polynomials, if the division leaves nothing."""
-    above, below = (polynomial_of(_context(divisor), one) for one in (terms, divisor))
+    above, below = (polynomial_of(_context(divisor), term) for term in (terms, divisor))
     quotient, rest = divmod(above, below)
     return None if rest else terms_of(quotient)
 
@@ -38,7 +38,7 @@ def vanishes_with(element: Element, divisor: Element) -> bool:
     """
     roots = reduce(or_, element.parts, 0).bit_count()
     power, (below,) = element ** (2**roots), divisor.terms().values()
-    return all(divided(terms, below) is not None for terms in power.terms().values())
+    return all(exact_quotient(terms, below) is not None for terms in power.terms().values())
 
 
 def _context(terms: Terms) -> fmpq_mpoly_ctx:

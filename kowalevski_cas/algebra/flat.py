@@ -76,6 +76,6 @@ class Flat:
             result = result * self.element(factor).inverse() ** int(exponent)
         return result
 
-    def below(self, element: Element) -> Element:
+    def inverse_denominator(self, element: Element) -> Element:
         """One over the denominator of an element."""
         return Element(self.ring, self.ring.one.parts, element.denominator)

@@ -101,7 +101,9 @@ def _kernel(columns: Sequence[Column]) -> list[list[Fraction]]:
     for free in (k for k in range(width) if k not in pivots):
         vector = [Fraction(0)] * width
         vector[free] = Fraction(1)
-        lifted = [_lifted(-int(reduced[row, free]) % PRIME) for row in range(len(pivots))]
+        lifted = [
+            _rational_reconstruction(-int(reduced[row, free]) % PRIME) for row in range(len(pivots))
+        ]
         for pivot, value in zip(pivots, lifted, strict=True):
             vector[pivot] = value
         if _vanishes(vector, columns):
@@ -120,7 +122,7 @@ def _pivots(reduced: nmod_mat, rank: int) -> list[int]:
     return pivots
 
 
-def _lifted(residue: int) -> Fraction:
+def _rational_reconstruction(residue: int) -> Fraction:
     """The rational number with small numerator and denominator that has this residue."""
     bound = isqrt(PRIME // 2)
     a, b, u, v = PRIME, residue, 0, 1

@@ -42,8 +42,8 @@ def solve(matrix: Matrix, right: Matrix) -> list[list[Element]]:
 
 def inverse(matrix: Matrix) -> list[list[Element]]:
     """The inverse of a square matrix; raises :class:`Singular` if there is none."""
-    zero, one, size = matrix[0][0].ring.zero, matrix[0][0].ring.one, range(len(matrix))
-    return solve(matrix, [[one if j == k else zero for k in size] for j in size])
+    zero, element, size = matrix[0][0].ring.zero, matrix[0][0].ring.one, range(len(matrix))
+    return solve(matrix, [[element if j == k else zero for k in size] for j in size])
 
 
 def determinant(matrix: Matrix) -> Element:

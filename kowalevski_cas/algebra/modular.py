@@ -60,7 +60,7 @@ class Arithmetic(Points):
                         return found
         except NoPoint as error:
             return Answer(None, str(error))
-        bound = bound_of(question)
+        bound = error_bound(question)
         words = f"{PRIMES * POINTS} points modulo {PRIMES} primes, seed {self.seed}"
         return Answer(True, words, bound=bound)
 
@@ -121,7 +121,7 @@ def residue_point(question: Question, prime: int, random: Random) -> Valuation:
     raise NoPoint(f"no point was found modulo {prime} in {tries} tries")
 
 
-def bound_of(question: Question) -> float:
+def error_bound(question: Question) -> float:
     """The bound on the chance that all points agree with a false statement."""
     sizes = Sizes()
     programs = question.programs()

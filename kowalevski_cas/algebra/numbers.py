@@ -150,10 +150,10 @@ class Substitution:
                 return numbers.element({0: value}, {})
             return _reduced(numbers.polynomials.terms(value), numbers)
         terms = self.ring.polynomials.terms(polynomial)
-        return substituted(terms, self.values.__getitem__, self.numbers)
+        return substitute(terms, self.values.__getitem__, self.numbers)
 
 
-def substituted(terms: Terms, value_of: Callable[[int], Element], ring: Ring) -> Element:
+def substitute(terms: Terms, value_of: Callable[[int], Element], ring: Ring) -> Element:
     """What a polynomial becomes in a ring, by what its generators are there, at their places."""
     total = ring.zero
     for exponents, coefficient in terms.items():

@@ -45,7 +45,7 @@ def product_of(element: Element, vocabulary: Vocabulary) -> Formula:
 
 
 def _read(element: Element, vocabulary: Vocabulary, polynomial: Polynomial) -> Formula:
-    ring, terms, below, divisors = _cancelled(element)
+    ring, terms, below, divisors = _cancel(element)
     names = [name_formula(name, vocabulary) for name in ring.names]
     width = len(ring.polynomials.generators)
     shown = []
@@ -63,7 +63,7 @@ def _read(element: Element, vocabulary: Vocabulary, polynomial: Polynomial) -> F
 
 def formula_in(element: Element) -> Formula:
     """The formula of an element in which the generators and roots of its ring are names."""
-    ring, terms, below, divisors = _cancelled(element)
+    ring, terms, below, divisors = _cancel(element)
     plain: list[Formula] = [Name(name) for name in ring.polynomials.generators]
     names = list(plain)
     for root, under in zip(ring.roots, ring.below, strict=True):
@@ -73,14 +73,14 @@ def formula_in(element: Element) -> Formula:
     return _fraction(terms, below, divisors, names, polynomial_formula)
 
 
-def written(rows: Iterable[Iterable[Element]]) -> tuple[tuple[Formula, ...], ...]:
+def formula_rows(rows: Iterable[Iterable[Element]]) -> tuple[tuple[Formula, ...], ...]:
     """Rows of elements as formulas."""
     return tuple(tuple(map(formula_in, row)) for row in rows)
 
 
-def _cancelled(element: Element) -> tuple[Ring, Terms, dict[int, int], dict[int, Terms]]:
+def _cancel(element: Element) -> tuple[Ring, Terms, dict[int, int], dict[int, Terms]]:
     """The numerator, the divisors that are left below it, and all divisors, in neutral form."""
-    from kowalevski_cas.algebra.factors import divided
+    from kowalevski_cas.algebra.factors import exact_quotient
 
     ring = element.ring
     terms: Terms = {}
@@ -95,7 +95,7 @@ def _cancelled(element: Element) -> tuple[Ring, Terms, dict[int, int], dict[int,
             for exponents, value in ring.polynomials.terms(ring.divisors[index]).items()
         }
         for _ in range(exponent):
-            quotient = divided(terms, divisors[index])
+            quotient = exact_quotient(terms, divisors[index])
             if quotient is None:
                 below[index] = below.get(index, 0) + 1
             else:
@@ -122,7 +122,7 @@ def _fraction(
             if exponent % 2:
                 top = top.argument if isinstance(top, Negative) else Negative(top)
         if exponent:
-            power = raised(divisor, exponent)
+            power = power_formula(divisor, exponent)
             bottom += power.factors if isinstance(power, Product) else (power,)
     return _over(top, [*bottom, *roots])
 
@@ -154,7 +154,7 @@ def polynomial_formula(terms: Terms, names: Sequence[Formula]) -> Formula:
 
 
 def _sum(terms: Terms, names: Sequence[Formula], order: Sequence[tuple[int, ...]]) -> Formula:
-    powers = {e: (raised(n, k) for n, k in zip(names, e, strict=True) if k) for e in terms}
+    powers = {e: (power_formula(n, k) for n, k in zip(names, e, strict=True) if k) for e in terms}
     return total(multiple(terms[e], powers[e]) for e in order)
 
 
@@ -174,7 +174,7 @@ def _product(terms: Terms, names: Sequence[Formula]) -> Formula:
         order = sorted(factor, reverse=True)
         first = next(e for e in order if factor[e] > 0)
         order.sort(key=lambda e: e != first)
-        shown.append(raised(_sum(factor, names, order), exponent))
+        shown.append(power_formula(_sum(factor, names, order), exponent))
     return multiple(number, shown)
 
 
@@ -205,7 +205,7 @@ def multiple(value: Fraction, factors: Iterable[Formula]) -> Formula:
     return Negative(shown) if value < 0 else shown
 
 
-def raised(base: Formula, exponent: int) -> Formula:
+def power_formula(base: Formula, exponent: int) -> Formula:
     """A power with a whole exponent; that of a power, or of an exponential function, is one."""
     if exponent == 1:
         return base

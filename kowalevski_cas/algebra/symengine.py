@@ -12,7 +12,7 @@ from kowalevski_cas.algebra.polynomials import Coefficients, Map, Polynomials, T
 ZERO = Integer(0)
 
 
-class Expanded:
+class ExpandedExpression:
     """An expanded expression; sums of such are expanded, nothing else is."""
 
     __slots__ = ("value",)
@@ -20,23 +20,23 @@ class Expanded:
     def __init__(self, value: Expr) -> None:
         self.value = value
 
-    def __add__(self, other: Expanded) -> Expanded:
-        return Expanded(self.value + other.value)
+    def __add__(self, other: ExpandedExpression) -> ExpandedExpression:
+        return ExpandedExpression(self.value + other.value)
 
-    def __neg__(self) -> Expanded:
-        return Expanded(expand(-self.value))
+    def __neg__(self) -> ExpandedExpression:
+        return ExpandedExpression(expand(-self.value))
 
-    def __sub__(self, other: Expanded) -> Expanded:
-        return Expanded(expand(self.value - other.value))
+    def __sub__(self, other: ExpandedExpression) -> ExpandedExpression:
+        return ExpandedExpression(expand(self.value - other.value))
 
-    def __mul__(self, other: Expanded) -> Expanded:
-        return Expanded(expand(self.value * other.value))
+    def __mul__(self, other: ExpandedExpression) -> ExpandedExpression:
+        return ExpandedExpression(expand(self.value * other.value))
 
     def __bool__(self) -> bool:
         return bool(self.value != ZERO)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Expanded) and bool(self.value == other.value)
+        return isinstance(other, ExpandedExpression) and bool(self.value == other.value)
 
 
 class Arithmetic(Polynomials):
@@ -51,26 +51,26 @@ class Arithmetic(Polynomials):
         self.zero = self.constant(0)
         self.one = self.constant(1)
 
-    def generator(self, index: int) -> Expanded:
-        return Expanded(self.symbols[index])
+    def generator(self, index: int) -> ExpandedExpression:
+        return ExpandedExpression(self.symbols[index])
 
-    def constant(self, value: int | Fraction) -> Expanded:
-        return Expanded(Rational(value.numerator, value.denominator))
+    def constant(self, value: int | Fraction) -> ExpandedExpression:
+        return ExpandedExpression(Rational(value.numerator, value.denominator))
 
-    def derivative(self, polynomial: Expanded, index: int) -> Expanded:
-        return Expanded(polynomial.value.diff(self.symbols[index]))
+    def derivative(self, polynomial: ExpandedExpression, index: int) -> ExpandedExpression:
+        return ExpandedExpression(polynomial.value.diff(self.symbols[index]))
 
-    def substitution(self, values: Sequence[Expanded], target: Polynomials) -> Map:
+    def substitution(self, values: Sequence[ExpandedExpression], target: Polynomials) -> Map:
         images = {g: image.value for g, image in zip(self.symbols, values, strict=True)}
-        return lambda polynomial: Expanded(expand(polynomial.value.xreplace(images)))
+        return lambda polynomial: ExpandedExpression(expand(polynomial.value.xreplace(images)))
 
-    def is_monomial(self, polynomial: Expanded) -> bool:
+    def is_monomial(self, polynomial: ExpandedExpression) -> bool:
         return not polynomial.value.is_Add
 
-    def occurring(self, polynomial: Expanded) -> set[int]:
+    def occurring(self, polynomial: ExpandedExpression) -> set[int]:
         return {self.index[symbol] for symbol in polynomial.value.free_symbols}
 
-    def terms(self, polynomial: Expanded) -> Terms:
+    def terms(self, polynomial: ExpandedExpression) -> Terms:
         terms: Terms = {}
         for product in Add.make_args(polynomial.value):
             exponents, value = [0] * len(self.symbols), Fraction(1)
@@ -84,8 +84,8 @@ class Arithmetic(Polynomials):
                 terms[tuple(exponents)] = value
         return terms
 
-    def from_terms(self, terms: Coefficients) -> Expanded:
-        return Expanded(Add(*(self._product(*term) for term in terms.items())))
+    def from_terms(self, terms: Coefficients) -> ExpandedExpression:
+        return ExpandedExpression(Add(*(self._product(*term) for term in terms.items())))
 
     def _product(self, exponents: Sequence[int], value: int | Fraction) -> Expr:
         powers = zip(self.symbols, exponents, strict=True)

@@ -84,7 +84,7 @@ class Ring:
             return right if left is one else left
         return left * right
 
-    def combined(
+    def add_numerators(
         self, left: Parts, right: Parts, combine: Callable[[Polynomial, Polynomial], Polynomial]
     ) -> Parts:
         """The sum or the difference of two numerators, without what vanishes."""
@@ -151,7 +151,7 @@ class Ring:
         }
         return Element(self, {0: self.polynomials.constant(1 / value)}, denominator)
 
-    def divided_by(self, elements: Iterable[Element]) -> list[Element]:
+    def divisors_of(self, elements: Iterable[Element]) -> list[Element]:
         """What elements are divided by, each polynomial once."""
         indices = sorted({index for element in elements for index in element.denominator})
         return [Element(self, {0: self.divisors[index]}, {}) for index in indices]
@@ -182,21 +182,23 @@ class Element:
         return not self.parts
 
     def __add__(self, other: Element) -> Element:
-        return self._combined(other, add) if self.parts or self.denominator else other
+        return self._add(other, add) if self.parts or self.denominator else other
 
     def __sub__(self, other: Element) -> Element:
-        return self._combined(other, sub)
+        return self._add(other, sub)
 
-    def _combined(
+    def _add(
         self, other: Element, combine: Callable[[Polynomial, Polynomial], Polynomial]
     ) -> Element:
         left, right = self.denominator, other.denominator
         if not other.parts and not right:
             return self
         if left == right:
-            return Element(self.ring, self.ring.combined(self.parts, other.parts, combine), left)
+            return Element(
+                self.ring, self.ring.add_numerators(self.parts, other.parts, combine), left
+            )
         common = {k: max(left.get(k, 0), right.get(k, 0)) for k in (*left, *right)}
-        parts = self.ring.combined(self.over(common), other.over(common), combine)
+        parts = self.ring.add_numerators(self.over(common), other.over(common), combine)
         return Element(self.ring, parts, common)
 
     def over(self, denominator: Mapping[int, int]) -> Parts:

@@ -77,9 +77,9 @@ class Valuation:
             return inverse(self(args[0]))
         if op is Op.ALONG:
             return self._along(program)
-        return self._named(program)
+        return self._generator_value(program)
 
-    def _named(self, program: Program) -> Any:
+    def _generator_value(self, program: Program) -> Any:
         name = str(program.data)
         if name in self.values:
             return self.values[name]
@@ -120,7 +120,7 @@ class Valuation:
         rates = {name: rate for name, rate in field.items() if rate.number != 0}
         paths = {name: [self(rate.ring.generator(name))] for name, rate in rates.items()}
         for k in range(order):
-            point = self._moved(field, paths)
+            point = self._moving_point(field, paths)
             factor = self.number(Fraction(1, k + 1))
             for name, rate in rates.items():
                 value = point(rate)
@@ -129,9 +129,11 @@ class Valuation:
                 elif k:
                     value = self.number(ZERO)
                 paths[name].append(value * factor)
-        return self._moved(field, paths)
+        return self._moving_point(field, paths)
 
-    def _moved(self, field: Mapping[str, Program], paths: Mapping[str, list[Any]]) -> Valuation:
+    def _moving_point(
+        self, field: Mapping[str, Program], paths: Mapping[str, list[Any]]
+    ) -> Valuation:
         """The valuation with series for the generators that move; roots follow their radicands."""
         level = self.level + 1
         moving = {name: Series(level, list(path)) for name, path in paths.items()}

@@ -98,6 +98,12 @@ class Audit:
             parts.append("it is not what the derivation has here")
         return parts
 
+    def called(self, formula: Audited) -> str:
+        """A formula by its id; of a source that is its own derivation, by its label or its line."""
+        if self.reading is None:
+            return formula.id
+        return f"({formula.label})" if formula.label else f"line {formula.line}"
+
     def located(self, place: str) -> str:
         """A place with its line in the source."""
         found = next((formula for formula in self.formulas if formula.name == place), None)

@@ -86,14 +86,14 @@ def _run(program: str, words: Sequence[str], parser: Callable[[], argparse.Argum
     sys.unraisablehook = _unraisable
     closed = sys.stdout is None
     with output():
-        code = _ended(program, words, parser)
+        code = _exit_code(program, words, parser)
         if closed and code == AS_RECORDED:
             print(f"{program}: the output is closed", file=sys.stderr)
             return USAGE
         return code
 
 
-def _ended(
+def _exit_code(
     program: str, words: Sequence[str], parser: Callable[[], argparse.ArgumentParser]
 ) -> int:
     """How a command ends."""

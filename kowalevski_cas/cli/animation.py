@@ -14,7 +14,7 @@ from tempfile import TemporaryDirectory
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, CommandError
 from kowalevski_cas.cli.motion import add_motion
-from kowalevski_cas.cli.pictures import chosen
+from kowalevski_cas.cli.pictures import choose_motion
 from kowalevski_cas.files import write
 from kowalevski_cas.motion.pictures import animation
 
@@ -27,7 +27,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
-    path, motion = arguments.output, chosen(arguments)
+    path, motion = arguments.output, choose_motion(arguments)
     if path.is_dir() or path.suffix.lower() != ".gif":
         raise CommandError(f"--output {path} is no file that ends with .gif")
     with TemporaryDirectory() as folder:

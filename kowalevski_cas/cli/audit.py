@@ -117,7 +117,7 @@ def run(arguments: argparse.Namespace) -> int:
     if known is None:
         _, said, note, code = _told(arguments, _read(source, arguments))
     else:
-        ((outcomes, said, note, code),) = session.watched(
+        ((outcomes, said, note, code),) = session.map_in_processes(
             lambda one: _told(arguments, audit(one, auditing(*known, arguments))), [source]
         )
         for outcome in outcomes:
@@ -172,11 +172,11 @@ def _read(source: Source, arguments: argparse.Namespace) -> Audit:
 
 def _written(found: Audit, folder: Path) -> str:
     """Write the page of an audit; where it is."""
-    from kowalevski_cas.report.annotated import annotated
+    from kowalevski_cas.report.annotated import annotate
     from kowalevski_cas.report.html import render_html
 
     page = folder / f"{Path(found.source.path).stem}.html"
-    write(page, render_html(annotated(found)))
+    write(page, render_html(annotate(found)))
     return f"{page} is written"
 
 
@@ -205,7 +205,7 @@ def arithmetics(name: str) -> tuple[str, ...]:
 
 def auditing(folder: Path, derivation: Derivation, arguments: argparse.Namespace) -> AuditSession:
     """The run of a derivation with which sources are compared."""
-    stored, record = load_certificates(folder), session.recorded(folder)
+    stored, record = load_certificates(folder), session.readable_record(folder)
     explain, timeout = arguments.report is not None, arguments.timeout
     return AuditSession(
         derivation, arithmetics(arguments.arithmetic), explain, stored, timeout, record=record

@@ -17,8 +17,8 @@ from kowalevski_cas import __version__
 from kowalevski_cas.cli import plain, session
 from kowalevski_cas.cli.check import tell
 from kowalevski_cas.cli.exits import NOTHING, CommandError
-from kowalevski_cas.cli.formats import Result
-from kowalevski_cas.cli.report import certified, explained
+from kowalevski_cas.cli.formats import ComparedRun
+from kowalevski_cas.cli.report import check_certificates, runs_with_steps
 from kowalevski_cas.files import read, write_all
 from kowalevski_cas.problem import checker
 from kowalevski_cas.report.pdf import page
@@ -49,18 +49,18 @@ def run(arguments: argparse.Namespace) -> int:
         if target.exists() and any(target.iterdir()):
             raise CommandError(f"{target} is not empty: remove it, or write elsewhere")
 
-    done = session.watched(
-        lambda found: _write(found, arguments.output), explained(chosen, arguments.timeout)
+    done = session.map_in_processes(
+        lambda found: _write(found, arguments.output), runs_with_steps(chosen, arguments.timeout)
     )
     for _, said in done:
         print(said, file=sys.stderr)
     return max(tell([checked]) for checked, _ in done)
 
 
-def _write(found: Result, output: Path) -> tuple[Checked, str]:
+def _write(found: ComparedRun, output: Path) -> tuple[Checked, str]:
     """Write the bundle of a run; what the checker says of its certificates, and where it is."""
     run, folder = found.run, found.folder
-    checked, digests = certified(found)
+    checked, digests = check_certificates(found)
     _, written = page(run, found.paper, digests, evidence=FOLDER)
     contents: dict[str, bytes] = {name: text.encode() for name, text in written.items()}
     for path in certificate_files(folder):

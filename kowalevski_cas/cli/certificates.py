@@ -28,10 +28,10 @@ def run(arguments: argparse.Namespace) -> int:
     chosen = session.derivations(arguments.derivations)
     runs = [run for run, _ in session.runs(chosen, ["flint"], timeout=arguments.timeout)]
     for (folder, derivation), found, reasons in zip(
-        chosen, runs, session.watched(session.rejected, runs), strict=True
+        chosen, runs, session.map_in_processes(session.rejected, runs), strict=True
     ):
         open_ones = (outcome for outcome in found.outcomes if outcome.verdict not in DECIDED)
-        reasons |= {one.claim: f"{one.verdict}: {one.message}" for one in open_ones}
+        reasons |= {outcome.claim: f"{outcome.verdict}: {outcome.message}" for outcome in open_ones}
         texts = {
             name: text
             for name, text in found.certificates.items()

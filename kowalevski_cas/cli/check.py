@@ -45,7 +45,7 @@ def run(arguments: argparse.Namespace) -> int:
     for found in results if not arguments.quiet else ():
         for name, certificate in found.accepted.items():
             said = f"{name.removesuffix(certificate.claim)}{certificate.summary()}"
-            print(said if arguments.full else plain.shortened(said))
+            print(said if arguments.full else plain.shorten(said))
             for line in certificate.lines() if arguments.full else ():
                 print(line)
     return tell(results)
@@ -73,7 +73,7 @@ def _checked(names: list[str]) -> list[Checked]:
         files.setdefault(path.parent.resolve(), []).append(path)
     folders = [name for name in names if not name.endswith(".json")] if names else available()
     derivations = [find(name) for name in folders]
-    found = session.watched(_committed, derivations)
+    found = session.map_in_processes(_committed, derivations)
     return [*(check_files(paths, _about(at)) for at, paths in files.items()), *found]
 
 

@@ -31,7 +31,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     for folder, derivation in session.derivations(arguments.derivations):
-        certificates, export = translated(arguments.format, folder, derivation)
+        certificates, export = translate(arguments.format, folder, derivation)
         target = arguments.output / derivation.name
         files = export.files | load(arguments.format).project(export.files)
         write_all({target / name: text for name, text in files.items()})
@@ -40,9 +40,9 @@ def run(arguments: argparse.Namespace) -> int:
     return AS_RECORDED
 
 
-def translated(format: str, folder: Path, derivation: Derivation) -> tuple[dict[str, Json], Export]:
+def translate(format: str, folder: Path, derivation: Derivation) -> tuple[dict[str, Json], Export]:
     """The certificates of a derivation and their export; what is left out is named on stderr."""
-    certificates = accepted(folder, derivation)
+    certificates = accepted_certificates(folder, derivation)
     export = load(format).files(certificates)
     if not export.texts:
         raise CommandError(f"no claim of {derivation.name} can be said in {format}", NOTHING)
@@ -53,7 +53,7 @@ def translated(format: str, folder: Path, derivation: Derivation) -> tuple[dict[
     return certificates, export
 
 
-def accepted(folder: Path, derivation: Derivation) -> dict[str, Json]:
+def accepted_certificates(folder: Path, derivation: Derivation) -> dict[str, Json]:
     """The certificates in the folder of a derivation by name; all have to be as recorded."""
     record = load_record(folder)
     files = certificate_files(folder)

@@ -23,7 +23,7 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pool import Pool
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.questions import QUESTIONS, forecast, found, question
+from kowalevski_cas.questions import QUESTIONS, collect, forecast, question
 from kowalevski_cas.verify.found import Finding, with_findings
 from kowalevski_cas.verify.outcome import Outcome, Run
 from kowalevski_cas.verify.run import Session
@@ -96,7 +96,9 @@ def run(arguments: argparse.Namespace) -> int:
     forecast(scene, arguments.question, getattr(arguments, "degree", 0))
     file, name = _owner(scene) if arguments.write else (None, "")
     pool = session.pool(arguments)
-    (answer,) = session.watched(lambda _: _answer(derivation, scene, arguments, name, pool), [None])
+    (answer,) = session.map_in_processes(
+        lambda _: _answer(derivation, scene, arguments, name, pool), [None]
+    )
     if file is not None:
         write(file, read(file) + answer.claims)
     outcomes = answer.run.outcomes
@@ -107,20 +109,22 @@ def run(arguments: argparse.Namespace) -> int:
         for finding, outcome in zip(answer.findings, outcomes, strict=True):
             said = plain.words(outcome.words, answer.run.vocabulary)
             formulas = () if finding.steps and not verbose else outcome.formulas
-            shown = _cut(", ".join(map(to_plain, formulas)), verbose)
-            where = ", ".join(f"{to_plain(one.expression)} ≠ 0" for one in outcome.conditions)
+            shown = _shorten(", ".join(map(to_plain, formulas)), verbose)
+            where = ", ".join(
+                f"{to_plain(condition.expression)} ≠ 0" for condition in outcome.conditions
+            )
             said += f", where {where}" if where else ""
             print(f"{outcome.verdict}  {said}{':  ' if shown else ''}{shown}")
             for one in finding.computed:
-                print(f"computed  {_cut(plain.words(one, answer.run.vocabulary), verbose)}")
+                print(f"computed  {_shorten(plain.words(one, answer.run.vocabulary), verbose)}")
         checked = plain.many(len(answer.run.certificates), "certificate")
         print(f"{len(outcomes)} found; {checked} checked")
     if answer.unfinished:
         raise CommandError(answer.unfinished, UNDECIDED)
-    return AS_RECORDED if all(one.verdict.green for one in outcomes) else UNDECIDED
+    return AS_RECORDED if all(outcome.verdict.green for outcome in outcomes) else UNDECIDED
 
 
-def _cut(shown: str, verbose: bool) -> str:
+def _shorten(shown: str, verbose: bool) -> str:
     """As much as can be read, or all if it is asked for."""
     if verbose or len(shown) <= LONGEST:
         return shown
@@ -128,7 +132,7 @@ def _cut(shown: str, verbose: bool) -> str:
 
 
 @dataclass(frozen=True)
-class _Answer:
+class _FindAnswer:
     """What was found, and why nobody looked further, if something is left."""
 
     findings: list[Finding]
@@ -140,14 +144,14 @@ class _Answer:
 
 def _answer(
     derivation: Derivation, scene: Scene, arguments: argparse.Namespace, name: str, pool: Pool
-) -> _Answer:
+) -> _FindAnswer:
     """The answer to a question; what was found before it had to stop is kept."""
     on = Elaborations(derivation.texts(derivation.corrected()))
     try:
         keys = (key.lstrip("-") for key in ARGUMENTS[arguments.question])
         asked = {key: getattr(arguments, key) for key in keys}
         search = question(arguments.question).search(on, scene, pool, **asked)
-        findings, unfinished = found(search, arguments.timeout)
+        findings, unfinished = collect(search, arguments.timeout)
     except (Meaningless, NotationError) as error:
         raise CommandError(f"scene “{scene.name}”: {error}") from None
     if not unfinished:
@@ -155,12 +159,14 @@ def _answer(
     claims = with_findings(derivation, findings)
     run = Session(claims, ["flint"], timeout=arguments.timeout).run()
     both = zip(findings, run.outcomes, strict=True)
-    green = (one for one, outcome in both if outcome.verdict.green)
-    kept = {line: one.kind.__name__ for one in green if (line := one.python(name, scene))}
+    green = (finding for finding, outcome in both if outcome.verdict.green)
+    kept = {
+        line: finding.kind.__name__ for finding in green if (line := finding.python(name, scene))
+    }
     kinds = ", ".join(sorted({*kept.values()}))
     lines = [f"from kowalevski_cas.paper.claims import {kinds}"] if kept else []
     lines += kept
-    return _Answer(findings, run, unfinished, "\n".join(["", *lines, ""]))
+    return _FindAnswer(findings, run, unfinished, "\n".join(["", *lines, ""]))
 
 
 def _owner(scene: Scene) -> tuple[Path, str]:
@@ -205,7 +211,7 @@ def _data(finding: Finding, outcome: Outcome) -> dict[str, object]:
         "says": outcome.words,
         "computed": finding.computed,
         "formulas": [to_latex(formula) for formula in outcome.formulas],
-        "conditions": [to_latex(one.expression) for one in outcome.conditions],
+        "conditions": [to_latex(condition.expression) for condition in outcome.conditions],
         "verdict": str(outcome.verdict),
         "digest": outcome.digest,
     }

@@ -32,9 +32,9 @@ from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.formulas import source
 from kowalevski_cas.motion.general import AnyMotion
 from kowalevski_cas.motion.methods import METHODS, load
-from kowalevski_cas.motion.methods.ball import enclosed, loss
+from kowalevski_cas.motion.methods.ball import enclose, loss
 from kowalevski_cas.motion.parameters import Inadmissible, MethodError, exact
-from kowalevski_cas.motion.result import Result
+from kowalevski_cas.motion.result import Trajectory
 from kowalevski_cas.processes import each
 
 LARGEST_COUNT = 10_000_000
@@ -119,7 +119,7 @@ def run(arguments: argparse.Namespace) -> int:
     return AS_RECORDED
 
 
-def _followed(arguments: argparse.Namespace) -> Result:
+def _followed(arguments: argparse.Namespace) -> Trajectory:
     if not 1 <= arguments.samples <= LARGEST_COUNT:
         raise CommandError(f"--samples has to be from 1 to {LARGEST_COUNT}")
     try:
@@ -159,13 +159,13 @@ def _followed(arguments: argparse.Namespace) -> Result:
         raise CommandError(str(error), UNDECIDED) from None
     except ValueError as error:
         raise CommandError(str(error)) from None
-    return Result(motion, times, *found)
+    return Trajectory(motion, times, *found)
 
 
 def _states(motion: AnyMotion, times: Array, method: str, free: bool) -> tuple[Array, ...]:
     """The states by a method, or, if nobody named it, as accurate as is promised; with radii."""
     if method == "ball" and not isinstance(motion, General):
-        return enclosed(motion, times)
+        return enclose(motion, times)
     if free and method == "closed" and isinstance(motion, MotionO4):
         return _as_promised(motion, times)
     return (load(method)(motion, times),)
@@ -184,7 +184,7 @@ def _as_promised(motion: MotionO4, times: Array) -> tuple[Array, ...]:
     many = len(times) > MOST_BALLS or isnan(lost)
     name = "dop853" if many else "ball"
     print(f"the closed form has {error} here: {name} follows the motion", file=sys.stderr)
-    return (load("dop853")(motion, times),) if many else enclosed(motion, times)
+    return (load("dop853")(motion, times),) if many else enclose(motion, times)
 
 
 def motion_of(arguments: argparse.Namespace) -> AnyMotion:

@@ -8,13 +8,13 @@ from io import BytesIO
 
 import numpy as np
 
-from kowalevski_cas.motion.result import Result
+from kowalevski_cas.motion.result import Trajectory
 
 TOLD = ("invariants", "critical_sets", "regime")
 """What is said of a motion besides its states."""
 
 
-def as_json(result: Result) -> bytes:
+def as_json(result: Trajectory) -> bytes:
     """States, a line each, so that long files can be read and compared by lines; what is told."""
     entries = [
         {"t": t, "omega": row[:3], "alpha": row[3:6], "beta": row[6:]}
@@ -28,7 +28,7 @@ def as_json(result: Result) -> bytes:
     return ",\n".join([f'{{"states": [\n{states}\n]', *told]).encode() + b"\n}\n"
 
 
-def as_csv(result: Result) -> bytes:
+def as_csv(result: Trajectory) -> bytes:
     """A table with a header: the time, the variables, the radius of a ball; floats read back."""
     radii = [[]] * len(result.times) if result.radii is None else result.radii[:, None].tolist()
     rows = zip(result.times.tolist(), result.rows, radii, strict=True)
@@ -38,7 +38,7 @@ def as_csv(result: Result) -> bytes:
     return "\n".join([",".join(header), *lines, ""]).encode()
 
 
-def as_npz(result: Result) -> bytes:
+def as_npz(result: Trajectory) -> bytes:
     """NumPy arrays: t (N), omega, alpha, beta (N, 3), radius (N); what is told as JSON."""
     omega, alpha, beta = np.split(result.states, 3, axis=1)
     arrays = {"t": result.times, "omega": omega, "alpha": alpha, "beta": beta}
@@ -50,5 +50,5 @@ def as_npz(result: Result) -> bytes:
     return file.getvalue()
 
 
-FORMATS: dict[str, Callable[[Result], bytes]] = {"json": as_json, "csv": as_csv, "npz": as_npz}
+FORMATS: dict[str, Callable[[Trajectory], bytes]] = {"json": as_json, "csv": as_csv, "npz": as_npz}
 """The contents of a file in each format."""

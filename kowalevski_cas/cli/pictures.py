@@ -21,7 +21,7 @@ from kowalevski_cas.motion import General, Motion, MotionO4
 from kowalevski_cas.motion.formulas import source
 from kowalevski_cas.motion.pictures import ON_N4, PICTURES, load
 from kowalevski_cas.pictures import save, style
-from kowalevski_cas.report.plates import LIST
+from kowalevski_cas.report.figures import LIST
 
 EXAMPLE = ("1.2", "0.7", "-1.2", "0.3")
 """The constants a, b, m, ℓ of the motion that is drawn if none is given."""
@@ -44,11 +44,11 @@ def run(arguments: argparse.Namespace) -> int:
         raise CommandError(
             f"there is no picture “{unknown[0]}”; there are {', '.join(PICTURES)}", NOTHING
         )
-    motion = chosen(arguments)
-    names = arguments.pictures or _drawn(motion)
-    if missing := [name for name in names if name not in _drawn(motion)]:
+    motion = choose_motion(arguments)
+    names = arguments.pictures or _draw_all(motion)
+    if missing := [name for name in names if name not in _draw_all(motion)]:
         raise CommandError(f"{missing[0]} is drawn for motions on N⁴ alone; this one is on O⁴")
-    write(arguments.output / LIST, _plates())
+    write(arguments.output / LIST, _figures())
     with session.progress_bar() as progress:
         for done, name in enumerate(names):
             progress(name, done, len(names))
@@ -57,12 +57,12 @@ def run(arguments: argparse.Namespace) -> int:
     return AS_RECORDED
 
 
-def _drawn(motion: Motion | MotionO4) -> list[str]:
+def _draw_all(motion: Motion | MotionO4) -> list[str]:
     """The pictures that there are of a motion."""
     return [name for name in PICTURES if isinstance(motion, Motion) or name not in ON_N4]
 
 
-def chosen(arguments: argparse.Namespace) -> Motion | MotionO4:
+def choose_motion(arguments: argparse.Namespace) -> Motion | MotionO4:
     """The motion that the arguments describe, or the example."""
     if any(getattr(arguments, name) is not None for name in (*CONSTANTS, "point")):
         motion = motion_of(arguments)
@@ -73,7 +73,7 @@ def chosen(arguments: argparse.Namespace) -> Motion | MotionO4:
     return Motion.of(a, b, m, ell=ell)
 
 
-def _plates() -> str:
+def _figures() -> str:
     """The list of pictures for the reports of the derivations that they are about."""
     listed: dict[str, list[dict[str, str]]] = {}
     for name in PICTURES:

@@ -17,7 +17,7 @@ from kowalevski_cas.notation import (
     read_prose,
     to_plain,
 )
-from kowalevski_cas.report.compare import unmarked
+from kowalevski_cas.report.compare import without_marks
 from kowalevski_cas.report.document import (
     Block,
     Claim,
@@ -55,7 +55,9 @@ def bold(line: str) -> str:
 
 def formulas(found: Iterable[Formula], source: str = "") -> str:
     """The formulas of a display on one line; its source where they could not be read."""
-    return ", ".join(to_plain(unmarked(formula)) for formula in found) or " ".join(source.split())
+    return ", ".join(to_plain(without_marks(formula)) for formula in found) or " ".join(
+        source.split()
+    )
 
 
 def display(source: str, vocabulary: Vocabulary) -> str:
@@ -97,13 +99,13 @@ def many(number: int, what: str) -> str:
     return f"{number} {what}{'s' * (number != 1)}"
 
 
-def shortened(line: str) -> str:
+def shorten(line: str) -> str:
     """As much of a line as the terminal is wide."""
     columns = shutil.get_terminal_size().columns
     return line if len(line) <= columns else f"{line[: columns - 1]}…"
 
 
-def wrapped(words: str, first: str = "", indent: int = 0) -> Iterator[str]:
+def wrap(words: str, first: str = "", indent: int = 0) -> Iterator[str]:
     """The lines of words behind what stands ``first``; the others begin below these words."""
     columns = max(shutil.get_terminal_size().columns, 40 + indent)
     begins = width(first) * " "
@@ -122,16 +124,14 @@ def lines(blocks: Iterable[Block], indent: int = 0) -> Iterator[str]:
         match block:
             case Heading():
                 yield ""
-                yield from map(bold, wrapped(text(block.text), margin, indent))
+                yield from map(bold, wrap(text(block.text), margin, indent))
             case Paragraph():
-                yield from wrapped(text(block.text), margin, indent)
+                yield from wrap(text(block.text), margin, indent)
             case Display():
                 mark = sign(block.verdict) if block.verdict else " " * 4
-                yield from wrapped(
-                    formulas(block.formulas, block.source), margin + mark, indent + 4
-                )
+                yield from wrap(formulas(block.formulas, block.source), margin + mark, indent + 4)
             case Claim():
                 mark = sign(block.verdict) if block.verdict else ""
                 inner = indent + (4 if block.verdict else 0)
-                yield from wrapped(text(block.head), margin + mark, inner)
+                yield from wrap(text(block.head), margin + mark, inner)
                 yield from lines(block.blocks, inner)

@@ -34,9 +34,9 @@ def run(arguments: argparse.Namespace) -> int:
     anew: list[dict[str, Stored]] = [{} for _ in chosen]
     both = session.runs(chosen, EXACT, timeout=arguments.timeout, stored=anew)
     runs = [run for run, _ in both]
-    rejected = session.watched(session.rejected, runs)
+    rejected = session.map_in_processes(session.rejected, runs)
     return max(
-        _written(folder, _decided(run, reasons))
+        _write(folder, _decided(run, reasons))
         for (folder, _), run, reasons in zip(chosen, runs, rejected, strict=True)
     )
 
@@ -55,9 +55,9 @@ def _decided(found: Run, rejected: Mapping[str, str]) -> Run:
     return found._replace(outcomes=tuple(outcomes))
 
 
-def _written(folder: Path, found: Run) -> int:
+def _write(folder: Path, found: Run) -> int:
     """Record what is decided; what the record has of claims that came to no end is left alone."""
-    recorded = session.recorded(folder)
+    recorded = session.readable_record(folder)
     left = {outcome.claim: outcome for outcome in record.open_ones(found)}
     for outcome in left.values():
         said = f"{outcome.verdict}: {outcome.message}"

@@ -12,7 +12,7 @@ from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.check import tell
 from kowalevski_cas.cli.exits import AS_RECORDED, most_urgent
-from kowalevski_cas.cli.formats import Result
+from kowalevski_cas.cli.formats import ComparedRun
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.report.pdf import write_report
 from kowalevski_cas.verify.certificate import FOLDER
@@ -29,25 +29,25 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     chosen = session.derivations(arguments.derivations)
-    results = explained(chosen, arguments.timeout)
+    results = runs_with_steps(chosen, arguments.timeout)
     code = write(results, arguments.output)
     return most_urgent([code, *(result.exit_code for result in results)])
 
 
-def explained(chosen: Sequence[tuple[Path, Derivation]], timeout: float) -> list[Result]:
+def runs_with_steps(chosen: Sequence[tuple[Path, Derivation]], timeout: float) -> list[ComparedRun]:
     """Runs that tell their steps, with what a report needs."""
     runs = session.runs(chosen, EXACT, explain=True, timeout=timeout)
     versions = session.versions()
     return [
-        Result(*one, texts, run._replace(versions=versions))
+        ComparedRun(*one, texts, run._replace(versions=versions))
         for one, (run, texts) in zip(chosen, runs, strict=True)
     ]
 
 
-def write(results: Sequence[Result], output: Path) -> int:
+def write(results: Sequence[ComparedRun], output: Path) -> int:
     """Write the reports of runs, those of most claims first; the exit code for certificates."""
-    done = session.watched(
-        lambda found: _written(found, output), results, lambda found: len(found.run.outcomes)
+    done = session.map_in_processes(
+        lambda found: _write(found, output), results, lambda found: len(found.run.outcomes)
     )
     for _, said in done:
         print(said, file=sys.stderr)
@@ -55,8 +55,8 @@ def write(results: Sequence[Result], output: Path) -> int:
     return tell(checked) if checked else AS_RECORDED
 
 
-def _written(found: Result, output: Path) -> tuple[Checked, str]:
-    checked, digests = certified(found)
+def _write(found: ComparedRun, output: Path) -> tuple[Checked, str]:
+    checked, digests = check_certificates(found)
     evidence = Path(os.path.relpath(found.folder / FOLDER, output)).as_posix()
     written = write_report(found.run, found.paper, output, digests, evidence)
     *pages, last = map(str, written.pages)
@@ -64,9 +64,9 @@ def _written(found: Result, output: Path) -> tuple[Checked, str]:
     return checked, "\n".join(said)
 
 
-def certified(found: Result) -> tuple[Checked, dict[str, str]]:
+def check_certificates(found: ComparedRun) -> tuple[Checked, dict[str, str]]:
     """What the checker says of certificates, and the digests of those about this run's claims."""
-    record, run = session.recorded(found.folder), found.run
+    record, run = session.readable_record(found.folder), found.run
     checked = check_committed(found.folder, found.derivation, record, statements(run))
     own = {outcome.claim: outcome.digest for outcome in run.outcomes}
     return checked, dict(own.items() & checked.digests.items())

@@ -94,7 +94,7 @@ def runs(
     for (folder, derivation), kept in zip(chosen, stored, strict=True):
         if not derivation.claims:
             raise CommandError(f"{derivation.name} makes no claims", NOTHING)
-        texts, record = derivation.texts(), recorded(folder)
+        texts, record = derivation.texts(), readable_record(folder)
         try:
             session = Session(derivation, arithmetics, explain, kept, timeout, texts, seed, record)
         except NotationError as error:
@@ -108,7 +108,7 @@ def runs(
     return [(run, session.texts) for run, session in zip(found, sessions, strict=True)]
 
 
-def recorded(folder: Path) -> Mapping[str, Mapping[str, object]]:
+def readable_record(folder: Path) -> Mapping[str, Mapping[str, object]]:
     """The record in a folder as far as it can be read: it only says what is tried first."""
     try:
         return load_record(folder) or {}
@@ -193,7 +193,7 @@ def pool(arguments: argparse.Namespace, folders: Sequence[Path] = ()) -> Pool:
     It is another question if the program was changed since, or a derivation in one of ``folders``.
     """
     package = Path(__file__).parents[1]
-    read = {source(folder) for folder in folders}.union(*(one.rglob("*") for one in folders))
+    read = {source(folder) for folder in folders}.union(*(folder.rglob("*") for folder in folders))
     files = sorted(read.union(package.rglob("*.py")))
     saved = [(str(file), file.stat().st_mtime_ns) for file in files]
     asked = {k: v for k, v in vars(arguments).items() if k not in HOW and not callable(v)}
@@ -228,7 +228,7 @@ def natural(text: str) -> int:
     return int(text)
 
 
-def watched(
+def map_in_processes(
     work: Callable[[Item], Result], items: Sequence[Item], size: Callable[[Item], int] = lambda _: 0
 ) -> list[Result]:
     """The results of ``work`` on every item, each in a process; with progress on a terminal.
@@ -284,10 +284,10 @@ def versions() -> dict[str, str]:
     import platform
 
     own = {"kowalevski_cas": __version__, "Python": platform.python_version()}
-    return own | installed("python-flint", "symengine", "sympy")
+    return own | installed_versions("python-flint", "symengine", "sympy")
 
 
-def installed(*libraries: str) -> dict[str, str]:
+def installed_versions(*libraries: str) -> dict[str, str]:
     """The versions of those libraries that are installed."""
     from importlib.metadata import PackageNotFoundError, version
 

@@ -72,12 +72,12 @@ def output() -> Iterator[None]:
             os.fstat(number)
         except OSError:
             os.open(os.devnull, os.O_RDWR)
-    streams = [Output(_opened(stream)) for stream in (sys.stdout, sys.stderr)]
+    streams = [Output(_open(stream)) for stream in (sys.stdout, sys.stderr)]
     with redirect_stdout(streams[0]), redirect_stderr(streams[1]):
         yield
 
 
-def _opened(stream: TextIO | None) -> TextIO:
+def _open(stream: TextIO | None) -> TextIO:
     if stream is None:
         return open(os.devnull, "w", encoding="utf-8")
     if hasattr(stream, "reconfigure"):

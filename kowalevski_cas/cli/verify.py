@@ -18,7 +18,7 @@ from kowalevski_cas import UserError
 from kowalevski_cas.algebra import EXACT, POINTS
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, CommandError, most_urgent
-from kowalevski_cas.cli.formats import FORMATS, Result, load_format
+from kowalevski_cas.cli.formats import FORMATS, ComparedRun, load_format
 from kowalevski_cas.library import READ, available, find, source
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Texts
@@ -54,7 +54,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def run_derivations(arguments: argparse.Namespace) -> list[Result]:
+def run_derivations(arguments: argparse.Namespace) -> list[ComparedRun]:
     """Run the derivations and compare them with their records."""
     chosen = session.derivations(arguments.derivations, arguments.only)
     arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
@@ -66,12 +66,14 @@ def run_derivations(arguments: argparse.Namespace) -> list[Result]:
         session.versions() if arguments.report is not None or arguments.format == "json" else {}
     )
     return [
-        compared(*one, run._replace(versions=versions), texts, not arguments.only)
+        compare_with_record(*one, run._replace(versions=versions), texts, not arguments.only)
         for one, (run, texts) in zip(chosen, runs, strict=True)
     ]
 
 
-def compared(folder: Path, derivation: Derivation, found: Run, texts: Texts, whole: bool) -> Result:
+def compare_with_record(
+    folder: Path, derivation: Derivation, found: Run, texts: Texts, whole: bool
+) -> ComparedRun:
     """A run beside the record in a folder, of all claims if it is whole."""
     record, said = load_record(folder), derivation.expected
     if record is None:
@@ -80,25 +82,28 @@ def compared(folder: Path, derivation: Derivation, found: Run, texts: Texts, who
         differing = contradictions(found, record)
     else:
         differing = differences(found, record, whole)
-        against = (one for one in unexpected(found, said) if one.claim in said)
+        against = (difference for difference in unexpected(found, said) if difference.claim in said)
         words = "against the file, which expects {}"
-        differing += [one._replace(recorded=words.format(one.recorded)) for one in against]
-    return Result(folder, derivation, texts, found, differing, record is not None)
+        differing += [
+            difference._replace(recorded=words.format(difference.recorded))
+            for difference in against
+        ]
+    return ComparedRun(folder, derivation, texts, found, differing, record is not None)
 
 
-def told(
+def failure_text(
     folder: Path, derivation: Derivation, stored: Mapping[str, Stored], claim: str, seconds: float
 ) -> str:
     """What a terminal says of a claim, if it is not as recorded or expected; else nothing."""
     chosen = [(folder, derivation)]
     (found,) = session.runs(chosen, ["flint"], [claim], timeout=seconds, stored=[stored])
-    result = compared(folder, derivation, *found, False)
+    result = compare_with_record(folder, derivation, *found, False)
     return "" if result.exit_code == AS_RECORDED else load_format("pretty").render([result])
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
-    return _watch(arguments) if arguments.watch else _verified(arguments)
+    return _watch(arguments) if arguments.watch else _verify(arguments)
 
 
 def _watch(arguments: argparse.Namespace) -> int:
@@ -106,9 +111,9 @@ def _watch(arguments: argparse.Namespace) -> int:
     code, before = AS_RECORDED, None
     with suppress(KeyboardInterrupt):
         while True:
-            if (now := _saved(arguments.derivations)) != before:
+            if (now := _saving_times(arguments.derivations)) != before:
                 try:
-                    code = _verified(arguments)
+                    code = _verify(arguments)
                 except UserError as error:
                     code = error.code
                     print(error, file=sys.stderr)
@@ -118,14 +123,19 @@ def _watch(arguments: argparse.Namespace) -> int:
     return code
 
 
-def _saved(names: Sequence[str]) -> dict[Path, int]:
+def _saving_times(names: Sequence[str]) -> dict[Path, int]:
     """When the files of derivations were saved, and those that they read."""
     sources = [source(find(name)) for name in names or available()]
-    own = {file for one in sources if one.name == "__init__.py" for file in one.parent.glob("*.py")}
+    own = {
+        file
+        for source in sources
+        if source.name == "__init__.py"
+        for file in source.parent.glob("*.py")
+    }
     return {file: file.stat().st_mtime_ns for file in {*sources, *own, *READ} if file.is_file()}
 
 
-def _verified(arguments: argparse.Namespace) -> int:
+def _verify(arguments: argparse.Namespace) -> int:
     if arguments.report is not None and arguments.arithmetic in POINTS:
         raise CommandError(
             f"a report says what is proved, and {arguments.arithmetic} proves nothing: "

@@ -10,7 +10,7 @@ import sys
 
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, REJECTED
-from kowalevski_cas.cli.export import translated
+from kowalevski_cas.cli.export import translate
 from kowalevski_cas.export import load
 from kowalevski_cas.export.witness import testify
 from kowalevski_cas.files import write
@@ -32,8 +32,8 @@ def run(arguments: argparse.Namespace) -> int:
     code = AS_RECORDED
     format.tool.call()
     for folder, derivation in session.derivations(arguments.derivations):
-        certificates, export = translated(name, folder, derivation)
-        digests = {claim: str(one["digest"]) for claim, one in certificates.items()}
+        certificates, export = translate(name, folder, derivation)
+        digests = {claim: str(certificate["digest"]) for claim, certificate in certificates.items()}
         with session.progress_bar() as progress:
             testimony = testify(name, format, export, digests, progress)
         target = arguments.output / derivation.name / f"{name}.json"

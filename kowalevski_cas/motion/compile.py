@@ -30,7 +30,7 @@ def function(elements: Sequence[Element], arguments: Sequence[str]) -> Function:
     >>> function([x * x / y, x - y], ["x", "y"])(3.0, 2.0)
     (4.5, 1.0)
     """
-    writer = _Writer({name: f"v{index}" for index, name in enumerate(arguments)})
+    writer = _CodeWriter({name: f"v{index}" for index, name in enumerate(arguments)})
     results = [writer.element(element) for element in elements]
     names = ", ".join(writer.names.values())
     lines = [f"def compiled({names}):", *writer.lines, f"    return ({', '.join(results)},)"]
@@ -40,7 +40,7 @@ def function(elements: Sequence[Element], arguments: Sequence[str]) -> Function:
     return compiled
 
 
-class _Writer:
+class _CodeWriter:
     """Python source for elements; ``lines`` holds the products that are used again."""
 
     def __init__(self, names: dict[str, str]) -> None:
@@ -81,9 +81,9 @@ class _Writer:
         for coefficient, factors in terms:
             value = coefficient / scale
             text += "-" if value < 0 else "+"
-            text += _scaled(self._product(factors) if factors else "1", abs(value))
+            text += _clear_denominators(self._product(factors) if factors else "1", abs(value))
         text = text.removeprefix("+")
-        return text if scale == 1 else _scaled(f"({text})", scale)
+        return text if scale == 1 else _clear_denominators(f"({text})", scale)
 
     def _product(self, factors: list[str]) -> str:
         """A product by halves, each half a line of its own."""
@@ -99,7 +99,7 @@ class _Writer:
         return self._products[key]
 
 
-def _scaled(text: str, value: Fraction) -> str:
+def _clear_denominators(text: str, value: Fraction) -> str:
     """A positive multiple, by whole numbers only: they are exact in every arithmetic."""
     above = text if value.numerator == 1 else f"{value.numerator}*{text}"
     return above if value.denominator == 1 else f"{above}/{value.denominator}"

@@ -18,7 +18,7 @@ import numpy as np
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.arrays import Array, Integers, Mask
 from kowalevski_cas.motion.o4.parameters import ParametersO4
-from kowalevski_cas.motion.o4.regimes import Regime, regime_of
+from kowalevski_cas.motion.o4.regimes import RegimeO4, regime_of
 from kowalevski_cas.motion.parameters import Inadmissible
 from kowalevski_cas.paper.closed_form import CriticalSets, HyperellipticForm, LevelsOnM4
 
@@ -49,7 +49,7 @@ class Fields:
 
     def on_M4(self, h: Array, j: Array) -> tuple[Array, Array]:
         """The values of K and G on M⁴ at the energy h, where J₃ = j."""
-        k, gap = formulas.offered("M4_values", CriticalSets)(j)
+        k, gap = formulas.offered_values("M4_values", CriticalSets)(j)
         return k + 0 * h, (self._pr[0] ** 2 * h - gap) / 2
 
     def tori_on_M4(self, h: Array, j: Array) -> Integers:
@@ -60,7 +60,7 @@ class Fields:
         """
         p, r = self._pr
         places = np.arange(-2.0, 3.0)
-        polynomial = formulas.offered("polynomial", LevelsOnM4)
+        polynomial = formulas.offered_values("polynomial", LevelsOnM4)
         (values,) = polynomial(p * places[:, None], h.ravel(), j.ravel(), p, r)
         first, *rest = np.linalg.solve(np.vander(places), values)
         companion = np.zeros((h.size, 4, 4))
@@ -74,13 +74,13 @@ class Fields:
     def on_N4(self, h: Array, m: Array) -> tuple[Array, Array]:
         """The values of K and G on N⁴ at the energy h."""
         p, r = self._pr
-        k, gap = formulas.offered("N4_values", CriticalSets)(m, r)
+        k, gap = formulas.offered_values("N4_values", CriticalSets)(m, r)
         return k, (p**2 * h + gap) / 2
 
     def on_O4(self, s: Array, tau: Array) -> tuple[Array, Array, Array]:
         """The values of H, K and G on O⁴."""
         with np.errstate(divide="ignore", invalid="ignore"):
-            h, k, g = formulas.offered("integrals", HyperellipticForm)(s, tau, *self._pr)
+            h, k, g = formulas.offered_values("integrals", HyperellipticForm)(s, tau, *self._pr)
         return h, k, g
 
     def tau(self, s: Array, h: Array) -> Array:
@@ -94,7 +94,7 @@ class Fields:
         sigma = 4 * (self.on_O4(1 + 0 * s, tau)[1] - tau)
         return sigma, sigma + 4 * s**2 * tau
 
-    def regimes(self, s: Array, tau: Array) -> tuple[Integers, list[Regime]]:
+    def regimes(self, s: Array, tau: Array) -> tuple[Integers, list[RegimeO4]]:
         """The regime of O⁴ at each s and τ₃, by its place in a list; −1 where there is no motion.
 
         The regimes meet where these expressions vanish, and the roots are in one order where all
@@ -106,7 +106,7 @@ class Fields:
         ]).reshape(8, -1)  # fmt: skip
         signs[~np.isfinite(signs)] = 0
         _, places, which = np.unique(signs, axis=1, return_index=True, return_inverse=True)
-        known: list[Regime] = []
+        known: list[RegimeO4] = []
         numbers = []
         for place in places:
             regime = self._regime(s.flat[place], tau.flat[place]) if signs[:, place].all() else None
@@ -116,7 +116,7 @@ class Fields:
         found: Integers = np.array(numbers)[which].reshape(s.shape)
         return found, known
 
-    def _regime(self, s: float, tau: float) -> Regime | None:
+    def _regime(self, s: float, tau: float) -> RegimeO4 | None:
         try:
             return regime_of(ParametersO4(self.a, self.b, Fraction(s), Fraction(tau)))
         except Inadmissible:
@@ -146,7 +146,7 @@ class Fields:
 
     def j(self, h: Array, g: Array) -> Array:
         """The absolute value of J₃ on M⁴ by those of H and G."""
-        _, unit = formulas.offered("M4_values", CriticalSets)(1.0)
+        _, unit = formulas.offered_values("M4_values", CriticalSets)(1.0)
         with np.errstate(invalid="ignore"):
             square = np.array(self._pr[0] ** 2 * h - 2 * g) / unit
             square[abs(square) < 1e-12 * (1 + abs(g))] = 0.0

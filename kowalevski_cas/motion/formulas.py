@@ -36,9 +36,9 @@ _loaded = cache(load)
 
 
 @cache
-def offered(name: str, kind: type = ClosedForm) -> Function:
+def offered_values(name: str, kind: type = ClosedForm) -> Function:
     """The values that an offer of a kind has under this name, as a function of numbers."""
-    return compiled(getattr(source(kind).offers[kind](), name), kind)
+    return compile_values(getattr(source(kind).offers[kind](), name), kind)
 
 
 def exactly(compiled: Function, state: list[Fraction]) -> list[Fraction]:
@@ -46,7 +46,7 @@ def exactly(compiled: Function, state: list[Fraction]) -> list[Fraction]:
     return [to_fraction(value) for value in compiled(*map(to_flint, state))]
 
 
-def compiled(values: Values, kind: type = ClosedForm) -> Function:
+def compile_values(values: Values, kind: type = ClosedForm) -> Function:
     """Values, read on their scene, as a function of numbers."""
     derivation = source(kind)
     texts = derivation.texts(derivation.corrected(), values.scene)
@@ -59,13 +59,13 @@ def compiled(values: Values, kind: type = ClosedForm) -> Function:
         else:
             formula = texts.expression(expression)
         for part, name in named:
-            formula = _named(formula, part, name)
+            formula = _with_name(formula, part, name)
         elements.append(on.finder.scalar(on.plain(formula)))
     return function(elements, values.arguments)
 
 
-def _named(formula: Formula, wanted: Formula, name: Name) -> Formula:
+def _with_name(formula: Formula, wanted: Formula, name: Name) -> Formula:
     """The formula with a name in place of a subformula."""
     if formula == wanted:
         return name
-    return formula.mapped(lambda child: _named(child, wanted, name))
+    return formula.map_children(lambda child: _with_name(child, wanted, name))

@@ -29,7 +29,7 @@ def given_state(state: Sequence[Real]) -> list[Fraction]:
     return given
 
 
-def turned(state: Sequence[Any], cos: Any, sin: Any) -> list[Any]:
+def rotate(state: Sequence[Any], cos: Any, sin: Any) -> list[Any]:
     """The nine variables (ω, α, β) after the turn by the angle with this cosine and sine."""
     omega, alpha, beta = (_about_third(state[k : k + 3], cos, sin) for k in (0, 3, 6))
     return [
@@ -54,7 +54,7 @@ def turn_of(a_square: Fraction, b_square: Fraction, c: Fraction) -> tuple[Fracti
     return as_fraction(cosine), as_fraction(sine)
 
 
-def straightened(
+def straighten(
     a: Fraction, b: Fraction, c: Fraction
 ) -> tuple[Fraction, Fraction, tuple[Fraction, Fraction]]:
     """The lengths of the fields after the turn that makes them orthogonal, and the turn.

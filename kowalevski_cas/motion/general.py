@@ -45,7 +45,7 @@ class General:
         """The constants in a unit of time in which the size of the state is about 1."""
         state = np.array(self.point)
         state = in_unit(state, unit_of(state))
-        found = formulas.offered("integrals")(*state)
+        found = formulas.offered_values("integrals")(*state)
         values = dict(zip(formulas.INTEGRALS, map(float, found), strict=True))
         lengths = {"a": hypot(*state[3:6]), "b": hypot(*state[6:])}
         return {**lengths, "c": values["c"], **{name.lower(): values[name] for name in "HKG"}}

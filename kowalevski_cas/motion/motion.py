@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
-from kowalevski_cas.motion.frame import fields, straightened
+from kowalevski_cas.motion.frame import fields, straighten
 from kowalevski_cas.motion.oscillation import Oscillation
 from kowalevski_cas.motion.parameters import Parameters, Real, precision, usable
 from kowalevski_cas.motion.regimes import Arc, Regime, regime_of, signs_of, without_rounding
@@ -66,7 +66,7 @@ class Motion:
         """
         if (ell is None) == (h is None):
             raise ValueError("one of ℓ and h is needed" + ", not both" * (h is not None))
-        longer, shorter, turn = straightened(usable(a), usable(b), usable(c))
+        longer, shorter, turn = straighten(usable(a), usable(b), usable(c))
         make, last = (Parameters.of, ell) if h is None else (Parameters.at_energy, h)
         assert last is not None
         parameters = make(longer, shorter, m, last)

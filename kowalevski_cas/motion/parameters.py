@@ -171,11 +171,11 @@ def energies(a: Fraction, b: Fraction, m: Fraction) -> str:
         (square - 1 - 2 * (a**2 + b**2) * m**2) / (2 * m)
         for square in (extreme_ell(a, b, m) ** 2, Fraction(0))
     )
-    least = f"h ≥ {rounded(at_ell, up=True)}"
-    return least if m > 0 else f"{least} and ≤ {rounded(at_zero, up=False)}"
+    least = f"h ≥ {round_towards(at_ell, up=True)}"
+    return least if m > 0 else f"{least} and ≤ {round_towards(at_zero, up=False)}"
 
 
-def rounded(value: Fraction, up: bool) -> str:
+def round_towards(value: Fraction, up: bool) -> str:
     """A number to twelve digits, rounded towards one side."""
     towards = Context(prec=12, rounding=ROUND_CEILING if up else ROUND_FLOOR)
     quotient = towards.divide(Decimal(value.numerator), Decimal(value.denominator))

@@ -20,7 +20,7 @@ from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.critical import LEAST_THETA, TOLERANCE, bounds
 from kowalevski_cas.motion.formulas import exactly
-from kowalevski_cas.motion.frame import BITS, given_state, turn_of, turned
+from kowalevski_cas.motion.frame import BITS, given_state, rotate, turn_of
 from kowalevski_cas.motion.methods.ball import enclosures
 from kowalevski_cas.motion.methods.closed import states
 from kowalevski_cas.motion.motion import Motion
@@ -60,7 +60,7 @@ def on_N4(state: Sequence[Real]) -> Motion:
     given = given_state(state)
     infinite = _check(given)
     with precision(BITS):
-        _, _, a_square, b_square, c, *_ = exactly(formulas.offered("integrals"), given)
+        _, _, a_square, b_square, c, *_ = exactly(formulas.offered_values("integrals"), given)
         turn = turn_of(a_square, b_square, c)
         straight = _straight(given, turn)
         parameters, theta = _parameters(straight, infinite)
@@ -68,9 +68,9 @@ def on_N4(state: Sequence[Real]) -> Motion:
             parameters = without_rounding(parameters)
         motion = Motion(parameters, turn=turn, point=tuple(map(float, given)))
         if infinite:
-            found = [_started(motion, at_infinity(straight, parameters, s)) for s in (1, -1)]
+            found = [_motion_at(motion, at_infinity(straight, parameters, s)) for s in (1, -1)]
         else:
-            found = [_started(motion, variables(straight, parameters, theta))]
+            found = [_motion_at(motion, variables(straight, parameters, theta))]
         best = min((_returning(motion, given) for motion in found), key=lambda motion: motion.off)
         if best.off > ROUNDING:
             fields, size = _sizes(given)
@@ -87,7 +87,7 @@ def on_N4(state: Sequence[Real]) -> Motion:
     return best
 
 
-def _started(motion: Motion, values: tuple[Values, Values]) -> Motion:
+def _motion_at(motion: Motion, values: tuple[Values, Values]) -> Motion:
     """The motion with these values at t = 0."""
     first, second = (
         arc_of(oscillation, value)
@@ -167,8 +167,8 @@ def _check(state: list[Fraction]) -> bool:
 
     The left sides of (16) are compared with the size of the state, exactly.
     """
-    *_, first, second = exactly(formulas.offered("integrals"), state)
-    theta, *_, p_square, r_fourth = exactly(formulas.offered("constants"), state)
+    *_, first, second = exactly(formulas.offered_values("integrals"), state)
+    theta, *_, p_square, r_fourth = exactly(formulas.offered_values("constants"), state)
     if r_fourth == 0:
         raise Inadmissible("the fields are orthogonal and of equal size: r = 0, nothing separates")
     if theta * p_square <= Fraction(LEAST_THETA) * r_fourth:
@@ -186,18 +186,20 @@ def _check(state: list[Fraction]) -> bool:
 def _straight(state: list[Fraction], turn: tuple[Fraction, Fraction]) -> list[Fraction]:
     """The state in fields at right angles."""
     if not all(turn):
-        return turned(state, *turn)
+        return rotate(state, *turn)
     fields, size = _sizes(state)
     return [
         x if (x**2 > NOISE**2 * size if place < 3 else abs(x) > NOISE * fields) else Fraction(0)
-        for place, x in enumerate(turned(state, *turn))
+        for place, x in enumerate(rotate(state, *turn))
     ]
 
 
 def _parameters(state: list[Fraction], infinite: bool) -> tuple[Parameters, arb]:
     """The constants at a state in fields at right angles, and the root of x1x2."""
-    _, _, a_square, b_square, *_ = exactly(formulas.offered("integrals"), state)
-    theta, total, w_square, h, g, p_square, r_fourth = exactly(formulas.offered("constants"), state)
+    _, _, a_square, b_square, *_ = exactly(formulas.offered_values("integrals"), state)
+    theta, total, w_square, h, g, p_square, r_fourth = exactly(
+        formulas.offered_values("constants"), state
+    )
     # 2g − p²h = r⁴m and ℓ² = 2p²m² + 2hm + 1: no division by x1x2.
     m = (2 * g - p_square * h) / r_fourth
     ell_square = 2 * p_square * m**2 + 2 * h * m + 1

@@ -33,7 +33,7 @@ from kowalevski_cas.motion.parameters import (
     ball,
     energies,
     extreme_ell,
-    rounded,
+    round_towards,
 )
 
 FIELD_1, FIELD_2, PHI = ("-a", "a"), ("-b", "b"), ("C", "A")
@@ -243,5 +243,5 @@ def _why_not(parameters: Parameters) -> str:
     sign = "≥" if m > 0 else "≤"
     return (
         f"{ell} with m = {float(m):.6g}: {words}; "
-        f"|ℓ| {sign} {rounded(bound, up=m > 0)}, that is {energies(a, b, m)}, would do"
+        f"|ℓ| {sign} {round_towards(bound, up=m > 0)}, that is {energies(a, b, m)}, would do"
     )

@@ -25,7 +25,7 @@ INTEGRALS = {"H": "H", "K": "K", "G": "G", "a^2": "a2", "b^2": "b2", "c": "c"}
 
 
 @dataclass(frozen=True)
-class Result:
+class Trajectory:
     """States of shape (N, 9) at times of shape (N,).
 
     ``radii`` (N,) are those of enclosures: no number of a state is farther from the exact one.
@@ -51,7 +51,7 @@ class Result:
     def drift(self) -> dict[str, float]:
         """The largest change of each integral, relative to what it is for the size of the state."""
         states = in_unit(self.states, unit_of(self.states[0]))
-        values = formulas.offered("integrals")(*states.T)
+        values = formulas.offered_values("integrals")(*states.T)
         return {
             INTEGRALS[name]: float(np.max(np.abs(value - value[0])))
             for name, value in zip(formulas.INTEGRALS, map(np.atleast_1d, values), strict=True)

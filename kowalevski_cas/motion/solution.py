@@ -26,7 +26,7 @@ Number = Any
 
 
 @dataclass(frozen=True)
-class Solved:
+class VariableValues:
     """One variable at some times, multiplied by ``weight``: s, S, f, and s less each root."""
 
     weight: Number
@@ -52,7 +52,7 @@ class Variable:
         turned = sign * oscillation.orientation
         self._phi = (number(turned * oscillation.phi_amplitude), oscillation.phi_roots)
 
-    def __call__(self, quadruple: Sequence[Number]) -> Solved:
+    def __call__(self, quadruple: Sequence[Number]) -> VariableValues:
         """The variable, with the weight Δ/(cn² + |κ| sn²), where the quadruple is given."""
         squares = [t * t for t in quadruple]
         head, tail = squares[1], self._kappa * squares[0]
@@ -61,7 +61,7 @@ class Variable:
         distances = {name: c * squares[place] * over for name, place, c in self._places}
         field, (i, j) = self._field
         phi, (k, n) = self._phi
-        return Solved(
+        return VariableValues(
             weight,
             self._start * weight + distances[self._places[0][0]],
             field * quadruple[i] * quadruple[j] * over,
@@ -77,10 +77,13 @@ class PhasePoint:
         self._gap = number(ball(parameters.a - parameters.b))
         self._r = number(ball(parameters.r_square).sqrt())
         self._m = number(ball(parameters.m))
-        self._formulas = formulas.offered("phase_point")
+        self._formulas = formulas.offered_values("phase_point")
 
     def __call__(
-        self, first: Solved, second: Solved, select: Callable[[Number, Number, Number], Number]
+        self,
+        first: VariableValues,
+        second: VariableValues,
+        select: Callable[[Number, Number, Number], Number],
     ) -> tuple[Number, ...]:
         """The state; ``select(x, y, z)`` is y where x ≥ 0 and z elsewhere."""
         one, weight, m, gap = first.distances, first.weight, self._m, self._gap

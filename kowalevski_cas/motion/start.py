@@ -25,7 +25,7 @@ def variables(state: list[Fraction], parameters: Parameters, root: arb) -> tuple
     omega1, omega2, omega3, _, alpha2, alpha3, beta1, _, beta3 = map(ball, state)
     r_square, m, ell = ball(parameters.r_square), ball(parameters.m), parameters.ell
     r = r_square.sqrt()
-    _, total, *_ = map(ball, exactly(formulas.offered("constants"), state))
+    _, total, *_ = map(ball, exactly(formulas.offered_values("constants"), state))
     s1, s2 = (total + r_square) / (2 * root), (total - r_square) / (2 * root)
     d = r_square / root
     S1, S2 = alpha3 * d / r, beta3 * d / r
@@ -34,10 +34,14 @@ def variables(state: list[Fraction], parameters: Parameters, root: arb) -> tuple
     # ω1 and ω2 give f2 and f1; one of them surely, the other by ω3 and α2 + β1 as well.
     if parameters.m > 0:
         f1 = omega2 / by_f1
-        f2 = _fitted((by_f2, omega1), (S1 / d, -omega3 - S2 * f1 / d), (by_product * f1, product))
+        f2 = _least_squares(
+            (by_f2, omega1), (S1 / d, -omega3 - S2 * f1 / d), (by_product * f1, product)
+        )
     else:
         f2 = omega1 / by_f2
-        f1 = _fitted((by_f1, omega2), (S2 / d, -omega3 - S1 * f2 / d), (by_product * f2, product))
+        f1 = _least_squares(
+            (by_f1, omega2), (S2 / d, -omega3 - S1 * f2 / d), (by_product * f2, product)
+        )
     return (s1, S1, f1, arb(1)), (s2, S2, f2, arb(1))
 
 
@@ -57,7 +61,7 @@ def at_infinity(state: list[Fraction], parameters: Parameters, sign: int) -> tup
     return (arb(1), S1, f1, arb(0)), (s2, S2, f2, arb(1))
 
 
-def _fitted(*equations: tuple[arb, arb]) -> arb:
+def _least_squares(*equations: tuple[arb, arb]) -> arb:
     """The best x for coefficient·x = value, in the least squares."""
     above = sum((c * v for c, v in equations), arb(0))
     below = sum((c * c for c, _ in equations), arb(0))

@@ -5,6 +5,7 @@ r"""LaTeX to formula to LaTeX: a derivation as its author printed it.
 "x_1' = \\frac{1}{x_2}"
 """
 
+from kowalevski_cas.notation.defined_names import DefinedNames, defined_names
 from kowalevski_cas.notation.edits import Edit, edits, is_small_change, replace, substitute, subtree
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import (
@@ -41,11 +42,10 @@ from kowalevski_cas.notation.formula import (
     times,
     total,
 )
-from kowalevski_cas.notation.heads import Heads, heads
 from kowalevski_cas.notation.latex import to_latex
 from kowalevski_cas.notation.layout import split_display
 from kowalevski_cas.notation.plain import to_plain
 from kowalevski_cas.notation.prose import Prose, print_prose, read_prose
-from kowalevski_cas.notation.reader import Statement, read, read_display
+from kowalevski_cas.notation.reader import PrintedStatement, read, read_display
 from kowalevski_cas.notation.values import rank
 from kowalevski_cas.notation.vocabulary import Vocabulary

@@ -90,7 +90,7 @@ class Atoms(Symbols):
             self.at += 1
             if kind == "_":
                 first = self.tokens[self.at : self.at + 3]
-                if [one.kind for one in first[:2]] != ["{", "letter"] or first[-1].text != "=":
+                if [token.kind for token in first[:2]] != ["{", "letter"] or first[-1].text != "=":
                     break
                 index = first[1].text
                 self.at += 3
@@ -132,7 +132,7 @@ class Atoms(Symbols):
         end = self.tokens[self.at - 1].end
         return self.scripts((Root(argument[0]), start, end, (argument,)))
 
-    def listed(self, pair: bool = False) -> tuple[Piece, ...]:
+    def read_list(self, pair: bool = False) -> tuple[Piece, ...]:
         """What stands between brackets, separated by commas; a pair may stand in braces."""
         opening = self.take()
         items = [self.sum()]
@@ -158,7 +158,7 @@ class Atoms(Symbols):
     def bracket(self) -> Piece:
         """A formula in brackets, a product or Poisson bracket of two, or a vector."""
         opening = self.tokens[self.at]
-        items = self.listed(pair=True)
+        items = self.read_list(pair=True)
         start, end = opening.start, self.tokens[self.at - 1].end
         if len(items) == 1:
             if opening.text == r"\langle":
@@ -187,7 +187,7 @@ class Atoms(Symbols):
         if token.text == "diag":
             if self.tokens[self.at].kind != "open":
                 raise self.unexpected()
-            entries = self.listed()
+            entries = self.read_list()
             node = Diagonal(tuple(entry[0] for entry in entries))
             return (node, token.start, self.tokens[self.at - 1].end, entries)
         bracketed = self.tokens[self.at].kind == "open"

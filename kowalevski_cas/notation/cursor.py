@@ -160,7 +160,7 @@ class Cursor:
             return count if braced else 1
         return 0
 
-    def declared(self, letter: str, index: str, token: Token) -> Name:
+    def name_node(self, letter: str, index: str, token: Token) -> Name:
         """The node of a name; one bold type is as good as another."""
         name = letter + index
         found = Name(name) if name in self.bound else self.names.get(name)

@@ -18,7 +18,7 @@ class Derivatives(Atoms):
 
     def read_frac(self) -> Piece:
         """A fraction; over d and an independent variable it is a derivative."""
-        written = self.written_derivative()
+        written = self.read_derivative()
         if written is not None:
             return written
         start = self.take().start
@@ -26,7 +26,7 @@ class Derivatives(Atoms):
         end = self.tokens[self.at - 1].end
         return self.scripts((Quotient(above[0], below[0]), start, end, (above, below)))
 
-    def written_derivative(self) -> Piece | None:
+    def read_derivative(self) -> Piece | None:
         r"""``\frac{dF}{d\tau}``, ``\frac{d}{d\tau}`` with what it is applied to; so too with ∂."""
         fraction = self.at
         start = self.tokens[fraction].start
@@ -66,7 +66,7 @@ class Derivatives(Atoms):
         if token.text not in _DIFFERENTIALS:
             return super().factor()
         if token.text in self.names or (self.lone_d and token.text == "d"):
-            if not self.slashed():
+            if not self.slash_derivative_begins():
                 return super().factor()
             if token.text in self.names:
                 raise self.error("a derivative, or the name d? print a fraction, or a dot", token)
@@ -82,7 +82,7 @@ class Derivatives(Atoms):
             raise self.error("the orders above and below differ", token)
         return _derived(piece, token.text, by, token.start, self.tokens[self.at - 1].end)
 
-    def slashed(self) -> bool:
+    def slash_derivative_begins(self) -> bool:
         """Whether a derivative with a slash begins here, as dx/dt."""
         start, level = self.at, self.level
         try:

@@ -14,6 +14,7 @@ from kowalevski_cas.notation.formula import (
     Name,
     Negative,
     Number,
+    Product,
     Relation,
     Sum,
 )
@@ -21,7 +22,7 @@ from kowalevski_cas.notation.latex import bracketed, to_latex
 from kowalevski_cas.notation.layout import split_display
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.misprints import misprints, only_change
-from kowalevski_cas.notation.reader import Path, Statement, read_display
+from kowalevski_cas.notation.reader import Path, PrintedStatement, read_display
 from kowalevski_cas.notation.tokens import BRACE
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
@@ -32,7 +33,7 @@ _COMMAND = re.compile(r"\\[A-Za-z]+$")
 class Edit:
     """One change of one place.
 
-    ``kind`` is one of sign, index, letter, exponent, coefficient, factor, power, missing;
+    ``kind`` is one of sign, index, letter, exponent, coefficient, factor, power, missing, exchange;
     ``replacement`` is the new subtree at ``path``, and ``words`` says what was changed.
     """
 
@@ -40,7 +41,7 @@ class Edit:
     path: Path
     replacement: Formula
     words: str
-    statement: Statement = field(repr=False)
+    statement: PrintedStatement = field(repr=False)
     vocabulary: Vocabulary = field(repr=False, compare=False)
 
     @property
@@ -110,7 +111,7 @@ class Edit:
 
 
 def edits(
-    statement: Statement,
+    statement: PrintedStatement,
     vocabulary: Vocabulary,
     names: frozenset[str] | None = None,
     wanted: Formula | None = None,
@@ -148,7 +149,7 @@ def replace(formula: Formula, path: Path, new: Formula) -> Formula:
     if first >= len(formula.children()):
         raise IndexError(f"no child {first} in {type(formula).__name__}")
     places = count()
-    return formula.mapped(
+    return formula.map_children(
         lambda child: replace(child, tuple(rest), new) if next(places) == first else child
     )
 
@@ -161,7 +162,7 @@ def substitute(formula: Formula, values: Mapping[str, Formula]) -> Formula:
     """
     if isinstance(formula, Name):
         return values.get(formula.name, formula)
-    return formula.mapped(lambda child: substitute(child, values))
+    return formula.map_children(lambda child: substitute(child, values))
 
 
 def changes_subject(edit: Edit) -> bool:
@@ -173,7 +174,7 @@ def changes_subject(edit: Edit) -> bool:
     >>> words = Vocabulary(frozenset({"U", "x"}))
     >>> [statement] = read_display("U=2x", words)
     >>> [edit.tex for edit in edits(statement, words) if changes_subject(edit)]
-    ['-U=2x', 'x=2x', 'U=2U', 'U^2=2x', '2U=2x', '\\frac{1}{2}U=2x', 'U=2 x U', 'Ux=2x']
+    ['-U=2x', 'x=2x', 'U=2U', 'U^2=2x', '2U=2x', '\\frac{1}{2}U=2x', 'UU=2x', 'Ux=2x', 'U=2xU']
     """
     formula, path = edit.statement.formula, edit.path
     first, moving = formula, False
@@ -184,10 +185,10 @@ def changes_subject(edit: Edit) -> bool:
             alone = isinstance(first, Name) and first not in formula.members[1:]
             return alone and first in edit.replacement.nodes()
         path = path[1:]
-    while path and not isinstance(first, Derivative):
-        first, path = first.children()[path[0]], path[1:]
-        if not path:
-            return False
+        if path and isinstance(first, Product):
+            first, path = first.factors[path[0]], path[1:]
+            if not isinstance(first, Derivative):
+                return False
     if moving and isinstance(first, Derivative) and first in edit.replacement.nodes():
         return False
     while isinstance(first, Derivative):

@@ -133,10 +133,10 @@ def letter_and_index(name: str) -> tuple[str, str]:
     return letter, index[1:-1] if index.startswith("{") else index
 
 
-def dotted(name: str) -> str:
+def rate_name(name: str) -> str:
     r"""The name of the derivative of a variable, as it is printed.
 
-    >>> dotted(r"\omega_1"), dotted(r"\dot{x}")
+    >>> rate_name(r"\omega_1"), rate_name(r"\dot{x}")
     ('\\dot{\\omega}_1', '\\ddot{x}')
     """
     letter = name.partition("_")[0]
@@ -146,10 +146,10 @@ def dotted(name: str) -> str:
     return marked + name[len(letter) :]
 
 
-def undotted(name: str) -> str:
+def name_of_rate(name: str) -> str:
     r"""The variable of which a name is the derivative; the name itself, if it is no such one.
 
-    >>> undotted(r"\dot{\omega}_1"), undotted(r"\dot{\mathbf{r}}"), undotted("x_1")
+    >>> name_of_rate(r"\dot{\omega}_1"), name_of_rate(r"\dot{\mathbf{r}}"), name_of_rate("x_1")
     ('\\omega_1', '\\mathbf{r}', 'x_1')
     """
     letter = letter_and_index(name)[0]

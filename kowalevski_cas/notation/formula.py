@@ -64,16 +64,16 @@ class Formula:
         """The formula and all its subformulas, each before those below it, from left to right."""
         waiting: list[Formula] = [self]
         while waiting:
-            one = waiting.pop()
-            yield one
-            if one._below:
-                waiting += reversed(one.children())
+            formula = waiting.pop()
+            yield formula
+            if formula._below:
+                waiting += reversed(formula.children())
 
     def names(self) -> set[str]:
         """The names that stand in the formula."""
-        return {one.name for one in self.nodes() if isinstance(one, Name)}
+        return {node.name for node in self.nodes() if isinstance(node, Name)}
 
-    def mapped(self, change: Callable[[Formula], Formula]) -> Formula:
+    def map_children(self, change: Callable[[Formula], Formula]) -> Formula:
         """The formula with its children changed; itself, if no child is another one."""
         changed = {}
         for name, several in self._below:

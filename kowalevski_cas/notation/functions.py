@@ -154,7 +154,7 @@ def canonical(word: str) -> str:
     return rf"\{word}" if word in _MACROS else rf"\mathrm{{{word}}}"
 
 
-_LINES = [name.split() for one in FAMILIES for name in one.functions]
+_LINES = [name.split() for family in FAMILIES for name in family.functions]
 _LINES += [line.split() for line in (*DERIVATIVES, *_OTHERS)]
 
 FUNCTIONS = frozenset(canonical(names[0]) for names in _LINES)
@@ -169,11 +169,15 @@ SPELLING = {
 }
 """How they are read, by the other ways to print them."""
 
-FAMILY_OF = {canonical(names.split()[0]): one for one in FAMILIES for names in one.functions}
+FAMILY_OF = {
+    canonical(names.split()[0]): family for family in FAMILIES for names in family.functions
+}
 """The family of a function."""
 
 MEANING = {
-    canonical(names.split()[0]): tex for one in FAMILIES for names, tex in one.functions.items()
+    canonical(names.split()[0]): tex
+    for family in FAMILIES
+    for names, tex in family.functions.items()
 }
 """A function of a family in its generators."""
 

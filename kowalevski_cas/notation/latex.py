@@ -29,7 +29,7 @@ class Latex(Printer):
     def sign(self, sign: str) -> str:
         return sign
 
-    def joined(self, parts: Iterable[str]) -> str:
+    def side_by_side(self, parts: Iterable[str]) -> str:
         """The parts side by side; a command and a letter behind it need a space."""
         joined = ""
         for part in parts:
@@ -50,15 +50,15 @@ class Latex(Printer):
             below = r"d\cdot " + below[1:].lstrip().removeprefix(r"\cdot ")
         return self.fraction(self(formula.numerator), below)
 
-    def raised(self, base: str, exponent: str) -> str:
+    def superscript(self, base: str, exponent: str) -> str:
         return f"{base}^{exponent}" if len(exponent) == 1 else f"{base}^{{{exponent}}}"
 
-    def dotted(self, argument: Formula, order: int) -> str:
+    def with_dots(self, argument: Formula, order: int) -> str:
         if isinstance(argument, Name):
             inner = letter_and_index(argument.name)[0]
             behind = argument.name[len(inner) :]
         else:
-            inner, behind = self.bracketed(self(argument)), ""
+            inner, behind = self.in_brackets(self(argument)), ""
         while order > 3:
             inner, behind, order = f"{_DOTS[3]}{{{inner}}}{behind}", "", order - 3
         return f"{_DOTS[order]}{{{inner}}}{behind}"
@@ -69,7 +69,7 @@ class Latex(Printer):
 
 
 LATEX = Latex()
-bracketed = LATEX.bracketed
+bracketed = LATEX.in_brackets
 
 
 def to_latex(formula: Formula) -> str:

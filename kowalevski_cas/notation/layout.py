@@ -43,7 +43,7 @@ def split_display(tex: str) -> tuple[tuple[int, int], ...]:
     return tuple((start, end) for _, start, end in statements(tex))
 
 
-class Placed(NamedTuple):
+class StatementTokens(NamedTuple):
     """The tokens of a statement, and where it stands in its display."""
 
     tokens: list[Token]
@@ -52,22 +52,24 @@ class Placed(NamedTuple):
 
 
 @cache
-def statements(tex: str) -> tuple[Placed, ...]:
+def statements(tex: str) -> tuple[StatementTokens, ...]:
     """The statements of a display, with both braces of the groups that begin or end in them.
 
     With a ± in it, it is two statements, and one for each value of an index with a range.
     """
     tokens, ranges = without_ranges(scan(tex), tex)
-    found = [one for own in _printed(tokens, tex) for one in each_value(own, ranges, tex)]
+    found = [one for own in _printed_statement(tokens, tex) for one in each_value(own, ranges, tex)]
     groups = _groups(tex)
     return tuple(
-        Placed(one, *_interval(one, groups)) for statement in found for one in _signs_of(statement)
+        StatementTokens(one, *_interval(one, groups))
+        for statement in found
+        for one in _signs_of(statement)
     )
 
 
-def printed(tex: str) -> list[list[Token]]:
+def printed_statements(tex: str) -> list[list[Token]]:
     """The tokens of each statement as it is printed: with ±, and for all values of its indices."""
-    return _printed(without_ranges(scan(tex), tex)[0], tex)
+    return _printed_statement(without_ranges(scan(tex), tex)[0], tex)
 
 
 def _groups(tex: str) -> list[tuple[int, int]]:
@@ -91,9 +93,9 @@ def _interval(tokens: list[Token], groups: list[tuple[int, int]]) -> tuple[int, 
     return start, end
 
 
-def _printed(tokens: list[Token], tex: str) -> list[list[Token]]:
-    rows = _joined(_runs(tokens, tex), ("gap", "cell"), tex)
-    return [run.tokens for run in _joined(rows, ("row", "block"), tex)]
+def _printed_statement(tokens: list[Token], tex: str) -> list[list[Token]]:
+    rows = _join(_runs(tokens, tex), ("gap", "cell"), tex)
+    return [run.tokens for run in _join(rows, ("row", "block"), tex)]
 
 
 def _signs_of(tokens: list[Token]) -> Iterator[list[Token]]:
@@ -108,7 +110,7 @@ def _signs_of(tokens: list[Token]) -> Iterator[list[Token]]:
         ]
 
 
-def _joined(runs: list[_Run], breaks: tuple[str, str], tex: str) -> list[_Run]:
+def _join(runs: list[_Run], breaks: tuple[str, str], tex: str) -> list[_Run]:
     """The runs, with those joined that run on at these breaks."""
     joined: list[_Run] = []
     for run in runs:
@@ -125,7 +127,7 @@ def _runs(tokens: list[Token], tex: str) -> list[_Run]:
     """What stands between the breaks outside all brackets; empty cells vanish."""
     runs = [_Run("comma")]
     broken = ""  # the last break inside brackets, where a sign may stand on both sides
-    for token, depth, matrix in _nested(tokens, tex):
+    for token, depth, matrix in _nesting(tokens, tex):
         run, kind = runs[-1], token.kind
         if kind in _BREAKS and not depth:
             if run.tokens:
@@ -150,7 +152,7 @@ def _runs(tokens: list[Token], tex: str) -> list[_Run]:
     return [run for run in runs if run.tokens]
 
 
-def _nested(tokens: list[Token], tex: str) -> Iterator[tuple[Token, int, bool]]:
+def _nesting(tokens: list[Token], tex: str) -> Iterator[tuple[Token, int, bool]]:
     """Each token, the number of brackets around it, and whether one of them is a matrix."""
     depth = matrices = 0
     for token in tokens:

@@ -8,7 +8,7 @@ from html import escape
 
 from kowalevski_cas.notation.formula import Conjugate, Formula, Name, Number
 from kowalevski_cas.notation.printer import Printer
-from kowalevski_cas.notation.unicode import SIGNS, styled, symbol
+from kowalevski_cas.notation.unicode import SIGNS, styled_letter, symbol
 
 _ACCENTS = {r"\hat": "^", r"\tilde": "~", r"\check": "ˇ", r"\vec": "→", r"\dot": "˙", r"\ddot": "¨"}
 _DOTS = {1: "˙", 2: "¨", 3: "⃛", 4: "⃜"}
@@ -44,7 +44,7 @@ class MathML(Printer):
         """A letter under dots, with primes and its index."""
         parts = symbol(formula.name)
         upright = parts.font == r"\mathrm" and len(parts.letter) == 1
-        letter = escape(styled(parts.letter, parts.font))
+        letter = escape(styled_letter(parts.letter, parts.font))
         text = f'<mi mathvariant="normal">{letter}</mi>' if upright else f"<mi>{letter}</mi>"
         if parts.font in _ACCENTS:
             text = _over(text, _ACCENTS[parts.font])
@@ -62,7 +62,7 @@ class MathML(Printer):
         # By itself a browser takes only the first sign of a row for one.
         return sign.replace("<mo>", '<mo form="prefix">')
 
-    def joined(self, parts: Iterable[str]) -> str:
+    def side_by_side(self, parts: Iterable[str]) -> str:
         return "".join(parts)
 
     def brackets(self, text: str) -> tuple[str, str]:
@@ -71,35 +71,35 @@ class MathML(Printer):
 
     def between(self, opening: str, text: str, closing: str) -> str:
         if _TALL.search(text):
-            opening, closing = stretched(opening), stretched(closing)
+            opening, closing = growing_bracket(opening), growing_bracket(closing)
         return f"<mrow>{opening}{text}{closing}</mrow>"
 
     def fraction(self, above: str, below: str) -> str:
         return f"<mfrac>{_one(above)}{_one(below)}</mfrac>"
 
-    def raised(self, base: str, exponent: str) -> str:
+    def superscript(self, base: str, exponent: str) -> str:
         """A power; that of a letter with an index stands above the index."""
         if base.startswith("<msub>") and base.find("</msub>") == len(base) - len("</msub>"):
             inner = base.removeprefix("<msub>").removesuffix("</msub>")
             return f"<msubsup>{inner}{_one(exponent)}</msubsup>"
         return f"<msup>{_one(base)}{_one(exponent)}</msup>"
 
-    def primed(self, argument: Formula, order: int) -> str:
+    def with_primes(self, argument: Formula, order: int) -> str:
         """Primes as letters behind the letter, before its index: fonts raise them by themselves."""
         primes = f'<mo lspace="0" rspace="0">{self.prime * order}</mo>'
         if isinstance(argument, Name):
             return self._name(argument, primes=primes)
-        return self.bracketed(self(argument)) + primes
+        return self.in_brackets(self(argument)) + primes
 
     def conjugate(self, formula: Conjugate) -> str:
         """An accent over a letter, a border over all else: no browser stretches a bar."""
         text = self(formula.argument)
         return _over(text, "¯") if _ATOM.fullmatch(text) else f'<mrow class="bar">{text}</mrow>'
 
-    def dotted(self, argument: Formula, order: int) -> str:
+    def with_dots(self, argument: Formula, order: int) -> str:
         if isinstance(argument, Name):
             return self._name(argument, order)
-        return _over(self.bracketed(self(argument)), _DOTS[min(order, 4)])
+        return _over(self.in_brackets(self(argument)), _DOTS[min(order, 4)])
 
     def over(self, index: str, first: str, last: str) -> str:
         below = f"<mrow>{index}<mo>=</mo>{first}</mrow>"
@@ -110,7 +110,7 @@ class MathML(Printer):
         return self.between(self.round[0], f"<mtable>{cells}</mtable>", self.round[1])
 
 
-def stretched(bracket: str) -> str:
+def growing_bracket(bracket: str) -> str:
     """A bracket that grows with what stands beside it; below a power it is tall by itself."""
     return bracket.replace(_AS_IT_IS, ' minsize="2.4em"' if "<msup>" in bracket else "", 1)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from functools import partial
+from itertools import combinations
 from typing import NamedTuple, TypeGuard
 
 from kowalevski_cas.notation.errors import closeness, letter_and_index
@@ -43,7 +44,7 @@ Misprint = tuple[str, Path, Formula, str]
 """Its kind, a place, the subtree that should stand there, and the words for it."""
 
 
-class _Place(NamedTuple):
+class _NodePlace(NamedTuple):
     """A node, the way to it, what it stands in, and whether it is part of an exponent."""
 
     path: Path
@@ -68,6 +69,7 @@ def misprints(
         partial(_names, "index", names, vocabulary),
         partial(_names, "letter", names, vocabulary),
         _functions,
+        partial(_dots, {one.mark for one in formula.nodes() if isinstance(one, Derivative)}),
         partial(_exponents, vocabulary),
         _fractions,
         _coefficients,
@@ -76,6 +78,7 @@ def misprints(
         partial(_partials, names, vocabulary),
         partial(_terms, names, vocabulary),
         partial(_missing, names, vocabulary),
+        _exchanged,
     ):
         for place in places:
             yield from slips(place)
@@ -86,16 +89,18 @@ def only_change(before: Formula, after: Formula) -> int | None:
     old, new = before.children(), after.children()
     if type(before) is not type(after) or len(old) != len(new):
         return None
-    different = [k for k, (one, other) in enumerate(zip(old, new, strict=True)) if one != other]
+    different = [
+        k for k, (formula, other) in enumerate(zip(old, new, strict=True)) if formula != other
+    ]
     return different[0] if len(different) == 1 else None
 
 
-def _places(formula: Formula, wanted: Formula | None) -> Iterator[_Place]:
+def _places(formula: Formula, wanted: Formula | None) -> Iterator[_NodePlace]:
     """All nodes, or those on the way to the one that is changed, from left to right.
 
     A parent comes before its children.
     """
-    waiting = [(_Place((), formula, None, False), wanted)]
+    waiting = [(_NodePlace((), formula, None, False), wanted)]
     while waiting:
         place, other = waiting.pop()
         yield place
@@ -104,7 +109,7 @@ def _places(formula: Formula, wanted: Formula | None) -> Iterator[_Place]:
             if other is None or index == changed:
                 raised = place.raised or (isinstance(place.node, Power) and index == 1)
                 below = None if other is None else other.children()[index]
-                waiting.append((_Place((*place.path, index), child, place.node, raised), below))
+                waiting.append((_NodePlace((*place.path, index), child, place.node, raised), below))
 
 
 def _printed(formula: Formula) -> bool:
@@ -112,7 +117,7 @@ def _printed(formula: Formula) -> bool:
     return formula != Number(0) and not isinstance(formula, Constant | Unwritten | Relation)
 
 
-def _term(place: _Place) -> bool:
+def _term(place: _NodePlace) -> bool:
     """Whether the node is a term with a sign of its own, or a side of a relation."""
     node = place.node
     whole = place.parent is None or isinstance(place.parent, Relation | Sum | Negative)
@@ -123,7 +128,7 @@ def _factors_of(node: Formula) -> tuple[Formula, ...]:
     return node.factors if isinstance(node, Product) else (node,)
 
 
-def _signs(place: _Place) -> Iterator[Misprint]:
+def _signs(place: _NodePlace) -> Iterator[Misprint]:
     node = place.node
     if isinstance(node, Negative):
         yield "sign", place.path, node.argument, _sign_of(node.argument)
@@ -145,11 +150,12 @@ def _read(node: Formula, other: Formula) -> str:
 
 
 def _names(
-    kind: str, names: list[str], vocabulary: Vocabulary, place: _Place
+    kind: str, names: list[str], vocabulary: Vocabulary, place: _NodePlace
 ) -> Iterator[Misprint]:
     node = place.node
-    if not isinstance(node, Name) or node.name not in vocabulary.scalars:
+    if not isinstance(node, Name) or node.name not in vocabulary.scalars | vocabulary.vectors:
         return
+    names = names if node.name in vocabulary.scalars else sorted(vocabulary.vectors)
     letter = letter_and_index(node.name)[0]
     same = [n for n in names if n != node.name and (letter_and_index(n)[0] == letter)]
     others = same if kind == "index" else [n for n in names if n != node.name and n not in same]
@@ -159,10 +165,21 @@ def _names(
         yield kind, place.path, Name(other), f"for {wrong} read ${other}$"
 
 
+def _dots(marks: set[str], place: _NodePlace) -> Iterator[Misprint]:
+    """A derivative more, or one less, where others stand."""
+    node = place.node
+    if isinstance(node, Derivative) and isinstance(node.argument, Name | Derivative):
+        yield "letter", place.path, node.argument, _read(node, node.argument)
+    if isinstance(node, Name | Derivative) and not isinstance(place.parent, Derivative):
+        for mark in sorted(marks):
+            other = Derivative(node, mark)
+            yield "letter", place.path, other, _read(node, other)
+
+
 _PAIRS = ((r"\sin", r"\cos"), (r"\sinh", r"\cosh"), (r"\sin", r"\tan"), (r"\cosh", r"\tanh"))
 
 
-def _functions(place: _Place) -> Iterator[Misprint]:
+def _functions(place: _NodePlace) -> Iterator[Misprint]:
     """The sine for the cosine, and the like."""
     node = place.node
     if isinstance(node, Application):
@@ -171,7 +188,7 @@ def _functions(place: _Place) -> Iterator[Misprint]:
             yield "letter", place.path, other, _read(node, other)
 
 
-def _exponents(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
+def _exponents(vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
     node, others = place.node, list[Formula]()
     if isinstance(node, Number) and place.raised:
         # A power of one is not printed, and nothing is divided by zero.
@@ -187,7 +204,7 @@ def _exponents(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
         yield "exponent", place.path, other, _read(node, other)
 
 
-def _coefficients(place: _Place) -> Iterator[Misprint]:
+def _coefficients(place: _NodePlace) -> Iterator[Misprint]:
     node = place.node
     if _is_fraction(place.parent):
         return  # it is changed as a whole
@@ -217,7 +234,7 @@ def _is_fraction(node: Formula | None) -> TypeGuard[Quotient]:
     return isinstance(node, Quotient) and all(isinstance(n, Number) for n in node.children())
 
 
-def _fractions(place: _Place) -> Iterator[Misprint]:
+def _fractions(place: _NodePlace) -> Iterator[Misprint]:
     """Another fraction where one stands: half or twice of it, and those with the next numbers."""
     if not _is_fraction(node := place.node):
         return
@@ -232,7 +249,7 @@ def _fractions(place: _Place) -> Iterator[Misprint]:
                 yield "coefficient", place.path, other, _read(node, other)
 
 
-def _factors(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
+def _factors(vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
     if isinstance(place.node, Product):
         whole = rank(place.node, vocabulary)
         factors = place.node.factors
@@ -243,7 +260,7 @@ def _factors(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
                 yield "factor", place.path, rest, words
 
 
-def _missing(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
+def _missing(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
     node = place.node
     if isinstance(node, Power) and isinstance(node.base, Name) and not place.raised:
         for name in names:
@@ -254,20 +271,18 @@ def _missing(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterato
     # What multiplies a quotient multiplies its numerator.
     if not _printed(node) or isinstance(node, Negative | Quotient):
         return
-    if rank(node, vocabulary) != SCALAR:
-        return
     factors = _factors_of(node)
     if all(isinstance(factor, Name | Number | Power) for factor in factors):
         first = len(factors)
     else:
-        first = int(isinstance(factors[0], Number))
+        first = int(isinstance(factors[0], Number) or _is_fraction(factors[0]))
     tex = to_latex(node)
     for name in names:
         words = f"insert the factor ${name}$ in ${tex}$"
         yield "missing", place.path, times(*factors[:first], Name(name), *factors[first:]), words
 
 
-def _partials(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
+def _partials(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
     """Another name by which something is derived."""
     node = place.node
     if isinstance(node, Partial):
@@ -277,7 +292,7 @@ def _partials(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterat
                 yield "letter", place.path, Partial(node.argument, name), words
 
 
-def _terms(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
+def _terms(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
     """A name before a minus with which a bracket begins: it may be missing there."""
     node = place.node
     if isinstance(node, Negative) and isinstance(place.parent, Product | Power):
@@ -287,7 +302,29 @@ def _terms(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterator[
                 yield "missing", place.path, Sum((Name(name), node)), words
 
 
-def _moves(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
+def _exchanged(place: _NodePlace) -> Iterator[Misprint]:
+    """Two names, or the sine and the cosine, each in the place of the other in a whole member."""
+    node = place.node
+    if isinstance(node, Relation) or not isinstance(place.parent, Relation | None):
+        return
+    nodes = dict.fromkeys(node.nodes())
+    names = [one.name for one in nodes if isinstance(one, Name)]
+    functions = {one.function for one in nodes if isinstance(one, Application)}
+    for pair in (*combinations(names, 2), *(one for one in _PAIRS if functions.issuperset(one))):
+        yield "exchange", place.path, _swapped(node, pair), f"exchange ${pair[0]}$ and ${pair[1]}$"
+
+
+def _swapped(formula: Formula, pair: tuple[str, str]) -> Formula:
+    """A formula with two names, or two functions, in each other's place."""
+    if isinstance(formula, Name) and formula.name in pair:
+        return Name(pair[pair[0] == formula.name])
+    changed = formula.map_children(lambda child: _swapped(child, pair))
+    if isinstance(changed, Application) and changed.function in pair:
+        return Application(pair[pair[0] == changed.function], changed.arguments)
+    return changed
+
+
+def _moves(vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
     """A factor of the denominator in the numerator, or the other way round."""
     node = place.node
     if isinstance(node, Quotient):
@@ -304,6 +341,9 @@ def _moves(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
                 moved = Quotient(rest, times(*below, factor))
                 words = f"move ${to_latex(factor)}$ from the numerator to the denominator"
                 yield "power", place.path, moved, words
+        if node.numerator != ONE and not _is_fraction(node):
+            other = Quotient(node.denominator, node.numerator)
+            yield "power", place.path, other, _read(node, other)
     elif isinstance(node, Product) and not isinstance(place.parent, Quotient):
         for index, factor in enumerate(node.factors):
             if not isinstance(factor, Number | Quotient) and rank(factor, vocabulary) == SCALAR:

@@ -40,12 +40,12 @@ class OpenParser(Parser):
 
     lone_d = True
 
-    def declared(self, letter: str, index: str, token: Token) -> Name:
+    def name_node(self, letter: str, index: str, token: Token) -> Name:
         """The node of a name; a d that belongs to no derivative is one."""
         if letter.startswith(BOLD) and not {letter, letter + index} & {*self.vocabulary.ranks}:
             name = letter + index
             raise self.error(f"give its components: print {name}=(x,y,z) beside it", token)
-        return Name("d" + index) if letter == "d" else super().declared(letter, index, token)
+        return Name("d" + index) if letter == "d" else super().name_node(letter, index, token)
 
 
 def independent(tex: str) -> list[str]:

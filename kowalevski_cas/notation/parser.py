@@ -47,7 +47,7 @@ class Parser(Derivatives):
             raise self.unexpected()
         piece = members[0]
         if signs:
-            self.alike(members, "a vector is set equal to a number")
+            self.refuse_mixed_ranks(members, "a vector is set equal to a number")
             node = Relation(tuple([member[0] for member in members]), tuple(signs))
             piece = (node, piece[1], members[-1][2], tuple(members))
         # A tree is no taller than its tokens are many: short formulas need no measuring.
@@ -88,7 +88,7 @@ class Parser(Derivatives):
             terms.append(term)
         if len(terms) == 1:
             return terms[0]
-        self.alike(terms, "a vector and a number are added")
+        self.refuse_mixed_ranks(terms, "a vector and a number are added")
         return (Sum(tuple([term[0] for term in terms])), terms[0][1], terms[-1][2], tuple(terms))
 
     def term(self) -> Piece:
@@ -164,7 +164,7 @@ class Parser(Derivatives):
             raise self.error(message, first)
         return right
 
-    def alike(self, pieces: list[Piece], message: str) -> None:
+    def refuse_mixed_ranks(self, pieces: list[Piece], message: str) -> None:
         """Refuse vectors beside numbers, but for a zero and what is not written."""
         ranks = [
             (self.rank([piece]) == VECTOR, piece)

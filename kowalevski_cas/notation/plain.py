@@ -18,7 +18,7 @@ from kowalevski_cas.notation.formula import (
     Root,
 )
 from kowalevski_cas.notation.printer import Printer
-from kowalevski_cas.notation.unicode import styled, symbol
+from kowalevski_cas.notation.unicode import styled_letter, symbol
 
 _LOW = str.maketrans("0123456789+-aehijklmnoprstuvxβγρφχ", "₀₁₂₃₄₅₆₇₈₉₊₋ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓᵦᵧᵨᵩᵪ")
 _HIGH = str.maketrans("0123456789+−in", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁱⁿ")
@@ -29,7 +29,7 @@ _MARKS = {
 _DOT, _BAR = "\u0307", "\u0304"
 
 
-class Plain(Printer):
+class PlainText(Printer):
     """Fractions have a slash, and brackets where it would reach too far."""
 
     minus, times, cross, prime, partial_d = "−", "·", "×", "′", "∂"
@@ -39,7 +39,7 @@ class Plain(Printer):
     def name(self, formula: Name) -> str:
         return _named(formula.name)
 
-    def joined(self, parts: Iterable[str]) -> str:
+    def side_by_side(self, parts: Iterable[str]) -> str:
         """The parts side by side; words, and roots without brackets, need a space."""
         joined = before = ""
         for part in parts:
@@ -50,15 +50,15 @@ class Plain(Printer):
         return joined
 
     def factor(self, formula: Formula) -> str:
-        return self.bracketed(self(formula)) if _slashed(formula) else super().factor(formula)
+        return self.in_brackets(self(formula)) if _slashed(formula) else super().factor(formula)
 
     def quotient(self, formula: Quotient) -> str:
         above, text = formula.numerator, self.term(formula.numerator)
         if _slashed(above) or isinstance(above, CrossProduct):
-            text = self.bracketed(text)
+            text = self.in_brackets(text)
         return self.fraction(text, self.factor(formula.denominator))
 
-    def raised(self, base: str, exponent: str) -> str:
+    def superscript(self, base: str, exponent: str) -> str:
         high = exponent.translate(_HIGH)
         if not set(exponent) & set(high):
             return base + high
@@ -74,10 +74,10 @@ class Plain(Printer):
             return _named(formula.argument.name, _BAR)
         return f"conj({self(formula.argument)})"
 
-    def dotted(self, argument: Formula, order: int) -> str:
+    def with_dots(self, argument: Formula, order: int) -> str:
         if isinstance(argument, Name):
             return _named(argument.name, _DOT * order)
-        return self.bracketed(self(argument)) + "˙" * order
+        return self.in_brackets(self(argument)) + "˙" * order
 
     def rows(self, rows: Sequence[Sequence[str]]) -> str:
         return f"({', '.join(f'({text})' for text in map(', '.join, rows))})"
@@ -87,7 +87,7 @@ class Plain(Printer):
 def _named(name: str, marks: str = "") -> str:
     """A letter under marks, with its index."""
     parts = symbol(name)
-    letter = styled(parts.letter, parts.font)
+    letter = styled_letter(parts.letter, parts.font)
     index = "".join(parts.indices)
     low = index.translate(_LOW)
     if set(index) & set(low):
@@ -108,7 +108,7 @@ def _slashed(formula: Formula) -> bool:
     return written or isinstance(formula, Quotient | Partial)
 
 
-_PRINTER = Plain()
+_PRINTER = PlainText()
 
 
 def to_plain(formula: Formula) -> str:

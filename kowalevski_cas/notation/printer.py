@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 
 from kowalevski_cas.notation.brackets import COMPOUND, SIGNED, bare, is_applied, is_base, is_word
-from kowalevski_cas.notation.errors import undotted
+from kowalevski_cas.notation.errors import name_of_rate
 from kowalevski_cas.notation.formula import (
     Application,
     Changed,
@@ -89,7 +89,7 @@ class Printer(ABC):
         return sign
 
     @abstractmethod
-    def joined(self, parts: Iterable[str]) -> str:
+    def side_by_side(self, parts: Iterable[str]) -> str:
         """Factors side by side."""
 
     def fraction(self, above: str, below: str) -> str:
@@ -101,21 +101,21 @@ class Printer(ABC):
         return self.fraction(self(formula.numerator), self(formula.denominator))
 
     @abstractmethod
-    def raised(self, base: str, exponent: str) -> str:
+    def superscript(self, base: str, exponent: str) -> str:
         """A power."""
 
     @abstractmethod
-    def dotted(self, argument: Formula, order: int) -> str:
+    def with_dots(self, argument: Formula, order: int) -> str:
         """Dots over the letter of a name, or over a formula in brackets."""
 
     @abstractmethod
     def rows(self, rows: Sequence[Sequence[str]]) -> str:
         """A matrix."""
 
-    def primed(self, argument: Formula, order: int) -> str:
+    def with_primes(self, argument: Formula, order: int) -> str:
         """Primes behind a name, or behind a formula in brackets."""
         text = self(argument)
-        text = text if isinstance(argument, Name) else self.bracketed(text)
+        text = text if isinstance(argument, Name) else self.in_brackets(text)
         return text + self.prime * order
 
     def between(self, opening: str, text: str, closing: str) -> str:
@@ -124,7 +124,7 @@ class Printer(ABC):
 
     # Brackets
 
-    def bracketed(self, text: str) -> str:
+    def in_brackets(self, text: str) -> str:
         """The text in brackets."""
         opening, closing = self.brackets(text)
         return self.between(opening, text, closing)
@@ -138,11 +138,11 @@ class Printer(ABC):
         """Whether a number stands at the beginning of what was printed."""
         return text[0].isdigit()
 
-    def finished(self, text: str) -> str:
+    def finish(self, text: str) -> str:
         """What was printed, as the format reads it."""
         return text
 
-    def listed(self, formulas: Iterable[Formula]) -> str:
+    def comma_list(self, formulas: Iterable[Formula]) -> str:
         """A list; square brackets around it would be a commutator."""
         opening, closing = self.round
         return self.between(opening, self.comma.join(map(self, formulas)), closing)
@@ -150,12 +150,12 @@ class Printer(ABC):
     def term(self, formula: Formula) -> str:
         """The formula behind a sign."""
         text = self(formula)
-        return self.bracketed(text) if isinstance(formula, SIGNED) else text
+        return self.in_brackets(text) if isinstance(formula, SIGNED) else text
 
     def factor(self, formula: Formula) -> str:
         """The formula beside other factors."""
         text = self(formula)
-        return self.bracketed(text) if isinstance(formula, COMPOUND) else text
+        return self.in_brackets(text) if isinstance(formula, COMPOUND) else text
 
     # Nodes
 
@@ -180,11 +180,11 @@ class Printer(ABC):
         before = formula.factors[0]
         for factor in formula.factors:
             part = self.factor(factor)
-            parts.append(self.beside(before, factor, part) + part if parts else part)
+            parts.append(self.separator(before, factor, part) + part if parts else part)
             before = factor
-        return self.joined(parts)
+        return self.side_by_side(parts)
 
-    def beside(self, left: Formula, right: Formula, text: str) -> str:
+    def separator(self, left: Formula, right: Formula, text: str) -> str:
         """What stands between two factors, of which the right one is printed as ``text``."""
         # A number behind a factor would look like a part of it, a bracket like its argument.
         if isinstance(bare(left), Number) and isinstance(bare(right), Number):
@@ -195,8 +195,8 @@ class Printer(ABC):
 
     def power(self, formula: Power) -> str:
         text = self(formula.base)
-        text = text if is_base(formula.base) else self.bracketed(text)
-        return self.raised(text, self(formula.exponent))
+        text = text if is_base(formula.base) else self.in_brackets(text)
+        return self.superscript(text, self(formula.exponent))
 
     def root(self, formula: Root) -> str:
         return self.root_form.format(self(formula.argument))
@@ -211,42 +211,42 @@ class Printer(ABC):
         while isinstance(argument, Derivative) and argument.mark == mark:
             argument, order = argument.argument, order + 1
         if mark == "prime":
-            return self.primed(argument, order)
-        return self.dotted(argument, order)
+            return self.with_primes(argument, order)
+        return self.with_dots(argument, order)
 
     def partial(self, formula: Partial) -> str:
         return self.rate(self.partial_d, formula.argument, formula.by)
 
     def rate(self, d: str, argument: Formula, by: str) -> str:
         """A derivative as a fraction of differentials, or applied to what stands behind it."""
-        variable = undotted(by)
+        variable = name_of_rate(by)
         moved = Name(by) if variable == by else Derivative(Name(variable), "dot")
-        below = self.joined([d, self(moved)])
+        below = self.side_by_side([d, self(moved)])
         if isinstance(argument, Name):
-            return self.fraction(self.joined([d, self(argument)]), below)
-        return self.joined([self.fraction(d, below), self.bracketed(self(argument))])
+            return self.fraction(self.side_by_side([d, self(argument)]), below)
+        return self.side_by_side([self.fraction(d, below), self.in_brackets(self(argument))])
 
     def real_part(self, formula: RealPart) -> str:
-        return self.joined([self.upright("Re"), self.bracketed(self(formula.argument))])
+        return self.side_by_side([self.upright("Re"), self.in_brackets(self(formula.argument))])
 
     def imaginary_part(self, formula: ImaginaryPart) -> str:
-        return self.joined([self.upright("Im"), self.bracketed(self(formula.argument))])
+        return self.side_by_side([self.upright("Im"), self.in_brackets(self(formula.argument))])
 
     def application(self, formula: Application) -> str:
-        return self.joined([self(Name(formula.function)), self.listed(formula.arguments)])
+        return self.side_by_side([self(Name(formula.function)), self.comma_list(formula.arguments)])
 
     def vector(self, formula: Vector) -> str:
         rows = formula.components
         lengths = {len(row.components) if isinstance(row, Vector) else 0 for row in rows}
         if len(lengths) != 1 or 0 in lengths:
-            return self.listed(rows)
+            return self.comma_list(rows)
         return self.rows([[*map(self, row.components)] for row in rows if isinstance(row, Vector)])
 
     def diagonal(self, formula: Diagonal) -> str:
-        return self.joined([self.upright("diag"), self.listed(formula.entries)])
+        return self.side_by_side([self.upright("diag"), self.comma_list(formula.entries)])
 
     def scalar_product(self, formula: ScalarProduct) -> str:
-        return self.listed((formula.left, formula.right))
+        return self.comma_list((formula.left, formula.right))
 
     def cross_product(self, formula: CrossProduct) -> str:
         sides = []
@@ -255,7 +255,7 @@ class Printer(ABC):
             inner = isinstance(side, Sum | Negative | CrossProduct | Summation)
             # A dot between the factors of the right side would end that side.
             dot = side is formula.right and isinstance(side, Product) and self.times in text
-            sides.append(self.bracketed(text) if inner or dot else text)
+            sides.append(self.in_brackets(text) if inner or dot else text)
         return f" {self.cross} ".join(sides)
 
     def poisson_bracket(self, formula: PoissonBracket) -> str:
@@ -273,7 +273,7 @@ class Printer(ABC):
 
     def summation(self, formula: Summation) -> str:
         index, first, last = self(Name(formula.index)), self(formula.first), self(formula.last)
-        return self.joined([self.over(index, first, last), self.term(formula.body)])
+        return self.side_by_side([self.over(index, first, last), self.term(formula.body)])
 
     def over(self, index: str, first: str, last: str) -> str:
         """The sign of a sum with its limits."""

@@ -10,7 +10,7 @@ from itertools import chain
 from kowalevski_cas.notation.cursor import Cursor, Piece
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula
-from kowalevski_cas.notation.layout import printed
+from kowalevski_cas.notation.layout import printed_statements
 from kowalevski_cas.notation.parser import Parser
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.notation.vocabulary import Vocabulary
@@ -27,7 +27,7 @@ class _InWords(Parser):
         shown = [Token(_SHOWN.get(t.kind, t.kind), t.text, t.start, t.end) for t in tokens]
         super().__init__(tex, shown, vocabulary)
 
-    def alike(self, pieces: list[Piece], message: str) -> None:
+    def refuse_mixed_ranks(self, pieces: list[Piece], message: str) -> None:
         """Words write vectors as they like."""
 
 
@@ -61,7 +61,7 @@ def _formulas(tex: str, vocabulary: Vocabulary) -> Prose:
     """The formulas between two dollars, with commas between them."""
     for parser in (_InWords, _Loosened):
         with suppress(NotationError):
-            each = (parser(tex, tokens, vocabulary) for tokens in printed(tex))
+            each = (parser(tex, tokens, vocabulary) for tokens in printed_statements(tex))
             if runs := [run for one in each for run in (", ", one.statement()[0])]:
                 return tuple(runs[1:])
     return (f"${tex}$",)

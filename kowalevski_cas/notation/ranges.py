@@ -15,7 +15,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import product
 
 from kowalevski_cas.notation.errors import NotationError
-from kowalevski_cas.notation.sums import Ranges, Sum, outside_sums
+from kowalevski_cas.notation.sums import Ranges, SumSign, outside_sums
 from kowalevski_cas.notation.tokens import Token
 
 _SIGNS = {
@@ -60,7 +60,7 @@ def each_value(tokens: list[Token], ranges: Ranges, tex: str) -> Iterator[list[T
         length = int(period[3] or period[4])
         own = {n: range(max(0, v[0] - length), v[-1] + 1) for n, v in own.items()}
     for values in product(*own.values()):
-        yield _substituted(tokens, dict(zip(own, values, strict=True)), ranges, tex)
+        yield _substitute(tokens, dict(zip(own, values, strict=True)), ranges, tex)
 
 
 def _sign(token: Token) -> str:
@@ -98,41 +98,41 @@ def _indexed(tokens: Iterable[Token]) -> Iterator[tuple[Token, bool]]:
         before = token.kind
 
 
-def _substituted(
+def _substitute(
     tokens: list[Token], at: Mapping[str, int], ranges: Ranges, tex: str
 ) -> list[Token]:
     """The tokens with values in the place of indices, and sums in indices added up."""
     first = next((k for k, token in enumerate(tokens) if token.kind == "sum"), None)
     if first is None:
-        return _put(tokens, at, tex) if at else tokens
-    sum_ = Sum.at(tokens, first)
+        return _substitute_values(tokens, at, tex) if at else tokens
+    sum_ = SumSign.at(tokens, first)
     before, behind = tokens[:first], tokens[sum_.end :]
     return [
-        *_put(before, at, tex),
-        *_summed(sum_, at, ranges, tex),
-        *_substituted(behind, at, ranges, tex),
+        *_substitute_values(before, at, tex),
+        *_expand_sum(sum_, at, ranges, tex),
+        *_substitute(behind, at, ranges, tex),
     ]
 
 
-def _summed(sum_: Sum, at: Mapping[str, int], ranges: Ranges, tex: str) -> Iterator[Token]:
+def _expand_sum(sum_: SumSign, at: Mapping[str, int], ranges: Ranges, tex: str) -> Iterator[Token]:
     """A sum by its terms, if its index stands beside others, or its limits are no numbers."""
     outer = {name: value for name, value in at.items() if name not in sum_.own}
     terms = sum_.terms(outer, ranges)
     mixed = not sum_.is_plain or any(_is_index(sum_.body, name) for name in outer)
     if terms is None or not mixed:
-        yield from _put(sum_.head, outer, tex)
-        yield from _substituted(sum_.body, outer, ranges, tex)
+        yield from _substitute_values(sum_.head, outer, tex)
+        yield from _substitute(sum_.body, outer, ranges, tex)
         return
     start = sum_.head[0].start
     yield Token("open", "(", start, start)
     for number, values in enumerate(terms):
         yield from [Token("sign", "+", start, start)] if number else []
-        yield from _substituted(sum_.body, {**outer, **values}, ranges, tex)
+        yield from _substitute(sum_.body, {**outer, **values}, ranges, tex)
     yield from [] if terms else [Token("number", "0", start, start)]
     yield Token("close", ")", start, start)
 
 
-def _put(tokens: list[Token], at: Mapping[str, int], tex: str) -> list[Token]:
+def _substitute_values(tokens: list[Token], at: Mapping[str, int], tex: str) -> list[Token]:
     """The tokens of what has no sums with values in the place of indices."""
     found: list[Token] = []
     tokens = [*_without_deltas(tokens, at)]
@@ -147,7 +147,7 @@ def _put(tokens: list[Token], at: Mapping[str, int], tex: str) -> list[Token]:
         group = before[-1:] == ["_"] and at[token.text] > 9
         braces = [Token(kind, kind, token.start, token.end) for kind in "{}"] if group else []
         found += [*braces[:1], number, *braces[1:]]
-    return [*_added(found, tokens, tex)]
+    return [*_add_numbers(found, tokens, tex)]
 
 
 def _without_deltas(tokens: list[Token], at: Mapping[str, int]) -> Iterator[Token]:
@@ -155,8 +155,8 @@ def _without_deltas(tokens: list[Token], at: Mapping[str, int]) -> Iterator[Toke
     behind = 0
     for k, token in enumerate(tokens):
         index = tokens[k + 1 : k + 6]
-        names = [one.text for one in index[2:4]]
-        shape = [one.kind for one in index] == ["_", "{", "letter", "letter", "}"]
+        names = [token.text for token in index[2:4]]
+        shape = [token.kind for token in index] == ["_", "{", "letter", "letter", "}"]
         if token.text == r"\delta" and shape and {*names} <= {*at}:
             value = str(int(at[names[0]] == at[names[1]]))
             yield Token("number", value, token.start, index[-1].end)
@@ -165,7 +165,7 @@ def _without_deltas(tokens: list[Token], at: Mapping[str, int]) -> Iterator[Toke
             yield token
 
 
-def _added(found: list[Token], tokens: list[Token], tex: str) -> Iterator[Token]:
+def _add_numbers(found: list[Token], tokens: list[Token], tex: str) -> Iterator[Token]:
     """The tokens with one number for each sum of numbers in an index, as in ``q_{1+1}``."""
     printed = {token.start for token in tokens if token.kind == "number"}
     waiting: list[Token] = []
@@ -184,7 +184,9 @@ def _sum(tokens: list[Token], printed: set[int], tex: str) -> Iterator[Token]:
     numbers = [token for token in tokens if token.kind == "number"]
     put = [token.start not in printed for token in numbers]
     if not any(put) or (
-        len(numbers) == len(tokens) and all(put) and all(len(one.text) == 1 for one in numbers)
+        len(numbers) == len(tokens)
+        and all(put)
+        and all(len(number.text) == 1 for number in numbers)
     ):
         yield from tokens
         return

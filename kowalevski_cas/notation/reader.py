@@ -13,7 +13,7 @@ from functools import cached_property
 from kowalevski_cas.notation.cursor import Piece
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula
-from kowalevski_cas.notation.layout import printed, statements
+from kowalevski_cas.notation.layout import printed_statements, statements
 from kowalevski_cas.notation.parser import Parser
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
@@ -21,7 +21,7 @@ Path = tuple[int, ...]
 
 
 @dataclass(frozen=True)
-class Statement:
+class PrintedStatement:
     """One statement of a display and where it stands in the source."""
 
     formula: Formula
@@ -56,7 +56,7 @@ def read(tex: str, vocabulary: Vocabulary, parser: type[Parser] = Parser) -> For
     >>> read(r"\frac12 x", Vocabulary(frozenset({"x"}))).factors[1]
     Name(name='x')
     """
-    found = printed(tex)
+    found = printed_statements(tex)
     if not found:
         raise NotationError("there is no formula here", tex, 0)
     if len(found) > 1:
@@ -67,7 +67,7 @@ def read(tex: str, vocabulary: Vocabulary, parser: type[Parser] = Parser) -> For
 
 def read_display(
     tex: str, vocabulary: Vocabulary, parser: type[Parser] = Parser
-) -> tuple[Statement, ...]:
+) -> tuple[PrintedStatement, ...]:
     r"""Every statement of a display, in the order of the page.
 
     >>> words = Vocabulary(frozenset({"F_1", "F_2"}))
@@ -77,5 +77,5 @@ def read_display(
     read_so_far = []
     for tokens, start, end in statements(tex):
         piece = parser(tex, tokens, vocabulary).statement()
-        read_so_far.append(Statement(piece[0], tex, start, end, piece))
+        read_so_far.append(PrintedStatement(piece[0], tex, start, end, piece))
     return tuple(read_so_far)

@@ -24,7 +24,7 @@ _SIGNS = {*_ORDER, "="}
 _BEHIND = frozenset("sign plusminus relation comma stop gap cell row block".split())
 
 
-class Sum(NamedTuple):
+class SumSign(NamedTuple):
     """The sign of a sum with what stands on it, its one term, and where that ends."""
 
     head: list[Token]
@@ -32,7 +32,7 @@ class Sum(NamedTuple):
     end: int
 
     @classmethod
-    def at(cls, tokens: list[Token], first: int) -> Sum:
+    def at(cls, tokens: list[Token], first: int) -> SumSign:
         """The sum of which the sign stands at this place."""
         begin, depth = first + 1, 0
         while begin < len(tokens):
@@ -67,13 +67,17 @@ class Sum(NamedTuple):
     @property
     def _above(self) -> list[str]:
         """What stands above the sign."""
-        above = next((k for k, one in enumerate(self.head) if one.kind == "^"), len(self.head))
-        return [one.text for one in self.head[above + 1 :] if one.kind in ("number", "letter")]
+        above = next((k for k, token in enumerate(self.head) if token.kind == "^"), len(self.head))
+        return [
+            token.text for token in self.head[above + 1 :] if token.kind in ("number", "letter")
+        ]
 
     @property
     def is_plain(self) -> bool:
         r"""Whether it is as :math:`\sum_{i=1}^3`, and so are those in it."""
-        inner = (Sum.at(self.body, k) for k, one in enumerate(self.body) if one.kind == "sum")
+        inner = (
+            SumSign.at(self.body, k) for k, token in enumerate(self.body) if token.kind == "sum"
+        )
         own = len(self._below) == 1 and self._below[0][1:2] == ["="]
         return own and all(one.is_plain for one in inner)
 
@@ -125,8 +129,8 @@ def outside_sums(tokens: list[Token]) -> Iterator[Token]:
     first = next((k for k, token in enumerate(tokens) if token.kind == "sum"), len(tokens))
     yield from tokens[:first]
     if first < len(tokens):
-        found = Sum.at(tokens, first)
-        yield from (one for one in outside_sums(found.body) if one.text not in found.letters)
+        found = SumSign.at(tokens, first)
+        yield from (token for token in outside_sums(found.body) if token.text not in found.letters)
         yield from outside_sums(tokens[found.end :])
 
 

@@ -48,7 +48,7 @@ class Symbols(Cursor):
     term: Callable[[], Piece]
     factor: Callable[[], Piece]
     bracket: Callable[[], Piece]
-    listed: Callable[[], tuple[Piece, ...]]
+    read_list: Callable[[], tuple[Piece, ...]]
 
     # Names
 
@@ -75,7 +75,7 @@ class Symbols(Cursor):
             piece: Piece = (self.names[primed], token.start, max(on.name_end, on.primes_end), ())
             on.primes = 0
         else:
-            piece = (self.declared(token.text, on.index, token), token.start, on.name_end, ())
+            piece = (self.name_node(token.text, on.index, token), token.start, on.name_end, ())
         if accents:
             piece = _accented(piece, accents, start, max(on.name_end, accents_end))
         piece = _primed(piece, on.primes, on.primes_end)
@@ -148,7 +148,7 @@ class Symbols(Cursor):
         if power is not None and isinstance(power[0], Negative):
             raise self.error(f"a negative power of the function {name} is ambiguous")
         opened = self.tokens[self.at].kind == "open"
-        below = self.listed() if opened else (self.phase() or self.operand(name),)
+        below = self.read_list() if opened else (self.phase() or self.operand(name),)
         end = self.tokens[self.at - 1].end
         piece: Piece = (Application(name, tuple(b[0] for b in below)), start, end, below)
         if power is not None:
@@ -246,7 +246,7 @@ class Symbols(Cursor):
             return (Number(int(digit.text)), digit.start, digit.end, ())
         if token.kind == "letter":
             self.at += 1
-            return (self.declared(token.text, "", token), token.start, token.end, ())
+            return (self.name_node(token.text, "", token), token.start, token.end, ())
         if token.kind in ("frac", "sqrt", "accent"):
             return self.factor()
         raise self.unexpected()

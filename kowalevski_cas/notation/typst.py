@@ -30,7 +30,7 @@ class Typst(Printer):
     bar_form, sum_form = "overline⟮{}⟯", "sum_⟮{} = {}⟯^⟮{}⟯"
     change_forms = ("meant⟮{}⟯", "slip⟮{}⟯")
 
-    def finished(self, text: str) -> str:
+    def finish(self, text: str) -> str:
         return text.translate(_PRINTED)
 
     def name(self, formula: Name) -> str:
@@ -44,30 +44,30 @@ class Typst(Printer):
         index = f"_({' '.join(map(_atom, parts.indices))})" if parts.indices else ""
         return (accent.format(letter) + index).translate(_GROUPING)
 
-    def joined(self, parts: Iterable[str]) -> str:
+    def side_by_side(self, parts: Iterable[str]) -> str:
         return " ".join(parts)
 
     def application(self, formula: Application) -> str:
         # Between a word and its argument Typst would print the space.
-        return self(Name(formula.function)) + self.listed(formula.arguments)
+        return self(Name(formula.function)) + self.comma_list(formula.arguments)
 
-    def raised(self, base: str, exponent: str) -> str:
+    def superscript(self, base: str, exponent: str) -> str:
         return f"{base}^⟮{exponent}⟯"
 
-    def primed(self, argument: Formula, order: int) -> str:
+    def with_primes(self, argument: Formula, order: int) -> str:
         """Primes; those of a name stand before its index, or they would be a part of that."""
         if isinstance(argument, Name):
             return self._name(argument, "{}" + self.prime * order)
-        return super().primed(argument, order)
+        return super().with_primes(argument, order)
 
-    def dotted(self, argument: Formula, order: int) -> str:
+    def with_dots(self, argument: Formula, order: int) -> str:
         accent = "{}"
         while order:
             accent = f"{_DOTS[min(order, 4)]}({accent})"
             order -= min(order, 4)
         if isinstance(argument, Name):
             return self._name(argument, accent)
-        return accent.translate(_GROUPING).format(self.bracketed(self(argument)))
+        return accent.translate(_GROUPING).format(self.in_brackets(self(argument)))
 
     def rows(self, rows: Sequence[Sequence[str]]) -> str:
         return f"mat⟮{'; '.join(map(', '.join, rows))}⟯"
@@ -88,4 +88,4 @@ def to_typst(formula: Formula) -> str:
     >>> to_typst(Quotient(Name(r"\omega_1"), Root(Name("x"))))
     'frac(ω_(1), sqrt(x))'
     """
-    return TYPST.finished(TYPST(formula))
+    return TYPST.finish(TYPST(formula))

@@ -53,6 +53,9 @@ def symbol(name: str) -> Symbol:
         # A macro of its own, as \sin, is an upright word.
         upright = letter[0] == "\\" and letter not in _LETTERS
         return Symbol(_letter(letter), r"\mathrm" if upright else "", _index(index))
+    if "}{" in inner:  # the name of a value, as \mathrm{sn}{(u,k)}
+        word, _, value = inner[:-1].partition("}{")
+        return Symbol(word + "".join(map(_letter, _PIECE_OF.findall(value))), r"\mathrm", ())
     if font in FUNCTIONS or "^" in inner:  # the name of a value, as \sin{\theta_1}
         value = "".join(map(_letter, _PIECE_OF.findall(inner[:-1].replace("}^{", "^"))))
         word = f"{font[1:]} {value}" if font in FUNCTIONS else value
@@ -70,11 +73,11 @@ def _index(tex: str) -> tuple[str, ...]:
     )
 
 
-def styled(letter: str, font: str) -> str:
+def styled_letter(letter: str, font: str) -> str:
     r"""The letter in the type of a macro, where Unicode has it.
 
-    >>> styled("R", r"\mathbb"), styled("ω", r"\boldsymbol"), styled("x", r"\hat")
-    ('ℝ', '𝛚', 'x')
+    >>> styled_letter("R", r"\mathbb"), styled_letter("ω", r"\boldsymbol")
+    ('ℝ', '𝛚')
     """
     if font not in _STYLES or len(letter) > 1:
         return letter

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kowalevski_cas.notation.errors import undotted
+from kowalevski_cas.notation.errors import name_of_rate
 from kowalevski_cas.notation.formula import (
     Application,
     Changed,
@@ -55,7 +55,7 @@ def rank(formula: Formula, vocabulary: Vocabulary) -> int:
             found = rank(inner, vocabulary)
             return SCALAR if found == VECTOR else found
         case Partial(inner, by):
-            return max(rank(inner, vocabulary), vocabulary.rank(undotted(by)))
+            return max(rank(inner, vocabulary), vocabulary.rank(name_of_rate(by)))
         case Summation(_, _, _, inner) | Quotient(inner, _):
             return rank(inner, vocabulary)
         case Vector(components):

@@ -23,7 +23,7 @@ from kowalevski_cas.notation import (
     substitute,
     total,
 )
-from kowalevski_cas.notation.errors import dotted
+from kowalevski_cas.notation.errors import rate_name
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.names import BRACKET, EPSILON, head, is_indexed
 from kowalevski_cas.problem.space import Meaningless
@@ -90,7 +90,7 @@ class Brackets:
         formula, arguments = setting.definition(name), head(name)[1]
         if not any(map(is_indexed, arguments)):
             moving = setting.scene.variables
-            if others := {*arguments} - {*moving, *map(dotted, moving)}:
+            if others := {*arguments} - {*moving, *map(rate_name, moving)}:
                 raise Meaningless(f"{min(others)} is no variable, and has no Poisson bracket")
             yield (arguments[0], arguments[1]), setting.plain(formula)
             return

@@ -62,7 +62,7 @@ def component(vector: Formula, index: int, setting: Meaning) -> Formula:
         case Name(name) if name in setting.scene.vectors:
             return Name(setting.scene.vectors[name][index])
         case Negative() | Derivative():
-            return vector.mapped(lambda argument: of(argument, index))
+            return vector.map_children(lambda argument: of(argument, index))
         case Sum(terms):
             return Sum(tuple(of(term, index) for term in terms))
         case Quotient(above, below):

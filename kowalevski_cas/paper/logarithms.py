@@ -72,7 +72,7 @@ def derived(formula: Formula, by: Callable[[Formula], Formula], space: Elaborati
         case Application(function, (inner,)) if not has_logarithm(inner):
             return Product((_slope(function, inner), by(inner)))
         case Sum() | Negative():
-            return formula.mapped(of)
+            return formula.map_children(of)
         case Quotient(above, below) if _is_constant(below, space):
             return Quotient(of(above), below)
         case Product(factors):

@@ -31,7 +31,7 @@ from kowalevski_cas.notation import (
     times,
     to_latex,
 )
-from kowalevski_cas.notation.errors import dotted, undotted
+from kowalevski_cas.notation.errors import name_of_rate, rate_name
 from kowalevski_cas.paper.components import component
 from kowalevski_cas.paper.generators import functions_of, with_generators
 from kowalevski_cas.paper.inverse import inverse
@@ -56,7 +56,7 @@ def velocities(
                 if one in variables and order > 3:
                     raise Meaningless(f"{one} is derived {order} times: at most three are read")
                 for _ in range(order - 1 if one in variables else 0):
-                    found[rate] = rate = dotted(rate)
+                    found[rate] = rate = rate_name(rate)
     return found
 
 
@@ -64,7 +64,7 @@ def _orders(formula: Formula, above: int = 0) -> Iterator[tuple[str, int]]:
     """The names in a formula, and how often they are derived by the time, there and above it."""
     if isinstance(formula, Name):
         yield formula.name, above
-    elif isinstance(formula, Partial) and (name := undotted(formula.by)) != formula.by:
+    elif isinstance(formula, Partial) and (name := name_of_rate(formula.by)) != formula.by:
         yield name, above + 1
     for child in formula.children():
         yield from _orders(child, above + isinstance(formula, Derivative))
@@ -155,7 +155,7 @@ def _solved(
     Raises :class:`Meaningless` for equations that are not linear in the rates, or do not determine
     them.
     """
-    rates = {name: dotted(name) for name in unknown}
+    rates = {name: rate_name(name) for name in unknown}
     at = setting.free([*rates.values()])
     generators = {name: at.ring.generator(rate) for name, rate in rates.items()}
     values = at.moving(generators, known).differences(equations)

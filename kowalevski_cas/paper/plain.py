@@ -31,7 +31,7 @@ from kowalevski_cas.notation import (
     times,
     to_latex,
 )
-from kowalevski_cas.notation.errors import dotted, undotted
+from kowalevski_cas.notation.errors import name_of_rate, rate_name
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.paper.brackets import Brackets
 from kowalevski_cas.paper.components import parts
@@ -87,7 +87,7 @@ class Plain:
                 return self(power if halves > 0 else Quotient(Number(1), power))
             case Power(Name(base), exponent) if not _is_whole(exponent):
                 return self._symbolic(base, exponent)
-        return self._shorthand(formula) or formula.mapped(self)
+        return self._shorthand(formula) or formula.map_children(self)
 
     def _rank(self, formula: Formula) -> int:
         return rank(formula, self.setting.texts.vocabulary)
@@ -111,11 +111,11 @@ class Plain:
                 return self(Root(square))
             case Partial(argument, by):
                 inner, derived = self(argument), self.setting.partial
-                names = self.setting.scene.vectors.get(undotted(by))
+                names = self.setting.scene.vectors.get(name_of_rate(by))
                 if names is None:
                     return derived(inner, by)
-                if undotted(by) != by:
-                    names = tuple(map(dotted, names))
+                if name_of_rate(by) != by:
+                    names = tuple(map(rate_name, names))
                 return Vector(tuple(derived(inner, name) for name in names))
         return None
 

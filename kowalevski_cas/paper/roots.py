@@ -85,8 +85,8 @@ def solved(setting: Meaning, name: str, printed: Printed) -> Adjoined:
             name,
         )
     square = formula_in(-rest / factor)
-    left = granted.union(*map(factors_of, at.ring.divided_by([at.scalar(square)])))
-    divisors = at.ring.divided_by(rest for _, rest in parts)
+    left = granted.union(*map(factors_of, at.ring.divisors_of([at.scalar(square)])))
+    divisors = at.ring.divisors_of(rest for _, rest in parts)
     gone = [formula_in(one) for one in divisors if factors_of(one).keys() - left]
     if gone:  # what cancels is remembered
         square = Quotient(times(*gone, square), times(*gone))
@@ -99,7 +99,7 @@ def _even(element: Element, name: str) -> tuple[Element, Element]:
     by = {name: ring.one}
     factor = along(along(element, by), by) * ring.number(Fraction(1, 2))
     rest = element - factor * ring.generator(name) ** 2
-    without = (factor, rest, *ring.divided_by([element]))
+    without = (factor, rest, *ring.divisors_of([element]))
     even = all(along(one, by).is_zero for one in without)
     return (factor, rest) if even else (ring.zero, ring.one)
 

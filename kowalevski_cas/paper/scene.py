@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from dataclasses import field as default
 from functools import cached_property
 
-from kowalevski_cas.notation.errors import dotted
+from kowalevski_cas.notation.errors import rate_name
 from kowalevski_cas.paper.names import BRACKET, EPSILON, check_names, head, is_bold, is_indexed
 from kowalevski_cas.paper.texts import Display, Printed, check_attributes, statements
 
@@ -320,7 +320,7 @@ class Scene:
         """
         moving = (*self.variables, *self.vectors)
         arguments = head(name)[1]
-        return not arguments or {*moving, *map(dotted, moving), self.time}.issuperset(arguments)
+        return not arguments or {*moving, *map(rate_name, moving), self.time}.issuperset(arguments)
 
     def branches(self) -> Iterator[Printed]:
         """The places that print a value for a root: they choose one of two values."""

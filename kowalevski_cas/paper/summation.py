@@ -30,7 +30,7 @@ def _at(formula: Formula, index: str, value: int) -> Formula:
             formula, first=_at(formula.first, index, value), last=_at(formula.last, index, value)
         )
     if not isinstance(formula, Name):
-        return formula.mapped(lambda child: _at(child, index, value))
+        return formula.map_children(lambda child: _at(child, index, value))
     if formula.name == index:
         return Number(value)
     letter, low = letter_and_index(formula.name)

@@ -15,17 +15,17 @@ from typing import Any
 
 from kowalevski_cas.notation import (
     EQUALITIES,
+    DefinedNames,
     Edit,
     Formula,
-    Heads,
     Name,
     Negative,
     NotationError,
+    PrintedStatement,
     Product,
     Relation,
-    Statement,
     Vocabulary,
-    heads,
+    defined_names,
     read,
     read_display,
     split_display,
@@ -54,7 +54,7 @@ class Display:
 
     def __iter__(self) -> Iterator[Printed]:
         """The statements; raises ``NotationError`` for broken TeX."""
-        return (Printed(self, k) for k, _ in enumerate(heads(self.tex), 1))
+        return (Printed(self, k) for k, _ in enumerate(defined_names(self.tex), 1))
 
     def reading(self, accepted: Mapping[int, str]) -> str:
         """The TeX with other statements at some numbers.
@@ -93,9 +93,9 @@ class Printed:
         return self.display.tex[start:end]
 
     @property
-    def heads(self) -> Heads:
+    def heads(self) -> DefinedNames:
         """What the statement defines."""
-        return heads(self.display.tex)[self.number - 1]
+        return defined_names(self.display.tex)[self.number - 1]
 
 
 def statements(*printed: Display | Printed) -> Iterator[Printed]:
@@ -166,7 +166,7 @@ class Texts:
     vocabulary: Vocabulary
     sources: Mapping[str, str] = default(default_factory=dict)
     edits: Mapping[Printed, Formula] = default(default_factory=dict)
-    _read: dict[str, tuple[Statement, ...]] = default(default_factory=dict)
+    _read: dict[str, tuple[PrintedStatement, ...]] = default(default_factory=dict)
     _expressions: dict[str, Formula] = default(default_factory=dict)
 
     def edited(self, printed: Printed, edit: Edit) -> Texts:
@@ -228,7 +228,7 @@ class Texts:
             raise NotationError(f"a multiple of t is expected at {printed.place}", source, 0)
         return scale
 
-    def statement(self, printed: Printed) -> Statement:
+    def statement(self, printed: Printed) -> PrintedStatement:
         """The statement at a place, as it stands before edits."""
         statements = self.statements(printed.display)
         if not 1 <= printed.number <= len(statements):
@@ -240,7 +240,7 @@ class Texts:
             )
         return statements[printed.number - 1]
 
-    def statements(self, display: Display) -> tuple[Statement, ...]:
+    def statements(self, display: Display) -> tuple[PrintedStatement, ...]:
         """All statements of a display, as they stand before edits."""
         if display.id not in self._read:
             try:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations
 
-from kowalevski_cas.algebra.factors import divided
+from kowalevski_cas.algebra.factors import exact_quotient
 from kowalevski_cas.algebra.hermite import hermite_minors
 from kowalevski_cas.algebra.numbers import rational
 from kowalevski_cas.algebra.tower import Element
@@ -67,7 +67,7 @@ def check_free(goal: Count, at: Evaluation, elements: Sequence[Element]) -> None
     polynomials = at.ring.polynomials
     counted = {polynomials.generators.index(name) for name in goal.names}
     granted = _inverses(at.granted)
-    for divisor in at.ring.divided_by([*elements, *granted]):
+    for divisor in at.ring.divisors_of([*elements, *granted]):
         if not counted.isdisjoint(polynomials.occurring(divisor.parts[0])):
             raise Misplaced("a condition is about what is counted")
 
@@ -76,7 +76,7 @@ def _without(element: Element, factors: list[Element]) -> Element:
     """A polynomial without these factors, as far as it is a product of them and numbers."""
     for factor in factors:
         while rational(element) is None:
-            quotient = divided(element.terms()[0], factor.terms()[0])
+            quotient = exact_quotient(element.terms()[0], factor.terms()[0])
             if quotient is None:
                 break
             element = element.ring.from_terms({0: quotient})

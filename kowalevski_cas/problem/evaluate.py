@@ -9,7 +9,7 @@ from functools import cache, cached_property
 from typing import Any
 
 from kowalevski_cas.algebra.derivation import Field, along
-from kowalevski_cas.algebra.numbers import substituted
+from kowalevski_cas.algebra.numbers import substitute
 from kowalevski_cas.algebra.polynomials import Polynomials, Terms
 from kowalevski_cas.algebra.tower import Element, Ring
 from kowalevski_cas.notation import Formula, Name, Negative, Number, to_latex
@@ -300,7 +300,7 @@ class Evaluation(Fold):
     def norms(self) -> list[Element]:
         """The norms of what is granted with roots: by these it is divided, if it ever is."""
         with_roots = (element for element in self.granted if element.parts.keys() != {0})
-        return self.ring.divided_by([element.inverse() for element in with_roots])
+        return self.ring.divisors_of([element.inverse() for element in with_roots])
 
     def _rate_of_generator(self, name: str, rates: Field) -> Element:
         """The derivative of the generator that gives a moving root, perhaps over a divisor."""
@@ -335,7 +335,7 @@ class Evaluation(Fold):
         names = ring.polynomials.generators
 
         def polynomial(terms: Terms) -> Element:
-            return substituted(terms, lambda place: value_of(names[place]), self.ring)
+            return substitute(terms, lambda place: value_of(names[place]), self.ring)
 
         total = self.ring.zero
         for mask, terms in element.terms().items():

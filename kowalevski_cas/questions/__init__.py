@@ -46,7 +46,7 @@ def with_constants(on: Elaborations, scene: Scene, *names: str) -> Elaboration:
     return Elaborations(texts)(scene.having(constants=names))
 
 
-def found(search: Iterator[Finding], seconds: float) -> tuple[list[Finding], str]:
+def collect(search: Iterator[Finding], seconds: float) -> tuple[list[Finding], str]:
     """What is found in so many seconds, and why nobody looked further, if something is left."""
     from kowalevski_cas.algebra.kernels import TooLarge
 

@@ -71,18 +71,18 @@ def search(
         return
     at = on(scene).finder
     moving: list[Darboux] = []
-    for one in darboux_polynomials(at, degree, special, pool):
-        value, K = formula(one.polynomial), formula(one.cofactor)
-        if one.equations:
-            given = tuple(to_latex(equal(formula(a), formula(b))) for a, b in one.equations)
+    for polynomial in darboux_polynomials(at, degree, special, pool):
+        value, K = formula(polynomial.polynomial), formula(polynomial.cofactor)
+        if polynomial.equations:
+            given = tuple(to_latex(equal(formula(a), formula(b))) for a, b in polynomial.equations)
             where = " and ".join(f"${one}$" for one in given)
             says = f"F' = KF with $K={to_latex(K)}$ where {where}"
             multiple = to_latex(equal(Derivative(value, scene.time), Product((K, value))))
             yield Finding(Implication, scene, says, multiple, {"given": given})
-        elif one.cofactor.is_zero:
+        elif polynomial.cofactor.is_zero:
             yield Finding(FirstIntegral, scene, INTEGRAL, to_latex(value))
         else:
-            moving.append(one)
+            moving.append(polynomial)
             attributes = {"cofactor": to_latex(K)}
             yield Finding(DarbouxPolynomial, scene, PAIR, to_latex(value), attributes)
     field = PolynomialField(at)
@@ -156,7 +156,9 @@ def _product(
     simple = len(powers) == len(used) and relation.exponential.is_zero
     if simple and not relation.multiplier:
         both = [(n, power(base, abs(n))) for n, base in zip(powers, bases, strict=True)]
-        above, below = (times(*(one for n, one in both if n * sign > 0)) for sign in (1, -1))
+        above, below = (
+            times(*(formula for n, formula in both if n * sign > 0)) for sign in (1, -1)
+        )
         quotient = above if below == ONE else Quotient(above, below)
         return Finding(FirstIntegral, scene, INTEGRAL, to_latex(quotient))
     exponents = [formula(exponent) for exponent, _ in used]

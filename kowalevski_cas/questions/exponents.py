@@ -114,19 +114,21 @@ class _Told:
     def _where(self, found: Branch) -> str:
         """The equations of a case."""
         sides: list[tuple[Formula, Formula]] = []
-        for place, one in found.solved:
-            variable = one.context().gens()[place]
-            if one.derivative(place).is_one():
-                sides.append((self._formula(variable), self._formula(variable - one)))
+        for place, polynomial in found.solved:
+            variable = polynomial.context().gens()[place]
+            if polynomial.derivative(place).is_one():
+                sides.append((self._formula(variable), self._formula(variable - polynomial)))
             else:
-                sides.append((self._formula(one), Number(0)))
-        sides += [(self._formula(one), Number(0)) for one in found.rest]
+                sides.append((self._formula(polynomial), Number(0)))
+        sides += [(self._formula(polynomial), Number(0)) for polynomial in found.rest]
         return ", ".join(f"${to_latex(Relation(both, ('=',)))}$" for both in sides)
 
     def balance(self, balance: Balance) -> str:
         """The equations for c, the roots of the determinant, and whether it is principal."""
-        numbers = [f"${to_latex(fraction_formula(one))}$" for one in balance.exponents]
-        numbers += [f"the roots of ${to_latex(self._formula(one))}$" for one in balance.factors]
+        numbers = [f"${to_latex(fraction_formula(exponent))}$" for exponent in balance.exponents]
+        numbers += [
+            f"the roots of ${to_latex(self._formula(factor))}$" for factor in balance.factors
+        ]
         numbers[-1] += self.general
         said = "principal" if balance.is_principal() else "not principal"
         where = self._where(balance.equations)
@@ -152,7 +154,7 @@ class _Told:
     def degrees(self, balance: Balance) -> str:
         """Which weights of first integrals the exponents leave, by a theorem of Yoshida."""
         general = self.general if balance.factors else ""
-        found = [*dict.fromkeys(str(one) for one in balance.exponents if one > 0)]
+        found = [*dict.fromkeys(str(exponent) for exponent in balance.exponents if exponent > 0)]
         if not found:
             return f"all integrals have leading terms that are critical here{general}"
         shown = " or ".join(filter(None, (", ".join(found[:-1]), found[-1])))
@@ -162,7 +164,7 @@ class _Told:
         """The Painlevé test at the balance."""
         free = self.part.size - 1
         none = f"no Laurent series with {free} free constants begins here"
-        whole = all(one.denominator == 1 for one in (*self.part.weights, *balance.exponents))
+        whole = all(weight.denominator == 1 for weight in (*self.part.weights, *balance.exponents))
         if balance.factors or not whole:
             return f"{none}: not all weights and exponents are whole"
         if not balance.is_principal():
@@ -176,15 +178,15 @@ class _Told:
         if not found.conditions:
             return f"the Painlevé test is passed: Laurent series with {free} free constants"
         asked = "; ".join(
-            f"${to_latex(self._factored(one))}=0$ at {exponent}"
-            for exponent, one in found.conditions
+            f"${to_latex(self._factored(polynomial))}=0$ at {exponent}"
+            for exponent, polynomial in found.conditions
         )
         cases = ", or ".join(map(self._where, found.cases)) or "never"
         return f"the Painlevé test is passed where {cases}; it asks for {asked}"
 
     def _factored(self, polynomial: fmpq_mpoly) -> Formula:
         content, factors = polynomial.factor()
-        powers = [power(self._formula(one), int(k)) for one, k in factors]
+        powers = [power(self._formula(polynomial), int(k)) for polynomial, k in factors]
         return times(fraction_formula(to_fraction(content)), *powers)
 
     def _multiples(

@@ -75,7 +75,7 @@ def _on_a_set(
         if space.finder.derivative(element).is_zero:
             yield Finding(FirstIntegral, scene, EVERYWHERE, tex)
         else:
-            where = ", ".join(f"${one}$" for one in relations)
+            where = ", ".join(f"${relation}$" for relation in relations)
             says = f"it is constant along the motions with {where}"
             yield Finding(FirstIntegral, scene, says, tex, {"given": relations})
 
@@ -95,7 +95,7 @@ def _by_exponents(on: Elaborations, scene: Scene, pool: Pool) -> tuple[tuple[int
     The weight of an integral whose differential does not vanish at a balance is an exponent there.
     """
     part, *_ = leading(on, scene)
-    unit = lcm(*(one.denominator for one in part.weights))
-    weights = tuple(int(unit * one) for one in part.weights)
-    exponents = (one for balance in part.balances(pool) for one in balance.exponents)
+    unit = lcm(*(weight.denominator for weight in part.weights))
+    weights = tuple(int(unit * weight) for weight in part.weights)
+    exponents = (exponent for balance in part.balances(pool) for exponent in balance.exponents)
     return weights, max(DEGREE, int(unit * max(exponents, default=0)))

@@ -58,14 +58,14 @@ def search(
         return formula_of(element, words)
 
     def tex(*sides: Formula | Element) -> str:
-        members = (one if isinstance(one, Formula) else formula(one) for one in sides)
+        members = (side if isinstance(side, Formula) else formula(side) for side in sides)
         return to_latex(equal(*members))
 
     value, zero = formula(ansatz.value), ansatz.at.ring.zero
     rate = Derivative(value, scene.time)
     terms = [times(formula(b), formula(a)) for a, b in ansatz.equations()]
     rest = Sum((rate, Negative(Product((formula(ansatz.cofactor), value)))))
-    asked = tuple(tex(one, zero) for _, one in ansatz.equations())
+    asked = tuple(tex(element, zero) for _, element in ansatz.equations())
     said = "F' − KF by its monomials; F' = KF where all their coefficients vanish"
     yield Finding(Identity, scene, said, tex(rest, total(terms)))
     cases = [*ansatz.cases(pool)]
@@ -78,7 +78,7 @@ def search(
         said = f"F' = KF {where}"
         if not any(map(_is_number, ansatz.trivial())):
             said += ", unless F is constant"
-            sets[tuple(tex(one, zero) for one in ansatz.trivial())] = None
+            sets[tuple(tex(element, zero) for element in ansatz.trivial())] = None
         yield Finding(
             Union, _at_rest(scene), said, attributes={"given": asked, "sets": tuple(sets)}
         )
@@ -104,7 +104,7 @@ def _either(sets: Iterable[tuple[str, ...]]) -> str:
 
 def _mention(space: Elaboration, sides: Iterable[Element], names: Iterable[str]) -> bool:
     """Whether one of some names stands in an equation."""
-    return any(not space.finder.partial(one, name).is_zero for one in sides for name in names)
+    return any(not space.finder.partial(side, name).is_zero for side in sides for name in names)
 
 
 def _letters(space: Elaboration) -> tuple[str, ...]:

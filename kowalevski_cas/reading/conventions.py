@@ -18,7 +18,7 @@ SOURCE = "the usual convention"
 def conventions(known: Known) -> Iterator[tuple[Item, Role]]:
     r"""What names without a definition stand for, as :math:`L=|\mathbf L|`, :math:`i^2=-1`."""
     paper = known.paper
-    scalars = sorted(paper.words.scalars - paper.words.times)
+    scalars = sorted(paper.words.scalars - paper.times)
     for vector in sorted(known.names.vectors):
         letter = vector[vector.index("{") + 1 :].replace("}", "", 1)
         if letter in scalars and not known.is_defined(letter) and not known.moves(letter):

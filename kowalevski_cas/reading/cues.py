@@ -22,7 +22,8 @@ CUES: dict[str, str] = {
         равновеси\w+ стационарн\w+ особ\w+\s+точ\w+""",
     "suppose": r"""
         suppos\w+ assum\w+ \blet\b \btake\b \bmake\b \bif\b \bwhen\b
-        \bfor\s+(?:the\s+)?(?:\w+\s+){0,3}$ \bput\b \bset(?:ting)?\b provided choos\w+ choice
+        \bfor\s+(?:the\s+)?(?:\w+\s+){0,3}$ \bput\b \bsetting\b (?:we|us|and|now|^\s*)\s*set\s*$
+        provided choos\w+ choice
         \bunder\b in\s+the\s+case \bcase\b restrict\w+ \bconsider\b \bwith\b
         on\s+the\s+(?:\w+\s+)?levels? пусть предполож\w+ полож\w+ полага\w+ если при\s*$ допуст\w+
         в\s+случае будем\s+считать считая возьм\w+ выбер\w+ \bпри\b""",
@@ -31,6 +32,8 @@ CUES: dict[str, str] = {
         \bhere\b \bcall(?:ed)?\b new\s+variables? in\s+the\s+variables? abbreviat\w+ stands?\s+for
         \bwith\s+the\b обознач\w+ введ\w+ вводя полож\w+ пусть \bгде\b \bздесь\b определ\w+
         в\s+переменных""",
+    "lasting": r"""
+        \blet\b suppos\w+ assum\w+ пусть предполож\w+""",
     "for": r"""
         \bfor\s+(?:the\s+)?(?:\w+\s+){0,3}(?:§[^§]*)*$ \bпри\s+(?:\w+\s+){0,2}(?:§[^§]*)*$""",
     "where": r"""
@@ -48,6 +51,11 @@ CUES: dict[str, str] = {
         so\s+that because\s+of by\s+virtue using \bon\s+(?:it|this|them|these)\b there\b
         under\s+(?:the|these)\s+condition taking\s+into\s+account imply lead отсюда из\s
         следовательно подстав\w+ исключ\w+ в\s+силу с\s+учётом с\s+учетом поэтому учитывая""",
+    "here": r"""
+        (?:\bon|\bif|\bwhen|\bfor|\bat|\bwhere|\bна|\bпри|\bесли)\s+(?:the\s+)?(?:\w+\s+){0,2}(?:§[\s,]*)*$""",
+    "places": r"""
+        planes lines axes points surfaces sets circles плоскост(?:и|ей) прям(?:ые|ых) ос(?:и|ей)\b
+        точ(?:ки|ек)""",
     "on it": r"""
         \bon\s+(?:it|this|them|these|that)\b \bthere\b на\s+н[её][мй]?\b на\s+них""",
     "level": r"""
@@ -100,6 +108,9 @@ CUES: dict[str, str] = {
 _CITED = re.compile(r"[\s~]*(?:[^\W\d]+[\s~]*)?\(?\\(?:eq|c|C|auto)?ref(?![A-Za-z])")
 """A citation behind words: they say what is cited, and nothing of what follows."""
 
+_OF = re.compile(r"[\s~]*(?:of|for|in|to|системы|для)\b", re.IGNORECASE)
+"""Words behind which a citation says to what the words before belong."""
+
 
 @cache
 def _pattern(cue: str) -> re.Pattern[str]:
@@ -109,7 +120,7 @@ def _pattern(cue: str) -> re.Pattern[str]:
 def cue(name: str, words: str) -> str:
     """The first of some words that give a cue; empty if none do."""
     for found in _pattern(name).finditer(words):
-        if not _CITED.match(words, found.end()):
+        if not _CITED.match(words, found.end()) or _OF.match(words, found.end()):
             return found[0].strip()
     return ""
 

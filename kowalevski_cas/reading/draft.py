@@ -52,7 +52,7 @@ def comments(reading: Reading) -> Iterator[tuple[Typed, list[str]]]:
     for _, group in groupby(reading.formulas, key=lambda formula: id(formula.item.typed)):
         formulas = [*group]
         typed = formulas[0].item.typed
-        texts = ["" if said.of.get(f.item) else _text(f, reading.paper) for f in formulas]
+        texts = ["" if said.of.get(f.item) else text_of(f, reading.paper) for f in formulas]
         if len({*texts}) == 1:
             lines = texts[:1]
         else:
@@ -63,7 +63,7 @@ def comments(reading: Reading) -> Iterator[tuple[Typed, list[str]]]:
             yield typed, lines
 
 
-def _text(formula: Formula, paper: Paper) -> str:
+def text_of(formula: Formula, paper: Paper) -> str:
     """The comment that says the role of a statement; empty for what states nothing."""
     role = formula.role
     names = " ".join(name.replace(" ", "") for name in role.names)
@@ -72,6 +72,8 @@ def _text(formula: Formula, paper: Paper) -> str:
         if formula.on:
             words += ["on", *(_called(item, paper) for item in formula.on)]
         return " ".join(words)
+    if role.name == DEFINITION and role.kind == "change":
+        return f"map {names}"
     if role.name not in _VERBS or role.kind not in ("", *_KINDS):
         return ""
     if role.name == LAW:

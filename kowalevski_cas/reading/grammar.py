@@ -31,6 +31,7 @@ NAMING = ("define", "level", "given", "map")
 VERBS = ("law", *NAMING, "claim", "on", "skip")
 RULED = (
     "identity", "constant", "integral", "invariant", "inequality", "solution", "approximate",
+    "somewhere",
 )  # fmt: skip
 """Kinds of claims of which the rules of reading know on what they stand."""
 
@@ -40,6 +41,7 @@ AS = {
     "value": "value",
     "inequality": "inequality",
     "of-the-sentence": "of the sentence",
+    "set-of-the-sentence": "set of the sentence",
     "square": "square",
     "clock": "clock",
     "unit": "unit",

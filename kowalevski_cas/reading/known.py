@@ -157,8 +157,13 @@ class Known:
 
     def sets(self, item: Item) -> list[Item]:
         """The sets of the phase space that are supposed, to the end of their section."""
-        found = (one for one in self.assumptions if self.roles[one].kind == "set in force")
-        return [one for one in found if one.order < item.order and _within(one, item)]
+        before = [one for one in self.assumptions if one.order < item.order]
+        return [
+            one
+            for one in before
+            if (self.roles[one].kind == "set in force" and _within(one, item))
+            or (self.roles[one].kind == "set of the sentence" and one.sentence == item.sentence)
+        ]
 
     def reaches(self, one: Item, item: Item) -> bool:
         """Whether what is said at a statement is in force at another one."""

@@ -35,6 +35,8 @@ class Rung:
     constants: tuple[str, ...]
     given: tuple[Item, ...] = ()
     """Those of them that hold on a part of the phase space only."""
+    in_force: bool = False
+    """Whether these are what is supposed there, and no more."""
 
 
 def rungs(item: Item, id: str, stage: Stage) -> Iterator[Rung]:
@@ -130,16 +132,16 @@ class _Ladder:
     def just_before(self) -> list[Item]:
         """The set that was spoken of, or cited, last in the same paragraph."""
         found: list[Item] = []
-        for one, role in self.known.roles.items():
+        for one in self.known.roles:
             if one.order < self.item.order and one.paragraph == self.item.paragraph:
-                near = [one] if role.kind in ("set", "invariant") else []
+                near = [one] if self._is_set(one) else []
                 near += [o for o in self.known.cited(one) if self._is_set(o)]
                 found = near or found
         return [one for one in self.known.roles if found and one.typed is found[-1].typed]
 
     def _is_set(self, one: Item) -> bool:
         role = self.known.roles.get(one)
-        return role is not None and role.kind in ("set", "set in force", "invariant")
+        return role is not None and (role.kind.startswith("set") or role.kind == "invariant")
 
     # -- integrals -------------------------------------------------------------------
 
@@ -218,12 +220,17 @@ class _Ladder:
         if "relations" not in attributes:
             attributes.setdefault("printed", self.item.printed)
         claim = kind(self.id, found.scene, says, **attributes)  # type: ignore[arg-type]
-        return Rung(claim, (*found.assumptions, *on), found.constants, (*on,))
+        in_force = bool(on) and [*on] == self.known.sets(self.item)
+        return Rung(claim, (*found.assumptions, *on), found.constants, (*on,), in_force)
 
 
 def _beside(one: Item, other: Item) -> bool:
-    """Whether two formulas stand side by side in a line of text, with nothing but an “and”."""
+    """Whether two formulas stand side by side in a line of text, with nothing but an “and”.
+
+    Where the words are of planes or points, each of them is one.
+    """
     inline = one.typed.inline and other.typed.inline and one.sentence == other.sentence
+    inline = inline and not cue("places", one.before)
     between = other.lead.strip(" ,;~\n")
     return inline and other.order == one.order + 1 and between in ("", "and", "и")
 

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from dataclasses import replace
 
+from kowalevski_cas.notation import NotationError, read_display
 from kowalevski_cas.paper.claims import Claim, FirstIntegral, Identity, Implication
 from kowalevski_cas.reading.comments import Said, names_of
 from kowalevski_cas.reading.grammar import Directive, own_fields, wrong
@@ -27,6 +30,8 @@ SKIPPED = "skipped"
 
 _ROLES = {"law": LAW, "define": DEFINITION, "map": DEFINITION, "level": LEVEL, "given": ASSUMPTION,
           "claim": CLAIM, "skip": OTHER}  # fmt: skip
+_KINDS = {"skip": SKIPPED, "map": "change"}
+"""The kinds of roles that a verb gives by itself."""
 
 
 def said_role(found: Directive, item: Item, inferred: Role, known: Known) -> Role:
@@ -40,8 +45,8 @@ def said_role(found: Directive, item: Item, inferred: Role, known: Known) -> Rol
     names = names_of(found, item) or _names(name, item, inferred)
     if name == DEFINITION and not kind and not {*names} & {*item.printed.heads.names}:
         kind = "square"
-    if found.verb == "skip":
-        kind = SKIPPED
+    if found.verb in _KINDS:
+        kind = _KINDS[found.verb]
     elif name == CLAIM:
         kind = SAID if found.kind is not None else found.ruled
     elif not kind and inferred.name == name:
@@ -77,17 +82,61 @@ def said_rungs(item: Item, id: str, stage: Stage, said: Said) -> Iterator[Rung]:
 def said_rung(found: Directive, id: str, stage: Stage, item: Item | None = None) -> Rung:
     """The claim that a comment states with all that it is about."""
     assert found.kind is not None and found.values is not None
-    own = [*([item] if item is not None else []), *found.items]
+    own = [*([item] if item is not None else []), *about(found, stage.known)]
     on = found.on or ()
-    supposed = stage.scene(own or list(on), [*on, *stage.known.supposed(own[0])])
+    supposed = stage.scene(own, [*on, *stage.known.supposed(own[0])])
     words = (found.kind.__doc__ or "").strip().partition("\n")[0].rstrip(".")
-    values = dict(found.values)
+    values = spelled_out(found, stage.known)
     given = tuple(one.printed for one in on if one not in supposed.assumptions)
     if given and "given" in {one.name for one in own_fields(found.kind)}:
         values.setdefault("given", given)
     place = item.printed if item is not None else None
     claim: Claim = found.kind(id, supposed.scene, printed=place, words=words, **values)  # type: ignore[arg-type]
     return Rung(claim, (*supposed.assumptions, *on), supposed.constants)
+
+
+def about(found: Directive, known: Known) -> list[Item]:
+    """The statements that a comment names, and those that define what it names in TeX."""
+    own = list(dict.fromkeys((*found.items, *_defining(found, known))))
+    if not own and not found.is_of_formula:
+        raise wrong(found.comment, "it names no formula, and nothing that one defines")
+    return own
+
+
+def spelled_out(found: Directive, known: Known) -> dict[str, object]:
+    """The attributes of a claim, with the components of vectors where names are listed."""
+    vectors = known.names.vectors
+    by_letter = {re.sub(r"\\(?:boldsymbol|mathbf)|[{}]", "", name): name for name in vectors}
+
+    def components(value: object) -> object:
+        """The value, with components in the place of vectors."""
+        if not isinstance(value, tuple):
+            return value
+        found: list[object] = []
+        for one in value:
+            found += (
+                vectors.get(by_letter.get(one, one), (one,)) if isinstance(one, str) else (one,)
+            )
+        return tuple(found)
+
+    return {name: components(value) for name, value in (found.values or {}).items()}
+
+
+def _defining(found: Directive, known: Known) -> Iterator[Item]:
+    """The statements that define the names which a comment gives in TeX."""
+    words = known.paper.words
+    parts = {part for own in known.names.vectors.values() for part in own}
+    words = replace(words, scalars=words.scalars | parts)
+    for value in spelled_out(found, known).values():
+        for tex in value if isinstance(value, tuple) else (value,):
+            if not isinstance(tex, str):
+                continue
+            try:
+                read = read_display(tex, words)
+            except NotationError as error:
+                raise wrong(found.comment, f"{tex} cannot be read: {error.message}") from None
+            for name in sorted({name for one in read for name in one.formula.names()}):
+                yield from known.definitions.get(name, [])[:1]
 
 
 def _rung_on(item: Item, id: str, stage: Stage, on: tuple[Item, ...]) -> Rung:
@@ -105,11 +154,10 @@ def _rung_on(item: Item, id: str, stage: Stage, on: tuple[Item, ...]) -> Rung:
     return Rung(claim, on, supposed.constants)
 
 
-def claim_id(found: Directive) -> str:
+def claim_id(found: Directive, first: Item) -> str:
     """What a claim is called that no formula makes: by its kind, and the first of its places."""
     assert found.kind is not None
-    first = found.items[0].printed.display.id if found.items else str(found.comment.line)
-    return f"{found.kind.__name__.lower()}-{first}"
+    return f"{found.kind.__name__.lower()}-{first.printed.display.id}"
 
 
-__all__ = ["SAID", "SKIPPED", "claim_id", "said_role", "said_rung", "said_rungs"]
+__all__ = ["SAID", "SKIPPED", "about", "claim_id", "said_role", "said_rung", "said_rungs"]

@@ -21,11 +21,12 @@ from kowalevski_cas.processes import each
 from kowalevski_cas.reading.comments import read_comments
 from kowalevski_cas.reading.conventions import conventions
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.grammar import wrong
 from kowalevski_cas.reading.known import CLAIM, CONVENTION, Known, Role
 from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.laws import find_laws, find_restated
 from kowalevski_cas.reading.names import Names, vectors_of
-from kowalevski_cas.reading.obey import SAID, claim_id, said_rung, said_rungs
+from kowalevski_cas.reading.obey import SAID, about, claim_id, said_rung, said_rungs
 from kowalevski_cas.reading.roles import role_of
 from kowalevski_cas.reading.stage import Stage
 from kowalevski_cas.reading.statements import Item, Paper, read_statements
@@ -117,12 +118,16 @@ class _Reader:
         """The claims that comments state and that are no formula's."""
         ids: Counter[str] = Counter()
         for found in self.known.said.claims:
-            ids[claim_id(found)] += 1
-            number = ids[claim_id(found)]
-            id = claim_id(found) if number == 1 else f"{claim_id(found)}_{number}"
-            rung = said_rung(found, id, self.stage)
+            first = about(found, self.known)[0]
+            name = claim_id(found, first)
+            ids[name] += 1
+            id = name if ids[name] == 1 else f"{name}_{ids[name]}"
             role = Role(CLAIM, f"line {found.comment.line} says so", SAID)
-            yield Formula(found.items[0], role, rung.claim, rung.on, rung.constants)
+            try:
+                rung = said_rung(found, id, self.stage)
+            except (ValueError, Meaningless) as error:
+                raise wrong(found.comment, str(error)) from None
+            yield Formula(first, role, rung.claim, rung.on, rung.constants)
 
     @contextmanager
     def _noting(self, item: Item) -> Iterator[None]:
@@ -182,7 +187,8 @@ class _Reader:
         own = [one for one in sections.values() if one.displays] or [*sections.values()][:1]
         own[0].scenes["names"] = self._names()
         for claim in claims:
-            place = claim.printed or next(claim.places())
+            places = sorted(claim.reads(), key=lambda one: one.place)
+            place = claim.printed or next(iter((*claim.places(), *places)))
             section = sections[place.display.section]
             section.claim(claim)
             section.lines[claim.id] = (path, self.paper.lines.get(place.display.id, 0))
@@ -209,18 +215,20 @@ def chosen(found: list[Rung], on: Elaborations) -> Choice:
     """The first claim that holds, or the one with what is in force, where none does."""
     first: int | None = None
     message = ""
-    in_force = next((rung.given for rung in found if rung.given), ())
     for place, rung in enumerate(found):
         try:
             with time_limit(SECONDS):
                 if Statement(rung.claim, on).holds():
                     return Choice(place)
         except (NotationError, Meaningless, FormatError, ArithmeticError, RecursionError) as error:
-            message = message or str(error)
+            said = str(getattr(error, "message", error))
+            for printed in rung.claim.places():
+                said = said.removeprefix(f"{printed.display.id}: ")
+            message = message or said
             continue
         except (TimeoutError, ProcessDied):
             pass
-        if first is None or (rung.given and rung.given == in_force and not found[first].given):
+        if first is None or (rung.in_force and not found[first].in_force):
             first = place
     return Choice(first, "" if first is not None else message)
 

@@ -68,9 +68,9 @@ def expression(item: Item, known: Known) -> Role | None:
     """What is no relation: a name, or an expression, of which only words state something."""
     if isinstance(item.formula, Relation):
         return None
-    if isinstance(item.formula, Name):
-        return Role(NOTATION, "a name")
     said = cue("integral", item.tail[:40]) if _VERB.match(item.tail) else ""
+    if isinstance(item.formula, Name) and not (said and known.varies(item.formula.name)):
+        return Role(NOTATION, "a name")
     if said and known.varying(item.names):
         if role := unjudged(item, known):
             return role
@@ -111,7 +111,7 @@ def unit(item: Item, known: Known) -> Role | None:
     match item.members:
         case (Power(Name("i"), Number(2)), Number() | Negative(Number())):
             return Role(NOTATION, "says what the imaginary unit is", "unit", ("i",))
-        case (Name(name), right) if name in known.paper.words.times and "t" in right.names():
+        case (Name(name), right) if name in known.paper.times and "t" in right.names():
             return Role(DEFINITION, f"gives another time {name}", "clock")
     return None
 
@@ -235,13 +235,9 @@ def assumption(item: Item, known: Known) -> Role | None:
         return None
     values = all(_is_value(m) for m in item.members)
     if supposing or (names and (item.typed.inline or values)):
-        where = (
-            "of the sentence"
-            if re.search(r"\b(?:for|при)\b[^§]*(?:§[^§]*)*$", item.before[-60:], re.I)
-            and item.typed.inline
-            and not re.search(r"\b(?:let|suppose|assume|пусть)", item.before, re.I)
-            else ""
-        )
+        brief = cue("for", item.before) or cue("if", item.lead)
+        lasting = cue("lasting", item.before)
+        where = "of the sentence" if item.typed.inline and brief and not lasting else ""
         why = f"“{supposing}” supposes it" if supposing else "gives a constant that was seen before"
         return Role(ASSUMPTION, why, where, tuple(names) or tuple(sorted(item.names)))
     return None
@@ -306,7 +302,7 @@ def zero_set(item: Item, known: Known) -> Role | None:
         said = cue("invariant", item.words) or cue("equilibrium", item.words)
         if said and (all(map(known.moves, others)) or cue("invariant", item.words)):
             return Role(CLAIM, f"“{said}” in its sentence", "invariant")
-        return Role(ASSUMPTION, "a set that the text speaks of", "set")
+        return Role(ASSUMPTION, "a set that the text speaks of", _reach(item))
     return Role(CLAIM, "a value that is taken somewhere", "somewhere")
 
 
@@ -357,7 +353,7 @@ def _is_fresh(name: str, item: Item, known: Known) -> bool:
     ):
         unclear = any(not known.is_explained(n) for one in found for n in one.names)
         return unclear and all(known.is_explained(n) for n in item.names)
-    if known.moves(function) or function in known.paper.words.times:
+    if known.moves(function) or function in known.paper.times:
         return False
     alone = (Name(function), Power(Name(function), Number(2)))
     if any(function in m.names() for m in item.members if m not in alone) and not arguments:
@@ -396,7 +392,9 @@ def _is_value(formula: Formula) -> bool:
 
 def _reach(item: Item) -> str:
     """How far it reaches what is supposed of what moves."""
-    return "set" if cue("if", item.lead) or not cue("suppose", item.lead) else "set in force"
+    if cue("here", f"{item.before} "):
+        return "set of the sentence"
+    return "set in force" if cue("suppose", item.lead) else "set"
 
 
 def _is_law_left(item: Item) -> bool:
@@ -417,7 +415,7 @@ def _supposing(item: Item) -> str:
 
 def _integral_words(item: Item) -> str:
     """The words near a statement that call it an integral, if no other words stand between."""
-    tail = item.tail[:60]
+    tail = _joined_tail(item)[:60]
     if not re.match(r"\s*(?:which|where|with|that)", tail) and (said := cue("integral", tail)):
         if last_cue("claim", item.lead[-30:]) < 0 or not item.typed.inline:
             return said
@@ -426,6 +424,18 @@ def _integral_words(item: Item) -> str:
         if not item.typed.inline and item.lead.strip(" ,;") in ("", "and")
         else ""
     )
+
+
+_AND = re.compile(r"[\s,;~]*(?:(?:and|or|и|или)[\s~]*)?(?:§[\s,;~]*(?:(?:and|or|и|или)[\s~]*)?)*")
+
+
+def _joined_tail(item: Item) -> str:
+    """The words behind a statement, and behind those that only a comma or “and” joins to it."""
+    if not item.typed.inline:
+        return item.tail
+    found = _AND.match(item.after)
+    joined = item.after[found.end() :] if found else item.after
+    return joined.partition("§")[0]
 
 
 def _integral_that_defines(item: Item, known: Known, fresh: list[str]) -> Role | None:

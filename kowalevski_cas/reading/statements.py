@@ -10,7 +10,7 @@ from functools import cached_property
 
 from kowalevski_cas.notation import Derivative, Formula, Name, NotationError, Relation, Vocabulary
 from kowalevski_cas.notation.cursor import BOLD
-from kowalevski_cas.notation.layout import Placed
+from kowalevski_cas.notation.layout import StatementTokens
 from kowalevski_cas.notation.layout import statements as placed
 from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
@@ -25,6 +25,10 @@ from kowalevski_cas.source.text import Source
 
 LONGEST_ID = 32
 """The signs of a formula by which it is called if it has no label."""
+
+
+_NUMBER = re.compile(r"\\(?:l?eqno|tag\*?)\s*\{?\s*\(?([\w.*']{1,9})\)?")
+"""The number that an author prints with a formula."""
 
 
 @dataclass(eq=False)
@@ -118,11 +122,19 @@ class Paper:
         )
 
     @cached_property
+    def times(self) -> frozenset[str]:
+        """The names of times: of x and s only where something is derived by them."""
+        formulas = (item.formula for item in self.items if item.formula is not None)
+        nodes = (node for formula in formulas for node in formula.nodes())
+        marks = {node.mark for node in nodes if isinstance(node, Derivative)}
+        return frozenset({"t", r"\tau"} | marks) & self.words.times
+
+    @cached_property
     def labels(self) -> dict[str, list[Item]]:
         """The statements by the labels that cite them."""
         found: dict[str, list[Item]] = {}
         for item in self.items:
-            for label in item.typed.labels:
+            for label in (*item.typed.labels, *_NUMBER.findall(item.typed.tex)):
                 found.setdefault(label, []).append(item)
         return found
 
@@ -205,7 +217,7 @@ def _read(
         yield None, formula.trouble, whole
         return
     try:
-        found: Sequence[Placed] = placed(formula.tex)
+        found: Sequence[StatementTokens] = placed(formula.tex)
     except NotationError as error:
         yield None, error.message, whole
         return

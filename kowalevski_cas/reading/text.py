@@ -50,6 +50,7 @@ _ABBREVIATED = re.compile(
     r"(?:^|[\s(~,{])(?:[A-ZА-ЯЁ]|[Ee]qs?|[Ff]igs?|[Ss]ect?|[Rr]efs?|[Cc]f|resp|vs|i\.\s?e|e\.\s?g"
     r"|[Pp]p?|[Nn]os?|[Vv]ol|[Cc]h|[Cc]hap|т\.\s?[екдп]|см|ср|рис|гл|стр|ур|соотв|напр)$"
 )
+_PRINTED = re.compile(r"\((\d[\w.*']{0,8})\)")
 _REFERENCE = re.compile(r"\\(?:eq|c|C|auto)?ref\s*\{([^{}]*)\}")
 
 
@@ -154,8 +155,8 @@ class Prose:
 
 def references(words: str) -> tuple[str, ...]:
     """The labels that some words cite."""
-    found = (label.strip() for one in _REFERENCE.findall(words) for label in one.split(","))
-    return tuple(dict.fromkeys(found))
+    found = [label.strip() for one in _REFERENCE.findall(words) for label in one.split(",")]
+    return tuple(dict.fromkeys((*found, *_PRINTED.findall(words))))
 
 
 def _blank(formula: str) -> str:

@@ -26,10 +26,10 @@ from kowalevski_cas.report.document import (
     Text,
     anchor,
 )
-from kowalevski_cas.report.paragraphs import FIRST, Placed
+from kowalevski_cas.report.paragraphs import FIRST, FormulaBlocks
 from kowalevski_cas.report.places import Item, sections
 from kowalevski_cas.report.prose import read_article
-from kowalevski_cas.report.sentences import listed
+from kowalevski_cas.report.sentences import list_in_words
 from kowalevski_cas.source.displays import DISPLAYS, Typed, find_formulas
 from kowalevski_cas.source.listing import guessed
 from kowalevski_cas.verify.outcome import Run, Verdict
@@ -39,7 +39,7 @@ _TITLE: Final = re.compile(r"\\title\s*(?:\[[^\]]*\])?\s*\{([^{}\\]*)\}")
 _END: Final = re.compile(r"\\end\s*\{document\}")
 
 
-def annotated(audit: Audit) -> Document:
+def annotate(audit: Audit) -> Document:
     """The source of an audit as a page.
 
     Raises:
@@ -108,17 +108,17 @@ class _Annotated:
 
     # -- formulas -------------------------------------------------------------------
 
-    def _one(self, typed: Typed) -> Placed:
+    def _one(self, typed: Typed) -> FormulaBlocks:
         display = self.placed.get((typed.start, typed.end))
         if display is not None and display.id in self.items:
             return self._known(typed, display)
         formulas = _read(typed.tex, self.run.vocabulary) or _read(typed.tex, self.names)
         if typed.inline:
-            text = listed([(one,) for one in formulas], ", ") or (Code(typed.tex),)
-            return Placed(text, inline=True)
-        return Placed((), (Display(formulas, typed.tex),))
+            text = list_in_words([(formula,) for formula in formulas], ", ") or (Code(typed.tex),)
+            return FormulaBlocks(text, inline=True)
+        return FormulaBlocks((), (Display(formulas, typed.tex),))
 
-    def _known(self, typed: Typed, display: Printed) -> Placed:
+    def _known(self, typed: Typed, display: Printed) -> FormulaBlocks:
         """A formula that the derivation knows: with what is claimed of it."""
         items = self.items[display.id]
         own = next(item for item in items if item.display == display.id)
@@ -133,23 +133,31 @@ class _Annotated:
             if item.stated or item.source or not typed.inline:
                 blocks += self.contents.passages.item(item)
         if not typed.inline:
-            return Placed((), tuple(blocks))
-        shown_here: list[Inline] = [*listed([(one,) for one in formulas], ", ")]
+            return FormulaBlocks((), tuple(blocks))
+        shown_here: list[Inline] = [*list_in_words([(formula,) for formula in formulas], ", ")]
         for outcome in own.outcomes[:1]:
             sign = Link(f"claim.{anchor(outcome.claim)}", (Sign(outcome.verdict),))
             shown_here += ["\u00a0", sign]
-        return Placed(tuple(shown_here) or (Code(typed.tex),), tuple(blocks), inline=True)
+        return FormulaBlocks(tuple(shown_here) or (Code(typed.tex),), tuple(blocks), inline=True)
 
     def _wrong(self, display: Printed) -> Iterator[Block]:
         """What is wrong with a formula that nothing is claimed of."""
-        for one in self.audit.formulas:
-            here = one.id.partition(".")[0] == display.id or one.id == display.id
-            if here and one.wrong and not one.claims:
+        for formula in self.audit.formulas:
+            here = formula.id.partition(".")[0] == display.id or formula.id == display.id
+            if here and formula.wrong and not formula.claims:
                 phrases = self.contents.phrases
-                said: Text = (f"{one.verdict.capitalize()}. ", *phrases.sentence(one.message))
-                if one.breaks:
-                    said = (*said, " Because of it, these fail: ", *phrases.links(one.breaks), ".")
-                yield Claim(Verdict.ERROR, "", said, (Code(one.id),))
+                said: Text = (
+                    f"{formula.verdict.capitalize()}. ",
+                    *phrases.sentence(formula.message),
+                )
+                if formula.breaks:
+                    said = (
+                        *said,
+                        " Because of it, these fail: ",
+                        *phrases.links(formula.breaks),
+                        ".",
+                    )
+                yield Claim(Verdict.ERROR, "", said, (Code(formula.id),))
 
     # -- the text -------------------------------------------------------------------
 

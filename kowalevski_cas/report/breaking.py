@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from kowalevski_cas.report.pieces import Piece, measured
+from kowalevski_cas.report.pieces import Piece, width_of
 
 Apart = Callable[[Piece], tuple[Piece, Piece]]
 """What stands before and behind the inner pieces of one that is taken apart."""
@@ -30,9 +30,9 @@ class _Break:
     cost: float = 0.0
 
 
-def broken(pieces: Sequence[Piece], room: float, apart: Apart, *, first: bool) -> list[Line]:
+def break_lines(pieces: Sequence[Piece], room: float, apart: Apart, *, first: bool) -> list[Line]:
     """The pieces in lines. With ``first`` the line begins with the relation that is aligned."""
-    if measured(pieces) <= room:
+    if width_of(pieces) <= room:
         return [Line((), tuple(pieces))]
     found = []
     for part, price in ((1.0, 0.0), (0.7, 60.0), (0.4, 200.0)):
@@ -51,7 +51,7 @@ def _loosened(pieces: Sequence[Piece], room: float, part: float, apart: Apart) -
     loose = []
     for piece in pieces:
         bracket = piece.inner and not piece.below and piece.width > part * room
-        wide = piece.below and piece.width > 0.9 * room and measured(piece.below) < room - 2
+        wide = piece.below and piece.width > 0.9 * room and width_of(piece.below) < room - 2
         if bracket or wide:
             before, behind = apart(piece)
             inner = piece.inner[1:-1] if bracket else piece.inner

@@ -12,7 +12,7 @@ _TAKEN_APART = (Relation, Sum, Negative, Product, Quotient, Root, Power)
 """What is marked in part; a derivative, say, is marked as a whole."""
 
 
-def compared(
+def mark_differences(
     printed: Sequence[Formula], meant: Sequence[Formula]
 ) -> tuple[tuple[Formula, ...], tuple[Formula, ...]]:
     r"""Formulas as printed and as they were meant, with marks on what differs.
@@ -20,22 +20,24 @@ def compared(
     >>> from kowalevski_cas.notation import Vocabulary, read
     >>> from kowalevski_cas.notation.mathml import to_mathml
     >>> words = Vocabulary(frozenset({"x", "y"}))
-    >>> _, (meant,) = compared([read("2x", words)], [read("2xy", words)])
+    >>> _, (meant,) = mark_differences([read("2x", words)], [read("2xy", words)])
     >>> to_mathml(meant)
     '<mn>2</mn><mi>x</mi><mrow class="meant"><mi>y</mi></mrow>'
     """
     if len(printed) != len(meant):
         return tuple(printed), tuple(meant)
-    pairs = [_compared(old, new, None) for old, new in zip(printed, meant, strict=True)]
+    pairs = [_mark_differences(old, new, None) for old, new in zip(printed, meant, strict=True)]
     return tuple(old for old, _ in pairs), tuple(new for _, new in pairs)
 
 
-def unmarked(formula: Formula) -> Formula:
+def without_marks(formula: Formula) -> Formula:
     """The formula without marks."""
-    return formula.argument if isinstance(formula, Changed) else formula.mapped(unmarked)
+    return formula.argument if isinstance(formula, Changed) else formula.map_children(without_marks)
 
 
-def _compared(old: Formula, new: Formula, within: Formula | None) -> tuple[Formula, Formula]:
+def _mark_differences(
+    old: Formula, new: Formula, within: Formula | None
+) -> tuple[Formula, Formula]:
     """Both, marked; ``within`` is what the old one stands in."""
     if old == new:
         return old, new
@@ -46,7 +48,7 @@ def _compared(old: Formula, new: Formula, within: Formula | None) -> tuple[Formu
     before, after = old.children(), new.children()
     same = len(before) == len(after) and _with(old, after) == new
     if same and isinstance(old, _TAKEN_APART):
-        pairs = [_compared(*pair, old) for pair in zip(before, after, strict=True)]
+        pairs = [_mark_differences(*pair, old) for pair in zip(before, after, strict=True)]
         return _with(old, [a for a, _ in pairs]), _with(new, [b for _, b in pairs])
     bare = not isinstance(within, Sum | Product)  # a sign needs no brackets there
     return _marked(old, True, bare), _marked(new, False, bare)
@@ -74,11 +76,11 @@ def _marked(formula: Formula, wrong: bool, bare: bool) -> Formula:
     if isinstance(formula, Negative) and not bare:
         return Negative(_marked(formula.argument, wrong, bare))
     if isinstance(formula, COMPOUND) and not bare:
-        return formula.mapped(lambda part: _marked(part, wrong, bare))
+        return formula.map_children(lambda part: _marked(part, wrong, bare))
     return Changed(formula, wrong)
 
 
 def _with(formula: Formula, children: Sequence[Formula]) -> Formula:
     """The formula with others in the places of its children."""
     following = iter(children)
-    return formula.mapped(lambda _: next(following))
+    return formula.map_children(lambda _: next(following))

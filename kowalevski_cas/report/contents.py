@@ -15,25 +15,25 @@ from kowalevski_cas.report.document import (
     Code,
     Document,
     Emphasis,
+    Figure,
     Graph,
     Heading,
     Link,
     Paragraph,
-    Shown,
     Sign,
     Table,
     Text,
     anchor,
 )
 from kowalevski_cas.report.erratum import erratum
+from kowalevski_cas.report.figures import FigureFile
 from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.graph import picture
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.passages import Passages
 from kowalevski_cas.report.places import Section, labels, names
-from kowalevski_cas.report.plates import Plate
 from kowalevski_cas.report.results import main_results
-from kowalevski_cas.report.sentences import Phrases, counted, listed, nonzero
+from kowalevski_cas.report.sentences import Phrases, count_in_words, list_in_words, nonzero
 from kowalevski_cas.report.witnesses import Witness, arithmetics
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
 
@@ -64,7 +64,7 @@ class Contents:
         copied = any(section.copied for section in sections)
         self.findings = Findings(self.phrases, run.outcomes, copied)
 
-    def document(self, plates: Sequence[Plate] = ()) -> Document:
+    def document(self, figures: Sequence[FigureFile] = ()) -> Document:
         """The report, with the pictures of the derivation."""
         run = self.run
         blocks = [
@@ -72,7 +72,7 @@ class Contents:
             *(block for section in self.sections for block in self.passages.section(section)),
             *self.trust(),
             *self.graph(),
-            *self._plates(plates),
+            *self._figures(figures),
         ]
         title = print_prose(read_prose(run.title, run.vocabulary), str, to_plain)
         origin = ", ".join(filter(None, (run.author, run.source)))
@@ -154,7 +154,7 @@ class Contents:
         """What the marks mean, and “valid for”."""
         outcomes = self.run.outcomes
         present = [v for v in Verdict if any(o.verdict is v for o in outcomes)]
-        means = listed([(Sign(v), f" {MARKS[v].meaning}") for v in present])
+        means = list_in_words([(Sign(v), f" {MARKS[v].meaning}") for v in present])
         divided = [c.expression for o in outcomes for c in o.conditions if not c.witness]
         valid: Text = ()
         if divided:
@@ -172,7 +172,7 @@ class Contents:
     def _confirmed(self) -> Text:
         run = self.run
         deciding = arithmetics(run.outcomes)
-        own = listed([(witness.name,) for witness in deciding])
+        own = list_in_words([(witness.name,) for witness in deciding])
         each = ", each by itself" if len(deciding) > 1 else ""
         text: Text = (
             *own, f" decided every statement{each}: as an identity of polynomials, or by a point "
@@ -189,7 +189,7 @@ class Contents:
                 "What is too long to be shown here stands in the certificates.",
             )  # fmt: skip
         if self.programs:
-            named = listed([(f"{w.name} confirms {len(w.claims)}",) for w in self.programs])
+            named = list_in_words([(f"{w.name} confirms {len(w.claims)}",) for w in self.programs])
             text = (*text, " Of these certificates, ", *named, ".")
         if not run.versions:  # an audit, which leaves no table
             return text
@@ -216,7 +216,7 @@ class Contents:
         if self.findings.slips:
             said = (*said, " What rests on a misprinted formula starts from its corrected form.")
         if drawn.alone:
-            many = counted(len(drawn.alone), "statement")
+            many = count_in_words(len(drawn.alone), "statement")
             said = (*said, f" Omitted: {many} that neither rest on another nor carry one.")
         yield Paragraph(said, "note")
 
@@ -238,11 +238,11 @@ class Contents:
         said = [words for verdict, words in _FRAMES.items() if verdict in verdicts]
         return ", ".join(said + ["dotted for the rest"] * (not verdicts <= {*_FRAMES}))
 
-    def _plates(self, plates: Sequence[Plate]) -> Iterator[Block]:
-        if plates:
+    def _figures(self, figures: Sequence[FigureFile]) -> Iterator[Block]:
+        if figures:
             yield Heading(("Pictures",), "section.pictures")
-        for plate in plates:
-            yield Shown(plate, self.phrases.words(plate.caption))
+        for figure in figures:
+            yield Figure(figure, self.phrases.words(figure.caption))
 
     def trust(self) -> Iterator[Block]:
         """What is proved, and what has to be trusted."""

@@ -15,8 +15,8 @@ from kowalevski_cas.notation import Formula
 from kowalevski_cas.verify.outcome import Verdict
 
 if TYPE_CHECKING:  # a terminal shows none
-    from kowalevski_cas.report.graph import Picture
-    from kowalevski_cas.report.plates import Plate
+    from kowalevski_cas.report.figures import FigureFile
+    from kowalevski_cas.report.graph import Drawing
 
 
 class Code(NamedTuple):
@@ -122,17 +122,17 @@ class Table(NamedTuple):
 class Graph(NamedTuple):
     """The picture of what rests on what."""
 
-    picture: Picture
+    picture: Drawing
 
 
-class Shown(NamedTuple):
+class Figure(NamedTuple):
     """A picture that another command drew."""
 
-    plate: Plate
+    figure: FigureFile
     caption: Text
 
 
-Block = Heading | Paragraph | Display | Claim | Items | Table | Graph | Shown
+Block = Heading | Paragraph | Display | Claim | Items | Table | Graph | Figure
 """A piece of the page."""
 
 
@@ -150,7 +150,7 @@ def anchor(text: str) -> str:
     return re.sub(r"[^A-Za-z0-9.-]", "-", text)
 
 
-def paged(document: Document) -> Document:
+def for_paper(document: Document) -> Document:
     """The document for paper: no records, long displays in an appendix and a link to each.
 
     What leads on to a display stands on its line, where there is room.
@@ -163,7 +163,7 @@ def paged(document: Document) -> Document:
         if display.formulas not in names:
             names[display.formulas] = name
             # one by one, so that a page can end between them
-            first, *others = (Display((one,)) for one in display.formulas)
+            first, *others = (Display((formula,)) for formula in display.formulas)
             moved.append(first._replace(label=(name,), anchor=f"long.{name}"))
             moved.extend(others)
         return Paragraph(

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kowalevski_cas.report.compare import compared
+from kowalevski_cas.report.compare import mark_differences
 from kowalevski_cas.report.document import Block, Display, Link, Paragraph, Text
 from kowalevski_cas.report.findings import Findings
-from kowalevski_cas.report.sentences import capitalised
+from kowalevski_cas.report.sentences import capitalise
 from kowalevski_cas.verify.outcome import Outcome
 
 
@@ -28,15 +28,15 @@ def _corrections(findings: Findings) -> Iterator[Block]:
     for slip in findings.slips:
         first, correction = slip[0], slip[0].correction
         assert correction is not None
-        where = capitalised(findings.phrases.found([outcome.claim for outcome in slip]))
-        printed, meant = compared(first.formulas, correction.formulas)
+        where = capitalise(findings.phrases.found([outcome.claim for outcome in slip]))
+        printed, meant = mark_differences(first.formulas, correction.formulas)
         yield Paragraph((*where, ", for"), leads=True)
         yield Display(printed, first.source)
         yield Paragraph(("read",), leads=True)
         yield Display(meant)
         yield from _because(findings, first)
     for outcome in findings.false:
-        where = capitalised(findings.phrases.found([outcome.claim]))
+        where = capitalise(findings.phrases.found([outcome.claim]))
         said: Text = (*where, ": ", *findings.phrases.sentence(outcome.words), " This is false.")
         if outcome.correction is not None:
             said = (*said, " Read: ", *findings.phrases.words(outcome.correction.words))

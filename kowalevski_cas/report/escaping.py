@@ -34,10 +34,10 @@ _SCRIPTS: Final = re.compile(r"((?>_\S\^\S|[_^]\S|'))(?=[_^'])")
 """What a letter has below and above it, before one more: TeX takes one of each."""
 
 
-def escaped(text: str) -> str:
+def escape_latex(text: str) -> str:
     r"""Plain text as LaTeX; a dollar is a dollar.
 
-    >>> escaped("50% & the_rest, ω₁ ≠ 0")
+    >>> escape_latex("50% & the_rest, ω₁ ≠ 0")
     '50\\% \\& the\\_rest, $\\omega _1$ $\\ne $ 0'
     """
     text = re.sub(r'"([^"\n]*)"', "“\\1”", text)

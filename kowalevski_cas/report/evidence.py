@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from kowalevski_cas.notation import Formula, Relation, to_plain
-from kowalevski_cas.report.compare import compared
+from kowalevski_cas.report.compare import mark_differences
 from kowalevski_cas.report.document import Block, Display, Emphasis, Paragraph, Text
-from kowalevski_cas.report.sentences import Phrases, alike, capitalised, listed
+from kowalevski_cas.report.sentences import Phrases, capitalise, group_alike, list_in_words
 from kowalevski_cas.tools import title
 from kowalevski_cas.verify.outcome import Condition, Outcome, Step
 
@@ -31,13 +31,13 @@ class Evidence:
             if row.message:
                 yield Paragraph((*whose, *self.phrases.sentence(row.message)))
             if len(set(row.verdicts.values())) > 1:
-                said = listed([(f"{title(n)} says {v}",) for n, v in row.verdicts.items()])
+                said = list_in_words([(f"{title(n)} says {v}",) for n, v in row.verdicts.items()])
                 yield Paragraph((*whose, "The arithmetics disagree: ", *said, "."))
 
     def steps(self) -> Iterator[Block]:
         """What the program did: each sentence once, with the displays of all rows it is about."""
         told = [(row.claim, step) for row in self.rows for step in row.steps]
-        for claims, ones in alike(told, lambda step: (step.words, step.point)):
+        for claims, ones in group_alike(told, lambda step: (step.words, step.point)):
             told_of = [formula for step in ones for formula in step.formulas]
             formulas = _told(told_of)
             if told_of and not formulas:
@@ -52,13 +52,13 @@ class Evidence:
 
     def _said(self, step: Step, leads: bool) -> Text:
         if step.point is not None:
-            return capitalised((*self.phrases.at(step.point), *self.phrases.words(step.words)))
+            return capitalise((*self.phrases.at(step.point), *self.phrases.words(step.words)))
         return self.phrases.sentence(step.words, ":" if leads else ".")
 
     def _missing(self) -> Iterator[Block]:
         """Hypotheses that are missing, those for the same reason together."""
         having = [(row.claim, one) for row in self.rows for one in row.conditions if one.witness]
-        for claims, (condition, *_) in alike(having):
+        for claims, (condition, *_) in group_alike(having):
             head = Emphasis(("A hypothesis is missing:",))
             needed = (head, " ", *self.phrases.where((condition,)), ". ")
             yield Paragraph((*self._whose(claims), *needed, *self._fails(condition)))
@@ -71,7 +71,7 @@ class Evidence:
     def _counterexamples(self) -> Iterator[Block]:
         """Each point once, with the values that the first of the rows has there."""
         having = [(row.claim, row.counterexample) for row in self.rows if row.counterexample]
-        for claims, (one, *_) in alike(having, lambda one: (one.point, one.words)):
+        for claims, (one, *_) in group_alike(having, lambda one: (one.point, one.words)):
             of = (" to ", *self.phrases.links(claims[:1])) if len(self.rows) > 1 else ()
             head = Emphasis(("Counterexample", *of, "."))
             yield Paragraph((head, " ", *self.phrases.values(one)))
@@ -81,14 +81,16 @@ class Evidence:
         having = [
             (
                 row.claim,
-                one._replace(formulas=compared(one.blamed or row.formulas, one.formulas)[1])
+                one._replace(formulas=mark_differences(one.blamed or row.formulas, one.formulas)[1])
                 if one.edit
                 else one,
             )
             for row in self.rows
             if (one := row.correction)
         ]
-        for claims, ones in alike(having, lambda one: (one.words, one.verdict, one.conditions)):
+        for claims, ones in group_alike(
+            having, lambda one: (one.words, one.verdict, one.conditions)
+        ):
             one = ones[0]
             formulas = tuple(formula for each in ones for formula in each.formulas)
             what = "Correction" if one.edit else "The nearest true statement"
@@ -116,7 +118,7 @@ class Evidence:
 
     def _whose(self, claims: Sequence[str]) -> Text:
         whose = self._unless_all(claims)
-        return (*capitalised(self.phrases.links(whose)), ": ") if whose else ()
+        return (*capitalise(self.phrases.links(whose)), ": ") if whose else ()
 
     def _unless_all(self, claims: Sequence[str]) -> tuple[str, ...]:
         """The claims, each once; none if they are all the rows there are."""

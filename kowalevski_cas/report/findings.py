@@ -6,14 +6,14 @@ from collections.abc import Iterator, Sequence
 from functools import cached_property
 
 from kowalevski_cas.notation import Formula
-from kowalevski_cas.report.compare import compared
+from kowalevski_cas.report.compare import mark_differences
 from kowalevski_cas.report.document import Block, Claim, Display, Emphasis, Heading, Paragraph, Text
 from kowalevski_cas.report.sentences import (
     Phrases,
-    alike,
     capital,
-    capitalised,
-    counted,
+    capitalise,
+    count_in_words,
+    group_alike,
     in_words,
     nonzero,
 )
@@ -38,7 +38,7 @@ class Findings:
     def slips(self) -> tuple[Slip, ...]:
         """The misprints: the same change in rows of one display is one slip."""
         spoiled = [(o.claim, o) for o in self.refuted if o.correction and o.correction.edit]
-        return tuple(ones for _, ones in alike(spoiled, _slip))
+        return tuple(ones for _, ones in group_alike(spoiled, _slip))
 
     @cached_property
     def false(self) -> tuple[Outcome, ...]:
@@ -88,7 +88,7 @@ class Findings:
             (where, f"where {'its' if where == 1 else 'their'} denominators do not vanish"),
             (lacking, "under a named condition" if whose else f"only under {self._hypotheses()}"),
         ]
-        what = counted(len(outcomes), "formula or statement", "formulas and statements")
+        what = count_in_words(len(outcomes), "formula or statement", "formulas and statements")
         wrong = self._wrong(outcomes)
         if len(outcomes) == 1:
             said = [f"holds {how}" for n, how in found if n] + [f"is {how}" for _, how in wrong]
@@ -118,21 +118,21 @@ class Findings:
             (sum(outcome.verdict is verdict for outcome in outcomes), what)
             for verdict, what in _OPEN.items()
         ]
-        by = f"spoiled by {counted(len(slips), 'misprint')}"
+        by = f"spoiled by {count_in_words(len(slips), 'misprint')}"
         return [one for one in ((spoiled, by), (false, "false"), *open_ones) if one[0]]
 
     def blocks(self) -> Iterator[Block]:
         """What is wrong, for a reader who has half a minute."""
         if self.slips:
-            yield Heading((capital(counted(len(self.slips), "misprint")),), "misprints", 2)
+            yield Heading((capital(count_in_words(len(self.slips), "misprint")),), "misprints", 2)
             yield from map(self._misprint, self.slips)
         if self.false:
-            many = counted(len(self.false), "false statement")
+            many = count_in_words(len(self.false), "false statement")
             yield Heading((capital(many),), "false", 2)
             yield from map(self._falsehood, self.false)
         yield from self.hypotheses()
         if self.open:
-            many = counted(len(self.open), "open statement")
+            many = count_in_words(len(self.open), "open statement")
             yield Heading((capital(many),), "open", 2)
             for outcome in self.open:
                 where = self.phrases.links([outcome.claim])
@@ -142,10 +142,10 @@ class Findings:
     def hypotheses(self) -> Iterator[Block]:
         """What the paper does not say and a statement needs, each condition once."""
         if self.missing:
-            many = counted(len(self.missing), "missing hypothesis", "missing hypotheses")
+            many = count_in_words(len(self.missing), "missing hypothesis", "missing hypotheses")
             yield Heading((capital(many),), "hypotheses", 2)
             for expression, needing in self.missing.items():
-                reasons = alike(needing, lambda condition: condition.words)
+                reasons = group_alike(needing, lambda condition: condition.words)
                 said = tuple(self._reason(claims, one) for claims, (one, *_) in reasons)
                 head: Text = ("We need ", nonzero(expression), ".")
                 yield Claim(Verdict.CONDITIONAL, "", head, blocks=said)
@@ -153,18 +153,19 @@ class Findings:
     def _misprint(self, slip: Slip) -> Claim:
         first, correction = slip[0], slip[0].correction
         assert correction is not None
-        where = capitalised(self.phrases.found([outcome.claim for outcome in slip]))
+        where = capitalise(self.phrases.found([outcome.claim for outcome in slip]))
         fails = "fails" if len(slip) == 1 else "fail"
         why = f" {fails} because of another formula" if correction.blamed else ""
         head: Text = (*where, f"{why}: ", *self.phrases.words(correction.words), ".")
-        printed, meant = compared(correction.blamed or first.formulas, correction.formulas)
+        printed, meant = mark_differences(correction.blamed or first.formulas, correction.formulas)
         source = "" if correction.blamed else first.source
         shown: list[Block] = [
             Display(printed, source, first.verdict, wrong=True),
             Display(meant, verdict=correction.verdict),
         ]
         for other in first.alternatives:
-            shown.append(Paragraph(("Or: ", *self.phrases.words(other.words), ".")))
+            lead = "Or in another formula: " if other.blamed != correction.blamed else "Or: "
+            shown.append(Paragraph((lead, *self.phrases.words(other.words), ".")))
             shown.append(Display(other.formulas, verdict=other.verdict))
         if correction.others:
             shown.append(Paragraph((*self.phrases.links(correction.others), _KEPT)))
@@ -173,7 +174,7 @@ class Findings:
         return Claim(None, "", head, blocks=tuple(shown))
 
     def _falsehood(self, outcome: Outcome) -> Claim:
-        where = capitalised(self.phrases.found([outcome.claim]))
+        where = capitalise(self.phrases.found([outcome.claim]))
         head: Text = (*where, ": ", *self.phrases.sentence(outcome.words))
         shown: list[Block] = []
         if outcome.source and not {*outcome.formulas} <= {*head}:
@@ -196,7 +197,7 @@ class Findings:
         said: Text = ()
         for outcome in self.lacking:
             if outcome.claim in claims:
-                said = (*said, *self.phrases.linked(outcome.claim, outcome.words), " ")
+                said = (*said, *self.phrases.link(outcome.claim, outcome.words), " ")
         return Paragraph((*said, *self.phrases.sentence(condition.words)))
 
 

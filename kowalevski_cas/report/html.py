@@ -10,24 +10,24 @@ from pathlib import Path
 from typing import Final
 
 from kowalevski_cas.notation import Formula
-from kowalevski_cas.notation.mathml import MATHML, stretched
+from kowalevski_cas.notation.mathml import MATHML, growing_bracket
 from kowalevski_cas.report.document import (
     Claim,
     Display,
     Document,
+    Figure,
     Graph,
     Heading,
     Items,
     Link,
     Paragraph,
-    Shown,
     Table,
     Text,
 )
 from kowalevski_cas.report.graph.svg import svg
 from kowalevski_cas.report.marks import MARKS
-from kowalevski_cas.report.pieces import Piece, joined, measured, pieces
-from kowalevski_cas.report.setting import SHORT, Setter
+from kowalevski_cas.report.pieces import Piece, pieces, source_of, width_of
+from kowalevski_cas.report.setting import SHORT, Typesetter
 from kowalevski_cas.report.writer import Writer
 from kowalevski_cas.verify.outcome import Verdict
 
@@ -40,20 +40,20 @@ _STOP: Final = re.compile(r"(<math>(?:(?!</math>).)*</math>[.,;:)]+)")
 
 
 def render_html(document: Document, beside: Path = Path()) -> str:
-    """The document as HTML; plates are from the folder ``beside`` and become a part of it."""
+    """The document as HTML; figures are from the folder ``beside`` and become a part of it."""
     return HtmlWriter(beside).write(document)
 
 
-class HtmlSetter(Setter):
+class HtmlSetter(Typesetter):
     """Displays in MathML, their lines the rows of a table."""
 
     printer = MATHML
     gap = '<mo separator="true">,</mo><mspace width="1.5em"></mspace>'
 
-    def opened(self, bracket: str, tall: bool) -> str:
-        return stretched(bracket) if tall else bracket
+    def opening_bracket(self, bracket: str, tall: bool) -> str:
+        return growing_bracket(bracket) if tall else bracket
 
-    closed = opened
+    closing_bracket = opening_bracket
 
     def line(self, left: str, right: str, indent: int, leads: bool) -> str:
         space = f'<mspace width="{indent}em"></mspace>' if indent else ""
@@ -69,12 +69,12 @@ class HtmlSetter(Setter):
         row = pieces(formula, self.printer)
         parts: list[list[Piece]] = [[]]
         for piece in row:
-            if piece.kind in ("sign", "relation") and measured(parts[-1]) > _NARROW / 4:
+            if piece.kind in ("sign", "relation") and width_of(parts[-1]) > _NARROW / 4:
                 parts.append([])
             parts[-1].append(piece)
-        if measured(row) <= SHORT:
+        if width_of(row) <= SHORT:
             parts = [[*row]]
-        texts = [joined(part, self.printer) for part in parts if part]
+        texts = [source_of(part, self.printer) for part in parts if part]
         return " ".join(f"<math>{text}</math>" for text in (*texts[:1], *map(_infix, texts[1:])))
 
 
@@ -102,7 +102,7 @@ class HtmlWriter(Writer):
         )
         return {**super().parts(document), "contents": "\n".join(links)}
 
-    def escaped(self, text: str) -> str:
+    def escape(self, text: str) -> str:
         return escape(text.replace("'", "’"))
 
     def text(self, text: Text) -> str:
@@ -150,7 +150,7 @@ class HtmlWriter(Writer):
             inner = f'<span class="source">{escape(" ".join(block.source.split()))}</span>'
         else:
             both = self.setter.displays(block.formulas, (self.room, _NARROW))
-            wide, narrow = (f'<math display="block">{one}</math>' for one in both)
+            wide, narrow = (f'<math display="block">{side}</math>' for side in both)
             inner = f"<div>{wide}</div>"
             if wide != narrow:
                 inner = f'<div class="wide">{wide}</div><div class="narrow">{narrow}</div>'
@@ -193,8 +193,8 @@ class HtmlWriter(Writer):
         wide = f"--wide: {block.picture.width:.1f}"
         return f'<div class="graph" tabindex="0" style="{wide}">{svg(block.picture)}</div>'
 
-    def shown(self, block: Shown) -> str:
-        image = b64encode(block.plate.file(self.beside).read_bytes()).decode()
+    def figure(self, block: Figure) -> str:
+        image = b64encode(block.figure.file(self.beside).read_bytes()).decode()
         caption = self.text(block.caption)
         return (
             f'<figure><img alt="" src="data:image/png;base64,{image}">'

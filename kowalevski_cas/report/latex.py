@@ -9,27 +9,27 @@ from kowalevski_cas.report.document import (
     Claim,
     Display,
     Document,
+    Figure,
     Graph,
     Heading,
     Items,
     Link,
     Paragraph,
-    Shown,
     Table,
     Text,
-    paged,
+    for_paper,
 )
-from kowalevski_cas.report.escaping import ascii_only, escaped
+from kowalevski_cas.report.escaping import ascii_only, escape_latex
 from kowalevski_cas.report.graph.tikz import tikz
 from kowalevski_cas.report.marks import MARKS
-from kowalevski_cas.report.setting import Setter
+from kowalevski_cas.report.setting import Typesetter
 from kowalevski_cas.report.writer import Writer
 from kowalevski_cas.verify.outcome import Verdict
 
 
 def render_latex(document: Document) -> str:
     """The document as LaTeX."""
-    return LatexWriter().write(paged(document))
+    return LatexWriter().write(for_paper(document))
 
 
 class _Typeset(Latex):
@@ -38,16 +38,16 @@ class _Typeset(Latex):
     thin = r"\,"
 
 
-class LatexSetter(Setter):
+class LatexSetter(Typesetter):
     """Displays in LaTeX, with the environment ``aligned``."""
 
     printer = _Typeset()
     gap = r",\quad "
 
-    def opened(self, bracket: str, tall: bool) -> str:
+    def opening_bracket(self, bracket: str, tall: bool) -> str:
         return rf"\Bigl{bracket}" if tall else bracket
 
-    def closed(self, bracket: str, tall: bool) -> str:
+    def closing_bracket(self, bracket: str, tall: bool) -> str:
         return rf"\Bigr{bracket}" if tall else bracket
 
     def line(self, left: str, right: str, indent: int, leads: bool) -> str:
@@ -71,8 +71,8 @@ class LatexWriter(Writer):
         properties = {"property": ascii_only(document.title)}
         return {**super().parts(document), **properties}
 
-    def escaped(self, text: str) -> str:
-        return escaped(text)
+    def escape(self, text: str) -> str:
+        return escape_latex(text)
 
     def marks(self) -> str:
         return "\n".join(
@@ -82,7 +82,7 @@ class LatexWriter(Writer):
         )
 
     def code(self, text: str) -> str:
-        return rf"\texttt{{{escaped(' '.join(text.split()))}}}"
+        return rf"\texttt{{{escape_latex(' '.join(text.split()))}}}"
 
     def sign(self, verdict: Verdict) -> str:
         return rf"\Sign{{{verdict}}}"
@@ -157,8 +157,8 @@ class LatexWriter(Writer):
             "\\end{tikzpicture}}\n"
         )
 
-    def shown(self, block: Shown) -> str:
+    def figure(self, block: Figure) -> str:
         return (
-            f"\n\\begin{{plate}}\n\\includegraphics[width=\\linewidth]{{{block.plate.place}.png}}\n\n"
+            f"\n\\begin{{plate}}\n\\includegraphics[width=\\linewidth]{{{block.figure.place}.png}}\n\n"
             f"{self.text(block.caption)}\n\\end{{plate}}\n"
         )

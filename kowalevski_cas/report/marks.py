@@ -7,7 +7,7 @@ from typing import Final, NamedTuple
 from kowalevski_cas.verify.outcome import Verdict
 
 
-class Mark(NamedTuple):
+class VerdictMark(NamedTuple):
     """The word and the sign of a verdict, in LaTeX and Typst too, its colours, what it means."""
 
     word: str
@@ -19,21 +19,21 @@ class Mark(NamedTuple):
     meaning: str
 
 
-MARKS: Final[dict[Verdict, Mark]] = {
-    Verdict.PROVED: Mark("holds", "✓", r"$\checkmark$", "$checkmark$", "1F5C3A", "7BC99B",
+MARKS: Final[dict[Verdict, VerdictMark]] = {
+    Verdict.PROVED: VerdictMark("holds", "✓", r"$\checkmark$", "$checkmark$", "1F5C3A", "7BC99B",
         "holds"),
-    Verdict.CONDITIONAL: Mark("holds if", "(✓)", r"$(\checkmark)$", "$(checkmark)$", "8A5A00",
-        "E0B050", "holds under a condition that is named"),
-    Verdict.PROBABLE: Mark("probable", "≈", r"$\approx$", "$approx$", "555555", "AAAAAA",
+    Verdict.CONDITIONAL: VerdictMark("holds if", "(✓)", r"$(\checkmark)$", "$(checkmark)$",
+        "8A5A00", "E0B050", "holds under a condition that is named"),
+    Verdict.PROBABLE: VerdictMark("probable", "≈", r"$\approx$", "$approx$", "555555", "AAAAAA",
         "holds but for a named chance of error"),
-    Verdict.ENCLOSED: Mark("enclosed", "±", r"$\pm$", "$plus.minus$", "555555", "AAAAAA",
+    Verdict.ENCLOSED: VerdictMark("enclosed", "±", r"$\pm$", "$plus.minus$", "555555", "AAAAAA",
         "holds within a named radius"),
-    Verdict.REFUTED: Mark("false as printed", "✗", r"$\boldsymbol{\times}$", "$bold(times)$",
+    Verdict.REFUTED: VerdictMark("false as printed", "✗", r"$\boldsymbol{\times}$", "$bold(times)$",
         "A3201D", "FF8A80", "is false as printed: it fails at a point that is given"),
-    Verdict.UNDECIDED: Mark("undecided", "?", r"?", "?", "555555", "AAAAAA",
+    Verdict.UNDECIDED: VerdictMark("undecided", "?", r"?", "?", "555555", "AAAAAA",
         "is neither proved nor refuted"),
-    Verdict.TIMEOUT: Mark("timeout", "…", r"\dots", "…", "555555", "AAAAAA",
+    Verdict.TIMEOUT: VerdictMark("timeout", "…", r"\dots", "…", "555555", "AAAAAA",
         "was not decided in the time allowed"),
-    Verdict.ERROR: Mark("error", "!", r"!", "!", "555555", "AAAAAA",
+    Verdict.ERROR: VerdictMark("error", "!", r"!", "!", "555555", "AAAAAA",
         "was not decided, because something went wrong"),
 }  # fmt: skip

@@ -17,7 +17,7 @@ _PARAGRAPH: Final = re.compile(r"\n[ \t\r]*\n\s*")
 
 
 @dataclass(frozen=True)
-class Placed:
+class FormulaBlocks:
     """What stands for a formula: within a line a text, and blocks, which follow the paragraph."""
 
     text: Text
@@ -32,7 +32,7 @@ class Paragraphs:
         placed: what stands for each formula.
     """
 
-    def __init__(self, placed: Sequence[Placed]) -> None:
+    def __init__(self, placed: Sequence[FormulaBlocks]) -> None:
         self.placed = placed
         self.blocks: list[Block] = []
         self.line: list[Inline] = []
@@ -58,7 +58,7 @@ class Paragraphs:
                 elif part:
                     self.line.append(re.sub(r"\s+", " ", part))
 
-    def formula(self, placed: Placed) -> None:
+    def formula(self, placed: FormulaBlocks) -> None:
         """A formula, within the line or in blocks of its own."""
         if placed.inline:
             self.line += placed.text

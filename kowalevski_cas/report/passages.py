@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Final
 
 from kowalevski_cas.notation import Formula, Relation
-from kowalevski_cas.report.compare import compared
+from kowalevski_cas.report.compare import mark_differences
 from kowalevski_cas.report.document import (
     Block,
     Claim,
@@ -20,8 +20,8 @@ from kowalevski_cas.report.document import (
 )
 from kowalevski_cas.report.evidence import Evidence
 from kowalevski_cas.report.marks import MARKS
-from kowalevski_cas.report.places import Item, Section, Stated
-from kowalevski_cas.report.sentences import Phrases, alike, capital, listed, nonzero
+from kowalevski_cas.report.places import ClaimGroup, Item, Section
+from kowalevski_cas.report.sentences import Phrases, capital, group_alike, list_in_words, nonzero
 from kowalevski_cas.report.witnesses import Witness
 from kowalevski_cas.tools import title
 from kowalevski_cas.verify.outcome import Outcome, Verdict
@@ -55,11 +55,11 @@ class Passages:
         yield Heading(name, f"section.{anchor(section.number)}")
         granted = dict.fromkeys(f for outcome in section.outcomes for f in outcome.granted)
         if granted:
-            assumed = listed([(nonzero(formula),) for formula in granted])
+            assumed = list_in_words([(nonzero(formula),) for formula in granted])
             yield Paragraph(("We assume ", *assumed, " throughout this section."))
         chosen = dict.fromkeys(f for outcome in section.outcomes for f in outcome.branches)
         if chosen:
-            meant = listed([(formula,) for formula in chosen])
+            meant = list_in_words([(formula,) for formula in chosen])
             yield Paragraph(("Of the two values of a root we mean the one with ", *meant, "."))
         before = ""
         for item in section.items:
@@ -78,7 +78,7 @@ class Passages:
         for one in item.stated:
             yield self._several(one) if len(one.rows) > 1 else self._alone(one)
 
-    def _several(self, stated: Stated) -> Claim:
+    def _several(self, stated: ClaimGroup) -> Claim:
         """The formulas of a display, all or some of which are claimed."""
         outcomes = stated.outcomes
         words = dict.fromkeys(outcome.words for outcome in outcomes if outcome.words)
@@ -94,7 +94,7 @@ class Passages:
                     _slips(row.formulas, own),
                     row.source,
                     own.verdict if own else None,
-                    listed(beside, "; "),
+                    list_in_words(beside, "; "),
                     f"claim.{anchor(own.claim)}" if own else "",
                     bool(own and own.verdict is Verdict.REFUTED),
                 )
@@ -104,7 +104,7 @@ class Passages:
             head = (*head, *_valid(*where))
         return self._claim(None, "", head, stated.number, shown, outcomes)
 
-    def _alone(self, stated: Stated) -> Claim:
+    def _alone(self, stated: ClaimGroup) -> Claim:
         """A single claim, with its formulas."""
         (row,), (outcome,) = stated.rows, stated.outcomes
         misprint = outcome.misprinted
@@ -141,8 +141,8 @@ class Passages:
     def _records(self, outcomes: Sequence[Outcome]) -> Iterator[Paragraph]:
         """Who confirms claims, and what they rest on; what holds of several is said once."""
         facts = [(outcome.claim, self._record(outcome)) for outcome in outcomes]
-        for claims, (said, *_) in alike(facts):
-            names: Text = listed([(Code(claim),) for claim in claims])
+        for claims, (said, *_) in group_alike(facts):
+            names: Text = list_in_words([(Code(claim),) for claim in claims])
             yield Paragraph((*names, ": ", *said, "."), "record")
 
     def _record(self, outcome: Outcome) -> Text:
@@ -169,7 +169,7 @@ def _slips(formulas: tuple[Formula, ...], outcome: Outcome | None) -> tuple[Form
     """Formulas as printed, with marks on what the correction changes."""
     if outcome is None or outcome.correction is None or not outcome.misprinted:
         return formulas
-    return compared(formulas, outcome.correction.formulas)[0]
+    return mark_differences(formulas, outcome.correction.formulas)[0]
 
 
 def _valid(where: Text) -> Text:
@@ -177,4 +177,4 @@ def _valid(where: Text) -> Text:
 
 
 def _names(names: Sequence[str]) -> Text:
-    return listed([(name,) for name in names])
+    return list_in_words([(name,) for name in names])

@@ -21,12 +21,12 @@ from kowalevski_cas import UserError
 from kowalevski_cas.files import write
 from kowalevski_cas.report.contents import Contents
 from kowalevski_cas.report.document import Document, Graph
-from kowalevski_cas.report.graph import Picture
+from kowalevski_cas.report.figures import FigureFile, copy_figures, figures_of
+from kowalevski_cas.report.graph import Drawing
 from kowalevski_cas.report.graph.svg import svg
 from kowalevski_cas.report.html import render_html
 from kowalevski_cas.report.latex import render_latex
 from kowalevski_cas.report.places import Section
-from kowalevski_cas.report.plates import Plate, copy_plates, plates
 from kowalevski_cas.report.typst import render_typst
 from kowalevski_cas.report.witnesses import Witness, programs
 from kowalevski_cas.verify.outcome import Outcome, Run
@@ -68,7 +68,7 @@ def page(
     Pictures, and which programs confirmed what, are looked for in the folder ``beside``.
     """
     told = () if beside is None else programs(beside, run.derivation, certified)
-    shown = () if beside is None else plates(beside, run.derivation)
+    shown = () if beside is None else figures_of(beside, run.derivation)
     document = Contents(run, sections, certified, told, evidence).document(shown)
     return document, {
         f"{run.derivation}.html": render_html(document, beside or Path()),
@@ -87,7 +87,9 @@ def facts(run: Run, certified: Mapping[str, str], programs: Sequence[Witness]) -
             "statement": outcome.digest,
             "certificate": certified.get(outcome.claim),
             "decided by": dict(outcome.verdicts),
-            "confirmed by": [one.name for one in programs if outcome.claim in one.claims],
+            "confirmed by": [
+                program.name for program in programs if outcome.claim in program.claims
+            ],
             "rests on": list(outcome.rests_on),
             "read with the corrections of": list(outcome.corrected),
         }
@@ -95,7 +97,7 @@ def facts(run: Run, certified: Mapping[str, str], programs: Sequence[Witness]) -
     content = {
         "derivation": run.derivation,
         "digest": run.digest,
-        "versions": {**run.versions, **{one.name: one.version for one in programs}},
+        "versions": {**run.versions, **{program.name: program.version for program in programs}},
         "claims": {outcome.claim: claim(outcome) for outcome in run.outcomes},
     }
     return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
@@ -116,7 +118,7 @@ def write_report(
     was, and a PDF that was made of the same source and pictures is left alone.
     Links lead to the certificates, from the report at the address ``evidence``.
     LaTeX makes the PDF where it is installed and complete, else Typst.
-    Pictures of the derivation that are in a folder below are shown (:mod:`.plates`), and so is
+    Pictures of the derivation that are in a folder below are shown (:mod:`.figures`), and so is
     which programs confirmed its certificates (:mod:`.witnesses`).
 
     Raises:
@@ -127,7 +129,7 @@ def write_report(
     for name, text in files.items():
         write(folder / name, text)
     stem = folder / run.derivation
-    tex, pdf, notes = write_paper(document, stem, plates(folder, run.derivation), folder)
+    tex, pdf, notes = write_paper(document, stem, figures_of(folder, run.derivation), folder)
     errata = Contents(run, sections).erratum()
     erratum = None
     if errata is not None:
@@ -136,7 +138,7 @@ def write_report(
 
 
 def write_paper(
-    document: Document, stem: Path, shown: tuple[Plate, ...] = (), folder: Path = Path()
+    document: Document, stem: Path, shown: tuple[FigureFile, ...] = (), folder: Path = Path()
 ) -> tuple[Path, Path, tuple[str, ...]]:
     """Write a document as LaTeX and PDF; returns both, and what is worth telling.
 
@@ -163,15 +165,15 @@ def write_paper(
     return tex, pdf, notes
 
 
-def _drawing(document: Document) -> Picture:
+def _drawing(document: Document) -> Drawing:
     """The picture in a document, which Typst takes as a file of its own."""
     drawn = (block.picture for block in document.blocks if isinstance(block, Graph))
-    return next(drawn, Picture((), (), 0.0, 0.0))
+    return next(drawn, Drawing((), (), 0.0, 0.0))
 
 
-def _made(engine: str, source: str, shown: tuple[Plate, ...], folder: Path) -> bytes:
+def _made(engine: str, source: str, shown: tuple[FigureFile, ...], folder: Path) -> bytes:
     """A comment behind the end of a PDF, which binds what it was made of."""
-    parts = [source.encode(), *(plate.file(folder).read_bytes() for plate in shown)]
+    parts = [source.encode(), *(figure.file(folder).read_bytes() for figure in shown)]
     digests = "".join(sha256(part).hexdigest() for part in parts)
     return f"%{engine} {sha256(digests.encode()).hexdigest()}\n".encode()
 
@@ -189,8 +191,8 @@ def has_latex() -> bool:
     return shutil.which("pdflatex") is not None
 
 
-def latex_pdf(source: str, shown: tuple[Plate, ...] = (), beside: Path = Path()) -> bytes:
-    """The PDF that pdflatex makes of a document, which shows plates from the folder ``beside``.
+def latex_pdf(source: str, shown: tuple[FigureFile, ...] = (), beside: Path = Path()) -> bytes:
+    """The PDF that pdflatex makes of a document, which shows figures from the folder ``beside``.
 
     Raises:
         ReportError: if it fails; the message has its first complaint.
@@ -198,7 +200,7 @@ def latex_pdf(source: str, shown: tuple[Plate, ...] = (), beside: Path = Path())
     with tempfile.TemporaryDirectory(prefix="kowalevski-") as name:
         folder = Path(name)
         (folder / "report.tex").write_text(source, encoding="utf-8")
-        copy_plates(shown, beside, folder)
+        copy_figures(shown, beside, folder)
         for _ in range(4):
             _latex(folder)
             if not re.search(r"Rerun (to|LaTeX)", _log(folder)):
@@ -243,9 +245,9 @@ def _log(folder: Path) -> str:
 
 
 def typst_pdf(
-    source: str, picture: str, shown: tuple[Plate, ...] = (), beside: Path = Path()
+    source: str, picture: str, shown: tuple[FigureFile, ...] = (), beside: Path = Path()
 ) -> bytes:
-    """The PDF that Typst makes of a document, with its picture in SVG, and plates from a folder.
+    """The PDF that Typst makes of a document, with its picture in SVG, and figures from a folder.
 
     Raises:
         ReportError: if Typst is not installed, or fails; the message has its first complaint.
@@ -258,7 +260,7 @@ def typst_pdf(
         folder = Path(name)
         (folder / "report.typ").write_text(source, encoding="utf-8")
         (folder / "picture.svg").write_text(picture, encoding="utf-8")
-        copy_plates(shown, beside, folder)
+        copy_figures(shown, beside, folder)
         # Typst begins threads, which do not outlive a fork: it has a process of its own.
         done = subprocess.run(
             [sys.executable, "-c", _TYPST], cwd=folder, capture_output=True, check=False

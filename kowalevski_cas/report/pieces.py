@@ -69,7 +69,7 @@ def _pieces(formula: Formula, printer: Printer) -> Iterator[Piece]:
         case Product(factors):
             for k, factor in enumerate(factors):
                 first, *others = _within(factor, COMPOUND, printer)
-                if k and (between := printer.beside(factors[k - 1], factor, first.text)):
+                if k and (between := printer.separator(factors[k - 1], factor, first.text)):
                     first = first._replace(text=between + first.text)
                 yield first
                 yield from others
@@ -91,7 +91,7 @@ def _rate(formula: Derivative, printer: Printer) -> Iterator[Piece]:
     if formula.mark in ("dot", "prime") or not isinstance(formula.argument, COMPOUND):
         yield _piece(formula, printer)
         return
-    below = printer.joined([printer.d, printer(Name(formula.mark))])
+    below = printer.side_by_side([printer.d, printer(Name(formula.mark))])
     yield Piece(printer.fraction(printer.d, below), _RATE, tall=True)
     yield _bracket(formula.argument, printer)
 
@@ -101,24 +101,24 @@ def _piece(formula: Formula, printer: Printer) -> Piece:
     match formula:
         case Power(base, exponent) if not is_base(base):
             bracket, high = _bracket(base, printer), pieces(exponent, printer)
-            text, (*inner, closing) = joined(high, printer), bracket.inner
-            closing = closing._replace(text=printer.raised(closing.text, text))
-            whole = printer.raised(bracket.text, text)
-            return _pair((*inner, closing), whole, _SCRIPT * measured(high))
+            text, (*inner, closing) = source_of(high, printer), bracket.inner
+            closing = closing._replace(text=printer.superscript(closing.text, text))
+            whole = printer.superscript(bracket.text, text)
+            return _pair((*inner, closing), whole, _SCRIPT * width_of(high))
         case Quotient(above, below):
             over, under = pieces(above, printer), pieces(below, printer)
-            width = max(measured(over), measured(under)) + 0.24
+            width = max(width_of(over), width_of(under)) + 0.24
             return Piece(printer(formula), width, inner=over, below=under, tall=True)
         case Vector(rows) if all(isinstance(row, Vector) for row in rows):
             columns = zip(*(row.components for row in rows if isinstance(row, Vector)), strict=True)
-            wide = (max(measured(pieces(cell, printer)) for cell in cells) for cells in columns)
+            wide = (max(width_of(pieces(cell, printer)) for cell in cells) for cells in columns)
             return Piece(printer(formula), sum(wide) + len(rows) + 0.8, tall=True)
         case Changed(argument):
             return _piece(argument, printer)._replace(text=printer(formula), inner=(), below=())
         case Root(argument):
             inside = pieces(argument, printer)
             tall = any(piece.tall for piece in inside)
-            return Piece(printer(formula), measured(inside) + 0.9, tall=tall)
+            return Piece(printer(formula), width_of(inside) + 0.9, tall=tall)
     return Piece(printer(formula), sum(map(_letter, to_plain(formula))))
 
 
@@ -134,7 +134,7 @@ def _within(
 
 def _bracket(formula: Formula, printer: Printer) -> Piece:
     inner = pieces(formula, printer)
-    text = joined(inner, printer)
+    text = source_of(inner, printer)
     opening, closing = printer.brackets(text)
     ends = Piece(opening, _BRACKET, "open"), Piece(closing, _BRACKET, "close")
     return _pair((ends[0], *inner, ends[1]), printer.between(opening, text, closing))
@@ -142,25 +142,25 @@ def _bracket(formula: Formula, printer: Printer) -> Piece:
 
 def _pair(inner: tuple[Piece, ...], text: str, more: float = 0.0) -> Piece:
     tall = any(piece.tall for piece in inner)
-    width = measured(inner) + (2 * (_TALL_BRACKET - _BRACKET) if tall else 0) + more
+    width = width_of(inner) + (2 * (_TALL_BRACKET - _BRACKET) if tall else 0) + more
     return Piece(text, width, inner=inner, tall=tall)
 
 
-def joined(side_by_side: Iterable[Piece], printer: Printer) -> str:
+def source_of(side_by_side: Iterable[Piece], printer: Printer) -> str:
     """The source of pieces side by side."""
     text, before = "", "open"
     for piece in side_by_side:
         if piece.kind == "relation" or (piece.kind == "sign" and before in ("ord", "close")):
             text += f" {piece.text} "
         elif before in ("ord", "close"):
-            text = printer.joined([text, piece.text])
+            text = printer.side_by_side([text, piece.text])
         else:
             text += printer.prefix(piece.text) if piece.kind == "sign" else piece.text
         before = piece.kind
     return text.strip()
 
 
-def measured(side_by_side: Iterable[Piece]) -> float:
+def width_of(side_by_side: Iterable[Piece]) -> float:
     """The width of pieces side by side, in em; a sign with nothing before it is narrower."""
     total, before = 0.0, "open"
     for piece in side_by_side:

@@ -36,7 +36,7 @@ class Row(NamedTuple):
         return ()
 
 
-class Stated(NamedTuple):
+class ClaimGroup(NamedTuple):
     """Claims that stand together: a single one, or those of the formulas of one display.
 
     ``number`` is that of the equation, or else the report's own; ``near`` then says where the paper
@@ -53,7 +53,7 @@ class Stated(NamedTuple):
         return tuple(row.outcome for row in self.rows if row.outcome)
 
 
-class Name(NamedTuple):
+class ClaimName(NamedTuple):
     """What a claim is called: by the number where it stands, and by its own place among several."""
 
     number: str
@@ -71,7 +71,7 @@ class Item(NamedTuple):
     """
 
     rows: tuple[Row, ...] = ()
-    stated: tuple[Stated, ...] = ()
+    stated: tuple[ClaimGroup, ...] = ()
     label: str = ""
     role: str = ""
     display: str = ""
@@ -104,7 +104,7 @@ class Section(NamedTuple):
         return tuple(outcome for item in self.items for outcome in item.outcomes)
 
 
-class _Place:
+class _DisplayPlace:
     """A display, and what is to be said at it and after it."""
 
     def __init__(self) -> None:
@@ -124,12 +124,12 @@ def sections(run: Run, derivation: paper.Derivation, texts: Texts) -> tuple[Sect
     for section in derivation.sections:
         items = tuple(_items(section, outcomes, texts, roles))
         if any(item.stated for item in items):
-            items = numbered(section.number, items)
+            items = number_items(section.number, items)
             found.append(Section(section.number, section.title, items, section.copied))
     return tuple(found)
 
 
-def numbered(section: str, items: Sequence[Item]) -> tuple[Item, ...]:
+def number_items(section: str, items: Sequence[Item]) -> tuple[Item, ...]:
     """The items of a section, with a number for all that is stated."""
     own, before, found = count(1), "", []
     for item, after in zip_longest(items, items[1:]):
@@ -146,11 +146,11 @@ def numbered(section: str, items: Sequence[Item]) -> tuple[Item, ...]:
     return tuple(found)
 
 
-def names(sections: Sequence[Section]) -> dict[str, Name]:
+def names(sections: Sequence[Section]) -> dict[str, ClaimName]:
     """What the claims are called."""
     stated = [one for section in sections for item in section.items for one in item.stated]
     return {
-        row.outcome.claim: Name(
+        row.outcome.claim: ClaimName(
             one.number, one.near, place if len(one.rows) > 1 else 0, len(one.outcomes)
         )
         for one in stated
@@ -169,7 +169,9 @@ def _items(
     section: paper.Section, outcomes: dict[str, Outcome], texts: Texts, roles: Roles
 ) -> Iterator[Item]:
     order = {display: k for k, display in enumerate(section.displays)}
-    places = [_Place() for _ in range(len(order) + 1)]  # the last one stands before all displays
+    places = [
+        _DisplayPlace() for _ in range(len(order) + 1)
+    ]  # the last one stands before all displays
     last = -1
     for claim in section.claims:
         if claim.id not in outcomes:
@@ -197,9 +199,9 @@ def _apart(claims: Sequence[tuple[Display | None, Outcome]]) -> Iterator[Item]:
     for display, ones in groupby(claims, lambda pair: pair[0]):
         outcomes = [outcome for _, outcome in ones]
         if display is None:
-            yield from (Item(stated=(Stated((Row.of(outcome),)),)) for outcome in outcomes)
+            yield from (Item(stated=(ClaimGroup((Row.of(outcome),)),)) for outcome in outcomes)
         else:
-            yield Item(stated=(Stated(tuple(map(Row.of, outcomes))),))
+            yield Item(stated=(ClaimGroup(tuple(map(Row.of, outcomes))),))
 
 
 def _home(claim: Claim) -> Display | None:
@@ -210,7 +212,7 @@ def _home(claim: Claim) -> Display | None:
     return displays.pop() if len(displays) == 1 else None
 
 
-def _displayed(display: Display, place: _Place, texts: Texts, roles: Roles) -> Item:
+def _displayed(display: Display, place: _DisplayPlace, texts: Texts, roles: Roles) -> Item:
     role = roles.at(Printed(display, 1).place).elsewhere
     source = texts.source(display)
     spans: tuple[tuple[int, int], ...] = ()
@@ -226,15 +228,17 @@ def _row(source: str, printed: Printed, texts: Texts) -> Row:
     return Row(source, lambda: (texts.statement(printed).formula,))
 
 
-def _stated(rows: tuple[Row, ...], place: _Place) -> Iterator[Stated]:
+def _stated(rows: tuple[Row, ...], place: _DisplayPlace) -> Iterator[ClaimGroup]:
     """What is claimed of the rows, then what else is claimed of them, then of all together."""
     claimed = [place.rows.get(number, []) for number in range(1, len(rows) + 1)]
     claimed[0] += [o for k, ones in place.rows.items() if k > len(rows) for o in ones]
     for k, ones in enumerate(zip_longest(*claimed)):
-        shown = [row._replace(outcome=one) for row, one in zip(rows, ones, strict=True)]
-        yield Stated(tuple(row for row in shown if row.outcome or not k))
+        shown = [row._replace(outcome=outcome) for row, outcome in zip(rows, ones, strict=True)]
+        yield ClaimGroup(tuple(row for row in shown if row.outcome or not k))
     whole = place.whole
     if whole and not any(claimed):
-        yield Stated((Row(rows[0].source, lambda: sum((r.read() for r in rows), ()), whole[0]),))
+        yield ClaimGroup(
+            (Row(rows[0].source, lambda: sum((r.read() for r in rows), ()), whole[0]),)
+        )
         whole = whole[1:]
-    yield from (Stated((Row.of(outcome),)) for outcome in whole)
+    yield from (ClaimGroup((Row.of(outcome),)) for outcome in whole)

@@ -25,7 +25,7 @@ from kowalevski_cas.report.document import (
     Text,
     anchor,
 )
-from kowalevski_cas.report.paragraphs import Paragraphs, Placed, says
+from kowalevski_cas.report.paragraphs import FormulaBlocks, Paragraphs, says
 
 _LEVELS: Final = {"part": 1, "chapter": 1, "section": 1, "subsection": 2, "subsubsection": 2}
 _FONTS: Final = {
@@ -49,7 +49,9 @@ class ProseError(UserError):
     """The text cannot be read; the message says why and what to do."""
 
 
-def read_article(tex: str, placed: Sequence[Placed], labels: Mapping[str, Link]) -> list[Block]:
+def read_article(
+    tex: str, placed: Sequence[FormulaBlocks], labels: Mapping[str, Link]
+) -> list[Block]:
     """The blocks of an article.
 
     Args:
@@ -88,7 +90,9 @@ def read_article(tex: str, placed: Sequence[Placed], labels: Mapping[str, Link])
 class _Article(Paragraphs):
     """Reads nodes one after the other into blocks."""
 
-    def __init__(self, tex: str, placed: Sequence[Placed], labels: Mapping[str, Link]) -> None:
+    def __init__(
+        self, tex: str, placed: Sequence[FormulaBlocks], labels: Mapping[str, Link]
+    ) -> None:
         super().__init__(placed)
         self.tex, self.labels = tex, labels
         keys = re.findall(r"\\bibitem\s*(?:\[[^\]]*\])?\s*\{([^{}]*)\}", tex)

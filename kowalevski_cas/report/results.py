@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 
 from kowalevski_cas.report.document import Block, Claim, Paragraph, Text
-from kowalevski_cas.report.sentences import Phrases, counted, in_words, listed
+from kowalevski_cas.report.sentences import Phrases, count_in_words, in_words, list_in_words
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 
 Slip = tuple[Outcome, ...]
@@ -62,8 +62,8 @@ def _reach(
         which = "misprint" if many == 1 else f"{in_words(many)} misprints"
         return (f"The {which} {free}",) if slips else ()
     where = [phrases.found([outcome.claim for outcome in slip]) for slip in reaching]
-    rest = f"; the other {counted(many, 'misprint')} {free}" if many else "."
-    return (f"{they} on the correction of what is misprinted ", *listed(where), rest)
+    rest = f"; the other {count_in_words(many, 'misprint')} {free}" if many else "."
+    return (f"{they} on the correction of what is misprinted ", *list_in_words(where), rest)
 
 
 def _corrected(outcomes: Sequence[Outcome], results: Sequence[Outcome]) -> set[str]:

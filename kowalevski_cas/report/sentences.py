@@ -9,7 +9,7 @@ from typing import Final, TypeVar
 
 from kowalevski_cas.notation import Formula, Number, Relation, Vocabulary, equal, read_prose
 from kowalevski_cas.report.document import Code, Inline, Link, Text, anchor
-from kowalevski_cas.report.places import Name, Section
+from kowalevski_cas.report.places import ClaimName, Section
 from kowalevski_cas.verify.outcome import Condition, Counterexample, Point, Value
 
 T = TypeVar("T")
@@ -19,10 +19,10 @@ ZERO: Final = Number(0)
 _NOTHING: Final[Mapping[str, str]] = MappingProxyType({})
 
 
-def listed(items: Sequence[Text], last: str = " and ") -> Text:
+def list_in_words(items: Sequence[Text], last: str = " and ") -> Text:
     """A list in words.
 
-    >>> listed([("one",), ("two",), ("three",)])
+    >>> list_in_words([("one",), ("two",), ("three",)])
     ('one', ', ', 'two', ' and ', 'three')
     """
     text: Text = ()
@@ -31,12 +31,12 @@ def listed(items: Sequence[Text], last: str = " and ") -> Text:
     return text
 
 
-def alike(
+def group_alike(
     things: Iterable[tuple[str, T]], aspect: Callable[[T], object] = lambda thing: thing
 ) -> Iterator[tuple[tuple[str, ...], tuple[T, ...]]]:
     """Claims and what they have, those together that are the same in the given aspect.
 
-    >>> list(alike([("a", 1), ("b", 2), ("c", 1)]))
+    >>> list(group_alike([("a", 1), ("b", 2), ("c", 1)]))
     [(('a', 'c'), (1, 1)), (('b',), (2,))]
     """
     found: dict[str, list[tuple[str, T]]] = {}
@@ -52,10 +52,10 @@ def in_words(many: int) -> str:
     return names[many] if many < len(names) else str(many)
 
 
-def counted(many: int, one: str, more: str = "") -> str:
+def count_in_words(many: int, one: str, more: str = "") -> str:
     """How many there are.
 
-    >>> counted(1, "misprint"), counted(13, "misprint")
+    >>> count_in_words(1, "misprint"), count_in_words(13, "misprint")
     ('one misprint', '13 misprints')
     """
     return f"{in_words(many)} {one if many == 1 else more or one + 's'}"
@@ -78,7 +78,7 @@ def runs(numbers: Iterable[int]) -> str:
         for run in found
         for part in ([f"{run[0]}–{run[-1]}"] if len(run) > 2 else map(str, run))
     ]
-    return "".join(map(str, listed([(part,) for part in parts])))
+    return "".join(map(str, list_in_words([(part,) for part in parts])))
 
 
 def capital(text: str) -> str:
@@ -86,13 +86,13 @@ def capital(text: str) -> str:
     return text[:1].upper() + text[1:]
 
 
-def capitalised(text: Text) -> Text:
+def capitalise(text: Text) -> Text:
     """The text with a capital, where it begins with a word."""
     match text:
         case (str(word), *rest):
             return (capital(word), *rest)
         case (Link() as link, *rest):
-            return (link._replace(text=capitalised(link.text)), *rest)
+            return (link._replace(text=capitalise(link.text)), *rest)
     return text
 
 
@@ -101,7 +101,7 @@ def nonzero(formula: Formula) -> Formula:
     return Relation((formula, ZERO), (r"\ne",))
 
 
-def _ended(text: str, end: str) -> str:
+def _sentence(text: str, end: str) -> str:
     """The text with a capital and an end."""
     text = text.strip()
     return capital(text) + ("" if not text or text.endswith((".", "!", "?", ":")) else end)
@@ -120,7 +120,7 @@ class Phrases:
     def __init__(
         self,
         vocabulary: Vocabulary,
-        names: Mapping[str, Name],
+        names: Mapping[str, ClaimName],
         labels: Mapping[str, str] = _NOTHING,
         certificates: Mapping[str, str] = _NOTHING,
     ) -> None:
@@ -144,7 +144,7 @@ class Phrases:
 
     def sentence(self, text: str, end: str = ".") -> Text:
         """Words that begin with a capital, where they begin with a letter, and come to an end."""
-        return self.words(_ended(text, end))
+        return self.words(_sentence(text, end))
 
     def title(self, section: Section) -> Text:
         """The number and the title of a section, without links."""
@@ -166,7 +166,7 @@ class Phrases:
         for claim in claims:
             own = self.names.get(claim)
             together.setdefault(own.number if own else claim, []).append(claim)
-        return listed(
+        return list_in_words(
             [
                 (Link(f"claim.{anchor(ones[0])}", self.name(ones)),)
                 if ones[0] in self.names
@@ -177,7 +177,7 @@ class Phrases:
 
     def certificate(self, claims: Iterable[str]) -> Text:
         """Links to the certificates of claims, by the names of the files."""
-        return listed(
+        return list_in_words(
             [
                 (Link(address, (address.rpartition("/")[2],), outside=True),)
                 for claim in claims
@@ -185,11 +185,11 @@ class Phrases:
             ]
         )
 
-    def linked(self, claim: str, words: str) -> Text:
+    def link(self, claim: str, words: str) -> Text:
         """The words of a claim as a sentence that leads to it; its name if there are none."""
         if not words:
             return self.links([claim])
-        said = read_prose(_ended(words, "."), self.vocabulary)
+        said = read_prose(_sentence(words, "."), self.vocabulary)
         return (Link(f"claim.{anchor(claim)}", said),)
 
     def found(self, claims: Sequence[str]) -> Text:
@@ -201,14 +201,14 @@ class Phrases:
 
     def where(self, conditions: Iterable[Condition]) -> Text:
         """What several conditions say."""
-        return listed([(nonzero(condition.expression),) for condition in conditions])
+        return list_in_words([(nonzero(condition.expression),) for condition in conditions])
 
     def values(self, found: Counterexample) -> Text:
         """A point and what fails there, as a sentence."""
         said: Text = ("the left side is ", found.left, ", the right side ", found.right)
         if found.words:
             said = self.words(found.words)
-        return capitalised((*self.at(found.point), *said, "."))
+        return capitalise((*self.at(found.point), *said, "."))
 
     @staticmethod
     def at(at: Point) -> Text:
@@ -228,4 +228,4 @@ class Phrases:
                 items.append((equal(*names, value),))
         if rest:
             items.append(("the other variables ", ZERO))
-        return ("At ", *listed(items, ", "), ": ") if items else ()
+        return ("At ", *list_in_words(items, ", "), ": ") if items else ()

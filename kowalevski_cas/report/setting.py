@@ -9,8 +9,8 @@ from typing import Final
 
 from kowalevski_cas.notation import Formula, Number
 from kowalevski_cas.notation.printer import Printer
-from kowalevski_cas.report.breaking import Line, broken
-from kowalevski_cas.report.pieces import Piece, joined, measured, pieces
+from kowalevski_cas.report.breaking import Line, break_lines
+from kowalevski_cas.report.pieces import Piece, pieces, source_of, width_of
 
 _GAP: Final = 1.5
 
@@ -18,7 +18,7 @@ SHORT: Final = 15.0
 """How wide a formula is at most, in em, within which a line is not broken."""
 
 
-class Setter(ABC):
+class Typesetter(ABC):
     """Sets displays in a format, with the printer of that format."""
 
     printer: Printer
@@ -26,11 +26,11 @@ class Setter(ABC):
     """What stands between two formulas on one line."""
 
     @abstractmethod
-    def opened(self, bracket: str, tall: bool) -> str:
+    def opening_bracket(self, bracket: str, tall: bool) -> str:
         """An opening bracket whose partner stands on another line."""
 
     @abstractmethod
-    def closed(self, bracket: str, tall: bool) -> str:
+    def closing_bracket(self, bracket: str, tall: bool) -> str:
         """A closing one, with the power on it."""
 
     @abstractmethod
@@ -43,7 +43,7 @@ class Setter(ABC):
 
     def inline(self, formula: Formula) -> str:
         """The formula within a line."""
-        return self.printer.finished(self.printer(formula))
+        return self.printer.finish(self.printer(formula))
 
     def display(self, formulas: Sequence[Formula], room: float) -> str:
         """The inside of a display: formulas in lines no wider than ``room`` em."""
@@ -56,8 +56,8 @@ class Setter(ABC):
         return [self._display(rows, 0.97 * room) for room in rooms]
 
     def _display(self, rows: Sequence[tuple[Piece, ...]], room: float) -> str:
-        if sum(map(measured, rows)) + _GAP * (len(rows) - 1) <= room:
-            return self.printer.finished(self.gap.join(self._joined(row) for row in rows))
+        if sum(map(width_of, rows)) + _GAP * (len(rows) - 1) <= room:
+            return self.printer.finish(self.gap.join(self._joined(row) for row in rows))
         lines = self._aligned(rows, room)
         shown = [
             self.line(
@@ -68,20 +68,22 @@ class Setter(ABC):
             )
             for line in lines
         ]
-        return self.printer.finished(self.lines(shown))
+        return self.printer.finish(self.lines(shown))
 
     def _joined(self, row: Sequence[Piece]) -> str:
-        return joined(row, self.printer)
+        return source_of(row, self.printer)
 
     def _aligned(self, rows: Sequence[tuple[Piece, ...]], room: float) -> list[Line]:
         """The lines of all rows, aligned at their relations where each has a short left side."""
         heads = [next((k for k, p in enumerate(r) if p.kind == "relation"), 0) for r in rows]
-        widths = [measured(row[:head]) for row, head in zip(rows, heads, strict=True)]
+        widths = [width_of(row[:head]) for row, head in zip(rows, heads, strict=True)]
         if not all(0 < width <= 0.3 * room for width in widths):
-            return [line for row in rows for line in broken(row, room, self._apart, first=False)]
+            return [
+                line for row in rows for line in break_lines(row, room, self._apart, first=False)
+            ]
         lines: list[Line] = []
         for row, head in zip(rows, heads, strict=True):
-            first, *others = broken(row[head:], room - max(widths), self._apart, first=True)
+            first, *others = break_lines(row[head:], room - max(widths), self._apart, first=True)
             lines += [replace(first, left=row[:head]), *others]
         return lines
 
@@ -89,11 +91,13 @@ class Setter(ABC):
         """What stands around the inner pieces of one that is spread over several lines."""
         if not piece.below:
             first, last = piece.inner[0], piece.inner[-1]
-            opened = self.opened(first.text, piece.tall)
-            closed = self.closed(last.text, piece.tall)
+            opened = self.opening_bracket(first.text, piece.tall)
+            closed = self.closing_bracket(last.text, piece.tall)
             return first._replace(text=opened), last._replace(text=closed)
         inverse = self.printer.fraction(self.printer(Number(1)), self._joined(piece.below))
         opened, closed = self.printer.round
-        before = self.printer.joined([inverse, self.opened(opened, tall=True)])
-        width = measured(piece.below) + 0.9
-        return Piece(before, width, "open"), Piece(self.closed(closed, tall=True), 0.6, "close")
+        before = self.printer.side_by_side([inverse, self.opening_bracket(opened, tall=True)])
+        width = width_of(piece.below) + 0.9
+        return Piece(before, width, "open"), Piece(
+            self.closing_bracket(closed, tall=True), 0.6, "close"
+        )

@@ -11,17 +11,17 @@ from kowalevski_cas.report.document import (
     Claim,
     Display,
     Document,
+    Figure,
     Graph,
     Heading,
     Items,
     Link,
     Paragraph,
-    Shown,
     Table,
-    paged,
+    for_paper,
 )
 from kowalevski_cas.report.marks import MARKS
-from kowalevski_cas.report.setting import Setter
+from kowalevski_cas.report.setting import Typesetter
 from kowalevski_cas.report.writer import Writer
 from kowalevski_cas.verify.outcome import Verdict
 
@@ -30,19 +30,19 @@ _SPECIAL: Final = re.compile(r"([\\#$*_`@<>\[\]~=/])")
 
 def render_typst(document: Document) -> str:
     """The document as Typst; the picture of what rests on what is a file of its own beside it."""
-    return TypstWriter().write(paged(document))
+    return TypstWriter().write(for_paper(document))
 
 
-class TypstSetter(Setter):
+class TypstSetter(Typesetter):
     """Displays in the mathematics of Typst, with its points of alignment."""
 
     printer = TYPST
     gap = ", quad "
 
-    def opened(self, bracket: str, tall: bool) -> str:
+    def opening_bracket(self, bracket: str, tall: bool) -> str:
         return _alone(bracket, tall)
 
-    def closed(self, bracket: str, tall: bool) -> str:
+    def closing_bracket(self, bracket: str, tall: bool) -> str:
         return _alone(bracket[0], tall) + bracket[1:]
 
     def line(self, left: str, right: str, indent: int, leads: bool) -> str:
@@ -67,7 +67,7 @@ class TypstWriter(Writer):
     origin, emphases = "#origin[{}]", ("#emph[{}];", "#strong[{}];")
     whole = "#box[{}];", "#tall[{}];"
 
-    def escaped(self, text: str) -> str:
+    def escape(self, text: str) -> str:
         return _SPECIAL.sub(r"\\\1", text)
 
     def marks(self) -> str:
@@ -128,9 +128,9 @@ class TypstWriter(Writer):
     def graph(self, block: Graph) -> str:
         return '#image("picture.svg")'
 
-    def shown(self, block: Shown) -> str:
+    def figure(self, block: Figure) -> str:
         return (
-            f'#plate(image("{block.plate.place}.png", width: 100%), [{self.text(block.caption)}])'
+            f'#plate(image("{block.figure.place}.png", width: 100%), [{self.text(block.caption)}])'
         )
 
 

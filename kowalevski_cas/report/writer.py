@@ -9,8 +9,8 @@ from importlib.resources import files
 
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.report.document import Block, Code, Document, Emphasis, Inline, Link, Sign, Text
-from kowalevski_cas.report.pieces import measured, pieces
-from kowalevski_cas.report.setting import SHORT, Setter
+from kowalevski_cas.report.pieces import pieces, width_of
+from kowalevski_cas.report.setting import SHORT, Typesetter
 from kowalevski_cas.verify.outcome import Verdict
 
 
@@ -19,7 +19,7 @@ class Writer(ABC):
 
     page: str
     """The name of the skeleton, in which ``@body@`` stands for what is written."""
-    setter: Setter
+    setter: Typesetter
     room = 44.0
     """The width of a display, in em."""
     origin: str
@@ -39,8 +39,8 @@ class Writer(ABC):
         """What the skeleton has gaps for."""
         lines = (self.origin.format(self.text(line)) for line in document.subtitle)
         return {
-            "title": self.escaped(document.title),
-            "short": self.escaped(document.short),
+            "title": self.escape(document.title),
+            "short": self.escape(document.short),
             "subtitle": "\n".join(lines),
             "marks": self.marks(),
             "body": self.blocks(document.blocks),
@@ -56,7 +56,7 @@ class Writer(ABC):
         """A piece of a text."""
         match one:
             case str():
-                return self.escaped(one)
+                return self.escape(one)
             case Formula():
                 return self.formula(one)
             case Code(text):
@@ -83,7 +83,7 @@ class Writer(ABC):
     # What a format has to say, beside the methods for blocks
 
     @abstractmethod
-    def escaped(self, text: str) -> str:
+    def escape(self, text: str) -> str:
         """Plain text."""
 
     @abstractmethod
@@ -93,7 +93,7 @@ class Writer(ABC):
     def formula(self, formula: Formula) -> str:
         """A formula within a line, which is not broken within a short one."""
         text, row = f"${self.setter.inline(formula)}$", pieces(formula, self.setter.printer)
-        if measured(row) > SHORT:
+        if width_of(row) > SHORT:
             return text
         return self.whole[any(piece.tall for piece in row)].format(text)
 

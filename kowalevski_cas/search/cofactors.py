@@ -36,11 +36,11 @@ def cofactors(
     if found is None:
         return None
     unit, quotients = found
-    below = flat.inverse(unit) * flat.below(target)
+    below = flat.inverse(unit) * flat.inverse_denominator(target)
     return [
         target.ring.zero
         if q.is_zero()
-        else flat.element(q) * below * (flat.below(g) * content).inverse()
+        else flat.element(q) * below * (flat.inverse_denominator(g) * content).inverse()
         for q, g, content in zip(quotients, generators, contents, strict=True)
     ]
 

@@ -83,7 +83,7 @@ class Combinations:
             row = self.basis.cofactors(self._graded(prod((target, *factors), start=one)))
             if row is not None:
                 over = (factor.inverse() for factor in factors)
-                return self._entries(row, prod(over, start=flat.below(target)))
+                return self._entries(row, prod(over, start=flat.inverse_denominator(target)))
         return None
 
     def divided(self, target: Element) -> list[Element] | None:
@@ -107,14 +107,16 @@ class Combinations:
                 row = self.basis.cofactors(unit * own) if remainder(unit, basis) else None
                 if row is not None:
                     over = flat.inverse(_in(flat.context, unit))
-                    return self._entries(row, over * flat.below(target))
+                    return self._entries(row, over * flat.inverse_denominator(target))
         return None
 
     def _entries(self, row: Sequence[fmpq_mpoly], below: Element) -> list[Element]:
         """The elements of a row of polynomials, which is divided by something."""
         flat, entries = self.flat, [self.ring.zero] * len(self.generators)
         for place, content, polynomial in zip(self.kept, self.contents, row, strict=False):
-            over = flat.below(self.generators[place]) * flat.element(_in(flat.context, content))
+            over = flat.inverse_denominator(self.generators[place]) * flat.element(
+                _in(flat.context, content)
+            )
             entry = flat.element(_in(flat.context, polynomial))
             entries[place] = entry * below * over.inverse()
         return entries
@@ -149,7 +151,7 @@ def combinations_of(targets: Sequence[Element], generators: Sequence[Element]) -
     ring = targets[0].ring
     contents = (Flat(ring).without_roots(one)[0] for one in generators)
     roots = [content for content in contents if content.parts.keys() != {0}]
-    units = [*roots, *ring.divided_by([*targets, *generators])]
+    units = [*roots, *ring.divisors_of([*targets, *generators])]
     return Combinations(targets, generators, units=units)
 
 

@@ -10,7 +10,12 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_fraction
 from kowalevski_cas.algebra.hermite import hermite_minors
 from kowalevski_cas.algebra.polynomials import Terms
-from kowalevski_cas.algebra.present import formula_in, fraction_formula, polynomial_formula, raised
+from kowalevski_cas.algebra.present import (
+    formula_in,
+    fraction_formula,
+    polynomial_formula,
+    power_formula,
+)
 from kowalevski_cas.algebra.tower import Element, Ring
 from kowalevski_cas.notation import Formula, Name, Number, times, total
 from kowalevski_cas.problem.count import eliminant_value, solved_rests
@@ -125,7 +130,7 @@ class Builder:
             for e, v in terms.items()
         }
         names = [*above, *map(Name, constants), *below]
-        powers = (raised(b, d) for b, d in zip(below, degrees, strict=True) if d)
+        powers = (power_formula(b, d) for b, d in zip(below, degrees, strict=True) if d)
         return polynomial_formula(whole, names), times(*powers)
 
     def _rows(self, draft: Roots) -> tuple[tuple[Formula, ...], ...] | None:

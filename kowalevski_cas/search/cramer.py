@@ -10,7 +10,7 @@ from typing import NamedTuple
 from flint import fmpq_mpoly
 
 from kowalevski_cas.algebra.flint import coefficients
-from kowalevski_cas.algebra.present import formula_in, written
+from kowalevski_cas.algebra.present import formula_in, formula_rows
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Name, Negative, Number
 from kowalevski_cas.problem.evidence import Point, Roots
@@ -57,7 +57,7 @@ def cramer(goal: Count, system: System) -> Roots | None:
             (name, formula_in(element(above)), formula_in(below))
             for name, above in zip(goal.names, found.above, strict=True)
         ),
-        rows=written([[entry / below for entry in rows[0]], *rows]),
+        rows=formula_rows([[entry / below for entry in rows[0]], *rows]),
         quotients=(*(Number(0) for _ in known), Negative(Number(1))),
         factors=(),
         minors=((Number(1), ()),),

@@ -8,7 +8,7 @@ from itertools import product
 from operator import mul
 
 from kowalevski_cas.algebra.numbers import inverse_of
-from kowalevski_cas.algebra.present import written
+from kowalevski_cas.algebra.present import formula_rows
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Proof, Shown
@@ -58,7 +58,7 @@ class FollowsFinder(PointFinder):
         if found is None:
             return None
         rows, power = found
-        proof = Proof(written(rows), power=power)
+        proof = Proof(formula_rows(rows), power=power)
         if not goal.conclusions and self._divides(Shown(proof), goal):
             return None
         if not Place(at, point).defines(entries):
@@ -88,8 +88,8 @@ class FollowsFinder(PointFinder):
             off, on = _row(both, known), _row(goals[0], [*known, *group])
             if off is not None and on is not None:
                 last = [*(at.ring.zero for _ in known), at.ring.one]
-                cases = Proof(written([on])), Proof(written([last]))
-                return Proof(written([off]), written([group, goals]), cases)
+                cases = Proof(formula_rows([on])), Proof(formula_rows([last]))
+                return Proof(formula_rows([off]), formula_rows([group, goals]), cases)
         return None
 
     def _divides(self, shown: Shown, goal: Follows) -> bool:

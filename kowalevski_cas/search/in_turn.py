@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from kowalevski_cas.algebra.present import formula_in, written
+from kowalevski_cas.algebra.present import formula_in, formula_rows
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Quotient
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -113,7 +113,7 @@ def shown(
     point = finder.point(at, zero, [*law(goal, at), *zero, *divided])
     proof = Proof(tuple(tuple(map(_divided, row)) for row in rows))
     for element, row, power in reversed(steps):
-        proof = Proof((tuple(map(_divided, row)),), written([[element]]), (proof,), power)
+        proof = Proof((tuple(map(_divided, row)),), formula_rows([[element]]), (proof,), power)
     return None if point is None else Shown(proof, point)
 
 
@@ -138,5 +138,5 @@ def in_turn(goal: Follows, at: Evaluation, conditions: Sequence[Element]) -> Sho
     """
     known = at.differences(goal.given)
     (targets,) = map(at.differences, goal.conclusions)
-    found = steps_to(targets, known, at.ring.divided_by(known), conditions)
+    found = steps_to(targets, known, at.ring.divisors_of(known), conditions)
     return found and shown(goal, *found, [*known, *targets], at)

@@ -85,7 +85,7 @@ class PointFinder:
         It is sought among points in general position, and if ``most`` is not 0 where all variables
         vanish, and then where some do, or all but some, as many as ``most``.
         """
-        avoid = [*at.granted, *at.norms, *at.ring.divided_by(divided)]
+        avoid = [*at.granted, *at.norms, *at.ring.divisors_of(divided)]
         names = all_names(at.setting)
         norms = [self._norm(at, element) for element in (*zero, *_imaginary_parts(at, names))]
         for further in self._sections(at, most):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from kowalevski_cas.algebra.numbers import independent, rank
-from kowalevski_cas.algebra.present import written
+from kowalevski_cas.algebra.present import formula_rows
 from kowalevski_cas.problem.differentials import chosen, differentials, minors
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Evidence, Minors
@@ -39,7 +39,7 @@ class RankFinder(PointFinder):
         rows, power = rows_of(found, at.differences(goal.given)) or ([], 0)
         if power != 1 or any(entry.denominator for row in rows for entry in row):
             return None
-        return Minors(written(rows) or ((),) * len(found))
+        return Minors(formula_rows(rows) or ((),) * len(found))
 
     def _independent(self, goal: Rank, at: Evaluation) -> At | None:
         rows, known = differentials(chosen(goal, at), at), at.differences(goal.given)

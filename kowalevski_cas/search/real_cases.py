@@ -9,7 +9,7 @@ from itertools import chain, product
 from operator import mul
 
 from kowalevski_cas.algebra.factors import irreducible_factors
-from kowalevski_cas.algebra.present import written
+from kowalevski_cas.algebra.present import formula_rows
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evidence import Proof
 from kowalevski_cas.problem.examine import value_of
@@ -36,7 +36,7 @@ def proof_by_cases(
     for k, conclusion in enumerate(conclusions or [[one]]):
         rows = complete(map(combinations.row, conclusion))
         if rows is not None:
-            return Proof(written([*_alternatives(conclusions, k, rows)]))
+            return Proof(formula_rows([*_alternatives(conclusions, k, rows)]))
     best = min(_products(combinations), key=lambda one: one[0], default=None)
     if best is None or not depth:
         return None
@@ -45,7 +45,7 @@ def proof_by_cases(
     cases = complete(proof_by_cases(conclusions, [*known, *one], depth - 1) for one in groups)
     if rows is None or cases is None:
         return None
-    return Proof(written(rows), written(groups), tuple(cases), power)
+    return Proof(formula_rows(rows), formula_rows(groups), tuple(cases), power)
 
 
 def _alternatives(

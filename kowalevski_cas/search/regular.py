@@ -34,7 +34,7 @@ def regular(
     (targets,) = map(at.differences, goal.conclusions)
     sparse = _sparse([at.scalar(function) for function in functions], at)
     generators = [_changed(element, sparse, multipliers, at) for element in known]
-    found = steps_to(targets, generators, at.ring.divided_by(known), conditions, multipliers)
+    found = steps_to(targets, generators, at.ring.divisors_of(known), conditions, multipliers)
     if found is None:
         return None
     back, zero = inverse(sparse), at.ring.zero

@@ -18,7 +18,7 @@ from kowalevski_cas.verify.outcome import Counterexample, Outcome, Verdict, in_l
 from kowalevski_cas.verify.run import Session
 
 
-class Shown:
+class HasFormulas:
     """Something with formulas: in a notebook, in LaTeX, and for SymPy."""
 
     formulas: tuple[Formula, ...]
@@ -37,7 +37,7 @@ class Shown:
         return f"${in_latex(self.formulas)}$"
 
 
-class Function(Shown):
+class Function(HasFormulas):
     """What a system has a name for; it stands for that name wherever LaTeX is taken."""
 
     def __init__(
@@ -48,7 +48,7 @@ class Function(Shown):
         """The equation that defines it."""
 
 
-class Stated(Shown):
+class SystemClaim(HasFormulas):
     """A claim about a system. It is decided when something is asked of it."""
 
     def __init__(

@@ -28,7 +28,7 @@ from kowalevski_cas.notation import (
     to_latex,
 )
 from kowalevski_cas.notation.cursor import is_word
-from kowalevski_cas.notation.errors import undotted
+from kowalevski_cas.notation.errors import name_of_rate
 from kowalevski_cas.notation.open import OpenParser, independent, words_that_move
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
@@ -149,7 +149,7 @@ def _read(display: Display, words: Vocabulary) -> dict[Printed, Formula]:
 
     def written(formula: Formula) -> Formula:
         formula = written_out(formula) if isinstance(formula, Summation) else formula
-        return formula.mapped(written)
+        return formula.map_children(written)
 
     found = read_display(display.tex, words, OpenParser)
     return {place: written(one.formula) for place, one in zip(display, found, strict=True)}
@@ -167,7 +167,7 @@ def _moving(formula: Formula) -> list[str]:
         return [one.name for one in formula.argument.nodes() if isinstance(one, Name)]
     found = [name for child in formula.children() for name in _moving(child)]
     by = formula.by if isinstance(formula, Partial) else ""
-    return [undotted(by), *found] if undotted(by) != by else found
+    return [name_of_rate(by), *found] if name_of_rate(by) != by else found
 
 
 def with_parameters(scene: Scene, display: Display) -> Scene:

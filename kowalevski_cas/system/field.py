@@ -11,13 +11,13 @@ from itertools import chain, count
 from typing import Any, Self
 
 from kowalevski_cas.library import MADE
-from kowalevski_cas.notation import Formula, heads, read, read_display, to_plain
+from kowalevski_cas.notation import Formula, defined_names, read, read_display, to_plain
 from kowalevski_cas.paper.claims import Claim, FirstIntegral
 from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
-from kowalevski_cas.system.answers import Function, Stated, in_html
+from kowalevski_cas.system.answers import Function, SystemClaim, in_html
 from kowalevski_cas.system.equations import (
     components,
     moving_by,
@@ -28,8 +28,8 @@ from kowalevski_cas.system.equations import (
     with_time,
 )
 from kowalevski_cas.system.refused import check_constant, names_of
-from kowalevski_cas.system.solved import solved
-from kowalevski_cas.system.symbols import printed
+from kowalevski_cas.system.solved import solve_for_constant
+from kowalevski_cas.system.symbols import latex_of
 from kowalevski_cas.verify.found import Finding
 from kowalevski_cas.verify.outcome import Verdict, in_latex
 
@@ -79,7 +79,7 @@ class Field:
             raise TypeError(f"LaTeX, or right sides by the variables of SymPy, and not {field!r}")
         rows = [rf"\dot{{{self._tex(x)}}}={self._tex(force)}" for x, force in field.items()]
         tex = r",\quad ".join(rows)
-        if len(heads(tex)) != len(rows):
+        if len(defined_names(tex)) != len(rows):
             raise ValueError(f"{tex}: give each variable one right side")
         return tex
 
@@ -139,7 +139,11 @@ class Field:
         scene = self.scene.called(f"{self.scene.name} where {said}")
         for relation in relations:
             tex = self._tex(relation)
-            tex = tex if any(one.names for one in heads(tex)) else solved(tex, scene) or tex
+            tex = (
+                tex
+                if any(one.names for one in defined_names(tex))
+                else solve_for_constant(tex, scene) or tex
+            )
             place = self._place("where", tex, "supposed")
             constants, scene = scene.constants, restricted(scene, place)
             check_constant(scene, place, constants)
@@ -169,7 +173,7 @@ class Field:
         expect: str = "",
         printed: Tex = "",
         **attributes: Any,
-    ) -> Stated:
+    ) -> SystemClaim:
         """A claim of any kind, called after the name and its first formula.
 
         Formulas, and tuples of them, are taken for what the kind expects at these attributes;
@@ -182,7 +186,7 @@ class Field:
         id = self._id(name, self._tex(_first((printed, *attributes.values()))))
         return self._state(id, Finding(kind, self.scene, says, printed, attributes), expect)
 
-    def _state(self, id: str, finding: Finding, expect: str = "") -> Stated:
+    def _state(self, id: str, finding: Finding, expect: str = "") -> SystemClaim:
         if expect and expect not in {*Verdict}:
             raise ValueError(f"expect “{expect}”: a verdict is one of {', '.join(Verdict)}")
 
@@ -205,7 +209,7 @@ class Field:
         self.section.claim(claim)
         if expect:
             self.section.expected[id] = expect
-        return Stated(claim, self.section, self.symbols, self.seconds)
+        return SystemClaim(claim, self.section, self.symbols, self.seconds)
 
     # -- formulas ----------------------------------------------------------------
 
@@ -220,7 +224,7 @@ class Field:
         if isinstance(formula, str):
             return formula
         if not isinstance(formula, Function):
-            return printed(formula, self.symbols)
+            return latex_of(formula, self.symbols)
         if self.scene.definitions.get(formula.name) != formula.place:
             raise ValueError(f"{formula!r} is defined elsewhere: define it on this system")
         return formula.name

@@ -118,5 +118,5 @@ def check_constant(scene: Scene, place: Printed, known: Container[str]) -> None:
 
 def _derived(formula: Formula) -> list[str]:
     """The names of which partial derivatives are printed."""
-    partial = (one.argument for one in formula.nodes() if isinstance(one, Partial))
+    partial = (node.argument for node in formula.nodes() if isinstance(node, Partial))
     return [argument.name for argument in partial if isinstance(argument, Name)]

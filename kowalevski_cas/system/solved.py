@@ -15,7 +15,7 @@ from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.system.equations import rooted
 
 
-def solved(relation: str, scene: Scene) -> str:
+def solve_for_constant(relation: str, scene: Scene) -> str:
     r"""A constant by the others, as :math:`\alpha=2-\beta` for :math:`\alpha+\beta=2`.
 
     Its coefficient is a number; if there is none, or no equation, the string is empty.

@@ -23,7 +23,7 @@ def display(source: str, label: str) -> str:
     path = Path(here).parent / source
     if path.is_file():
         READ[path] = path.stat().st_mtime_ns
-    found = [one for one in typed_formulas(read_source(path))[1] if label in one.labels]
+    found = [formula for formula in typed_formulas(read_source(path))[1] if label in formula.labels]
     if len(found) != 1:
         raise ValueError(f"{path} has {len(found) or 'no'} displays with the label {label}")
     if found[0].trouble:

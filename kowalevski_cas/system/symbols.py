@@ -10,7 +10,7 @@ from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.sympy import from_sympy
 
 
-def printed(expression: Any, known: dict[str, Any]) -> str:
+def latex_of(expression: Any, known: dict[str, Any]) -> str:
     """An expression of SymPy in LaTeX; its symbols are entered by their names into what is known.
 
     Raises ``ValueError`` if a symbol cannot be printed as a name, if another one is printed so, and

@@ -36,8 +36,8 @@ from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.pool import HERE
 from kowalevski_cas.processes import each
-from kowalevski_cas.questions import forecast, found, question
-from kowalevski_cas.system.answers import Function, Stated
+from kowalevski_cas.questions import collect, forecast, question
+from kowalevski_cas.system.answers import Function, SystemClaim
 from kowalevski_cas.system.field import Field, Tex, Texs, several
 from kowalevski_cas.verify.found import Finding
 
@@ -64,55 +64,55 @@ class System(Field):
 
     # -- claims; each takes the verdict to expect -------------------------------------
 
-    def identity(self, equation: Tex, expect: str = "") -> Stated:
+    def identity(self, equation: Tex, expect: str = "") -> SystemClaim:
         """Both sides are equal; derivatives are along the motion."""
         says = "both sides are the same function"
         return self.states(Identity, "identity", says, expect, equation)
 
-    def implication(self, equation: Tex, given: Texs, expect: str = "") -> Stated:
+    def implication(self, equation: Tex, given: Texs, expect: str = "") -> SystemClaim:
         """An equation holds wherever the given ones do."""
         says = "this holds wherever what is given does"
         return self.states(Implication, "implication", says, expect, equation, given=several(given))
 
-    def integral(self, formula: Tex, given: Texs = (), expect: str = "") -> Stated:
+    def integral(self, formula: Tex, given: Texs = (), expect: str = "") -> SystemClaim:
         """A function is constant along every motion, perhaps on an invariant set only."""
         says = "this is constant along every motion"
         return self.states(FirstIntegral, "integral", says, expect, formula, given=several(given))
 
-    def invariant(self, *relations: Tex, expect: str = "") -> Stated:
+    def invariant(self, *relations: Tex, expect: str = "") -> SystemClaim:
         """No motion leaves the set on which these hold; a function stands for its zeros."""
         zero = tuple(f"{self._tex(F)}=0" if isinstance(F, Function) else F for F in relations)
         says = f"no motion leaves the set where {self._listed(zero)}"
         return self.states(InvariantRelations, "invariant", says, expect, relations=zero)
 
-    def darboux(self, formula: Tex, cofactor: Tex, expect: str = "") -> Stated:
+    def darboux(self, formula: Tex, cofactor: Tex, expect: str = "") -> SystemClaim:
         """A polynomial F with F' = KF, where K is the cofactor."""
         K = self._tex(cofactor)
         says = f"it is a Darboux polynomial with the cofactor ${K}$"
         return self.states(DarbouxPolynomial, "darboux", says, expect, formula, cofactor=K)
 
-    def lax(self, first: Function, second: Function, expect: str = "") -> Stated:
+    def lax(self, first: Function, second: Function, expect: str = "") -> SystemClaim:
         """A Lax pair of matrices: L' = LM - ML, where L has invariants that are not constant."""
         L, M = self._tex(first), self._tex(second)
         says = "the equations of motion give this Lax equation"
         equation = rf"\frac{{d}}{{dt}}{L}={L}{M}-{M}{L}"
         return self.states(LaxPair, "lax", says, expect, equation, matrix=first)
 
-    def jacobi(self, expect: str = "") -> Stated:
+    def jacobi(self, expect: str = "") -> SystemClaim:
         """The Poisson bracket that was defined satisfies Jacobi's identity."""
         return self.states(Jacobi, "jacobi", "the bracket satisfies Jacobi's identity", expect)
 
-    def casimir(self, formula: Tex, expect: str = "") -> Stated:
+    def casimir(self, formula: Tex, expect: str = "") -> SystemClaim:
         """A function whose bracket with every function vanishes."""
         says = "its bracket with every function vanishes"
         return self.states(Casimir, "casimir", says, expect, formula)
 
-    def involution(self, *functions: Tex, expect: str = "") -> Stated:
+    def involution(self, *functions: Tex, expect: str = "") -> SystemClaim:
         """Functions whose brackets with each other vanish."""
         says = f"the brackets of {self._listed(functions)} with each other vanish"
         return self.states(Involution, "involution", says, expect, functions=functions)
 
-    def integrable(self, *integrals: Tex, casimirs: Texs = (), expect: str = "") -> Stated:
+    def integrable(self, *integrals: Tex, casimirs: Texs = (), expect: str = "") -> SystemClaim:
         """Integrability in the sense of Liouville; the first integral is the Hamiltonian."""
         says = f"the motion is integrable in the sense of Liouville, by {self._listed(integrals)}"
         return self.states(
@@ -121,11 +121,13 @@ class System(Field):
         )  # fmt: skip
 
     def _listed(self, formulas: Sequence[Tex]) -> str:
-        return ", ".join(f"${self._tex(one)}$" for one in formulas)
+        return ", ".join(f"${self._tex(formula)}$" for formula in formulas)
 
     # -- questions ---------------------------------------------------------------
 
-    def find_integrals(self, degree: int, weighted: bool = False, on: Texs = ()) -> list[Stated]:
+    def find_integrals(
+        self, degree: int, weighted: bool = False, on: Texs = ()
+    ) -> list[SystemClaim]:
         """The polynomial first integrals up to a degree, and that there are no others.
 
         If it is ``weighted``, variables count by weights for which the motion is homogeneous. If
@@ -134,7 +136,9 @@ class System(Field):
         given = tuple(map(self._tex, several(on)))
         return self._found("integrals", degree=degree, weighted=weighted, on=given)
 
-    def find_darboux(self, degree: int, special: bool = False, cofactor: Tex = "") -> list[Stated]:
+    def find_darboux(
+        self, degree: int, special: bool = False, cofactor: Tex = ""
+    ) -> list[SystemClaim]:
         """The Darboux polynomials up to a degree, perhaps for ``special`` constants too.
 
         Those for one ``cofactor`` only, if it is given, and that there are no others.
@@ -142,19 +146,19 @@ class System(Field):
         K = self._tex(cofactor)
         return self._found("darboux", degree=degree, special=special, cofactor=K)
 
-    def find_closure(self, seed: Tex, order: int = 4) -> list[Stated]:
+    def find_closure(self, seed: Tex, order: int = 4) -> list[SystemClaim]:
         """Invariant sets from a function and its derivatives, up to an order."""
         return self._found("closure", seed=self._tex(seed), order=order)
 
-    def conditions(self, polynomial: Tex) -> list[Stated]:
+    def conditions(self, polynomial: Tex) -> list[SystemClaim]:
         """For which constants a polynomial divides its derivative: all cases, with cofactors."""
         return self._found("parameters", polynomial=self._tex(polynomial))
 
-    def find_exponents(self) -> list[Stated]:
+    def find_exponents(self) -> list[SystemClaim]:
         """The weights, the balances of the leading terms, and the Kowalevski exponents of each."""
         return self._found("exponents")
 
-    def _found(self, name: str, **options: Any) -> list[Stated]:
+    def _found(self, name: str, **options: Any) -> list[SystemClaim]:
         """What the command ``find`` finds, as claims like any other.
 
         What is found in time is claimed; if something may be left, that is said.
@@ -168,10 +172,13 @@ class System(Field):
 
         def answered(scene: Scene) -> tuple[Scene, list[Finding], str]:
             search = question(name).search(on, scene, self.pool, **options)
-            return scene, *found(search, self.seconds)
+            return scene, *collect(search, self.seconds)
 
         ((scene, findings, unfinished),) = each(answered, [self.scene])
         if unfinished:
             print(f"find {name}: {unfinished}", file=sys.stderr)
-        here = (replace(one, on=self.scene) if one.on is scene else one for one in findings)
-        return [self._state(self._id(name, ""), one) for one in here]
+        here = (
+            replace(finding, on=self.scene) if finding.on is scene else finding
+            for finding in findings
+        )
+        return [self._state(self._id(name, ""), finding) for finding in here]

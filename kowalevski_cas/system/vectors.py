@@ -13,7 +13,7 @@ from kowalevski_cas.notation import (
     Relation,
     Vector,
     Vocabulary,
-    heads,
+    defined_names,
     read,
 )
 from kowalevski_cas.notation.errors import letter_and_index
@@ -26,7 +26,7 @@ Vectors = Mapping[str, Parts]
 
 def bold(vectors: Vectors) -> dict[str, Parts]:
     r"""Components by the names of vectors as the reader makes them, ``\mathbf{r}`` of ``\bf r``."""
-    return {heads(f"{name}=0")[0].names[0]: parts for name, parts in vectors.items()}
+    return {defined_names(f"{name}=0")[0].names[0]: parts for name, parts in vectors.items()}
 
 
 def vectors_of(display: Display, known: Vectors, words: Vocabulary) -> dict[str, Parts]:
@@ -43,7 +43,7 @@ def vectors_of(display: Display, known: Vectors, words: Vocabulary) -> dict[str,
             matrices |= new.intersection(place.heads.names)
     new -= matrices
     words = replace(words, vectors=words.vectors | new, matrices=words.matrices | matrices)
-    formulas = [read(one.tex, words, OpenParser) for one in display if _readable(one, words)]
+    formulas = [read(place.tex, words, OpenParser) for place in display if _readable(place, words)]
     found = {**known, **dict(_named(formulas, new))}
     nodes = [node for formula in formulas for node in formula.nodes()]
     names = {node.name for node in nodes if isinstance(node, Name)}
@@ -72,14 +72,14 @@ def _named(formulas: Sequence[Formula], new: Collection[str]) -> Iterator[tuple[
     for formula in formulas:
         match formula:
             case Relation((Name(name), Vector(entries)), _) if name in new and names_only(formula):
-                yield name, tuple(one.name for one in entries if isinstance(one, Name))
+                yield name, tuple(entry.name for entry in entries if isinstance(entry, Name))
 
 
 def names_only(formula: Formula) -> bool:
     r"""Whether a statement only names the components of a vector: :math:`\mathbf r=(x,y,z)`."""
     match formula:
         case Relation((Name(), Vector(entries)), ("=",)):
-            names = {one.name for one in entries if isinstance(one, Name)}
+            names = {entry.name for entry in entries if isinstance(entry, Name)}
             return len(names) == len(entries)
     return False
 

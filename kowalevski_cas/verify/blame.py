@@ -39,7 +39,17 @@ MOST = 3
 """How many repairs are proposed."""
 
 
-KINDS = ("sign", "index", "letter", "exponent", "coefficient", "factor", "power", "missing")
+KINDS = (
+    "sign",
+    "index",
+    "letter",
+    "exponent",
+    "coefficient",
+    "factor",
+    "power",
+    "missing",
+    "exchange",
+)
 """The kinds of edits, the likelier ones first."""
 
 
@@ -109,13 +119,13 @@ class Blame:
         return found
 
     def alone(self, claim: Claim) -> tuple[Correction, ...]:
-        """The corrections of one claim: of its own formula, or else of what it stands on."""
+        """The corrections of one claim: of its own formula, and then of what it stands on."""
         own = tuple(self.mender.corrected_by(Statement(claim, self.mender.on(claim)), MOST))
-        if own:
+        if len(own) == MOST:
             return own
         others = [one for one in self._failing if one is not claim]
         repairs = self._sought([claim, *others], least=1, one=claim)
-        return self._proved(repairs, least=1).get(claim.id, ())
+        return (*own, *self._proved(repairs, least=1).get(claim.id, ()))[:MOST]
 
     # -- who fails ------------------------------------------------------------------
 
@@ -134,6 +144,10 @@ class Blame:
             refuted = self.verdicts[claim.id] is Verdict.REFUTED
             return refuted and claim.id not in self.corrected
         on = self.mender.on(claim)
+        try:
+            self._statement(claim)
+        except (NotationError, Meaningless):
+            return False  # what says nothing is not false
         return passes(Neighbour("", claim, on.texts), on, {}) is False
 
     def _holds(self, claim: Claim) -> bool:
@@ -196,7 +210,7 @@ class Blame:
             for relation in relations(self._statement(claim)):
                 supposed = supposes(claim.scene, self.mender.derivation)
                 suspect = Suspect.ASSUMPTION if supposed else Suspect.RELATION
-                standing = [one for one in failing if one.scene is claim.scene]
+                standing = [one for one in failing if relation.concerns(one.scene)]
                 yield suspect, relation, relation.place, standing
 
     @staticmethod
@@ -257,7 +271,8 @@ class Blame:
             mended = {id: (one,) for id, one in proved.items() if one is not None}
             if len(mended) < least or (found and mended.keys() != found.keys()):
                 continue
-            if self._spoils(repair):
+            told = {one.formulas for ones in found.values() for one in ones}
+            if any(one.formulas in told for (one,) in mended.values()) or self._spoils(repair):
                 continue
             found = {id: (*found.get(id, ()), *one) for id, one in mended.items()}
             if all(len(ones) == MOST for ones in found.values()):

@@ -189,7 +189,7 @@ def _with_away(evidence: Evidence, goal: Goal, away: Any) -> Data:
 
 def _enter(data: Data, setting: Any, elements: list[Element]) -> None:
     """Enter what elements divide by, in an order that no other claim has a part in."""
-    found = finder_of(setting).ring.divided_by(elements)
+    found = finder_of(setting).ring.divisors_of(elements)
     if found:
         data["away"] = sorted((encode(formula_in(element)) for element in found), key=json.dumps)
 

@@ -49,7 +49,7 @@ def conditions_of(accepted: Accepted, legend: Mapping[Setting, Elaboration]) -> 
 def may_vanish(goal: Simple, elements: Sequence[Element]) -> list[Element]:
     """What elements are divided by, that may vanish where what is given holds."""
     at = finder_of(goal.space)
-    found = at.ring.divided_by(elements)
+    found = at.ring.divisors_of(elements)
     if not goal.space.powers or not isinstance(goal, Follows) or not goal.given:
         return found
     known, one = at.differences(goal.given), at.ring.one
@@ -124,7 +124,7 @@ def excluding(goals: Iterable[Goal], legend: Mapping[Setting, Elaboration]) -> t
                 continue
             at = finder_of(one.space)
             known = at.differences(one.given) if isinstance(one, Follows) else []
-            divisors = at.ring.divided_by(law(one, at, bound)) if known else []
+            divisors = at.ring.divisors_of(law(one, at, bound)) if known else []
             gone = zip(divisors, vanish_on(divisors, known), strict=True)
             found |= {_positive(divisor, legend[one.space]): None for divisor, here in gone if here}
     return tuple(found)

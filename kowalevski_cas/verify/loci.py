@@ -134,7 +134,7 @@ def rank_on(goal: Rank, locus: tuple[Equation, ...]) -> tuple[int, Point] | None
     left = [element for element, vanishes in zip(given, gone, strict=True) if not vanishes]
     functions = [at.scalar(f) for f in goal.functions]
     names = all_names(goal.space)
-    avoid = [*at.granted, *at.ring.divided_by([*functions, *left, *there])]
+    avoid = [*at.granted, *at.ring.divisors_of([*functions, *left, *there])]
     for point in islice(real_points(at, names, [*left, *there], avoid), TRIES):
         with suppress(ZeroDivisionError, Misplaced):
             candidate = Candidate(at, point)

@@ -47,15 +47,15 @@ class Relation:
         tex = to_latex(self.formula)
         return Display(f"supposed {tex}", tex, "", source="supposed")[1]
 
-    def neighbour(self, claim: Claim, texts: Texts) -> Neighbour:
-        """A claim on its scene, if that is the one of the relation, where this is supposed."""
-        supposing = replace(claim, scene=self._supposing)
-        return Neighbour(self.words, supposing, texts, self.place)
+    def concerns(self, scene: Scene) -> bool:
+        """Whether the constants of the relation are constants of a scene with the same motion."""
+        return scene.field == self.scene.field and self.formula.names() <= {*scene.constants}
 
-    @property
-    def _supposing(self) -> Scene:
-        kept = tuple(name for name in self.scene.constants if name != self.constant)
-        return replace(self.scene, constants=kept).naming(self.constant, self.place)
+    def neighbour(self, claim: Claim, texts: Texts) -> Neighbour:
+        """A claim where this is supposed."""
+        kept = tuple(name for name in claim.scene.constants if name != self.constant)
+        scene = replace(claim.scene, constants=kept).naming(self.constant, self.place)
+        return Neighbour(self.words, replace(claim, scene=scene), texts, self.place)
 
 
 def supposes(scene: Scene, derivation: Derivation) -> bool:

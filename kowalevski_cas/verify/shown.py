@@ -7,7 +7,7 @@ from contextlib import suppress
 from math import prod
 
 from kowalevski_cas.algebra.numbers import rational
-from kowalevski_cas.algebra.present import fraction_formula, name_formula, product_of, raised
+from kowalevski_cas.algebra.present import fraction_formula, name_formula, power_formula, product_of
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import (
     Application,
@@ -54,12 +54,12 @@ def _value(name: Formula, value: Formula) -> tuple[Formula, Formula]:
     with suppress(Meaningless):
         number = rational(rationals().scalar(square))
         square = square if number is None else fraction_formula(number)
-    return raised(name, 2), square
+    return power_formula(name, 2), square
 
 
 def _one_root(formula: Formula) -> Formula:
     """A formula in which roots of numbers that are multiplied are one root."""
-    formula = formula.mapped(_one_root)
+    formula = formula.map_children(_one_root)
     if isinstance(formula, Product):
         inside = [f.argument for f in formula.factors if isinstance(f, Root)]
         numbers = [one.value for one in inside if isinstance(one, Number)]
@@ -92,9 +92,9 @@ def written(formula: Formula, setting: Elaboration) -> Formula:
     if isinstance(formula, Derivative) and formula.mark == MARK:
         time, argument = setting.scene.time, written(formula.argument, setting)
         return Derivative(argument, MARK if time == "t" and isinstance(argument, Name) else time)
-    match shown := formula.mapped(lambda child: written(child, setting)):
+    match shown := formula.map_children(lambda child: written(child, setting)):
         case Power(base, Number(exponent)):
-            return raised(base, exponent)
+            return power_formula(base, exponent)
         case Quotient(above, Number(1)):
             return above
     return shown

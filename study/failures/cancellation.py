@@ -19,7 +19,7 @@ from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.search.place import Candidate
-from study.charts import curve, shown
+from study.charts import curve, display_name
 from study.paper import both, paper, sides
 from study.step import Measured, Row, Task
 
@@ -39,10 +39,10 @@ def measure(quick: bool) -> Iterator[Task]:
     """A row a method: lists over the exponents k."""
     exponents = [0, 4, 8] if quick else list(range(LARGEST + 1))
     for method in ("flint", "ball", "floating"):
-        yield Task(method, "cancellation", partial(lost, method, exponents))
+        yield Task(method, "cancellation", partial(relative_errors, method, exponents))
 
 
-def lost(method: str, exponents: Sequence[int]) -> Measured:
+def relative_errors(method: str, exponents: Sequence[int]) -> Measured:
     """The relative errors at √θ = 10⁻ᵏ; ``None`` where nothing is finite."""
     # The scene of the limit has the abbreviations (9) and the root; here β is kept.
     limit, whole = paper().claims["limit"].scene, paper().claims["eq6"].scene
@@ -53,9 +53,9 @@ def lost(method: str, exponents: Sequence[int]) -> Measured:
     if method == "flint":
         errors = [_size(exact, left - right, point) for point in points]
     else:
-        one, other = sides(CLAIM, programs)
+        element, other = sides(CLAIM, programs)
         error = {"floating": _rounded, "ball": _radius}[method]
-        errors = [error(programs.carry(one - other), point) for point in points]
+        errors = [error(programs.carry(element - other), point) for point in points]
     sizes = [_size(exact, left, point) for point in points]
     relative = [e / size if isfinite(e) else None for e, size in zip(errors, sizes, strict=True)]
     return {"exponents": list(exponents), "errors": relative}
@@ -105,6 +105,6 @@ def point_at(root: Fraction) -> ExactPoint:
 def draw(axes: Axes, rows: Sequence[Row]) -> None:
     """The relative errors against k."""
     for row in rows:
-        label = "" if any(row["errors"]) else f"{shown(row['method'])}: exactly 0"
+        label = "" if any(row["errors"]) else f"{display_name(row['method'])}: exactly 0"
         curve(axes, row, "exponents", "errors", label, least=1e-20)
     axes.set_xlabel(r"$k$: $\sqrt{\theta}=10^{-k}$")

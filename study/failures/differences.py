@@ -13,7 +13,7 @@ from kowalevski_cas.algebra import load_points
 from kowalevski_cas.algebra.points import Question
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
-from study.charts import look, shown
+from study.charts import display_name, look
 from study.paper import both, paper, sides
 from study.step import Measured, Row, Task
 
@@ -33,10 +33,10 @@ def measure(quick: bool) -> Iterator[Task]:
     """For each method, how many of the near misses it refutes, for each exponent e."""
     exponents = [STEP, 40] if quick else list(range(STEP, LARGEST + 1, STEP))
     for method in ("flint", "modular", "ball", "floating"):
-        yield Task(method, "differences", partial(refuted, method, exponents))
+        yield Task(method, "differences", partial(count_refuted, method, exponents))
 
 
-def refuted(method: str, exponents: Sequence[int]) -> Measured:
+def count_refuted(method: str, exponents: Sequence[int]) -> Measured:
     """How many of the near misses a method refutes."""
     factors = [1 + Fraction(1, 10**e) for e in exponents]
     counts = [sum(_refutes(method, id, factor) for id in IDENTITIES) for factor in factors]
@@ -70,7 +70,7 @@ def draw(axes: Axes, rows: Sequence[Row]) -> None:
         axes.barh([line], [end], height=0.5, color=look(row["method"]).colour)
         words = "all" if end == max(row["exponents"]) else f"$e\\leq{end}$"
         axes.annotate(words, (end, line), (3, 0), textcoords="offset points", va="center", size=7)
-    axes.set_yticks(range(len(rows)), [shown(row["method"]) for row in rows], size=7)
+    axes.set_yticks(range(len(rows)), [display_name(row["method"]) for row in rows], size=7)
     axes.set(xlim=(0, 1.25 * LARGEST), xlabel="$e$: off by the factor $1+10^{-e}$")
     axes.invert_yaxis()
     axes.grid(axis="y", visible=False)

@@ -40,7 +40,7 @@ CAPTION = (
 
 def measure(quick: bool) -> Iterator[Task]:
     """The closed form, and phases that are rounded once, up to t = 10³⁰."""
-    for method, states in (("closed", load("closed")), (ROUNDED, rounded)):
+    for method, states in (("closed", load("closed")), (ROUNDED, round_phases)):
         yield Task(method, "phase", partial(errors, states, POWERS[::5] if quick else POWERS))
 
 
@@ -52,7 +52,7 @@ def errors(states: Any, powers: Sequence[int]) -> Measured:
     return {"powers": list(powers), "errors": found}
 
 
-def rounded(motion: Motion, times: Array) -> Array:
+def round_phases(motion: Motion, times: Array) -> Array:
     """The states (N, 9) with each phase rounded once to a float, and exact otherwise."""
     with precision(600):
         rates = [as_fraction(oscillation.rate) for oscillation in motion.oscillations()]

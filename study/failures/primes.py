@@ -18,7 +18,7 @@ from kowalevski_cas.algebra.bounds import Sizes
 from kowalevski_cas.algebra.modular import residue_point
 from kowalevski_cas.algebra.points import NoPoint, Question
 from kowalevski_cas.pictures import FAINT
-from study.charts import look, points, shown
+from study.charts import display_name, look, points
 from study.failures.differences import near_miss
 from study.step import Measured, Row, Task
 
@@ -40,7 +40,7 @@ def measure(quick: bool) -> Iterator[Task]:
     """The share of points that accept a false claim, for primes of all sizes."""
     powers = (2, 7, 16) if quick else (2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14)
     moduli = [small_prime(2**power) for power in powers]
-    yield Task("modular", "primes", partial(accepted, moduli))
+    yield Task("modular", "primes", partial(count_accepting, moduli))
 
 
 def small_prime(least: int) -> int:
@@ -51,7 +51,7 @@ def small_prime(least: int) -> int:
     return candidate
 
 
-def accepted(moduli: Sequence[int]) -> Measured:
+def count_accepting(moduli: Sequence[int]) -> Measured:
     """For each prime: how many points accept, of how many, and the bound of that share."""
     asked, sizes = near_miss(CLAIM, FACTOR), Sizes()
     degree = max(sizes(program).degree for program in asked.residuals)
@@ -88,7 +88,7 @@ def draw(axes: Axes, rows: Sequence[Row]) -> None:
         shares = list(zip(row["primes"], row["accepted"], row["points"], strict=True))
         for full in (True, False):
             chosen = [(p, (n or 3) / of) for p, n, of in shares if of and bool(n) is full]
-            words = shown(row["method"]) if full else None
+            words = display_name(row["method"]) if full else None
             look_of = points(look(row["method"]), full)
             axes.plot([p for p, _ in chosen], [s for _, s in chosen], label=words, **look_of)
     axes.legend(loc="lower left", fontsize=7.5, borderaxespad=0)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.pictures import INK, new_figure
 from study.charts import curve, legend_below, seconds, size
-from study.growth.trace import LANGUAGES, program, recorded
+from study.growth.trace import LANGUAGES, program, record_steps
 from study.process import race
 from study.step import Measured, Row, Task
 
@@ -60,7 +60,7 @@ def _other(name: str, claim: str, seconds: float, most: int) -> Measured:
     call = language.call()
     with TemporaryDirectory() as folder:
         file = Path(folder) / f"growth{language.suffix}"
-        text = program(language, *recorded(claim, most, 2 * seconds))
+        text = program(language, *record_steps(claim, most, 2 * seconds))
         file.write_text(text, encoding="utf-8")
         return race([*call, file.name], Path(folder), seconds, MEBIBYTES)
 

@@ -102,7 +102,7 @@ class Recording(Polynomials):
 
 
 @cache
-def recorded(claim: str, most: int, seconds: float) -> tuple[tuple[str, ...], list[Line]]:
+def record_steps(claim: str, most: int, seconds: float) -> tuple[tuple[str, ...], list[Line]]:
     """The generators, and what is done up to the step that so many seconds reach."""
     work = growth(claim, Recording)
     arithmetic = work.at.ring.polynomials

@@ -27,10 +27,10 @@ class Growth:
 
     def __init__(self, at: Evaluation, functions: list[Element], matrix: Matrix) -> None:
         self.at, self.functions, self.matrix = at, functions, matrix
-        one, zero = at.ring.one, at.ring.zero
+        element, zero = at.ring.one, at.ring.zero
         size = range(len(functions))
         self.left = functions
-        self.powers = [[one if i == j else zero for j in size] for i in size]
+        self.powers = [[element if i == j else zero for j in size] for i in size]
 
     def step(self) -> bool:
         """Go on to the next k; whether the identity holds there."""

@@ -6,7 +6,7 @@ from kowalevski_cas.algebra import EXACT, POINTS
 from kowalevski_cas.export import load
 from kowalevski_cas.tools import TOOLS, MissingTool
 from study.methods.arithmetics import ExactArithmetic, PointArithmetic
-from study.methods.certificates import Checker, Program
+from study.methods.certificates import Checker, ExportProgram
 from study.methods.method import ACCEPTED, NONE, REJECTED, Method
 from study.methods.typed import CALLS, ByHand
 
@@ -19,7 +19,7 @@ def methods() -> list[Method]:
     found: list[Method] = [*map(ExactArithmetic, EXACT), Checker("checker")]
     for name in TOOLS:
         try:
-            found.append(Program(name, load(name), SHARES.get(name)))
+            found.append(ExportProgram(name, load(name), SHARES.get(name)))
         except MissingTool:
             continue
     return [*found, *map(PointArithmetic, POINTS), *(ByHand(c, SHARES["by hand"]) for c in CALLS)]

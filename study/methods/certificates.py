@@ -43,7 +43,7 @@ class Checker(Method):
         return answer("")
 
 
-class Program(Method):
+class ExportProgram(Method):
     """Another program reads an export, in a process for each statement.
 
     Raises ``MissingTool`` if the program is not installed.

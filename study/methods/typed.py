@@ -62,7 +62,7 @@ class ByHand(Method):
 
 def decide(call: str, problem: Problem) -> Measured:
     """Whether a call of SymPy finds that a problem of identities is true."""
-    for residual in residuals(problem, cache(Typed)):
+    for residual in residuals(problem, cache(TypedEvaluation)):
         assert isinstance(residual, Expression)
         zero = CALLS[call](residual.value)
         if zero is None:
@@ -143,7 +143,7 @@ class Expressions:
         return Expression(self, sympy.sqrt(radicand.value))
 
 
-class Typed(Evaluation):
+class TypedEvaluation(Evaluation):
     """A space, typed into SymPy."""
 
     def __init__(self, setting: Setting) -> None:
@@ -151,7 +151,7 @@ class Typed(Evaluation):
         names = [*(n for n in generators(setting) if n not in replaced.values()), *replaced]
         ring = Expressions(names)
         values = {name: ring.generator(name) for name in names}
-        super().__init__(setting, load("sympy"), ring, values, Typed)  # type: ignore[arg-type]
+        super().__init__(setting, load("sympy"), ring, values, TypedEvaluation)  # type: ignore[arg-type]
         for name, constant in replaced.items():
             step = setting.step(name)
             assert isinstance(step, Adjoined) and step.printed is not None

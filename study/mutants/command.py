@@ -70,7 +70,7 @@ def run(arguments: argparse.Namespace) -> int:
         mutants = every(work.base) if arguments.all else sample(work.base, arguments.sample, chosen)
         return measure(work, list(mutants), pool)
 
-    (found,) = session.watched(measured, [source])
+    (found,) = session.map_in_processes(measured, [source])
     pool.forget()
     if not found.results:
         raise CommandError("no mutants can be made of this source", NOTHING)
@@ -90,7 +90,7 @@ def _alone(arguments: argparse.Namespace, seed: int) -> int:
         work = Alone(source.path, source.text, arguments.timeout)
         return fates(work, drawn(work, arguments.sample, random.Random(seed)), pool)
 
-    (found,) = session.watched(measured, [source])
+    (found,) = session.map_in_processes(measured, [source])
     pool.forget()
     if not found.results:
         raise CommandError("nothing green rests on what can be changed", NOTHING)

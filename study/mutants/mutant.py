@@ -10,7 +10,13 @@ from random import Random
 
 from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.places import Place
-from kowalevski_cas.notation import Formula, NotationError, Statement, Vocabulary, read_display
+from kowalevski_cas.notation import (
+    Formula,
+    NotationError,
+    PrintedStatement,
+    Vocabulary,
+    read_display,
+)
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.paper.texts import Printed
@@ -77,7 +83,7 @@ def sample(audit: Audit, size: int, random: Random) -> list[Mutant]:
         site = random.choice(places)
         changes = list(_changes(site.tokens, site.at, site.typed.tex, letters))
         if changes:
-            mutant = mutated(audit, site, random.choice(changes))
+            mutant = mutate(audit, site, random.choice(changes))
             if mutant is not None:
                 found.setdefault(mutant.text, mutant)
     return list(found.values())
@@ -88,7 +94,7 @@ def every(audit: Audit) -> Iterator[Mutant]:
     letters = letters_of(audit.session.texts.vocabulary)
     for site in sites(audit):
         for change in _changes(site.tokens, site.at, site.typed.tex, letters):
-            mutant = mutated(audit, site, change)
+            mutant = mutate(audit, site, change)
             if mutant is not None:
                 yield mutant
 
@@ -99,7 +105,7 @@ def letters_of(vocabulary: Vocabulary) -> list[str]:
     return sorted({match[1] for match in found if match is not None})
 
 
-def mutated(audit: Audit, site: Site, change: Change) -> Mutant | None:
+def mutate(audit: Audit, site: Site, change: Change) -> Mutant | None:
     """The mutant, if it can be read and is another formula."""
     kind, start, end, new = change
     typed, vocabulary = site.typed, audit.session.texts.vocabulary
@@ -125,11 +131,11 @@ def mutated(audit: Audit, site: Site, change: Change) -> Mutant | None:
 
 
 @lru_cache(maxsize=1024)
-def _read(tex: str, vocabulary: Vocabulary) -> tuple[Statement, ...]:
+def _read(tex: str, vocabulary: Vocabulary) -> tuple[PrintedStatement, ...]:
     return read_display(tex, vocabulary)
 
 
-def _difference(old: tuple[Statement, ...], new: tuple[Statement, ...]) -> int | None:
+def _difference(old: tuple[PrintedStatement, ...], new: tuple[PrintedStatement, ...]) -> int | None:
     """The number of the statement that differs; ``None`` if none or the whole differs."""
     if len(old) != len(new):
         return None

@@ -22,7 +22,7 @@ def synthetic(derivation: Derivation) -> Source:
         if display.inline and quoted in said:
             here = [sentence for sentence in sentences if quoted in _without_spaces(sentence)]
             lines += [line for sentence in here for line in (sentence, "")]
-            sentences = {one: None for one in sentences if one not in here}
+            sentences = {sentence: None for sentence in sentences if sentence not in here}
         elif display.inline:
             lines += [f"Here ${tex}$.", ""]
         else:

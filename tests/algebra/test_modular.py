@@ -6,7 +6,14 @@ import pytest
 from flint import fmpz, nmod
 
 from kowalevski_cas.algebra import load_points
-from kowalevski_cas.algebra.modular import LOWEST, POINTS, PRIMES, bound_of, primes, residue_point
+from kowalevski_cas.algebra.modular import (
+    LOWEST,
+    POINTS,
+    PRIMES,
+    error_bound,
+    primes,
+    residue_point,
+)
 from kowalevski_cas.algebra.points import NoPoint, Question
 from kowalevski_cas.algebra.programs import Programs
 from kowalevski_cas.algebra.residue_points import Rational, plan
@@ -36,7 +43,7 @@ def test_an_identity_passes_with_the_bound_of_its_degree():
     programs, x, y = ring("x", "y")
     question = Question(programs, [(x + y) * (x - y) - x**2 + y**2])
     found = answer(question)
-    assert found.holds and found.bound == bound_of(question)
+    assert found.holds and found.bound == error_bound(question)
     assert 0 < found.bound < 1e-30
     assert f"{PRIMES * POINTS} points" in found.words and "seed 1" in found.words
 
@@ -44,8 +51,8 @@ def test_an_identity_passes_with_the_bound_of_its_degree():
 def test_the_bound_grows_with_the_degree():
     programs, x, _ = ring("x", "y")
     low, high = (Question(programs, [x**n - x**n]) for n in (2, 2**40))
-    assert bound_of(low) < bound_of(high) <= 1
-    assert bound_of(Question(programs, [x ** (2**70)])) == 1
+    assert error_bound(low) < error_bound(high) <= 1
+    assert error_bound(Question(programs, [x ** (2**70)])) == 1
 
 
 def test_a_false_identity_is_refuted_at_a_point_that_anyone_can_check():

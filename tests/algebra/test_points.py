@@ -10,7 +10,7 @@ from flint import ctx
 from kowalevski_cas.algebra import POINTS, load_points
 from kowalevski_cas.algebra.ball import (
     PRECISIONS,
-    System,
+    NewtonSystem,
     ball_point,
     exact_balls,
     number,
@@ -111,15 +111,15 @@ def test_only_sure_pivots_count():
 def test_a_solution_is_enclosed_and_no_other():
     programs, x, y, z = ring("x", "y", "z")
     equations = [x**2 + y**2 - programs.one, z * x - y]
-    system = System(programs, equations)
+    system = NewtonSystem(programs, equations)
     start = random_point(programs.generators, Random(3))
     with ctx.workprec(128):
-        found = system.solved(exact_balls(start))
+        found = system.solve(exact_balls(start))
         at = ball_point(programs, found)
         assert all(at(e).contains(0) and float(at(e).rad()) < 1e-30 for e in equations)
         assert all(not at(e + programs.number(Fraction(1, 10**20))).contains(0) for e in equations)
     with pytest.raises(ZeroDivisionError):
-        System(programs, [x**2]).solved(exact_balls(start))  # a double root is never enclosed
+        NewtonSystem(programs, [x**2]).solve(exact_balls(start))  # a double root is never enclosed
 
 
 @every

@@ -7,7 +7,7 @@ import pytest
 
 from kowalevski_cas.cli import main
 from kowalevski_cas.motion.pictures import PICTURES
-from kowalevski_cas.report.plates import plates
+from kowalevski_cas.report.figures import figures_of
 
 
 @pytest.fixture(scope="module")
@@ -20,11 +20,11 @@ def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_it_writes_the_picture_and_the_list_for_the_report(reports: Path) -> None:
     written = {path.name for path in (reports / "motion").iterdir()}
-    assert written == {"rectangle.png", "plates.json"}
-    listed = json.loads((reports / "motion/plates.json").read_text(encoding="utf-8"))
-    named = [plate["name"] for entries in listed.values() for plate in entries]
+    assert written == {"rectangle.png", "figures.json"}
+    listed = json.loads((reports / "motion/figures.json").read_text(encoding="utf-8"))
+    named = [figure["name"] for entries in listed.values() for figure in entries]
     assert named == list(PICTURES)
-    shown = [plate.place for derivation in listed for plate in plates(reports, derivation)]
+    shown = [figure.place for derivation in listed for figure in figures_of(reports, derivation)]
     assert shown == ["motion/rectangle"]
 
 

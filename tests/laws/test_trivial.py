@@ -99,6 +99,25 @@ def test_a_value_that_no_real_point_has_is_no_value(many):
 
 @pytest.mark.usefixtures("uncorrected")
 @pytest.mark.parametrize("many", MARKS)
+def test_a_value_where_nothing_moves_is_none(many):
+    for k in range(many):
+        made = system(rf"\dot x=\frac{{1}}{{x-y-{k}}},\quad \dot y=\frac{{1}}{{x-y-{k}}}")
+        assert not made.integral(f"x-y={k}").verdict.green
+        assert made.integral(f"x-y={k + 1}").verdict.green
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize(
+    ("value", "green"), [("2", False), (r"\frac{1}{2}", True), ("-1", True), ("-3", False)]
+)
+def test_functions_have_the_values_that_they_take(value, green):
+    made = system(r"\dot x=\sin y,\quad \dot y=0")
+    assert made.integral(rf"\sin y={value}").verdict.green == green
+    assert made.integral(f"y={value}").verdict.green
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize("many", MARKS)
 def test_a_logarithm_of_what_is_nowhere_positive_is_no_integral(many):
     for energy, _ in energies(many):
         made = system(ROTATION)
@@ -142,7 +161,7 @@ def test_a_complex_equation_makes_no_partial_integral_of_what_vanishes_with_it(m
 def wrong(maker):
     """Statements that are false, with equations that are given or stand beside them."""
     one, other = (maker.zero_at(point) for point in [maker.point()] * 2)
-    rates = [f"x({one.tex})", other.tex, f"z({one.tex})"]
+    rates = [rf"x\cdot({one.tex})", other.tex, rf"z\cdot({one.tex})"]
     made = system(", ".join(rf"\dot {n}={r}" for n, r in zip(NAMES, rates, strict=True)))
     yield made, made.invariant("x=0", f"{other.tex}=0")
     yield made, made.implication(f"{other.tex}=0", given=("x=0", "z=0"))

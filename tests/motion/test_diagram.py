@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 from kowalevski_cas.motion import Inadmissible, load
 from kowalevski_cas.motion.critical import residuals
 from kowalevski_cas.motion.diagram import Fields
-from kowalevski_cas.motion.formulas import INTEGRALS, offered
+from kowalevski_cas.motion.formulas import INTEGRALS, offered_values
 from kowalevski_cas.motion.o4.parameters import ParametersO4
 from kowalevski_cas.motion.o4.regimes import regime_of
-from kowalevski_cas.motion.pictures.regions import filled
+from kowalevski_cas.motion.pictures.regions import fill_regions
 from kowalevski_cas.motion.pictures.sections import rotations, section, values
 from kowalevski_cas.motion.pictures.subsystems import separating
 from kowalevski_cas.pictures import new_figure
@@ -31,7 +31,7 @@ shares = st.floats(0.01, 0.99)
 
 
 def at(states):
-    return dict(zip(INTEGRALS, offered("integrals")(*np.atleast_2d(states).T), strict=True))
+    return dict(zip(INTEGRALS, offered_values("integrals")(*np.atleast_2d(states).T), strict=True))
 
 
 def points_on_O4(count, seed):
@@ -204,7 +204,7 @@ def test_the_critical_values_enclose_those_of_all_states(fields, share):
         xlim=(g.min() - 0.1 * width, g.max() + 0.1 * width), ylim=(-0.1 * height, 1.1 * height)
     )
     curves = [curve[:2] for some in section(fields, h) for curve in some]
-    inside = filled(axes, curves, (g, root))
+    inside = fill_regions(axes, curves, (g, root))
     assert not inside[[0, 0, -1, -1], [0, -1, 0, -1]].any()
     assert 0.1 < inside.mean() < 0.8
 

@@ -10,11 +10,11 @@ from hypothesis.extra.numpy import arrays
 
 from kowalevski_cas.motion import General, Inadmissible, Motion, load, through
 from kowalevski_cas.motion.diagram import Fields
-from kowalevski_cas.motion.formulas import INTEGRALS, offered
-from kowalevski_cas.motion.frame import turned
+from kowalevski_cas.motion.formulas import INTEGRALS, offered_values
+from kowalevski_cas.motion.frame import rotate
 from kowalevski_cas.motion.methods.integrators import integrate
 from kowalevski_cas.motion.regimes import tori
-from kowalevski_cas.motion.result import Result
+from kowalevski_cas.motion.result import Trajectory
 from tests.motion.levels_on_M4 import by_chance
 from tests.motion.regions import EVERY_REGIME
 from tests.motion.test_closed import constants, relative
@@ -39,11 +39,11 @@ def test_every_state_is_followed_and_the_integrals_are_kept(state):
     motion = through(state.tolist())
     found = dop853(motion, T)
     assert found[0].tolist() == state.tolist()
-    result = Result(motion, T, found)
+    result = Trajectory(motion, T, found)
     assert max(result.drift.values()) < 1e-10
     assert ("none" in result.regime) == isinstance(motion, General)
     names = [name.strip("_12").lower() for name in INTEGRALS]
-    values = dict(zip(names, offered("integrals")(*state), strict=True))
+    values = dict(zip(names, offered_values("integrals")(*state), strict=True))
     for name in "hkg":
         assert result.invariants[name] == pytest.approx(values[name], rel=1e-9, abs=1e-9)
 
@@ -56,7 +56,10 @@ def test_a_motion_is_the_same_in_another_unit_of_time(state, rate):
     size = np.max(np.abs(here)) + 1
     assert np.max(np.abs(there / scale - here)) < 1e-9 * size
     far = General(tuple((state * scale).tolist()), "")
-    drift, other = Result(General(tuple(state), ""), T, here).drift, Result(far, T, there).drift
+    drift, other = (
+        Trajectory(General(tuple(state), ""), T, here).drift,
+        Trajectory(far, T, there).drift,
+    )
     assert all(abs(drift[name] - other[name]) < 1e-9 for name in drift)
 
 
@@ -66,8 +69,8 @@ def test_a_motion_on_M4_says_how_many_tori_its_level_has(number, angle):
     fields = Fields(Fraction(6, 5), Fraction(7, 10))
     states, j, h = (found[number : number + 1] for found in by_chance(fields, 200))
     assume(abs(j[0]) > 1e-3)
-    state = np.array(turned(states.T, np.cos(angle), np.sin(angle)))
-    result = Result(through(state[:, 0].tolist()), T[:1], state.T)
+    state = np.array(rotate(states.T, np.cos(angle), np.sin(angle)))
+    result = Trajectory(through(state[:, 0].tolist()), T[:1], state.T)
     assert result.critical_sets["on"] == ["M4"]
     assert result.regime["tori"] == fields.tori_on_M4(h, j)
 
@@ -86,7 +89,7 @@ def test_the_fields_have_the_lengths_and_the_product_that_are_given(a, b, cosine
     except Inadmissible:
         assume(False)
     start = closed(motion, np.zeros(1))[0]
-    found = dict(zip(INTEGRALS, offered("integrals")(*start), strict=True))
+    found = dict(zip(INTEGRALS, offered_values("integrals")(*start), strict=True))
     expected = {"a^2": a**2, "b^2": b**2, "c": c}
     for name, exact in expected.items():
         assert found[name] == pytest.approx(float(exact), abs=1e-12)

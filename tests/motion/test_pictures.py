@@ -14,7 +14,7 @@ from kowalevski_cas.motion import (
     load,
     regime_of,
 )
-from kowalevski_cas.motion.formulas import offered
+from kowalevski_cas.motion.formulas import offered_values
 from kowalevski_cas.motion.pictures import ON_N4, PICTURES, orbit, third
 from kowalevski_cas.motion.pictures import load as picture
 from kowalevski_cas.motion.pictures.atlas import examples
@@ -103,9 +103,9 @@ def test_the_atlas_has_one_motion_in_each_regime_with_l_not_negative():
 @pytest.mark.parametrize("region", EVERY_REGIME)
 def test_the_net_lies_on_the_torus_and_its_lines_are_closed(region):
     here = motion(*region)
-    level = np.array(offered("integrals")(*load("closed")(here, np.zeros(1))[0]))
+    level = np.array(offered_values("integrals")(*load("closed")(here, np.zeros(1))[0]))
     for loop in orbit.net(here, 2, 7):
-        values = np.array(offered("integrals")(*loop.T))
+        values = np.array(offered_values("integrals")(*loop.T))
         assert np.max(np.abs(values - level[:, None])) < 1e-11
         np.testing.assert_allclose(loop[0], loop[-1], atol=1e-9)
 

@@ -11,8 +11,8 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, load
-from kowalevski_cas.motion.formulas import offered
-from kowalevski_cas.motion.frame import turned
+from kowalevski_cas.motion.formulas import offered_values
+from kowalevski_cas.motion.frame import rotate
 from kowalevski_cas.motion.point import on_N4
 from tests.motion.test_closed import relative
 
@@ -47,7 +47,7 @@ def pendulums(draw):
     state = pendulum(draw(axes), draw(lengths) * draw(signs), (x, y), draw(speeds))
     assume(sum(x**2 for x in state[3:6]) != sum(x**2 for x in state[6:]))
     assume(state[3] != state[7])
-    return turned(state, *circle(draw(slopes)))
+    return rotate(state, *circle(draw(slopes)))
 
 
 def at(state):
@@ -63,12 +63,12 @@ def test_a_pendulum_is_followed_and_stays_one(state):
     assert relative(there, ball(motion, T)) < 1e-13
     assert relative(there[1:3], dop853(motion, T[1:3])) < 1e-8
     assert (
-        np.ptp(np.array(offered("integrals")(*there.T)), axis=1).max()
+        np.ptp(np.array(offered_values("integrals")(*there.T)), axis=1).max()
         < 1e-11 * np.max(abs(there)) ** 6
     )
     # The axis and the field along it stand still, also after a long time on an unstable place.
     cos, sin = (float(x) for x in motion.turn)
-    straight = np.array(turned(list(there.T), cos, sin))
+    straight = np.array(rotate(list(there.T), cos, sin))
     size = np.max(np.abs(there))
     assert np.max(np.abs(straight[2])) < 1e-14 * size
     across = np.min([np.ptp(straight[k : k + 3], axis=1).max() for k in (3, 6)])
@@ -79,7 +79,7 @@ def test_a_pendulum_is_followed_and_stays_one(state):
 @example(Fraction(1), Fraction(2, 5), -1, 1, Fraction(0))
 def test_an_equilibrium_stays_where_it_is(a, b, first, second, slope):
     assume(a != b)
-    state = turned(pendulum(0, first * a, (second * b, Fraction(0)), Fraction(0)), *circle(slope))
+    state = rotate(pendulum(0, first * a, (second * b, Fraction(0)), Fraction(0)), *circle(slope))
     for method in closed, ball:
         assert np.all(np.abs(method(on_N4(state), T) - at(state)) < 1e-15 * float(a + b))
 
@@ -100,12 +100,12 @@ def test_a_pendulum_that_comes_to_rest_upside_down_is_elementary(
     length = speed**2 * (1 + slope**2) / 2
     assume(still != length)
     along, across = (length * x for x in circle(slope))
-    state = turned(pendulum(axis, side * still, (along, across), way * speed), *circle(turn))
+    state = rotate(pendulum(axis, side * still, (along, across), way * speed), *circle(turn))
     motion = on_N4(state)
     assert (
         {"rest"} < {o.kind for o in motion.oscillations()} <= {"rest", "separatrix", "exponential"}
     )
-    end = turned(pendulum(axis, side * still, (-length, Fraction(0)), Fraction(0)), *circle(turn))
+    end = rotate(pendulum(axis, side * still, (-length, Fraction(0)), Fraction(0)), *circle(turn))
     t = np.array([0, 1000]) / float(length) ** 0.5
     for method in closed, ball:
         assert np.max(np.abs(method(motion, t) - [*at(state), *at(end)])) < 1e-13 * (

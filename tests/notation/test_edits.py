@@ -43,7 +43,7 @@ def made(tex, kind, words=WORDS):
         ("3a", "coefficient", ["4a", "6a", "2a", r"\frac{3}{2}a"]),
         ("a", "coefficient", ["2a", r"\frac{1}{2}a"]),
         ("a x_1(x_1+ x_2)", "factor", ["x_1(x_1 + x_2)", "a(x_1 + x_2)", "ax_1"]),
-        (r"\frac{a x_1}{x_2}", "power", [r"ax_1x_2", r"\frac{x_1}{x_2a}", r"\frac{a}{x_2x_1}"]),
+        (r"\frac{a x_1}{x_2}", "power", [r"ax_1x_2", r"\frac{x_1}{x_2a}", r"\frac{a}{x_2x_1}", r"\frac{x_2}{ax_1}"]),
         (r"a\sqrt{x_1}", "power", [r"\frac{1}{a}\sqrt{x_1}", r"a\frac{1}{\sqrt{x_1}}"]),
     ],
 )  # fmt: skip
@@ -75,6 +75,7 @@ def test_kinds_come_in_the_order_of_plausibility():
     [statement] = read_display(paper.DISPLAYS["eq12"], paper.WORDS)
     kinds = [edit.kind for edit in edits(statement, paper.WORDS)]
     order = ["sign", "index", "letter", "exponent", "coefficient", "factor", "power", "missing"]
+    order.append("exchange")
     assert list(dict.fromkeys(kinds)) == order
     assert kinds == sorted(kinds, key=order.index)
 

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kowalevski_cas.notation import NotationError, Vocabulary, heads, read_display
+from kowalevski_cas.notation import NotationError, Vocabulary, defined_names, read_display
 from kowalevski_cas.notation.latex import to_latex
 from kowalevski_cas.notation.open import OpenParser
 
@@ -78,7 +78,7 @@ def test_the_limits_of_a_sum_hold_whatever_the_range_of_its_index_is(first, last
 
 
 def test_what_is_defined_has_the_values_as_indices():
-    assert [one.names for one in heads(r"L_i=2q_{i+1},\ i=1,2")] == [("L_1",), ("L_2",)]
+    assert [one.names for one in defined_names(r"L_i=2q_{i+1},\ i=1,2")] == [("L_1",), ("L_2",)]
 
 
 @pytest.mark.parametrize(

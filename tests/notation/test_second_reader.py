@@ -67,7 +67,7 @@ def indexed(formula, index, k):
         if formula.name == index:
             return f.Number(k)
         return f.Name(f"{letter}_{indices.replace(index, str(k))}") if indices else formula
-    return formula.mapped(lambda child: indexed(child, index, k))
+    return formula.map_children(lambda child: indexed(child, index, k))
 
 
 def value(formula, words, point):

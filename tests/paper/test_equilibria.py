@@ -81,12 +81,12 @@ def at_angle(found: Counterexample, t: Fraction) -> Counterexample:
     def value(formula: Formula) -> Formula:
         if isinstance(formula, Application):
             return fraction_formula(wave[formula.function])
-        formula = formula.mapped(value)
+        formula = formula.map_children(value)
         if isinstance(formula, Negative) and isinstance(formula.argument, Negative):
             return formula.argument.argument
         return formula
 
-    values = {name: v.mapped(value) for name, v in found.point.values.items()}
+    values = {name: v.map_children(value) for name, v in found.point.values.items()}
     return found._replace(point=Point(values))
 
 

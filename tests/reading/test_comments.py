@@ -1,6 +1,7 @@
 """Comments of authors go before all that is inferred; what they cannot mean is an error."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
@@ -8,11 +9,12 @@ from kowalevski_cas.audit.reading import ReadingSession
 from kowalevski_cas.cli import main
 from kowalevski_cas.paper.claims import Dimension, FirstIntegral, Implication
 from kowalevski_cas.reading import read
-from kowalevski_cas.reading.draft import beside, draft
+from kowalevski_cas.reading.draft import beside, comments, draft, text_of
 from kowalevski_cas.reading.grammar import kinds
-from kowalevski_cas.source.files import decode
+from kowalevski_cas.source.files import decode, read_source
 from kowalevski_cas.source.text import Source, SourceError
 from kowalevski_cas.verify.outcome import Verdict
+from tests.sample import sampled
 
 TOP = r"""\documentclass{article}\begin{document}
 The equations of motion are
@@ -149,6 +151,19 @@ def test_what_is_drafted_is_read_as_before():
     assert draft(again).text == source.text
 
 
+PAPERS = Path(__file__).parents[1] / "data" / "papers"
+
+
+@pytest.mark.parametrize("name", sampled(sorted(p.stem for p in PAPERS.glob("*.tex")), 1))
+def test_every_role_that_is_inferred_can_be_written(name):
+    reading = read(read_source(PAPERS / f"{name}.tex"))
+    lines = [line for _, own in comments(reading) for line in own]
+    assert lines
+    for formula in reading.formulas:
+        if formula.role.name in ("law", "definition", "level", "assumption", "claim"):
+            assert text_of(formula, reading.paper), (formula.item.printed.place, formula.role)
+
+
 def test_the_command_drafts(tmp_path, capfdbinary):
     path = tmp_path / "top.tex"
     path.write_text(paper().text)
@@ -175,3 +190,23 @@ def test_what_a_comment_states_in_full_is_refuted_where_it_fails():
         if id.startswith("dimension")
     ]
     assert outcome.verdict is Verdict.REFUTED
+
+
+def test_names_of_vectors_stand_for_their_components():
+    text = r"""\begin{document}
+    \begin{equation}\label{law} \dot{\mathbf r}=\mathbf p,\quad \dot{\mathbf p}=-\mathbf r \end{equation}
+    \begin{equation}\label{H} H=\tfrac12(\mathbf p^2+\mathbf r^2) \end{equation}
+    %kc: claim equilibria 1 fixed \mathbf{p} with H
+    There is one equilibrium.
+    \end{document}"""
+    (found,) = read(Source("oscillator.tex", text)).statements
+    assert found.claim.fixed == ("p_1", "p_2", "p_3")
+    assert [place.display.id for place in found.claim.levels] == ["H"]
+
+
+def test_every_format_tells_what_is_open(tmp_path, capsys):
+    path = tmp_path / "top.tex"
+    path.write_text(paper(last="Hence $p<q$.").text)
+    for options in ([], ["--verbose"], ["--format", "json"], ["--format", "sarif"]):
+        main(["audit", "--alone", *options, str(path)])
+        assert capsys.readouterr().out

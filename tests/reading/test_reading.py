@@ -143,3 +143,10 @@ def test_equations_side_by_side_are_one_set(between):
     text = TOP + rf"The set $p=0${between}$q=0$ is invariant."
     assert verdicts(text) == {"p=0": Verdict.PROVED}
     assert verdicts(TOP + r"The set $p=0$ is invariant.")["p=0"] is not Verdict.PROVED
+
+
+@pytest.mark.parametrize("name", ["x", "s", "u"])
+def test_any_letter_that_is_no_time_can_be_defined(name):
+    text = TOP + rf"Put ${name}=p/r$; then $\dot {name}=q(a-c\,{name}^2)$."
+    found = verdicts(text)
+    assert found == {rf"\dot {name}=q(a-c\,{name}^2)": Verdict.CONDITIONAL}

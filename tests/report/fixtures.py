@@ -12,7 +12,7 @@ from kowalevski_cas.notation import Edit, Formula, NotationError, Vocabulary, re
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.report.contents import Contents
 from kowalevski_cas.report.document import Document
-from kowalevski_cas.report.places import Item, Row, Section, Stated, numbered
+from kowalevski_cas.report.places import ClaimGroup, Item, Row, Section, number_items
 from kowalevski_cas.verify.outcome import (
     Condition,
     Correction,
@@ -547,9 +547,11 @@ def in_order(run: Run) -> tuple[Section, ...]:
         for name, ones in groupby(outcomes, lambda one: re.sub(r"\.\d+$", "", one.claim)):
             rows = tuple(map(Row.of, ones))
             label = f"({name[2:]})" if re.fullmatch(r"eq\d+", name) else ""
-            items.append(Item(rows, (Stated(rows),), label, display=name if rows[0].source else ""))
+            items.append(
+                Item(rows, (ClaimGroup(rows),), label, display=name if rows[0].source else "")
+            )
         if outcomes:
-            found.append(Section(number, title, numbered(number, items)))
+            found.append(Section(number, title, number_items(number, items)))
     return tuple(found)
 
 

@@ -7,7 +7,7 @@ import pytest
 
 from kowalevski_cas.audit.audit import audit
 from kowalevski_cas.cli import main
-from kowalevski_cas.report.annotated import annotated
+from kowalevski_cas.report.annotated import annotate
 from kowalevski_cas.report.document import Claim, Display, Document, Heading, Link, Paragraph
 from kowalevski_cas.report.html import render_html
 from kowalevski_cas.source.files import decode
@@ -28,7 +28,7 @@ def page(old: str = "", new: str = "") -> Document:
     """The derivation as an article, in which one piece of text is another one."""
     text = synthetic(base().derivation).text
     assert old in text
-    return annotated(audit(decode("paper.tex", text.replace(old, new, 1).encode()), base()))
+    return annotate(audit(decode("paper.tex", text.replace(old, new, 1).encode()), base()))
 
 
 def of_the_paper(document: Document) -> str:
@@ -64,7 +64,7 @@ def test_a_formula_that_is_missing_is_not_passed_over() -> None:
     text = synthetic(base().derivation).text
     start = text.index(r"\begin{equation}\label{eq22}")
     end = text.index(r"\end{equation}", start) + len(r"\end{equation}")
-    document = annotated(audit(Source("paper.tex", text[:start] + text[end:]), base()))
+    document = annotate(audit(Source("paper.tex", text[:start] + text[end:]), base()))
     lost = [b for b in document.blocks if isinstance(b, Heading) and b.anchor == "lost"]
     assert lost and "claim.eq22" in Page(render_html(document)).ids
 
@@ -91,7 +91,7 @@ def test_the_command_writes_the_page(
 
 def test_a_definition_that_spoils_what_rests_on_it_is_named() -> None:
     run = misprinted(r"E=\frac{1}{2}(x^2-y^2)")
-    document = annotated(audit(synthetic(run.derivation), run))
+    document = annotate(audit(synthetic(run.derivation), run))
     told = [b for b in document.blocks if isinstance(b, Claim) and b.verdict is Verdict.ERROR]
     assert [said(b.label) for b in told] == ["energy"]
     assert said(told[0].head).startswith("Suspect. ")

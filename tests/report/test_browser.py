@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from kowalevski_cas.report.document import Display, Graph
-from kowalevski_cas.report.graph import Picture
+from kowalevski_cas.report.graph import Drawing
 from kowalevski_cas.report.html import render_html
 from kowalevski_cas.report.marks import MARKS
 from tests.report.browser import PROGRAM, Browser
@@ -68,7 +68,7 @@ def test_what_stands_in_boxes_is_neither_small_nor_huge(tmp_path: Path, pixels: 
     page = tmp_path / "page.html"
     with Browser(tmp_path / "user") as browser:
         for width in (45, 80, 150, 260):
-            graph = Graph(Picture((), (), width, 19.0))
+            graph = Graph(Drawing((), (), width, 19.0))
             page.write_text(render_html(document()._replace(blocks=(graph,))), encoding="utf-8")
             browser.show(page)
             browser.width(pixels)

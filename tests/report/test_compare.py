@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from kowalevski_cas.notation import edits, read_display, to_latex, to_plain
 from kowalevski_cas.notation.formula import Changed
 from kowalevski_cas.notation.mathml import to_mathml
-from kowalevski_cas.report.compare import compared, unmarked
+from kowalevski_cas.report.compare import mark_differences, without_marks
 from tests.notation.strategies import WORDS, formulas
 
 
@@ -33,8 +33,10 @@ def unbraced(formula):
 
 @given(pairs())
 def test_marks_are_all_that_is_added(pair):
-    for plain, marked in zip(pair, [one for (one,) in compared(pair[:1], pair[1:])], strict=True):
-        assert to_plain(unmarked(marked)) == to_plain(plain)
+    for plain, marked in zip(
+        pair, [one for (one,) in mark_differences(pair[:1], pair[1:])], strict=True
+    ):
+        assert to_plain(without_marks(marked)) == to_plain(plain)
         assert letters(marked) == letters(plain)
         assert unbraced(marked) == unbraced(plain)
 
@@ -48,7 +50,7 @@ def marks(formula):
 
 @given(pairs())
 def test_what_differs_is_marked(pair):
-    (printed,), (meant,) = compared(pair[:1], pair[1:])
+    (printed,), (meant,) = mark_differences(pair[:1], pair[1:])
     assert (printed != pair[0] or meant != pair[1]) == (pair[0] != pair[1])
     assert all(mark.wrong for mark in marks(printed))
     assert not any(mark.wrong for mark in marks(meant))
@@ -56,5 +58,5 @@ def test_what_differs_is_marked(pair):
 
 def test_a_slip_of_one_letter():
     (old, new), _ = read_display(r"x_1=i\ell, x_1=ia", WORDS), 0
-    (printed,), (meant,) = compared((old.formula,), (new.formula,))
+    (printed,), (meant,) = mark_differences((old.formula,), (new.formula,))
     assert [to_plain(mark.argument) for mark in (*marks(printed), *marks(meant))] == ["ℓ", "a"]

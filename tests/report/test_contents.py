@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.notation import Formula, Name
-from kowalevski_cas.report.compare import unmarked
+from kowalevski_cas.report.compare import without_marks
 from kowalevski_cas.report.contents import Contents
 from kowalevski_cas.report.document import (
     Claim,
@@ -21,7 +21,7 @@ from kowalevski_cas.report.document import (
     Link,
     Paragraph,
     Sign,
-    paged,
+    for_paper,
 )
 from kowalevski_cas.report.latex import render_latex
 from kowalevski_cas.report.typst import render_typst
@@ -72,7 +72,7 @@ def under(document: Document, anchor: str) -> tuple[Any, ...]:
 
 @pytest.fixture(params=["as it is", "on paper"])
 def either(request: pytest.FixtureRequest) -> Document:
-    return WHOLE if request.param == "as it is" else paged(WHOLE)
+    return WHOLE if request.param == "as it is" else for_paper(WHOLE)
 
 
 class TestPlaces:
@@ -98,7 +98,7 @@ class TestPlaces:
 
     def test_all_formulas_are_there(self, either: Document) -> None:
         shown = {
-            unmarked(f)
+            without_marks(f)
             for part in parts(either.blocks)
             if isinstance(part, Display)
             for f in part.formulas
@@ -307,16 +307,16 @@ class TestEvidence:
 class TestOnPaper:
     def test_long_formulas_stand_in_an_appendix_and_nothing_else_is_moved(self) -> None:
         long = [p for p in parts(WHOLE.blocks) if isinstance(p, Display) and p.long]
-        blocks = paged(WHOLE).blocks
+        blocks = for_paper(WHOLE).blocks
         (start,) = (k for k, b in enumerate(blocks) if getattr(b, "anchor", "") == "appendix")
         moved = [b for b in blocks[start:] if isinstance(b, Display)]
         # one formula a display: a page can end between them
         assert [one.formulas for one in moved] == [(f,) for one in long for f in one.formulas] != []
-        assert not any(isinstance(p, Display) and p.long for p in parts(paged(WHOLE)))
+        assert not any(isinstance(p, Display) and p.long for p in parts(for_paper(WHOLE)))
 
     def test_what_leads_on_to_a_display_is_a_part_of_it(self) -> None:
         one = document(claim("a", "1", "x=x", "", P, steps=(step("The derivative:", "x_1=z_1"),)))
-        (led,) = (p for p in parts(paged(one)) if isinstance(p, Display) and p.lead)
+        (led,) = (p for p in parts(for_paper(one)) if isinstance(p, Display) and p.lead)
         assert led.lead == ("The derivative:",)
         assert not any(isinstance(p, Display) and p.lead for p in parts(one))
         for written in (render_latex(one), render_typst(one)):
@@ -326,13 +326,13 @@ class TestOnPaper:
     def test_what_leads_on_to_several_displays_stands_above_them(self, many: int) -> None:
         lead, shown = Paragraph(("We put:",), leads=True), (Display((Name("x"),)),) * many
         for behind in ((), (Paragraph(("Behind.",)),), (Heading(("2",), "two"),)):
-            found = paged(WHOLE._replace(blocks=(lead, *shown, *behind))).blocks
+            found = for_paper(WHOLE._replace(blocks=(lead, *shown, *behind))).blocks
             alone = (shown[0]._replace(lead=lead.text),) if many == 1 else (lead, *shown)
             assert found == (*alone, *behind)
 
     def test_the_last_formula_of_a_claim_stays_with_what_is_said_of_it(self) -> None:
         kept = 0
-        for one in (p for p in parts(paged(WHOLE)) if isinstance(p, Claim)):
+        for one in (p for p in parts(for_paper(WHOLE)) if isinstance(p, Claim)):
             row = *one.blocks, *one.folded
             kinds = "".join(type(block).__name__[0] for block in row)
             leading = [k for k, b in enumerate(row) if isinstance(b, Display) and b.leads]
@@ -342,9 +342,9 @@ class TestOnPaper:
 
     def test_without_long_formulas_there_is_no_appendix(self) -> None:
         short = document(claim("a", "1", "x=x", "", P))
-        assert "Appendix" not in said(paged(short).blocks)
+        assert "Appendix" not in said(for_paper(short).blocks)
 
     def test_records_are_left_out(self) -> None:
         kinds = {p.kind for p in parts(WHOLE) if isinstance(p, Paragraph)}
-        left = {p.kind for p in parts(paged(WHOLE)) if isinstance(p, Paragraph)}
+        left = {p.kind for p in parts(for_paper(WHOLE)) if isinstance(p, Paragraph)}
         assert kinds - left == {"record"}

@@ -3,13 +3,13 @@
 from collections.abc import Iterable
 from xml.etree import ElementTree
 
-from kowalevski_cas.report.graph import WIDTH, Picture, picture
+from kowalevski_cas.report.graph import WIDTH, Drawing, picture
 from kowalevski_cas.report.graph.svg import svg
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 from tests.report.fixtures import P, R, claim, outcomes
 
 
-def drawn_of(claims: Iterable[Outcome], **labels: str) -> Picture:
+def drawn_of(claims: Iterable[Outcome], **labels: str) -> Drawing:
     """A picture in which each claim has its name for a label."""
     found = tuple(claims)
     return picture(found, {one.claim: labels.get(one.claim, one.claim) for one in found})

@@ -4,7 +4,7 @@ import pytest
 
 from kowalevski_cas.library import available, load
 from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.report.places import Name, Section, names, sections
+from kowalevski_cas.report.places import ClaimName, Section, names, sections
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
 from tests.sample import sampled
 
@@ -64,9 +64,9 @@ def test_a_claim_is_called_by_the_number_of_the_paper_or_by_one_of_the_report(
     kharlamov: tuple[Section, ...],
 ) -> None:
     called = names(kharlamov)
-    assert called["eq14"] == Name("(14)")
-    assert called["eq10.7"] == Name("(10)", place=7, several=9)
-    assert called["eq9.i"] == Name("2.2", "before (9)")
+    assert called["eq14"] == ClaimName("(14)")
+    assert called["eq10.7"] == ClaimName("(10)", place=7, several=9)
+    assert called["eq9.i"] == ClaimName("2.2", "before (9)")
     assert called["critical-set"].near == "after (22)"
     assert called["equilibria"].near == ""  # it stands in no formula
     stated = [one.number for section in kharlamov for i in section.items for one in i.stated]

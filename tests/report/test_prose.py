@@ -20,12 +20,12 @@ from kowalevski_cas.report.document import (
     Link,
     Table,
 )
-from kowalevski_cas.report.paragraphs import FIRST, Placed
+from kowalevski_cas.report.paragraphs import FIRST, FormulaBlocks
 from kowalevski_cas.report.prose import ProseError, read_article
 from tests.report.test_contents import parts, said
 
-INLINE = [Placed((Name(f"x_{k}"),), inline=True) for k in range(3)]
-SHOWN = [Placed((), (Display((Name(f"y_{k}"),)),)) for k in range(3)]
+INLINE = [FormulaBlocks((Name(f"x_{k}"),), inline=True) for k in range(3)]
+SHOWN = [FormulaBlocks((), (Display((Name(f"y_{k}"),)),)) for k in range(3)]
 PLACED = [*INLINE, *SHOWN]
 X, Y = (chr(FIRST + k) for k in (0, 3))
 
@@ -46,7 +46,7 @@ def test_a_display_stands_between_what_is_before_and_behind_it() -> None:
 
 def test_blocks_of_an_inline_formula_follow_its_paragraph() -> None:
     told = Display((Name("z"),))
-    placed = [Placed((Name("x"),), (told,), inline=True)]
+    placed = [FormulaBlocks((Name("x"),), (told,), inline=True)]
     first, second, third = read_article(f"With {X} we go.\n\nOn.", placed, {})
     assert second is told and said(third) == "On."
     assert first.text == ("With ", Name("x"), " we go.")

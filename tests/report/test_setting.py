@@ -12,7 +12,7 @@ from kowalevski_cas.notation.mathml import MATHML
 from kowalevski_cas.notation.typst import TYPST, to_typst
 from kowalevski_cas.report.html import HtmlSetter
 from kowalevski_cas.report.latex import LatexSetter
-from kowalevski_cas.report.pieces import joined, measured, pieces
+from kowalevski_cas.report.pieces import pieces, source_of, width_of
 from kowalevski_cas.report.typst import TypstSetter
 from tests.report.fixtures import EQ16, outcomes, read
 
@@ -35,7 +35,7 @@ LATEX_SETTER, TYPST_SETTER = LatexSetter(), TypstSetter()
 @pytest.mark.parametrize("printer", [LATEX, MATHML, TYPST])
 def test_pieces_side_by_side_are_the_formula(printer):
     for formula in FORMULAS:
-        own = re.sub(r"\s", "", joined(pieces(formula, printer), printer))
+        own = re.sub(r"\s", "", source_of(pieces(formula, printer), printer))
         assert own == re.sub(r"\s", "", printer(formula))
 
 
@@ -111,4 +111,4 @@ def test_what_is_measured_is_about_what_typst_measures():
     source = f"#context [#metadata(({', '.join(asked)})) <w>]"
     widths = json.loads(typst.query(source.encode(), "<w>", field="value", one=True))
     for formula, width in zip(FORMULAS, widths, strict=True):
-        assert 0.75 * width - 1 <= measured(pieces(formula, LATEX)) <= 1.35 * width + 1.5
+        assert 0.75 * width - 1 <= width_of(pieces(formula, LATEX)) <= 1.35 * width + 1.5

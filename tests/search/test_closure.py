@@ -131,9 +131,9 @@ def test_invariant_relations_of_the_paper_from_their_first_function_alone(deriva
     roots = {"x_1", "x_2"}
     for targets, generators in ((pair, F), (F, pair)):
         rows, _ = rows_of(targets, generators)
-        divisors = at.ring.divided_by(entry for row in rows for entry in row)
+        divisors = at.ring.divisors_of(entry for row in rows for entry in row)
         assert {to_latex(formula_in(divisor)) for divisor in divisors} <= roots
-    assert [to_latex(formula_in(d)) for d in first.chain[0].ring.divided_by(first.row)] == ["x_1"]
+    assert [to_latex(formula_in(d)) for d in first.chain[0].ring.divisors_of(first.row)] == ["x_1"]
     # With the second derivative the set is invariant without that condition.
     assert len(last.row) == 3 and not any(entry.denominator for entry in last.row)
     assert to_latex(formula_in(last.power())) == (r"\frac{2y_1 + 2y_2 + 4w_1w_2 + \omega_3^2}{16}")

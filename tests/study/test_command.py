@@ -11,7 +11,7 @@ from kowalevski_cas.cli import run
 from kowalevski_cas.pictures import style
 from study import STEPS, command, load, page
 from study.command import FULL
-from study.store import stored
+from study.store import load_rows
 from tests.study.toys import Interrupt
 
 
@@ -56,7 +56,7 @@ def test_the_committed_page_has_the_charts_and_the_captions_of_this_version(tmp_
 @pytest.mark.parametrize("name", STEPS)
 def test_the_committed_measurements_can_be_drawn(name):
     with style():
-        assert load(name).draw(stored(name, Path(__file__).parents[2] / FULL)).axes
+        assert load(name).draw(load_rows(name, Path(__file__).parents[2] / FULL)).axes
 
 
 def test_drawing_measures_nothing(step, tmp_path):

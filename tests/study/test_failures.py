@@ -14,12 +14,12 @@ from study.failures import branch, cancellation, differences, phase, primes, sep
     [("flint", [5, 5, 5]), ("modular", [5, 5, 5]), ("ball", [5, 5, 0]), ("floating", [5, 0, 0])],
 )
 def test_a_small_difference_is_seen_by_exact_methods_alone(method, refuted):
-    assert differences.refuted(method, [5, 40, 200])["refuted"] == refuted
+    assert differences.count_refuted(method, [5, 40, 200])["refuted"] == refuted
 
 
 @pytest.mark.slow
 def test_a_small_prime_accepts_what_is_false_and_a_large_one_hardly():
-    row = primes.accepted([13, 4129])
+    row = primes.count_accepting([13, 4129])
     shares = [n / of for n, of in zip(row["accepted"], row["points"], strict=True)]
     assert shares[0] > 1 / 20 > shares[1]
     assert all(share <= bound for share, bound in zip(shares, row["bound"], strict=True))
@@ -35,7 +35,8 @@ def test_principal_roots_multiply_to_the_principal_root_or_to_its_negative():
 
 def test_digits_are_lost_towards_theta_0_but_by_fractions():
     lost = {
-        name: cancellation.lost(name, [0, 8])["errors"] for name in ("flint", "ball", "floating")
+        name: cancellation.relative_errors(name, [0, 8])["errors"]
+        for name in ("flint", "ball", "floating")
     }
     assert lost["flint"] == [0, 0]
     for method in ("ball", "floating"):
@@ -55,7 +56,7 @@ def test_an_integrator_loses_the_motion_near_a_separating_curve_and_the_closed_f
 
 
 def test_a_phase_that_is_rounded_once_is_lost_like_t_and_the_closed_form_keeps_it():
-    early, late = phase.errors(phase.rounded, [4, 12])["errors"]
+    early, late = phase.errors(phase.round_phases, [4, 12])["errors"]
     assert 1e6 < late / early < 1e10
     assert max(phase.errors(phase.load("closed"), [0, 12, 30])["errors"]) < 1e-13
 

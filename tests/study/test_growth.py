@@ -7,7 +7,7 @@ import pytest
 from kowalevski_cas.algebra import load
 from kowalevski_cas.tools import MissingTool
 from study.growth import draw
-from study.growth.trace import LANGUAGES, program, recorded
+from study.growth.trace import LANGUAGES, program, record_steps
 from study.growth.work import growth, steps
 from study.process import race
 from tests.sample import sampled
@@ -36,7 +36,7 @@ def test_the_same_operations_come_to_the_same_elsewhere(name, tmp_path):
     except MissingTool as missing:
         pytest.skip(str(missing))
     file = tmp_path / f"growth{language.suffix}"
-    generators, lines = recorded("eq15", 2, 10)
+    generators, lines = record_steps("eq15", 2, 10)
     file.write_text(program(language, generators, lines))
     assert race([*call, file.name], tmp_path, 60, 2048)["steps"] == [1, 2]
     wrong = [("add" if name == "multiply" else name, *rest) for name, *rest in lines]

@@ -4,12 +4,12 @@ from collections import Counter
 
 import pytest
 
-from study.labelled import MISPRINT, TRUE, Disagreement, labelled, spread
+from study.labelled import MISPRINT, TRUE, ArithmeticDisagreement, labelled_set, spread
 
 
 @pytest.fixture(scope="module")
 def statements():
-    return labelled(1, ["kharlamov2002"])
+    return labelled_set(1, ["kharlamov2002"])
 
 
 @pytest.mark.parametrize("many", [1, pytest.param(None, marks=pytest.mark.slow)])
@@ -40,6 +40,6 @@ def test_a_spread_takes_as_many_true_as_false_and_every_kind(statements):
 def test_a_disagreement_of_exact_arithmetics_is_an_error(statements):
     statement = statements[0]
     statement.__dict__["verdicts"] = {"flint": True, "sympy": False}
-    with pytest.raises(Disagreement, match="'sympy': False"):
+    with pytest.raises(ArithmeticDisagreement, match="'sympy': False"):
         _ = statement.truth
     del statement.__dict__["verdicts"]

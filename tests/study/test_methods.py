@@ -4,7 +4,7 @@ from time import sleep
 
 import pytest
 
-from study.labelled import labelled
+from study.labelled import labelled_set
 from study.methods import ACCEPTED, NONE, REJECTED, method, methods, typed
 from study.methods.certificates import answer
 from study.methods.typed import decide
@@ -15,7 +15,7 @@ FOUND = {one.name: one for one in methods()}
 
 @pytest.fixture(scope="module")
 def statements():
-    found = labelled(0, ["kharlamov2002"])
+    found = labelled_set(0, ["kharlamov2002"])
     return {statement.id.removeprefix("kharlamov2002/"): statement for statement in found}
 
 
@@ -48,7 +48,7 @@ def test_expand_leaves_something_of_a_true_identity_with_a_root(statements):
 
 @pytest.mark.slow
 def test_two_roots_that_are_printed_with_one_constant_are_both_typed():
-    found = labelled(0, ["kharlamov_savushkin2004"])
+    found = labelled_set(0, ["kharlamov_savushkin2004"])
     for one in [one for one in found if one.id.endswith(("/N4.4", "/squares.2", "/rates.2"))]:
         assert one.truth and decide("cancel", one.statement.problem)["verdict"] == ACCEPTED
 

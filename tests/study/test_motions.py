@@ -29,19 +29,19 @@ def test_dense_output_is_exact_in_a_short_window(name):
 
 
 def test_errors_across_a_hyperbolic_torus_grow_at_the_predicted_rate():
-    row = leaving.followed("dop853", MOTIONS["m < 0"])
+    row = leaving.follow("dop853", MOTIONS["m < 0"])
     assert row["rate"] == pytest.approx(row["predicted"], rel=0.1)
 
 
 def test_nothing_grows_across_an_elliptic_torus():
-    row = leaving.followed("dop853", MOTIONS["m > 0"])
+    row = leaving.follow("dop853", MOTIONS["m > 0"])
     assert row["rate"] is None and row["predicted"] == 0
     assert max(row["distances"]) < 1e-11
 
 
 @pytest.mark.parametrize("name", MOTIONS)
 def test_the_closed_form_does_not_leave(name):
-    assert max(leaving.followed("closed", MOTIONS[name])["distances"]) < 1e-13
+    assert max(leaving.follow("closed", MOTIONS[name])["distances"]) < 1e-13
 
 
 def test_a_library_that_is_not_installed_is_left_out_with_the_reason(monkeypatch):
@@ -49,7 +49,7 @@ def test_a_library_that_is_not_installed_is_left_out_with_the_reason(monkeypatch
         raise ModuleNotFoundError("no heyoka here")
 
     monkeypatch.setitem(INTEGRATORS, "taylor", missing)
-    row = Task("taylor", "m > 0", lambda: leaving.followed("taylor", MOTIONS["m > 0"])).row()
+    row = Task("taylor", "m > 0", lambda: leaving.follow("taylor", MOTIONS["m > 0"])).row()
     assert (row["verdict"], row["reason"]) == ("left out", "no heyoka here")
 
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from study.store import data_file, measure, stored
+from study.store import data_file, load_rows, measure
 from tests.study.toys import Interrupt
 
 
@@ -22,12 +22,12 @@ def test_a_method_that_fails_is_a_row_with_its_reason(tmp_path):
 def test_an_interrupted_study_keeps_what_it_measured_and_goes_on(tmp_path):
     with pytest.raises(KeyboardInterrupt):
         run(Interrupt(at="slow"), tmp_path)
-    assert [row["method"] for row in stored("toys", tmp_path)] == ["good", "fair"]
+    assert [row["method"] for row in load_rows("toys", tmp_path)] == ["good", "fair"]
     again = Interrupt()
     rows = run(again, tmp_path)
     assert again.ran == ["slow"]
     assert [row["method"] for row in rows] == ["good", "fair", "slow"]
-    assert stored("toys", tmp_path) == rows
+    assert load_rows("toys", tmp_path) == rows
 
 
 def test_a_line_torn_by_the_interruption_is_measured_again(tmp_path):
@@ -87,5 +87,5 @@ def test_a_file_of_noise_is_no_study(tmp_path):
     file = data_file(tmp_path, "toys")
     file.parent.mkdir()
     file.write_bytes(bytes(range(128, 256)) + b"\n" + b"[" * 100_000)
-    assert stored("toys", tmp_path) == []
+    assert load_rows("toys", tmp_path) == []
     assert len(run(Interrupt(), tmp_path)) == 3

@@ -194,3 +194,9 @@ def test_the_equation_with_the_wrong_token_is_the_first_to_be_blamed(name, numbe
     blamed = [[one.printed.place for one in ones if one.printed] for ones in proposals]
     assert [wrong in ones[:1] for ones in blamed].count(True) > len(blamed) / 2
     assert {place for ones in blamed for place in ones[:1]} == {wrong}
+
+
+def test_a_claim_that_cannot_be_read_fails_with_no_other():
+    motion = System(r"\dot x=1")
+    motion.identity("|x|=x")
+    assert motion.identity("1=2").verdict == "refuted"

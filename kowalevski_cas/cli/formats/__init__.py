@@ -23,7 +23,7 @@ FORMATS, OF_AUDITS = ("pretty", "json", "junit", "github"), ("pretty", "json", "
 
 
 @dataclass(frozen=True)
-class Result:
+class ComparedRun:
     """A run, and how it differs from the record, or from what is expected where there is none.
 
     ``texts`` are those in which the derivation was read.

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from kowalevski_cas.cli.formats import Result
+from kowalevski_cas.cli.formats import ComparedRun
 from kowalevski_cas.verify.outcome import Outcome, Verdict, in_latex
 
 if TYPE_CHECKING:
     from kowalevski_cas.audit.audit import Audit
 
 
-def render(results: Sequence[Result]) -> str:
+def render(results: Sequence[ComparedRun]) -> str:
     """An error for each difference, a notice for each misprint and each false statement."""
     lines = []
     for result in results:

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from kowalevski_cas.cli.formats import Result
+from kowalevski_cas.cli.formats import ComparedRun
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.verify.outcome import (
     Condition,
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from kowalevski_cas.audit.audited import Audited
 
 
-def render(results: Sequence[Result]) -> str:
+def render(results: Sequence[ComparedRun]) -> str:
     """All claims, and a summary."""
     outcomes = [(r.run.derivation, o) for r in results for o in r.run.outcomes]
     differences = [d for r in results for d in r.differences]

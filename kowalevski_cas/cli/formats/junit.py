@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from xml.etree import ElementTree
 
-from kowalevski_cas.cli.formats import Result
+from kowalevski_cas.cli.formats import ComparedRun
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.record import Difference
 
 
-def render(results: Sequence[Result]) -> str:
+def render(results: Sequence[ComparedRun]) -> str:
     """A suite for each derivation, a case for each claim."""
     suites = ElementTree.Element("testsuites", name="kowalevski-cas")
     for result in results:
@@ -20,7 +20,7 @@ def render(results: Sequence[Result]) -> str:
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n'
 
 
-def _suite(result: Result) -> ElementTree.Element:
+def _suite(result: ComparedRun) -> ElementTree.Element:
     changed = {d.claim: d for d in result.differences}
     suite = ElementTree.Element("testsuite", name=result.run.derivation)
     for outcome in result.run.outcomes:

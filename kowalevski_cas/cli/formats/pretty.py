@@ -9,14 +9,14 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from kowalevski_cas.cli import plain
-from kowalevski_cas.cli.formats import Result, reading
+from kowalevski_cas.cli.formats import ComparedRun, reading
 from kowalevski_cas.library import MEND
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.report.document import Block, Display, Paragraph
 from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.places import names
 from kowalevski_cas.report.results import main_results
-from kowalevski_cas.report.sentences import Phrases, alike
+from kowalevski_cas.report.sentences import Phrases, group_alike
 from kowalevski_cas.verify.outcome import Correction, Counterexample, Outcome, Verdict
 
 if TYPE_CHECKING:
@@ -28,22 +28,22 @@ SHORT = 120
 """Characters that are shown of a sentence."""
 
 
-def render(results: Sequence[Result]) -> str:
+def render(results: Sequence[ComparedRun]) -> str:
     """Each derivation with what was found in it, each slip once; those with findings last."""
-    shown = [told(result) for result in sorted(results, key=_worst)]
+    shown = [render_result(result) for result in sorted(results, key=_worst)]
     if len(results) > 1:
         shown.append("".join(f"{line}\n" for line in _table(results)))
     return "\n".join(shown)
 
 
-def _worst(result: Result) -> int:
+def _worst(result: ComparedRun) -> int:
     """How much a reader has to do about a derivation: nothing, to read, or to act."""
     if result.differences:
         return 2
     return int(not all(outcome.verdict.green for outcome in result.run.outcomes))
 
 
-def _table(results: Sequence[Result]) -> Iterator[str]:
+def _table(results: Sequence[ComparedRun]) -> Iterator[str]:
     """A line a derivation: how many claims have which verdict, and whether that is known."""
     width = max(len(result.run.derivation) for result in results)
     present = [v for v in Verdict if any(o.verdict is v for r in results for o in r.run.outcomes)]
@@ -54,7 +54,7 @@ def _table(results: Sequence[Result]) -> Iterator[str]:
         yield f"{result.run.derivation:<{width}}{''.join(cells)} {status}"
 
 
-def told(result: Result, claims: Iterable[str] = ()) -> str:
+def render_result(result: ComparedRun, claims: Iterable[str] = ()) -> str:
     """A derivation; lines on its ``claims`` stand before the summary."""
     run, phrases = result.run, phrases_of(result)
     copied = any(section.copied for section in result.paper)
@@ -74,19 +74,19 @@ def _page(
     results: Iterable[Block] = (),
 ) -> str:
     """The answer under a title, what is wrong, and a summary; the main results come first."""
-    answer = *plain.lines(results), *plain.wrapped(findings.lead())
-    head = *plain.wrapped(title), "", *answer
+    answer = *plain.lines(results), *plain.wrap(findings.lead())
+    head = *plain.wrap(title), "", *answer
     return "\n".join((*head, *wrong, "", *summary, ""))
 
 
-def phrases_of(result: Result) -> Phrases:
+def phrases_of(result: ComparedRun) -> Phrases:
     """How a report of the results would say it, where claims without a number have their ids."""
     known = names(result.paper).items()
     called = {claim: name for claim, name in known if name.near or name.number.startswith("(")}
     return Phrases(result.run.vocabulary, called)
 
 
-def _errors(result: Result) -> Iterator[str]:
+def _errors(result: ComparedRun) -> Iterator[str]:
     """Formulas that cannot be read, with the place where they stand."""
     wrong = [o for o in result.run.outcomes if o.verdict is Verdict.ERROR]
     if wrong:
@@ -100,7 +100,7 @@ def _errors(result: Result) -> Iterator[str]:
         yield f"  {MEND}"
 
 
-def _summary(result: Result) -> Iterator[str]:
+def _summary(result: ComparedRun) -> Iterator[str]:
     run = result.run
     counts = Counter(o.verdict for o in run.outcomes)
     shown = ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
@@ -121,11 +121,11 @@ def _summary(result: Result) -> Iterator[str]:
 
 def audited(audit: Audit) -> str:
     """What is wrong, each slip once."""
-    return Told(audit).told()
+    return AuditText(audit).render()
 
 
 @dataclass
-class Told:
+class AuditText:
     """An audit in words; ``evidence`` says whether counterexamples are shown."""
 
     audit: Audit
@@ -136,7 +136,7 @@ class Told:
         """Phrases in the vocabulary of the source."""
         return Phrases(self.audit.session.texts.vocabulary, {})
 
-    def told(self, details: Iterable[str] = ()) -> str:
+    def render(self, details: Iterable[str] = ()) -> str:
         """The audit as text; details stand before the summary."""
         audit = self.audit
         findings = Findings(self.phrases, tuple(audit.outcomes.values()))
@@ -153,11 +153,14 @@ class Told:
         audit = self.audit
         if audit.wrong:
             yield from ("", "What is wrong")
-        for ids, (first, *others) in alike(((f.id, f) for f in audit.formulas if f.wrong), _slip):
+        for ids, (first, *others) in group_alike(
+            ((f.id, f) for f in audit.formulas if f.wrong), _slip
+        ):
             verb = "are" if others else "is"
             why = "; ".join(audit.said(first))
             place = ":".join(map(str, filter(None, (audit.source.path, first.line))))
-            place = f"{place}: {', '.join(ids)} {verb} {first.verdict}"
+            shown = ", ".join(ids) if audit.reading is None else audit.called(first)
+            place = f"{place}: {shown} {verb} {first.verdict}"
             printed = () if first.formula is None else (first.formula,)
             yield from self._finding(
                 f"{place}: {why}" if why else place, printed, first.tex,
@@ -195,7 +198,7 @@ class Told:
             )
             if correction.conditions and not correction.edit:
                 said += (", where ", *self.phrases.where(correction.conditions))
-        yield from plain.wrapped(plain.text((*said, ".")))
+        yield from plain.wrap(plain.text((*said, ".")))
         shown: list[Block] = []
         if printed or source:
             shown.append(Display(printed, source, Verdict.REFUTED))
@@ -219,9 +222,9 @@ class Told:
                 lines.setdefault(one.words, []).append(str(one.line))
             else:
                 words = one.words if len(one.words) <= SHORT else f"{one.words[: SHORT - 1]}…"
-                yield from plain.wrapped(f"{one.line}: {words}")
+                yield from plain.wrap(f"{one.line}: {words}")
         formulas = (f"{words} ({', '.join(places)})" for words, places in lines.items())
-        yield from plain.wrapped("; ".join(formulas)) if lines else ()
+        yield from plain.wrap("; ".join(formulas)) if lines else ()
 
     def summary(self) -> Iterator[str]:
         """How many there are of each verdict."""

@@ -36,7 +36,7 @@ def answer(audit: Audit) -> Iterator[str]:
     ]
     told = "; ".join(words.format(count) for count, words in parts if count)
     claims = plain.many(len(verdicts), "claim")
-    yield from plain.wrapped(f"{claims}. {told[:1].upper()}{told[1:]}." if told else f"{claims}.")
+    yield from plain.wrap(f"{claims}. {told[:1].upper()}{told[1:]}." if told else f"{claims}.")
     yield from _obeyed(audit)
 
 
@@ -58,7 +58,7 @@ def _obeyed(audit: Audit) -> Iterator[str]:
     yield f"Comments are obeyed: {counted}."
     for formula in audit.reading.formulas:
         if formula.item in said.of and "; without it: " in formula.role.reason:
-            yield from plain.wrapped(f"{formula.item.printed.place}: {formula.role.reason}")
+            yield from plain.wrap(f"{formula.item.printed.place}: {formula.role.reason}")
 
 
 def _assumed(audit: Audit, phrases: Phrases) -> Iterator[str]:
@@ -68,9 +68,11 @@ def _assumed(audit: Audit, phrases: Phrases) -> Iterator[str]:
     if listed:
         yield from ("", "What is assumed")
     for one in listed:
-        resting = ", ".join(one.claims)
+        by_claim = {id: formula for formula in audit.formulas for id in formula.claims}
+        places = (audit.called(by_claim[id]) for id in one.claims if id in by_claim)
+        resting = ", ".join(dict.fromkeys(places))
         words = phrases.words(f"{one.words}; on it rest {resting}.")
-        yield from (f"  {line}" for line in plain.wrapped(plain.text(words)))
+        yield from (f"  {line}" for line in plain.wrap(plain.text(words)))
 
 
 def _undecided(audit: Audit, phrases: Phrases) -> Iterator[str]:
@@ -78,7 +80,7 @@ def _undecided(audit: Audit, phrases: Phrases) -> Iterator[str]:
     if unclear:
         yield from ("", "What is not decided")
     for formula in unclear:
-        yield from plain.wrapped(f"{_where(audit, formula)}: {formula.message}")
+        yield from plain.wrap(f"{_where(audit, formula)}: {formula.message}")
         if formula.formula is not None:
             yield from plain.lines([Display((formula.formula,), formula.tex)], 2)
         if formula.counterexample is not None:
@@ -91,8 +93,9 @@ def _open(audit: Audit) -> Iterator[str]:
         yield from ("", "What is not judged")
     for formula in unjudged:
         message = formula.message.splitlines()[0] if formula.message else formula.reason
-        yield from (f"  {line}" for line in plain.wrapped(f"{_where(audit, formula)}: {message}"))
+        yield from (f"  {line}" for line in plain.wrap(f"{_where(audit, formula)}: {message}"))
 
 
 def _where(audit: Audit, formula: Audited) -> str:
-    return f"{audit.source.path}:{formula.line}: {formula.id}"
+    place = f"{audit.source.path}:{formula.line}"
+    return f"{place}: ({formula.label})" if formula.label else place

@@ -20,7 +20,7 @@ class Space(checker.Space):
         super().step(kind, name, tree, more)
         if kind == "let":
             wish = f"{self.ring.prefix}_{identifier(name)}"
-            self.env[name] = tuple(Element(e, self.ring.named(e, wish)) for e in self.env[name])
+            self.env[name] = tuple(Element(e, self.ring.name_for(e, wish)) for e in self.env[name])
 
     def unary(self, op: str, element: checker.Element) -> checker.Element:
         trusting, self.ring.trusting = self.ring.trusting, False  # which root it is is a question
@@ -31,13 +31,13 @@ class Space(checker.Space):
 
     def derivative(self, element: checker.Element) -> checker.Element:
         """The derivative with a text: what stands in a goal is for the program to compare."""
-        return self.ring.written(super().derivative(element))
+        return self.ring.text_of(super().derivative(element))
 
     def inverse(self, element: checker.Element, words: str = "") -> checker.Element:
         found = plain(super().inverse(plain(element), words))
         self.ring.enter_divisors()
-        inverse = Element(found, self.ring.named(found))
-        product = self.ring.written(element) * inverse
+        inverse = Element(found, self.ring.name_for(found))
+        product = self.ring.text_of(element) * inverse
         self.ring.vanishes("inverse", product - self.ring.number(1))
         return inverse
 
@@ -55,9 +55,9 @@ class Carried(checker.Map):
         image = super().__call__(element)
         source, target = cast(Traced, self.ring), cast(Traced, self.space.ring)
         for name, own in self.images.items():
-            self.images[name] = Element(own, target.named(own))
-        images = {source.texts[name]: target.named(own) for name, own in self.images.items()}
+            self.images[name] = Element(own, target.name_for(own))
+        images = {source.texts[name]: target.name_for(own) for name, own in self.images.items()}
         if images != self._images:
             self._images, self._function = images, target.writer.substitution(images)
-        named = source.writer.define(source.written(element).text)
+        named = source.writer.define(source.text_of(element).text)
         return Element(image, f"{self._function}({named})")

@@ -96,7 +96,7 @@ class Traced(checker.Ring):
         own = self.texts[name]
         self.writer.plain.remove(own)
         self.writer.roots.append(own)
-        shown = self.named(square, f"{own}_squared")
+        shown = self.name_for(square, f"{own}_squared")
         self.writer.say(self.writer.language.relation.format(own, shown))
 
     def _divisors(self) -> str:
@@ -111,7 +111,7 @@ class Traced(checker.Ring):
         new = [name for name in self.divisors if self.texts[name] not in self.over]
         for name in new:
             own = self.texts[name]
-            self.over[own] = self.named(self.divisors[name], f"{own}_below")
+            self.over[own] = self.name_for(self.divisors[name], f"{own}_below")
         if new:
             self.below = self._divisors()
 
@@ -139,7 +139,7 @@ class Traced(checker.Ring):
         value, texts = super().product(found), [e.text for e in found if isinstance(e, Element)]
         return Element(value, f"({'*'.join(texts)})") if len(texts) == len(found) else plain(value)
 
-    def written(self, element: checker.Element) -> Element:
+    def text_of(self, element: checker.Element) -> Element:
         """An element with its text: as it was computed, or as a polynomial."""
         if isinstance(element, Element):
             return element
@@ -152,14 +152,14 @@ class Traced(checker.Ring):
         text = "+".join(summands) or self.writer.language.number(Fraction(0))
         return Element(element, f"({text})")
 
-    def named(self, element: checker.Element, wish: str = "") -> str:
+    def name_for(self, element: checker.Element, wish: str = "") -> str:
         """A name for an element."""
-        text = self.written(element).text
+        text = self.text_of(element).text
         return text if text.isidentifier() and not wish else self.writer.define(text, wish)
 
     def vanishes(self, words: str, element: checker.Element) -> None:
         """Ask the program whether an element vanishes wherever the divisors do not."""
-        self.writer.holds(words, self.written(element).text, self.below)
+        self.writer.holds(words, self.text_of(element).text, self.below)
 
 
 def plain(element: checker.Element) -> checker.Element:
@@ -190,12 +190,12 @@ class Element(checker.Element):
         return Element(super().__pow__(exponent), f"({self.text}^{exponent})")
 
     def partial(self, name: str) -> checker.Element:
-        words, own = self.ring.writer.language.derivative, self.ring.named(self)
+        words, own = self.ring.writer.language.derivative, self.ring.name_for(self)
         return Element(super().partial(name), words.format(own, self.ring.texts[name]))
 
     def split(self, name: str) -> dict[int, checker.Element]:
         own = self.ring.generator(name)
-        parts = {e: self.ring.written(part) for e, part in plain(self).split(name).items()}
+        parts = {e: self.ring.text_of(part) for e, part in plain(self).split(name).items()}
         whole = self.ring.total(part * own**e for e, part in parts.items())
         self.ring.vanishes("coefficients", self - whole)
         return {**parts}
@@ -210,7 +210,7 @@ class Element(checker.Element):
         other, norm = plain(self).normed()
         if not (number := norm.value()):
             return False
-        inverse = self.ring.written(plain(other * self.ring.number(1 / number)))
+        inverse = self.ring.text_of(plain(other * self.ring.number(1 / number)))
         self.ring.vanishes("different", self * inverse - self.ring.number(1))
         return True
 

@@ -54,7 +54,7 @@ class Elements:
         for k, divisor in sorted(enumerate(self.conditions), key=lambda kd: max(kd[1].terms)):
             _, _, rest = self._factored(divisor)
             if len(rest.terms) > 1:
-                self._add(k, written(self.terms(rest)), rest)
+                self._add(k, sum_text(self.terms(rest)), rest)
             else:
                 for name, _ in self.ring.exponents(max(rest.terms)):
                     self._add(k, name, ring.generator(name))
@@ -100,7 +100,7 @@ class Elements:
         return Term(value, {n: e for n, e in exponents.items() if e > 0}, tuple(under))
 
 
-def written(terms: Iterable[Term]) -> Tree:
+def sum_text(terms: Iterable[Term]) -> Tree:
     """A sum of terms as one writes it: ``c_1 w_1 / x_1``."""
     summands: list[Tree] = []
     for term in terms:
@@ -112,7 +112,7 @@ def written(terms: Iterable[Term]) -> Tree:
     return _sum(summands)
 
 
-def undivided(terms: Iterable[Term], number: int) -> Tree:
+def polynomial_text(terms: Iterable[Term], number: int) -> Tree:
     """A polynomial in names and plain inverses: ``c_1 w_1 (1/x_1)``.
 
     Numbers have the inverse of one number only, which has the primes of all denominators.

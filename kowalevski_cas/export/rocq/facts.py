@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kowalevski_cas.export.rocq.elements import Plain, Term, number, undivided, written
+from kowalevski_cas.export.rocq.elements import Plain, Term, number, polynomial_text, sum_text
 from kowalevski_cas.export.rocq.space import Space
 
 AT = "R zero one add mul sub opp div inv R_field v"
@@ -67,7 +67,7 @@ class Facts:
         return "\n".join(self._lines)
 
     def _undivided(self, terms: list[Term]) -> str:
-        return self.space.term(undivided(terms, self._number))
+        return self.space.term(polynomial_text(terms, self._number))
 
     def _unknowns(self) -> list[str]:
         """In what all is a polynomial: roots, names after their inverses, one over a number."""
@@ -92,7 +92,7 @@ class Facts:
     def _plain(self, j: int, plain: Plain) -> None:
         """What is not zero by a condition has an inverse."""
         space, k, shown = self.space, self.k, self.space.term(plain.tree)
-        cofactor = space.term(written(space.elements.terms(plain.cofactor)))
+        cofactor = space.term(sum_text(space.elements.terms(plain.cofactor)))
         self._lines += [
             f"Lemma plain_{k}_{j} : val ({shown}) <> zero.",
             f"Proof. apply (factor {AT} _ ({cofactor}) _ nonzero_{k}_{plain.condition}); "

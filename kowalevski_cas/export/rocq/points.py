@@ -39,11 +39,13 @@ class Place:
 
     def independent(self, functions: Sequence[str], elements: Sequence[Element]) -> None:
         """The differentials of functions are independent there."""
-        space, one = self.space, self.space.checked.ring.number(1)
+        space, element = self.space, self.space.checked.ring.number(1)
         variables = space.checked.variables
         partials = "; ".join(space.partial(name) for name in variables)
         word = space.define("partials", f"[{partials}]", "list (expr -> expr)")
-        matrix = [[self.at(space.checked.along(e, {v: one})) for v in variables] for e in elements]
+        matrix = [
+            [self.at(space.checked.along(e, {v: element})) for v in variables] for e in elements
+        ]
         rows = [f"map (fun d => at_point p (d ({f}))) {word}" for f in functions]
         columns = "; ".join(map(str, sorted(self._pivots(matrix))))
         self.statements.append(f"vanishes (minor [{'; '.join(rows)}] [{columns}]%nat) = false")

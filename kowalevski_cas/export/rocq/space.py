@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from copy import copy
 
-from kowalevski_cas.export.rocq.elements import Elements, Term, written
+from kowalevski_cas.export.rocq.elements import Elements, Term, sum_text
 from kowalevski_cas.export.rocq.terms import Terms
 from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.checker import Element
@@ -119,7 +119,7 @@ class Space(Terms):
 
     def polynomial(self, element: Element) -> str:
         """An element as an expression; what it divides by is noted."""
-        return self.say(written(self.elements.terms(element)))
+        return self.say(sum_text(self.elements.terms(element)))
 
     # -- conditions ----------------------------------------------------------------
 
@@ -133,7 +133,7 @@ class Space(Terms):
     def conditions(self) -> list[str]:
         """What does not vanish."""
         elements = self.elements
-        return [self.term(written(elements.terms(divisor))) for divisor in elements.conditions]
+        return [self.term(sum_text(elements.terms(divisor))) for divisor in elements.conditions]
 
     def inverses(self) -> dict[str, list[Term]]:
         """Divisors as expressions, with their inverses; each may rest on those before it."""

@@ -9,7 +9,7 @@ import numpy as np
 from flint import acb, arb
 
 from kowalevski_cas.motion.arrays import Array
-from kowalevski_cas.motion.frame import turned
+from kowalevski_cas.motion.frame import rotate
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.ball import SolutionO4, state_by_angles
 from kowalevski_cas.motion.o4.motion import MotionO4
@@ -24,10 +24,10 @@ LARGEST_PRECISION = 1 << 17
 
 def states(motion: Motion | MotionO4, times: Array) -> Array:
     """The states at these times, an array of shape (N, 9), to within rounding."""
-    return enclosed(motion, times)[0]
+    return enclose(motion, times)[0]
 
 
-def enclosed(motion: Motion | MotionO4, times: Array) -> tuple[Array, Array]:
+def enclose(motion: Motion | MotionO4, times: Array) -> tuple[Array, Array]:
     """The states at these times (N, 9), and how far (N) a number in each can be from the exact one.
 
     They are the middles of enclosures, or zero if that is in them, with radii below 2⁻⁶⁴ of the
@@ -66,7 +66,7 @@ def loss(motion: Motion | MotionO4, times: Array, states: Array) -> float:
     """
     places = np.unique([0, len(times) // 2, len(times) - 1])
     try:
-        there, _ = enclosed(motion, times[places])
+        there, _ = enclose(motion, times[places])
     except (MethodError, Inadmissible):
         return float("nan")
     apart = np.abs(states[places] - there)
@@ -122,7 +122,7 @@ class _Solution:
         )
         state = list(self._point(first, second, _select))
         cos, sin = self._motion.turn
-        return turned(state, ball(cos), ball(-sin)) if sin else state
+        return rotate(state, ball(cos), ball(-sin)) if sin else state
 
 
 class _Jacobi:

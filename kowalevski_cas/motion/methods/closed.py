@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from kowalevski_cas.motion.arrays import Array
-from kowalevski_cas.motion.frame import turned
+from kowalevski_cas.motion.frame import rotate
 from kowalevski_cas.motion.jacobi import jacobi
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.closed import ClosedO4
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.parameters import ball, precision
 from kowalevski_cas.motion.phases import LARGEST
-from kowalevski_cas.motion.solution import PhasePoint, Solved, Variable
+from kowalevski_cas.motion.solution import PhasePoint, Variable, VariableValues
 
 BITS = 256
 """The precision of the constants before they are rounded."""
@@ -47,9 +47,9 @@ class Closed:
     def torus(self, first: Array, second: Array) -> Array:
         """The states (9, N) where each variable has a time (N,) of its own: points of the torus."""
         straight = self._point(*self.variables(first, second), _select)
-        return np.array(turned(straight, self._cos, -self._sin) if self._sin else straight)
+        return np.array(rotate(straight, self._cos, -self._sin) if self._sin else straight)
 
-    def variables(self, first: Array, second: Array) -> tuple[Solved, Solved]:
+    def variables(self, first: Array, second: Array) -> tuple[VariableValues, VariableValues]:
         """The two solved variables, each at times of its own."""
         (jacobi_1, jacobi_2), (variable_1, variable_2) = self._jacobi, self._variables
         return variable_1(jacobi_1(first)), variable_2(jacobi_2(second))

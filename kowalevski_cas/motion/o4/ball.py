@@ -8,18 +8,18 @@ from fractions import Fraction
 import numpy as np
 from flint import arb, arb_mat
 
-from kowalevski_cas.motion.frame import turned
+from kowalevski_cas.motion.frame import rotate
 from kowalevski_cas.motion.o4.motion import MotionO4
-from kowalevski_cas.motion.o4.point import PhasePoint, Variable, cosines
+from kowalevski_cas.motion.o4.point import PhasePointO4, VariableO4, cosines
 from kowalevski_cas.motion.o4.quadrature import Quadratures
-from kowalevski_cas.motion.o4.series import Series, matrix
+from kowalevski_cas.motion.o4.series import DifferentialSeries, matrix
 from kowalevski_cas.motion.parameters import ball
 
 
 def state_by_angles(motion: MotionO4) -> list[arb]:
     """The state at t = 0, where the motion has its angles: no quadrature is needed."""
     halves = [ball(angle) / 2 for angle in motion.angles]
-    point = PhasePoint(motion.parameters, motion.regime, motion.signs, lambda x: x, arb.sqrt)
+    point = PhasePointO4(motion.parameters, motion.regime, motion.signs, lambda x: x, arb.sqrt)
     first, second = ((half.cos(), half.sin()) for half in halves)
     return _turned_back(motion, list(point(first, second)))
 
@@ -27,7 +27,7 @@ def state_by_angles(motion: MotionO4) -> list[arb]:
 def _turned_back(motion: MotionO4, state: list[arb]) -> list[arb]:
     """The state in the fields as they were given."""
     cos, sin = motion.turn
-    return turned(state, ball(cos), ball(-sin)) if sin else state
+    return rotate(state, ball(cos), ball(-sin)) if sin else state
 
 
 class SolutionO4:
@@ -35,9 +35,9 @@ class SolutionO4:
 
     def __init__(self, motion: MotionO4) -> None:
         self._motion, known = motion, motion.parameters
-        self._variables = [Variable(known, arc, lambda x: x) for arc in motion.arcs]
-        self._point = PhasePoint(known, motion.regime, motion.signs, lambda x: x, arb.sqrt)
-        series = [Series(variable) for variable in self._variables]
+        self._variables = [VariableO4(known, arc, lambda x: x) for arc in motion.arcs]
+        self._point = PhasePointO4(known, motion.regime, motion.signs, lambda x: x, arb.sqrt)
+        series = [DifferentialSeries(variable) for variable in self._variables]
         self._means = matrix(series, motion.orientations)
         self._sines = [one.sines() for one in series]
         self._floats = Quadratures(motion, series)

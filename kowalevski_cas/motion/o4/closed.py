@@ -6,11 +6,11 @@ import numpy as np
 from flint import arb, arb_mat
 
 from kowalevski_cas.motion.arrays import Array
-from kowalevski_cas.motion.frame import turned
+from kowalevski_cas.motion.frame import rotate
 from kowalevski_cas.motion.o4.motion import MotionO4
-from kowalevski_cas.motion.o4.point import PhasePoint, Variable
+from kowalevski_cas.motion.o4.point import PhasePointO4, VariableO4
 from kowalevski_cas.motion.o4.quadrature import Quadratures
-from kowalevski_cas.motion.o4.series import Series, matrix
+from kowalevski_cas.motion.o4.series import DifferentialSeries, matrix
 from kowalevski_cas.motion.parameters import precision
 from kowalevski_cas.motion.phases import Phase, parts_needed
 
@@ -27,7 +27,9 @@ class ClosedO4:
         known = motion.parameters
         # A phase of many turns needs so many more bits of the rate.
         with precision(BITS + max(0, int(np.frexp(largest)[1]))):
-            series = [Series(Variable(known, arc, lambda x: x)) for arc in motion.arcs]
+            series = [
+                DifferentialSeries(VariableO4(known, arc, lambda x: x)) for arc in motion.arcs
+            ]
             self._quadratures = Quadratures(motion, series)
             origins = self._quadratures.phases(np.array([[float(x)] for x in motion.angles]))
             rates = matrix(series, motion.orientations).solve(arb_mat([[0], [-1]])).entries()
@@ -39,7 +41,7 @@ class ClosedO4:
                 for rate, (origin,) in zip(rates, origins.tolist(), strict=True)
                 for size in [abs(float(rate))]
             ]
-            self._point = PhasePoint(known, motion.regime, motion.signs, float, np.sqrt)
+            self._point = PhasePointO4(known, motion.regime, motion.signs, float, np.sqrt)
         self._cos, self._sin = (float(x) for x in motion.turn)
 
     def __call__(self, t: Array) -> Array:
@@ -51,4 +53,4 @@ class ClosedO4:
         """The states (9, N) by the two angles: points of the torus."""
         one, two = ((np.cos(angle / 2), np.sin(angle / 2)) for angle in (first, second))
         states = self._point(one, two)
-        return np.array(turned(states, self._cos, -self._sin) if self._sin else states)
+        return np.array(rotate(states, self._cos, -self._sin) if self._sin else states)

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
-from kowalevski_cas.motion.frame import fields, straightened
+from kowalevski_cas.motion.frame import fields, straighten
 from kowalevski_cas.motion.o4.parameters import ParametersO4
-from kowalevski_cas.motion.o4.regimes import Regime, regime_of
+from kowalevski_cas.motion.o4.regimes import RegimeO4, regime_of
 from kowalevski_cas.motion.parameters import Inadmissible, Real, usable
 from kowalevski_cas.motion.regimes import Arc
 
@@ -52,7 +52,7 @@ class MotionO4:
         :class:`~kowalevski_cas.motion.parameters.Inadmissible` where there is no motion, and
         ``ValueError`` for what is no finite number.
         """
-        longer, shorter, turn = straightened(usable(a), usable(b), usable(c))
+        longer, shorter, turn = straighten(usable(a), usable(b), usable(c))
         parameters = ParametersO4(longer, shorter, usable(s), usable(tau))
         first, second = map(usable, angles)
         signs = regime_of(parameters).signs_of(torus)
@@ -64,7 +64,7 @@ class MotionO4:
             raise Inadmissible("σ < 0: μ1 and μ2 have opposite signs, for E² is positive")
 
     @cached_property
-    def regime(self) -> Regime:
+    def regime(self) -> RegimeO4:
         """The regime of its constants."""
         return regime_of(self.parameters)
 

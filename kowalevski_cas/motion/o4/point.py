@@ -26,7 +26,7 @@ from flint import arb
 
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.o4.parameters import HIGH, KAPPA, LOW, MU, ParametersO4
-from kowalevski_cas.motion.o4.regimes import Regime
+from kowalevski_cas.motion.o4.regimes import RegimeO4
 from kowalevski_cas.motion.parameters import ball
 from kowalevski_cas.motion.regimes import Arc
 from kowalevski_cas.paper.closed_form import HyperellipticForm
@@ -40,7 +40,7 @@ Root = Callable[[Number], Number]
 """The square root in some arithmetic."""
 
 
-class Variable:
+class VariableO4:
     r"""The variable on one arc, in one arithmetic.
 
     ``scale`` is what the differentials have above their root, and ``factors`` are the pairs
@@ -135,7 +135,7 @@ def cosines(angle: Number, cos: Callable[[Number], Number]) -> Pair:
     return (1 + value) / 2, (1 - value) / 2
 
 
-class PhasePoint:
+class PhasePointO4:
     """The nine variables by (cos φ/2, sin φ/2) of either variable.
 
     ``signs`` are those of :class:`~kowalevski_cas.motion.o4.motion.MotionO4`.
@@ -144,12 +144,12 @@ class PhasePoint:
     def __init__(
         self,
         known: ParametersO4,
-        regime: Regime,
+        regime: RegimeO4,
         signs: Sequence[Number],
         number: Callable[[arb], Number],
         root: Root,
     ) -> None:
-        self._variables = [Variable(known, arc, number) for arc in (regime.u1, regime.u2)]
+        self._variables = [VariableO4(known, arc, number) for arc in (regime.u1, regime.u2)]
         squares = known.p_square, known.r_square, known.kappa_square
         p, r, kappa = (number(ball(square).sqrt()) for square in squares)
         s, tau, sigma = (number(ball(value)) for value in (known.s, known.tau, known.sigma))
@@ -158,7 +158,7 @@ class PhasePoint:
         self._for_point = s, tau, r
         self._signs, self._root = signs, root
         self._squares, self._parts, self._point = (
-            formulas.offered(name, HyperellipticForm)
+            formulas.offered_values(name, HyperellipticForm)
             for name in ("squares", "parts", "phase_point")
         )
 

@@ -18,8 +18,8 @@ import numpy as np
 
 from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.o4.motion import MotionO4
-from kowalevski_cas.motion.o4.point import Variable, cosines
-from kowalevski_cas.motion.o4.series import Series, matrix
+from kowalevski_cas.motion.o4.point import VariableO4, cosines
+from kowalevski_cas.motion.o4.series import DifferentialSeries, matrix
 from kowalevski_cas.motion.parameters import Inadmissible
 
 BITS = 54
@@ -35,10 +35,10 @@ STEPS = 100
 class Quadratures:
     """The phases by the angles, and the angles by the phases."""
 
-    def __init__(self, motion: MotionO4, series: Sequence[Series]) -> None:
+    def __init__(self, motion: MotionO4, series: Sequence[DifferentialSeries]) -> None:
         means = matrix(series, motion.orientations)
         self._means = np.array(means.tolist(), dtype=float)
-        self._variables = [Variable(motion.parameters, arc, float) for arc in motion.arcs]
+        self._variables = [VariableO4(motion.parameters, arc, float) for arc in motion.arcs]
         self._signs = motion.orientations
         inverse = np.array(means.inv().tolist(), dtype=float)
         self._series = [
@@ -94,7 +94,7 @@ class Quadratures:
         return step
 
 
-def _sines(variable: Variable, terms: int) -> Array:
+def _sines(variable: VariableO4, terms: int) -> Array:
     """The coefficients (2, terms) of sin φ, sin 2φ, … in the integrals of the differentials."""
     samples = 4 * terms
     angles = 2 * np.pi * np.arange(samples, dtype=float) / samples

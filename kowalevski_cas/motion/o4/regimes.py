@@ -44,7 +44,7 @@ RADICAL = {**dict.fromkeys(MU, "mu"), **dict.fromkeys(KAPPA, "K"), LOW: "A", HIG
 
 
 @dataclass(frozen=True)
-class Regime:
+class RegimeO4:
     """The arcs of both variables, for certain signs of s, τ and σ."""
 
     signs: tuple[bool, bool, bool]
@@ -97,7 +97,7 @@ class Regime:
         return f"{signs}, u1 in {self.u1}, u2 in {self.u2}"
 
 
-def regime_of(constants: ParametersO4) -> Regime:
+def regime_of(constants: ParametersO4) -> RegimeO4:
     """The regime of given constants.
 
     Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible` if there is no real motion, and
@@ -113,7 +113,7 @@ def regime_of(constants: ParametersO4) -> Regime:
     for first, at_1 in _arcs(constants, 1):
         for second, at_2 in _arcs(constants, 2):
             if not signs[2] or _positive(constants, at_1, at_2):
-                return Regime(signs, first, second)
+                return RegimeO4(signs, first, second)
     a, b, s, tau = map(float, (constants.a, constants.b, constants.s, constants.tau))
     raise Inadmissible(
         f"no real motion on O⁴ has s = {s:.6g}, τ = {tau:.6g} in fields of lengths {a:.6g}, "

@@ -14,7 +14,7 @@ from math import acosh, ceil, log
 
 from flint import arb, arb_mat, ctx
 
-from kowalevski_cas.motion.o4.point import Pair, Variable, cosines
+from kowalevski_cas.motion.o4.point import Pair, VariableO4, cosines
 from kowalevski_cas.motion.parameters import Inadmissible, MethodError
 
 WIDEST, SHARE = 20.0, 0.98
@@ -27,13 +27,13 @@ LARGEST_TRANSFORM = 2500
 """Values that are transformed at most: the matrix for it is dense, and takes half a gigabyte."""
 
 
-class Series:
+class DifferentialSeries:
     """Both differentials of a variable, v and n by dφ, at the precision of FLINT's context.
 
     Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible` if the series hardly converge.
     """
 
-    def __init__(self, variable: Variable) -> None:
+    def __init__(self, variable: VariableO4) -> None:
         factors = _moduli(variable)
         nearest = min([WIDEST, *(float((x + y) / z) for x, y, z in factors if z > 0)])
         self._width = arb(acosh(max(1 + SHARE * (nearest - 1), 1.0)))
@@ -107,13 +107,13 @@ class Series:
         return _around_zero(4 * self._bounds[place] * last)
 
 
-def matrix(series: Sequence[Series], signs: Sequence[int]) -> arb_mat:
+def matrix(series: Sequence[DifferentialSeries], signs: Sequence[int]) -> arb_mat:
     """The matrix of the means with their signs: a row an equation, a column a variable."""
     columns = [[sign * x for x in one.means()] for sign, one in zip(signs, series, strict=True)]
     return arb_mat(columns).transpose()
 
 
-def _moduli(variable: Variable) -> list[tuple[arb, arb, arb]]:
+def _moduli(variable: VariableO4) -> list[tuple[arb, arb, arb]]:
     """Of each factor below the root: the moduli of g1, g2 and g1 − g2."""
     found = [(abs(x), abs(y), abs(x - y)) for x, y in variable.factors]
     if variable.sigma is None:

@@ -20,11 +20,11 @@ from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.critical import TOLERANCE, residuals
 from kowalevski_cas.motion.formulas import exactly
-from kowalevski_cas.motion.frame import BITS, given_state, turn_of, turned
+from kowalevski_cas.motion.frame import BITS, given_state, rotate, turn_of
 from kowalevski_cas.motion.methods.closed import states
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.o4.parameters import ParametersO4
-from kowalevski_cas.motion.o4.point import PhasePoint, Variable
+from kowalevski_cas.motion.o4.point import PhasePointO4, VariableO4
 from kowalevski_cas.motion.o4.regimes import LEAST_GAP
 from kowalevski_cas.motion.parameters import Inadmissible, Real, ball, precision, root
 from kowalevski_cas.motion.phases import as_fraction
@@ -51,17 +51,17 @@ def on_O4(state: Sequence[Real]) -> MotionO4:
             f"the state is not on O⁴: its equations leave {residual:.3g} of its size"
         )
     with precision(BITS):
-        _, _, a_square, b_square, c, *_ = exactly(formulas.offered("integrals"), given)
+        _, _, a_square, b_square, c, *_ = exactly(formulas.offered_values("integrals"), given)
         turn = turn_of(a_square, b_square, c)
-        straight = turned(given, *turn)
-        constants, pairs = _separated(straight)
+        straight = rotate(given, *turn)
+        constants, pairs = _separate(straight)
         motion = MotionO4(constants, turn=turn, point=tuple(map(float, given)))
         # Either quotient may be u1.
         angles = [
-            [float(Variable(constants, arc, lambda x: x).angle(pair)) for pair in order]
+            [float(VariableO4(constants, arc, lambda x: x).angle(pair)) for pair in order]
             for arc, order in zip(motion.arcs, (pairs, pairs[::-1]), strict=True)
         ]
-        motion = _fitted(motion, np.array(angles), np.array(straight, dtype=float))
+        motion = _best_fit(motion, np.array(angles), np.array(straight, dtype=float))
     off = distance(states(motion, np.zeros(1))[0], given)
     if not off <= TOLERANCE:
         raise Inadmissible(
@@ -71,14 +71,16 @@ def on_O4(state: Sequence[Real]) -> MotionO4:
     return replace(motion, off=off)
 
 
-def _separated(state: list[Fraction]) -> tuple[ParametersO4, list[tuple[arb, arb]]]:
+def _separate(state: list[Fraction]) -> tuple[ParametersO4, list[tuple[arb, arb]]]:
     """The constants at a state in fields at right angles, and both variables as quotients."""
     if not any(state[:2]):
         raise Inadmissible("ω1 = ω2 = 0 at the state: it does not tell the constant s of O⁴")
-    known = formulas.offered("complex_variables")(*(acb(ball(x)) for x in state), acb(0, 1))
-    found = [acb(value).real for value in formulas.offered("constants", HyperellipticForm)(*known)]
+    known = formulas.offered_values("complex_variables")(*(acb(ball(x)) for x in state), acb(0, 1))
+    found = [
+        acb(value).real for value in formulas.offered_values("constants", HyperellipticForm)(*known)
+    ]
     s, tau, X, total = map(as_fraction, found)
-    _, _, a_square, b_square, *_ = exactly(formulas.offered("integrals"), state)
+    _, _, a_square, b_square, *_ = exactly(formulas.offered_values("integrals"), state)
     constants = ParametersO4(root(a_square), root(b_square), s, tau)
     largest = abs(tau) + constants.r_square
     for name, square in (("σ", constants.sigma), ("k", constants.kappa_square)):
@@ -86,7 +88,7 @@ def _separated(state: list[Fraction]) -> tuple[ParametersO4, list[tuple[arb, arb
             raise Inadmissible(f"{name} = 0 at the state, but for rounding: the tori degenerate")
     xi = total - tau
     given = [X, xi, tau, constants.sigma]
-    variables = formulas.offered("variables", HyperellipticForm)
+    variables = formulas.offered_values("variables", HyperellipticForm)
     square, *_ = exactly(variables, [*given, Fraction(0)])
     q = root(max(square, Fraction(0)))
     _, *ends, v, both = exactly(variables, [*given, q])
@@ -94,13 +96,13 @@ def _separated(state: list[Fraction]) -> tuple[ParametersO4, list[tuple[arb, arb
     return constants, [(ball(n), ball(d)) for n, d in ((larger, v), (both, larger))]
 
 
-def _fitted(motion: MotionO4, angles: Array, state: Array) -> MotionO4:
+def _best_fit(motion: MotionO4, angles: Array, state: Array) -> MotionO4:
     """The motion with the signs, and angles near a column of these, that fit the state best."""
     weights = np.repeat([max(abs(state[:3])) ** 2 + max(abs(state[3:]))], 9)
     weights[:3] **= 0.5
 
     def missing(signs: Array, angles: Array) -> Array:
-        point = PhasePoint(motion.parameters, motion.regime, list(signs), float, np.sqrt)
+        point = PhasePointO4(motion.parameters, motion.regime, list(signs), float, np.sqrt)
         one, two = ((np.cos(angle / 2), np.sin(angle / 2)) for angle in angles)
         with np.errstate(invalid="ignore", divide="ignore"):  # signs for which E is not real
             found = np.array(np.broadcast_arrays(*point(one, two)))

@@ -29,11 +29,11 @@ def draw(motion: Motion) -> Figure:
     t = times(motion, TURNS, POINTS)
     shown: list[Array] = []
     names: list[str] = []
-    for one, oscillation in zip(
+    for variable, oscillation in zip(
         Closed(motion, float(np.max(np.abs(t)))).variables(t, t), motion.oscillations(), strict=True
     ):
         inverse = oscillation.arc.infinite
-        shown.append(one.weight / one.s if inverse else one.s / one.weight)
+        shown.append(variable.weight / variable.s if inverse else variable.s / variable.weight)
         names.append(f"$1/s_{len(names) + 1}$" if inverse else f"$s_{len(names) + 1}$")
     plane.plot(*shown, color=mark(0).colour, lw=0.7)
     early = t <= t[-1] / 2 if t[0] == 0 else np.full_like(t, True, dtype=bool)

@@ -60,7 +60,9 @@ def shade(
             )  # fmt: skip
 
 
-def filled(axes: Axes, curves: Iterable[tuple[Array, Array]], points: tuple[Array, Array]) -> Mask:
+def fill_regions(
+    axes: Axes, curves: Iterable[tuple[Array, Array]], points: tuple[Array, Array]
+) -> Mask:
     """The pieces of the grid between curves in which there is one of the points, at least."""
     walls, here = np.zeros((GRID, GRID + 1), dtype=bool), np.zeros((GRID, GRID + 1), dtype=bool)
     for x, y in curves:

@@ -18,7 +18,7 @@ from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.parameters import Parameters
 from kowalevski_cas.motion.pictures.bifurcation import ell_at, regime_at
-from kowalevski_cas.motion.pictures.regions import GREYS, filled, mesh
+from kowalevski_cas.motion.pictures.regions import GREYS, fill_regions, mesh
 from kowalevski_cas.motion.regimes import all_regimes
 from kowalevski_cas.paper.closed_form import CriticalSets
 from kowalevski_cas.pictures import INK, mark, new_figure
@@ -68,7 +68,7 @@ def draw(motion: Motion | MotionO4) -> Figure:
         axes.set(ylim=(-0.04 * height, 1.08 * height), title=f"$h={h:.2f}$")
         axes.grid(False)
         curves, dots = section(fields, h), rotations(fields, h)
-        here = filled(axes, [curve[:2] for some in curves for curve in some], (g, root))
+        here = fill_regions(axes, [curve[:2] for some in curves for curve in some], (g, root))
         axes.contourf(*mesh(axes), here, levels=(0.5, 1.5), colors=[GREYS[1]], zorder=0)
         for index, (name, some) in enumerate(zip(SETS, curves, strict=True)):
             for number, curve in enumerate(some):
@@ -146,12 +146,12 @@ def numbers(axes: Axes, curve: Curve, taken: Sequence[tuple[float, float]]) -> N
 def values(fields: Fields, h: float) -> tuple[Array, Array]:
     """The values of G and √K at states of an energy by chance."""
     states = fields.states(STATES)
-    rest = formulas.offered("integrals")(*states.T)[0]
+    rest = formulas.offered_values("integrals")(*states.T)[0]
     states, rest = states[rest < h], rest[rest < h]
     directions = np.random.default_rng(3).normal(size=(len(states), 3))
     directions *= np.sqrt((h - rest) / np.sum(directions**2, axis=1))[:, None]
     states[:, :3] = directions * (1, 1, np.sqrt(2))
-    _, k, _, _, _, g, *_ = formulas.offered("integrals")(*states.T)
+    _, k, _, _, _, g, *_ = formulas.offered_values("integrals")(*states.T)
     return g, np.sqrt(k)
 
 
@@ -160,9 +160,9 @@ def rotations(fields: Fields, h: float) -> list[tuple[float, float, bool]]:
     found = []
     for sign in (1.0, -1.0):
         state = np.array([0, 0, 0, float(fields.a), 0, 0, 0, sign * float(fields.b), 0])
-        rest = formulas.offered("integrals")(*state)[0]
+        rest = formulas.offered_values("integrals")(*state)[0]
         if rest <= h:
             state[2] = np.sqrt(2 * (h - rest))
-            _, k, _, _, _, g, *_ = formulas.offered("integrals")(*state)
+            _, k, _, _, _, g, *_ = formulas.offered_values("integrals")(*state)
             found.append((g, np.sqrt(k), bool(residuals(state[None])["O4"][0] > TOLERANCE)))
     return found

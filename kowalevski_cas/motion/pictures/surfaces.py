@@ -13,7 +13,7 @@ from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.pictures.sections import SETS, rotations, section
 from kowalevski_cas.motion.pictures.space import View, blank, triad
 from kowalevski_cas.paper.closed_form import CriticalSets
-from kowalevski_cas.pictures import INK, Mark, mark, new_figure
+from kowalevski_cas.pictures import INK, PlotMark, mark, new_figure
 
 ABOUT = CriticalSets
 
@@ -44,14 +44,14 @@ def draw(motion: Motion | MotionO4) -> Figure:
         for side, (at_g, at_root, _) in zip(across, rotations(fields, level), strict=False):
             side.append([level, at_g, at_root])
     for side in across:
-        line(axes, view, np.array(side), Mark(INK, "", "-"), 1.6)
+        line(axes, view, np.array(side), PlotMark(INK, "", "-"), 1.6)
     triad(axes, view, ("$h$", "$g$", r"$\sqrt{k}$"), 2.2 * size)
     figure.legend(loc="outside lower center", ncols=3)
     return figure
 
 
 def line(
-    axes: Axes, view: View, points: Array, one: Mark, width: float, label: str | None = None
+    axes: Axes, view: View, points: Array, one: PlotMark, width: float, label: str | None = None
 ) -> None:
     """Draw the curve through points (N, 3), what is nearer over what is farther."""
     flat, near = view(points)

@@ -49,9 +49,12 @@ class FirstIntegral(Claim):
         chain = [parts(member, space) for member in sides(printed, space)]
         for same in zip(*chain, strict=True):
             yield from self._goals(on, space, same)
-        if values:
+        if values and not there.transcendental.dependent:
             level = [parts(member, there) for member in sides([printed[0], values[0]], there)]
-            yield Fails(there, (), tuple(zip(*level, strict=True)))
+            given = tuple(zip(*level, strict=True))
+            # The first is refuted where no point has the value; the second asks for one that moves.
+            yield Fails(there, (), given)
+            yield Follows(there, (tuple(vanishes(rate(part)) for part in level[0]),), given)
 
     def _goals(
         self, on: Elaborations, space: Elaboration, same: tuple[Formula, ...]
@@ -137,6 +140,8 @@ def _is_level(formula: Formula, space: Elaboration) -> bool:
 
 
 def _has_value(name: str, space: Elaboration) -> bool:
+    if name in space.scene.variables:
+        return True  # also where its functions stand in its place
     try:
         return space.step(name) is not None or name not in space.constants
     except Meaningless:

@@ -77,4 +77,4 @@ def _flipped(formula: Formula, root: Formula) -> Formula:
     """The formula with the other value of a root."""
     if formula == root:
         return Negative(root)
-    return formula.mapped(lambda child: _flipped(child, root))
+    return formula.map_children(lambda child: _flipped(child, root))

@@ -57,4 +57,4 @@ def _measured(formula: Formula, values: dict[str, Formula], simple: Elaboration)
             return values[formula.name]
         step = simple.step(formula.name)
         return _measured(step.formula, values, simple) if isinstance(step, Let) else formula
-    return formula.mapped(lambda child: _measured(child, values, simple))
+    return formula.map_children(lambda child: _measured(child, values, simple))

@@ -5,5 +5,5 @@ and as SVG, which Typst and browsers read. Nothing in it depends on fonts that a
 on the order of a set, so that it is the same from run to run.
 """
 
-from kowalevski_cas.report.graph.drawing import Picture, picture
+from kowalevski_cas.report.graph.drawing import Drawing, picture
 from kowalevski_cas.report.graph.layout import WIDTH

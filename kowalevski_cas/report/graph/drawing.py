@@ -38,7 +38,7 @@ class Box:
 
 
 @dataclass(frozen=True)
-class Line:
+class Arrow:
     """A piece of a line from what is rested on to what rests on it; the last one has a tip."""
 
     start: tuple[float, float]
@@ -47,11 +47,11 @@ class Line:
 
 
 @dataclass(frozen=True)
-class Picture:
+class Drawing:
     """Boxes and lines; ``alone`` names the claims that rest on nothing and carry nothing."""
 
     boxes: tuple[Box, ...]
-    lines: tuple[Line, ...]
+    lines: tuple[Arrow, ...]
     width: float
     height: float
     alone: tuple[str, ...] = ()
@@ -64,14 +64,14 @@ class Picture:
         return min(1.0, 0.999 * WIDTH / self.width, _HEIGHT / self.height)
 
 
-def picture(outcomes: Sequence[Outcome], labels: Mapping[str, str]) -> Picture:
+def picture(outcomes: Sequence[Outcome], labels: Mapping[str, str]) -> Drawing:
     """Lay out the claims that rest on others, foundations at the top; one label is one box."""
     members, rests = dependencies(outcomes, labels)
     carried = {below for belows in rests.values() for below in belows}
     drawn = {name: belows for name, belows in rests.items() if belows or name in carried}
     alone = tuple(claim for name in members if name not in drawn for claim in members[name])
     if not drawn:
-        return Picture((), (), 0.0, 0.0, alone)
+        return Drawing((), (), 0.0, 0.0, alone)
     verdicts = {o.claim: o.verdict for o in outcomes}
     stated = {o.claim: ", ".join(map(to_plain, o.formulas)) for o in outcomes}
     says = {name: "; ".join(filter(None, map(stated.get, members[name]))) for name in drawn}
@@ -97,7 +97,7 @@ def picture(outcomes: Sequence[Outcome], labels: Mapping[str, str]) -> Picture:
         if cell.box
     )
     lines = tuple(
-        Line(
+        Arrow(
             (cell.x - left, y(k) + (BOX / 2 if cell.box else 0)),
             (above.x - left, y(k + 1) - (BOX / 2 if above.box else 0)),
             above.box,
@@ -106,7 +106,7 @@ def picture(outcomes: Sequence[Outcome], labels: Mapping[str, str]) -> Picture:
         for cell in layer
         for above in cell.after
     )
-    return Picture(boxes, lines, right - left, y(len(layers) - 1) + BOX / 2 + 0.5, alone)
+    return Drawing(boxes, lines, right - left, y(len(layers) - 1) + BOX / 2 + 0.5, alone)
 
 
 def dependencies(

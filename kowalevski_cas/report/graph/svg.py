@@ -6,7 +6,7 @@ from html import escape
 from typing import Final
 
 from kowalevski_cas.report.document import anchor
-from kowalevski_cas.report.graph.drawing import BOX, LETTER, Box, Line, Picture
+from kowalevski_cas.report.graph.drawing import BOX, LETTER, Arrow, Box, Drawing
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.verify.outcome import Verdict
 
@@ -24,7 +24,7 @@ _SIGN: Final = {
 }
 
 
-def svg(picture: Picture) -> str:
+def svg(picture: Drawing) -> str:
     """A standalone SVG file, at the size that the page has room for."""
     width, height = picture.width * picture.scale, picture.height * picture.scale
     body = [*map(_line, picture.lines), *map(_box, picture.boxes)]
@@ -36,7 +36,7 @@ def svg(picture: Picture) -> str:
     )
 
 
-def _line(line: Line) -> str:
+def _line(line: Arrow) -> str:
     (x0, y0), (x1, y1) = line.start, line.end
     half = (y1 - y0) / 2
     path = f"M{x0:.1f} {y0:.1f}C{x0:.1f} {y0 + half:.1f} {x1:.1f} {y1 - half:.1f} {x1:.1f} {y1:.1f}"

@@ -9,10 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, formulas, load
-from kowalevski_cas.motion.formulas import offered
+from kowalevski_cas.motion.formulas import offered_values
 from kowalevski_cas.motion.methods.ball import enclosures
-from kowalevski_cas.motion.o4.point import PhasePoint, Variable
-from kowalevski_cas.motion.o4.series import Series
+from kowalevski_cas.motion.o4.point import PhasePointO4, VariableO4
+from kowalevski_cas.motion.o4.series import DifferentialSeries
 from kowalevski_cas.motion.parameters import ball, precision
 from kowalevski_cas.paper.closed_form import HyperellipticForm, Values
 from kowalevski_cas.paper.scene import Scene
@@ -54,7 +54,7 @@ def test_floats_are_as_exact_as_balls_at_any_time(known):
 @regime
 def test_the_integrals_and_the_constants_of_O4_are_kept(known):
     moving = motion(known)
-    values = offered("integrals")(*closed(moving, T).T)
+    values = offered_values("integrals")(*closed(moving, T).T)
     found = dict(zip(("h", "k", "a2", "b2", "c", "g"), values, strict=False))
     a, b, *_ = map(float, known)
     expected = {**moving.constants, "a2": a**2, "b2": b**2, "c": 0.0}
@@ -76,8 +76,8 @@ def test_balls_get_smaller_and_contain_each_other():
 def test_a_series_encloses_the_integral(known):
     with precision(128):
         for arc in motion(known).arcs:
-            variable = Variable(motion(known).parameters, arc, lambda x: x)
-            series, angle = Series(variable), arb(1) / 3
+            variable = VariableO4(motion(known).parameters, arc, lambda x: x)
+            series, angle = DifferentialSeries(variable), arb(1) / 3
 
             def differential(z, analytic, place, variable=variable):
                 squares = (1 + z.cos()) / 2, (1 - z.cos()) / 2
@@ -106,7 +106,7 @@ def printed(ids, arguments):
     displays = {d.id: d for section in derivation.sections for d in section.displays}
     scene = Scene("printed", variables=(*names, *RADICALS, *PARTS))
     sides = tuple(member for id in ids for member in displays[id])
-    return formulas.compiled(Values(scene, sides, arguments), HyperellipticForm)
+    return formulas.compile_values(Values(scene, sides, arguments), HyperellipticForm)
 
 
 @given(st.sampled_from(KNOWN), inside, inside, signs)
@@ -119,7 +119,7 @@ def test_the_phase_point_is_that_of_the_printed_formulas(known, first, second, c
     with precision(128):
         halves = [arb(float(x) / 2).sin_cos()[::-1] for x in (first, second)]
         (n1, v1), (n, v) = (
-            Variable(values, arc, lambda x: x).pair((cos**2, sin**2))
+            VariableO4(values, arc, lambda x: x).pair((cos**2, sin**2))
             for arc, (cos, sin) in zip(moving.arcs, halves, strict=True)
         )
         sign = 1 if v > 0 else -1
@@ -133,7 +133,7 @@ def test_the_phase_point_is_that_of_the_printed_formulas(known, first, second, c
         radicals = [s * x.sqrt() for s, x in zip(signed, squares(*at, *first_two), strict=True)]
         d = radicals[0] - radicals[1]
         expected = fields(*at, *radicals, *parts(*at, *radicals, d))
-        point = PhasePoint(values, moving.regime, moving.signs, lambda x: x, arb.sqrt)
+        point = PhasePointO4(values, moving.regime, moving.signs, lambda x: x, arb.sqrt)
         for x, y in zip(point(*halves), expected, strict=True):
             assert x.overlaps(y)
             assert x.rad() < 1e-20

@@ -8,8 +8,8 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, MotionO4, ParametersO4, load
-from kowalevski_cas.motion.formulas import offered
-from kowalevski_cas.motion.o4.point import Variable
+from kowalevski_cas.motion.formulas import offered_values
+from kowalevski_cas.motion.o4.point import VariableO4
 from kowalevski_cas.motion.o4.regimes import regime_of
 from kowalevski_cas.motion.o4.start import on_O4
 from kowalevski_cas.motion.parameters import precision
@@ -54,7 +54,7 @@ def test_inside_the_arcs_the_squares_are_positive_and_at_the_ends_one_vanishes(k
     parameters = ParametersO4.of(*known)
     regime = regime_of(parameters)
     with precision(64):
-        one, two = (Variable(parameters, arc, float) for arc in (regime.u1, regime.u2))
+        one, two = (VariableO4(parameters, arc, float) for arc in (regime.u1, regime.u2))
         s, tau, sigma = map(float, (parameters.s, parameters.tau, parameters.sigma))
     r, kappa = float(parameters.r_square) ** 0.5, float(parameters.kappa_square) ** 0.5
 
@@ -63,13 +63,15 @@ def test_inside_the_arcs_the_squares_are_positive_and_at_the_ends_one_vanishes(k
             variable.pair((np.cos(x / 2) ** 2, np.sin(x / 2) ** 2))
             for variable, x in ((one, first), (two, second))
         )
-        mu1, *_ = offered("squares", HyperellipticForm)(
+        mu1, *_ = offered_values("squares", HyperellipticForm)(
             n1 / v1, n, v, 0, 0, s, tau, r, sigma, kappa
         )
         hat = (n**2 - sigma * v**2) / tau
         roots = abs(mu1) ** 0.5, -(abs(hat) ** 0.5)
         return np.array(
-            offered("squares", HyperellipticForm)(n1 / v1, n, v, *roots, s, tau, r, sigma, kappa)
+            offered_values("squares", HyperellipticForm)(
+                n1 / v1, n, v, *roots, s, tau, r, sigma, kappa
+            )
         )
 
     inner = np.linspace(0.01, 3.13, 40)

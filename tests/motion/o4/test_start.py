@@ -8,9 +8,9 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import General, Inadmissible, MotionO4, load, through
-from kowalevski_cas.motion.frame import turned
+from kowalevski_cas.motion.frame import rotate
 from kowalevski_cas.motion.o4.start import on_O4
-from kowalevski_cas.motion.result import Result
+from kowalevski_cas.motion.result import Trajectory
 from tests.motion.o4.levels import KNOWN, motion, point, points
 from tests.motion.o4.test_closed import angles, on_a_torus, relative, signs
 
@@ -31,7 +31,7 @@ def test_a_state_of_a_motion_leads_to_that_motion(known, first, second, chosen):
 def test_in_turned_fields_and_another_unit_of_time_it_is_the_same_motion(known, angle, unit):
     states = closed(motion(known), T)
     scales = np.repeat([unit, unit**2], [3, 6])
-    changed = np.array(turned(states.T, np.cos(angle), np.sin(angle))).T * scales
+    changed = np.array(rotate(states.T, np.cos(angle), np.sin(angle))).T * scales
     found = on_O4(changed[2].tolist())
     assert relative(closed(found, T / unit), changed) < 1e-10
 
@@ -68,7 +68,7 @@ def test_what_is_on_neither_set_says_so_of_both():
 @pytest.mark.parametrize("known", KNOWN, ids=str)
 def test_what_is_told_of_a_motion(known):
     moving = motion(known)
-    result = Result(moving, T, closed(moving, T))
+    result = Trajectory(moving, T, closed(moving, T))
     assert result.critical_sets["on"] == ["O4"]
     assert result.invariants["s"] == float(known[2])
     assert result.invariants["tau"] == float(known[3])

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kowalevski_cas.notation import Name, NotationError, Power, Vocabulary, heads, read
+from kowalevski_cas.notation import Name, NotationError, Power, Vocabulary, defined_names, read
 
 
 @pytest.mark.parametrize(
@@ -37,13 +37,13 @@ from kowalevski_cas.notation import Name, NotationError, Power, Vocabulary, head
     ],
 )
 def test_the_names_that_a_statement_defines(tex, names, squares, matrix):
-    (found,) = heads(tex)
+    (found,) = defined_names(tex)
     assert found == (tuple(names), tuple(squares), matrix)
 
 
 def test_broken_tex_is_an_error():
     with pytest.raises(NotationError):
-        heads(r"x = {1")
+        defined_names(r"x = {1")
 
 
 LETTERS = st.sampled_from(
@@ -54,7 +54,7 @@ INDICES = st.sampled_from(["", "_1", "_{12}", "_i", r"_{\alpha}", " _2", "_{ k }
 
 @given(LETTERS, INDICES, st.booleans())
 def test_a_name_is_spelt_as_the_reader_spells_it(letter, index, square):
-    ((names, squares, _),) = heads(f"{letter}{index}{'^2' * square} = 3")
+    ((names, squares, _),) = defined_names(f"{letter}{index}{'^2' * square} = 3")
     (name,) = squares if square else names
     formula = read(f"{letter}{index}{'^2' * square}", Vocabulary(scalars={name}))
     assert (formula.base if square else formula) == Name(name)

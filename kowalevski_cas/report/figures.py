@@ -1,6 +1,6 @@
 """Pictures that other commands left beside a report, to be shown in it.
 
-A folder below that of the reports has a list of them, ``plates.json``::
+A folder below that of the reports has a list of them, ``figures.json``::
 
     {"kharlamov2002": [{"name": "torus", "caption": "A torus."}]}
 
@@ -16,13 +16,13 @@ from typing import Final
 
 from kowalevski_cas.files import read_json
 
-LIST: Final = "plates.json"
+LIST: Final = "figures.json"
 
 SUFFIX: Final = ".png"
 
 
 @dataclass(frozen=True)
-class Plate:
+class FigureFile:
     """A picture: where it is, relative to the report and without suffix, and what it shows.
 
     ``caption`` is plain text with mathematics between dollars.
@@ -36,7 +36,7 @@ class Plate:
         return folder / f"{self.place}{SUFFIX}"
 
 
-def plates(folder: Path, derivation: str) -> tuple[Plate, ...]:
+def figures_of(folder: Path, derivation: str) -> tuple[FigureFile, ...]:
     """The pictures of a derivation that are there, in the folder of its report.
 
     A list that cannot be read, or a picture that is not there, is passed over.
@@ -50,16 +50,16 @@ def plates(folder: Path, derivation: str) -> tuple[Plate, ...]:
         except (OSError, ValueError, KeyError, TypeError, AttributeError):
             continue
         found += [
-            Plate(f"{file.parent.name}/{name}", caption)
+            FigureFile(f"{file.parent.name}/{name}", caption)
             for name, caption in listed
             if (file.parent / f"{name}{SUFFIX}").is_file()
         ]
     return tuple(found)
 
 
-def copy_plates(found: tuple[Plate, ...], source: Path, target: Path) -> None:
+def copy_figures(found: tuple[FigureFile, ...], source: Path, target: Path) -> None:
     """Copy pictures from the folder of a report to where it is typeset."""
-    for plate in found:
-        copy = plate.file(target)
+    for figure in found:
+        copy = figure.file(target)
         copy.parent.mkdir(exist_ok=True)
-        shutil.copyfile(plate.file(source), copy)
+        shutil.copyfile(figure.file(source), copy)

@@ -9,10 +9,10 @@ from pypdf import PdfReader
 from kowalevski_cas.pictures import new_figure, save, style
 from kowalevski_cas.report import pdf
 from kowalevski_cas.report.contents import Contents
+from kowalevski_cas.report.figures import FigureFile, figures_of
 from kowalevski_cas.report.html import render_html
 from kowalevski_cas.report.latex import render_latex
 from kowalevski_cas.report.pdf import write_report
-from kowalevski_cas.report.plates import Plate, plates
 from tests.report.fixtures import P, claim, in_order, run
 
 SMALL = run(claim("a", "1", "x=x", "", P))
@@ -29,21 +29,21 @@ def offer(
         figure = new_figure(2, 1)
         figure.subplots().plot([0, 1], heights)
         save(figure, folder, "line")
-    (folder / "plates.json").write_text(json.dumps({derivation: entries}))
+    (folder / "figures.json").write_text(json.dumps({derivation: entries}))
     return folder
 
 
 def test_a_report_shows_the_pictures_of_its_derivation_that_are_there(tmp_path: Path) -> None:
     offer(tmp_path / "motion")
     offer(tmp_path / "others", "another2003")
-    assert plates(tmp_path, "kharlamov2002") == (Plate("motion/line", CAPTION),)
-    assert plates(tmp_path, "another2003") == (Plate("others/line", CAPTION),)
+    assert figures_of(tmp_path, "kharlamov2002") == (FigureFile("motion/line", CAPTION),)
+    assert figures_of(tmp_path, "another2003") == (FigureFile("others/line", CAPTION),)
 
 
 @pytest.mark.parametrize("text", ["", "{", "[]", '{"kharlamov2002": [1]}'])
 def test_a_list_that_cannot_be_read_shows_nothing(tmp_path: Path, text: str) -> None:
-    (offer(tmp_path / "motion") / "plates.json").write_text(text)
-    assert plates(tmp_path, "kharlamov2002") == ()
+    (offer(tmp_path / "motion") / "figures.json").write_text(text)
+    assert figures_of(tmp_path, "kharlamov2002") == ()
 
 
 @pytest.mark.parametrize(
@@ -58,7 +58,7 @@ def test_they_are_in_the_pdf(
     text = " ".join(page.extract_text() for page in PdfReader(written.pdf).pages)
     assert "drawn with 50% of the ink" in " ".join(text.split())
     source = written.tex.read_text(encoding="utf-8")
-    shown = Contents(SMALL, in_order(SMALL)).document(plates(tmp_path, "kharlamov2002"))
+    shown = Contents(SMALL, in_order(SMALL)).document(figures_of(tmp_path, "kharlamov2002"))
     assert source == render_latex(shown)
     page = written.html.read_text(encoding="utf-8")
     assert page == render_html(shown, tmp_path) and 'src="data:image/png;base64,' in page

@@ -22,7 +22,7 @@ CLOSING = r"\}"
 UNDECLARED = Vocabulary()
 
 
-class Heads(NamedTuple):
+class DefinedNames(NamedTuple):
     """The names that a statement defines, those whose squares it gives, and if it has a matrix."""
 
     names: tuple[str, ...]
@@ -31,30 +31,30 @@ class Heads(NamedTuple):
 
 
 @cache
-def heads(tex: str) -> tuple[Heads, ...]:
+def defined_names(tex: str) -> tuple[DefinedNames, ...]:
     r"""What each statement of a display defines; raises ``NotationError`` for broken TeX.
 
-    >>> heads(r"H = \omega_1^2 - x \equiv h, \quad r^2 = x^2")[0].names
+    >>> defined_names(r"H = \omega_1^2 - x \equiv h, \quad r^2 = x^2")[0].names
     ('H', 'h')
-    >>> heads(r"({\bs \alpha}, {\bs \alpha}) = a^2")
-    (Heads(names=(), squares=('a',), matrix=False),)
-    >>> [*heads(r"\varphi(s) = 4ms^2, \quad {\bf e}_1 = (1,0)")][1].names
+    >>> defined_names(r"({\bs \alpha}, {\bs \alpha}) = a^2")
+    (DefinedNames(names=(), squares=('a',), matrix=False),)
+    >>> [*defined_names(r"\varphi(s) = 4ms^2, \quad {\bf e}_1 = (1,0)")][1].names
     ('\\mathbf{e}_1',)
     """
     return tuple(_heads(tokens, tex) for tokens, _, _ in statements(tex))
 
 
-def _heads(tokens: list[Token], tex: str) -> Heads:
+def _heads(tokens: list[Token], tex: str) -> DefinedNames:
     """What one statement defines; what is no equality defines nothing."""
     signs = {token.text for token in tokens if token.kind == "relation"}
     if not signs <= EQUALITIES:
-        return Heads((), ())
+        return DefinedNames((), ())
     runs = groupby(tokens, key=lambda token: token.kind == "relation")
     members = [_Member(tex, [*run], UNDECLARED) for relation, run in runs if not relation]
     if len(members) < 2:
-        return Heads((), ())
+        return DefinedNames((), ())
     found = [member.read() for member in members]
-    return Heads(
+    return DefinedNames(
         tuple(dict.fromkeys(name for name, square in found if name and not square)),
         tuple(dict.fromkeys(name for name, square in found if name and square)),
         any(member.matrix() for member in members),
