@@ -146,7 +146,7 @@ def test_numbers_for_which_an_identity_holds_are_found(a, b):
     )
     sides = Power(Sum((p_x, q_y)), Number(2)), Power(Sum((a_x, b_y)), Number(2))
     space = Space(("x", "y"))
-    finder = PointFinder(lambda space: Evaluation(space, load("flint")), lambda space: ("x", "y"))
+    finder = PointFinder(lambda space: Evaluation(space, load("flint")))
     found = solved_numbers(Exists((identity(space, sides),), numbers=("p", "q")), finder)
     shown = tuple(map(fraction_formula, (a, b))), tuple(map(fraction_formula, (-a, -b)))
     assert found is not None and tuple(found.values()) in shown
