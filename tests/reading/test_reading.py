@@ -156,3 +156,13 @@ def test_any_letter_that_is_no_time_can_be_defined(name):
     text = TOP + rf"Put ${name}=p/r$; then $\dot {name}=q(a-c\,{name}^2)$."
     found = verdicts(text)
     assert found == {rf"\dot {name}=q(a-c\,{name}^2)": Verdict.CONDITIONAL}
+
+
+@pytest.mark.parametrize("later", ["p>0", r"p\ne0", "p=1"])
+def test_a_later_supposition_about_the_same_name_takes_the_place_of_the_first(later):
+    """Under two that contradict each other anything would hold."""
+    false = r"(p+q)^2=p^2+q^2"
+    suppose = TOP + r"Suppose that $p=0$. Then $pq=0$. "
+    assert verdicts(rf"{suppose} Now let ${later}$. Then ${false}$.")[false] not in (
+        Verdict.PROVED, Verdict.CONDITIONAL
+    )  # fmt: skip
