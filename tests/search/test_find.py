@@ -9,7 +9,6 @@ from flint import Ordering, fmpq, fmpq_mpoly_ctx
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from kowalevski_cas import System
 from kowalevski_cas.algebra import load
 from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.notation import Name, Number, Power, Product, Quotient, Sum
