@@ -17,10 +17,10 @@ from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.files import read_json
 from kowalevski_cas.notation import Formula
-from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.problem.codec import Data, evidence_data, problem_data, read_evidence
 from kowalevski_cas.problem.evidence import Denial, Evidence
 from kowalevski_cas.problem.examine import Accepted
+from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Exists, Goal
 from kowalevski_cas.problem.trees import FormatError, Tree, encode
 from kowalevski_cas.verify.outcome import CORRECTED
