@@ -17,7 +17,7 @@ from kowalevski_cas.report.sentences import (
     in_words,
     nonzero,
 )
-from kowalevski_cas.verify.outcome import Condition, Outcome, Verdict
+from kowalevski_cas.verify.outcome import Condition, Correction, Outcome, Verdict
 
 Slip = tuple[Outcome, ...]
 """The formulas that one slip of the pen has spoiled."""
@@ -163,7 +163,7 @@ class Findings:
             Display(printed, source, first.verdict, wrong=True),
             Display(meant, verdict=correction.verdict),
         ]
-        for other in first.alternatives:
+        for other in filter(lambda other: _says_else(first, other), first.alternatives):
             lead = "Or in another formula: " if other.blamed != correction.blamed else "Or: "
             shown.append(Paragraph((lead, *self.phrases.words(other.words), ".")))
             shown.append(Display(other.formulas, verdict=other.verdict))
@@ -210,6 +210,20 @@ _OPEN = {
     Verdict.TIMEOUT: "not decided in the time allowed",
     Verdict.ERROR: "not decided, because something went wrong",
 }
+
+
+def _says_else(outcome: Outcome, other: Correction) -> bool:
+    """Whether an alternative to the correction says something else, and is still open.
+
+    True identities with one left side have one right side, however it is printed.
+    """
+    correction, denied = outcome.correction, outcome.counterexample
+    assert correction is not None
+    if correction.accepted:
+        return False
+    edits = [one.edit for one in (correction, other) if one.edit and not one.blamed]
+    same_left = len(edits) == 2 and not any(edit.path[:1] == (0,) for edit in edits)
+    return not (same_left and denied is not None and not denied.words)
 
 
 def _lacks(outcome: Outcome) -> bool:
