@@ -22,13 +22,13 @@ from kowalevski_cas.limits import time_limit
 from kowalevski_cas.notation import Edit, Name, Negative, Number, Power, Relation, edits
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.texts import Printed, Texts
-from kowalevski_cas.reading import ASSUMPTION, CLAIM, CONVENTION, LAW, Formula, Reading
+from kowalevski_cas.reading import ASSUMPTION, CLAIM, CONVENTION, DEFINITION, LAW, Formula, Reading
 from kowalevski_cas.reading.uncovered import Uncovered, sentences
 from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.verify.run import FALSE_AS_READ, Progress, Work, shared
 
-PATIENCE = 6.0
+PATIENCE = 15.0
 """Seconds for what claims share, and for each that is corrected by itself."""
 NOT_JUDGED = "no goal states it yet"
 
@@ -217,6 +217,16 @@ def assumed(audit: Audit) -> Iterator[Assumed]:
     for name in names:
         claims = (f.claim.id for f in claiming if f.claim and name in f.constants)
         yield Assumed("constant", f"${name}$ is defined nowhere", None, tuple(claims))
+
+
+def unchecked(audit: Audit) -> list[Audited]:
+    """The definitions on which no verdict rests: nothing would show a misprint in them."""
+    reading = audit.reading
+    assert reading is not None
+    claims = [formula.claim for formula in reading.formulas if formula.claim is not None]
+    read = frozenset().union(*(claim.reads() for claim in claims))
+    defining = {f.item.printed for f in reading.formulas if f.role.name == DEFINITION}
+    return [one for one in audit.formulas if one.place in defining and one.place not in read]
 
 
 def is_read(audit: Audit) -> bool:

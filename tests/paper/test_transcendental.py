@@ -364,3 +364,24 @@ def test_a_modulus_that_moves_is_refused():
     tex = r"\frac{d}{dt}\operatorname{sn}(x,k)=\operatorname{cn}(x,k)\operatorname{dn}(x,k)"
     [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
     assert str(outcome.verdict) == "error"
+
+
+PENDULUM = [
+    (r"\dot x^2=\omega^2(1-x^2)(k^2-x^2)", "proved"),
+    (r"\ddot x=-\omega^2x(1+k^2-2x^2)", "proved"),
+    (r"\dot x=k\omega\operatorname{cn}(\omega t,k)\operatorname{dn}(\omega t,k)", "proved"),
+    (r"\frac{d}{dt}(2k\omega\operatorname{cn}(\omega t,k))=-2\omega^2x\operatorname{dn}(\omega t,k)", "proved"),
+    (r"\dot x^2=\omega^2(1+x^2)(k^2-x^2)", "refuted"),
+    (r"\ddot x=-\omega^2x(1-k^2-2x^2)", "refuted"),
+]  # fmt: skip
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize(("tex", "verdict"), sampled(PENDULUM, 3))
+def test_the_pendulum_of_a_textbook(tex, verdict):
+    """Half its angle has the sine x, which is an elliptic function of the time."""
+    section = Section("1", "")
+    closed = section.display("closed", r"x=k\operatorname{sn}(\omega t,k)")
+    scene = Scene(constants=("k", r"\omega")).defining(closed)
+    [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
+    assert str(outcome.verdict) == verdict

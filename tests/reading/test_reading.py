@@ -3,7 +3,7 @@
 import pytest
 
 from kowalevski_cas.audit.audited import OPEN
-from kowalevski_cas.audit.reading import ReadingSession, assumed, audit_reading
+from kowalevski_cas.audit.reading import ReadingSession, assumed, audit_reading, unchecked
 from kowalevski_cas.reading import ASSUMPTION, CLAIM, DEFINITION, LAW, read
 from kowalevski_cas.source.files import decode
 from kowalevski_cas.verify.outcome import Verdict
@@ -96,6 +96,12 @@ def test_names_that_nothing_explains_stand_among_what_is_assumed():
     text = TOP + r"The integral is \[bp^2-aq^2+\mu=h .\]"
     found = audit_reading(ReadingSession(reading(text), timeout=5))
     assert any("mu" in one.words and one.claims for one in assumed(found))
+
+
+def test_definitions_on_which_no_verdict_rests_are_told():
+    text = TOP + r"Put $F=bp^2-aq^2$ and $G=2q$. Then $\dot F=0$."
+    found = audit_reading(ReadingSession(reading(text), timeout=5))
+    assert [formula.tex for formula in unchecked(found)] == ["G=2q"]
 
 
 def test_what_holds_to_first_order_is_not_judged():
