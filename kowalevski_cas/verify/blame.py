@@ -21,6 +21,8 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import cached_property
+from math import inf
+from time import perf_counter
 from typing import NamedTuple
 
 from kowalevski_cas.notation import Derivative, Edit, Name, NotationError, edits
@@ -91,6 +93,8 @@ class Blame:
     verdicts: Mapping[str, Verdict]
     corrected: Collection[str] = ()
     """The claims that have a correction already."""
+    seconds: float = inf
+    """For the search of what claims stand on, which then has what was found so far."""
     _true: dict[str, bool] = field(default_factory=dict)
 
     def corrections(self) -> Repairs:
@@ -119,13 +123,13 @@ class Blame:
         return found
 
     def alone(self, claim: Claim) -> tuple[Correction, ...]:
-        """The corrections of one claim: of its own formula, and then of what it stands on."""
+        """The corrections of one claim: of its own formula, or else of what it stands on."""
         own = tuple(self.mender.corrected_by(Statement(claim, self.mender.on(claim)), MOST))
-        if len(own) == MOST:
+        if own:
             return own
         others = [one for one in self._failing if one is not claim]
         repairs = self._sought([claim, *others], least=1, one=claim)
-        return (*own, *self._proved(repairs, least=1).get(claim.id, ()))[:MOST]
+        return self._proved(repairs, least=1).get(claim.id, ())
 
     # -- who fails ------------------------------------------------------------------
 
@@ -232,8 +236,10 @@ class Blame:
     ) -> list[Repair]:
         """The repairs that at points mend so many claims, perhaps this one, and break none."""
         found: list[Repair] = []
-        most = least
+        most, end = least, perf_counter() + self.seconds
         for suspect, change, place, standing in self._changes(failing, least):
+            if perf_counter() > end:
+                break
             repair = Repair(suspect, change, place, ())
             if one is not None and one not in standing:
                 continue
