@@ -67,10 +67,7 @@ class AuditSession(Session):
             found = blame.shared() if failing else {}
         for claim in failing:
             if claim.id not in found:
-                with (
-                    suppress(TimeoutError, RecursionError),
-                    time_limit(LONGEST * (self.patience or inf)),
-                ):
+                with suppress(TimeoutError, RecursionError), time_limit(limit):
                     found[claim.id] = blame.alone(claim)
         return found
 

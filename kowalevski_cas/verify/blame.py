@@ -199,23 +199,26 @@ class Blame:
     def _changes(
         self, failing: Sequence[Claim], least: int
     ) -> Iterator[tuple[Suspect, Edit | Relation, Printed, list[Claim]]]:
-        """What may mend so many claims, and the claims that it changes."""
-        suspects = self._suspects(failing, least)
-        texts = self.mender.on(failing[0]).texts
-        names = self._names(failing, suspects, texts)
-        for place, suspect in sorted(suspects.items(), key=lambda item: item[1]):
-            if suspect is Suspect.OWN and least == 1:
-                continue  # they were tried
-            standing = [claim for claim in failing if place in claim.reads()]
-            for edit in edits(texts.statement(place), texts.vocabulary, names):
-                if not changes_subject(edit):
-                    yield suspect, edit, place, standing
+        """What may mend so many claims, and the claims that it changes; the likeliest first."""
         for claim in failing:
             for relation in relations(self._statement(claim)):
                 supposed = supposes(claim.scene, self.mender.derivation)
+                if not supposed and len(relation.formula.names()) == 1:
+                    continue  # a number for a constant, of which the paper does not think
                 suspect = Suspect.ASSUMPTION if supposed else Suspect.RELATION
                 standing = [one for one in failing if relation.concerns(one.scene)]
                 yield suspect, relation, relation.place, standing
+        suspects = self._suspects(failing, least)
+        texts = self.mender.on(failing[0]).texts
+        names = self._names(failing, suspects, texts)
+        found = [
+            (suspect, edit, place, [claim for claim in failing if place in claim.reads()])
+            for place, suspect in suspects.items()
+            if suspect is not Suspect.OWN or least > 1  # else they were tried
+            for edit in edits(texts.statement(place), texts.vocabulary, names)
+            if not changes_subject(edit)
+        ]
+        yield from sorted(found, key=lambda one: (_slip(one[1]), one[0]))
 
     @staticmethod
     def _names(
@@ -333,7 +336,10 @@ class Blame:
 
 def _likelihood(repair: Repair) -> tuple[object, ...]:
     """What sorts repairs: those that mend most first, then by what is suspected."""
-    change = repair.change
-    edited = unlikeliness(change) if isinstance(change, Edit) else ()
-    kind = KINDS.index(change.kind) if isinstance(change, Edit) else 0
-    return (-len(repair.mends), repair.suspect, *edited, kind)
+    slip = _slip(repair.change) if isinstance(repair.change, Edit) else ()
+    return (-len(repair.mends), repair.suspect, *slip)
+
+
+def _slip(edit: Edit) -> tuple[object, ...]:
+    """What sorts edits, the likelier slips of the pen first."""
+    return (*unlikeliness(edit), KINDS.index(edit.kind))
