@@ -34,8 +34,9 @@ with ± is proved with either sign; one with a root is read as the sentence besi
 either sign of the root. *Conditional* is what holds where the denominators do not vanish.
 
 Beside each row stands in how many of its lines it is proved by Maple and by Mathematica, and in
-how many lines one of them calls it false at values that were tried, as reported by
-[LaCASt](https://github.com/gipplab/LaCASt) (`misc/Mediawiki`), which translates the rows and takes a chain of equations for several lines.
+how many lines one of them calls it false at values that were tried, as LaCASt reports
+([gipplab/LaCASt](https://github.com/gipplab/LaCASt), `misc/Mediawiki`), which translates the rows
+and takes a chain of equations for several lines.
 """
 
 

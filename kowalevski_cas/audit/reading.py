@@ -6,7 +6,8 @@ read otherwise than it was meant.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from functools import cached_property
 from time import perf_counter
 from typing import NamedTuple
@@ -17,13 +18,17 @@ from kowalevski_cas.audit.author import AuthorSession
 from kowalevski_cas.audit.describe import Describer
 from kowalevski_cas.audit.places import Place
 from kowalevski_cas.audit.session import AuditSession
-from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.reading import ASSUMPTION, CLAIM, CONVENTION, LAW, Formula, Reading
+from kowalevski_cas.limits import time_limit
+from kowalevski_cas.notation import Edit, Name, Negative, Number, Power, Relation, edits
+from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.reading import ASSUMPTION, CLAIM, CONVENTION, DEFINITION, LAW, Formula, Reading
 from kowalevski_cas.reading.uncovered import Uncovered, sentences
+from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.outcome import Outcome, Verdict
-from kowalevski_cas.verify.run import FALSE_AS_READ, Progress, shared
+from kowalevski_cas.verify.run import FALSE_AS_READ, Progress, Work, shared
 
-PATIENCE = 6.0
+PATIENCE = 15.0
 """Seconds for what claims share, and for each that is corrected by itself."""
 NOT_JUDGED = "no goal states it yet"
 
@@ -71,13 +76,55 @@ class ReadingSession(AuditSession):
         self.misprints[one.printed] = one.edit
         return outcome._replace(correction=None, alternatives=())
 
+    # -- the imaginary unit ------------------------------------------------------------
+
+    def with_corrections(self, outcomes: Sequence[Outcome], work: Work) -> list[Outcome]:
+        """The outcomes with corrections; what a wrong unit spoils is decided once more, later."""
+        claims = {claim.id: claim for claim in self.derivation.claims}
+        for place, edit in self._units():
+            failing = [
+                claims[one.claim]
+                for one in outcomes
+                if one.verdict is Verdict.REFUTED and place in claims[one.claim].reads()
+            ]
+            texts = self.texts.edited(place, edit)
+
+            def holds(number: int, failing: list[Claim] = failing, texts: Texts = texts) -> bool:
+                with suppress(TimeoutError), time_limit(self.patience):
+                    return self._true(failing[number], texts)
+                return False
+
+            if sum(work(holds, range(len(failing)))) > 1:
+                self.misprints[place] = edit
+        return super().with_corrections(outcomes, work)
+
+    def _units(self) -> Iterator[tuple[Printed, Edit]]:
+        """The printed squares of the imaginary unit that are not -1, each with what makes it so."""
+        for item in self.reading.known.units:
+            place = item.printed
+            right = Relation((Power(Name("i"), Number(2)), Negative(Number(1))), ("=",))
+            if self.texts.formula(place) != right:
+                statement = self.texts.statement(place)
+                every = edits(statement, self.texts.vocabulary)
+                yield from ((place, edit) for edit in every if edit.formula == right)
+                return
+
+    def blame(self, outcomes: Mapping[str, Outcome]) -> Blame:
+        """The search for what makes claims fail that stand on no misprint that is known."""
+        verdicts = {id: outcome.verdict for id, outcome in outcomes.items()}
+        waiting = {c.id for c in self.derivation.claims if c.reads() & self.misprints.keys()}
+        explained = [id for id, one in outcomes.items() if one.correction or id in waiting]
+        return Blame(self, verdicts, explained)
+
+    # -- what is mended elsewhere --------------------------------------------------------
+
     def _mend(self, found: dict[str, Outcome]) -> None:
         """Decide once more, with what is blamed as it should read, what that has not mended."""
         mended = {place: edit.formula for place, edit in self.misprints.items()}
         rest = [
             claim.id
             for claim in self.derivation.claims
-            if self._fails(found[claim.id]) and claim.reads() & mended.keys()
+            if self._waits(found[claim.id]) and claim.reads() & mended.keys()
         ]
         if not rest:
             return
@@ -87,15 +134,17 @@ class ReadingSession(AuditSession):
         (run,) = shared([again], rest, self.heard)
         for outcome in run.outcomes:
             own = outcome.correction is not None and not outcome.correction.blamed
-            if outcome.verdict.green or own:
+            late = found[outcome.claim].verdict is Verdict.TIMEOUT
+            if own or (outcome.verdict.green and not late):
                 self.causes[outcome.claim] = (*mended,)
                 corrections = () if outcome.correction is None else (outcome.correction,)
                 failed = found[outcome.claim]._replace(verdict=Verdict.REFUTED, message="")
                 found[outcome.claim] = failed.corrected_by(corrections)
 
-    def _fails(self, outcome: Outcome) -> bool:
-        """Whether a claim is false as it was read, and nothing is known that mends it."""
-        failed = outcome.verdict is Verdict.REFUTED or outcome.message == FALSE_AS_READ
+    def _waits(self, outcome: Outcome) -> bool:
+        """Whether a claim is false as it was read, or not decided, and nothing explains it."""
+        open_ones = (Verdict.REFUTED, Verdict.TIMEOUT)
+        failed = outcome.verdict in open_ones or outcome.message == FALSE_AS_READ
         return failed and outcome.correction is None and outcome.claim not in self.causes
 
 
@@ -168,6 +217,16 @@ def assumed(audit: Audit) -> Iterator[Assumed]:
     for name in names:
         claims = (f.claim.id for f in claiming if f.claim and name in f.constants)
         yield Assumed("constant", f"${name}$ is defined nowhere", None, tuple(claims))
+
+
+def unchecked(audit: Audit) -> list[Audited]:
+    """The definitions on which no verdict rests: nothing would show a misprint in them."""
+    reading = audit.reading
+    assert reading is not None
+    claims = [formula.claim for formula in reading.formulas if formula.claim is not None]
+    read = frozenset().union(*(claim.reads() for claim in claims))
+    defining = {f.item.printed for f in reading.formulas if f.role.name == DEFINITION}
+    return [one for one in audit.formulas if one.place in defining and one.place not in read]
 
 
 def is_read(audit: Audit) -> bool:

@@ -40,7 +40,7 @@ from kowalevski_cas.source.files import read_source
 from kowalevski_cas.source.listing import listing
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.certificate import load_certificates
-from kowalevski_cas.verify.confirm import receive
+from kowalevski_cas.verify.confirm import need_certificates
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.verify.teller import disagreement
 
@@ -121,8 +121,7 @@ def run(arguments: argparse.Namespace) -> int:
             lambda one: _told(arguments, audit(one, auditing(*known, arguments))), [source]
         )
         for outcome in outcomes:
-            if (received := receive(outcome)).verdict is not outcome.verdict:
-                raise CommandError(f"{outcome.claim}: {received.message}")
+            need_certificates(outcome)
     if arguments.patch:
         _write(said, source)
     else:

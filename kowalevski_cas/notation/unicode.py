@@ -53,6 +53,9 @@ def symbol(name: str) -> Symbol:
         # A macro of its own, as \sin, is an upright word.
         upright = letter[0] == "\\" and letter not in _LETTERS
         return Symbol(_letter(letter), r"\mathrm" if upright else "", _index(index))
+    if "}{" in inner:  # the name of a value, as \mathrm{sn}{(u,k)}
+        word, _, value = inner[:-1].partition("}{")
+        return Symbol(word + "".join(map(_letter, _PIECE_OF.findall(value))), r"\mathrm", ())
     if font in FUNCTIONS or "^" in inner:  # the name of a value, as \sin{\theta_1}
         value = "".join(map(_letter, _PIECE_OF.findall(inner[:-1].replace("}^{", "^"))))
         word = f"{font[1:]} {value}" if font in FUNCTIONS else value

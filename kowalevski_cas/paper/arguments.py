@@ -20,7 +20,9 @@ from kowalevski_cas.notation import (
     power,
     times,
     to_latex,
+    total,
 )
+from kowalevski_cas.problem.space import Meaningless
 
 Monomial = tuple[tuple[Formula, int], ...]
 """Formulas that are no products, with their exponents, each once and in one order."""
@@ -113,3 +115,29 @@ def is_arithmetic(formula: Formula) -> bool:
 
 
 _ARITHMETIC = (Name, Number, Sum, Negative, Product, Quotient, Power, Root)
+
+
+def multiple(argument: Formula, count: int) -> Formula:
+    """A whole multiple of an argument; a number below a line is cancelled."""
+    whole = times(Number(abs(count)), argument)
+    if isinstance(argument, Quotient) and isinstance(argument.denominator, Number):
+        factor = Fraction(abs(count), argument.denominator.value)
+        above = times(Number(factor.numerator), argument.numerator)
+        below = Number(factor.denominator)
+        whole = above if below == Number(1) else Quotient(above, below)
+    return whole if count > 0 else Negative(whole)
+
+
+def by_name(monomial: Monomial, name: str) -> Formula:
+    """The derivative of a product of names by one of them."""
+    found: list[Formula] = []
+    for formula, exponent in monomial:
+        if formula == Name(name):
+            rest = tuple((f, e - (f == formula)) for f, e in monomial)
+            by = product_of(tuple((f, e) for f, e in rest if e))
+            found.append(times(Number(abs(exponent)), by))
+            if exponent < 0:
+                found[-1] = Negative(found[-1])
+        elif name in formula.names():
+            raise Meaningless(f"print the derivative of {to_latex(formula)} by {name}", name)
+    return total(found)

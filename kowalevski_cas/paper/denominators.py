@@ -61,7 +61,10 @@ class Divisors:
         for formula in _below(formulas):
             with suppress(Meaningless, ZeroDivisionError):
                 element = self.setting.finder.scalar(formula)
-                found[formula] = Divisor(element, factors_below(element.inverse()))
+                cancelled = _cancelled(element)
+                factors = factors_below(element.inverse()).items()
+                left = {shape: one for shape, one in factors if shape not in cancelled}
+                found[formula] = Divisor(element, left)
         return found
 
     def left(self, index: int) -> Divisor:
@@ -100,6 +103,21 @@ def factors_below(element: Element) -> dict[Shape, Element]:
     """The irreducible factors of what an element is divided by."""
     found = map(factors_of, element.ring.divisors_of([element]))
     return {shape: factor for factors in found for shape, factor in factors.items()}
+
+
+def _cancelled(element: Element) -> set[Shape]:
+    """The factors of a numerator that its denominator has as often: it vanishes not by them."""
+    counts: dict[Shape, int] = {}
+    ring = element.ring
+    if len(element.parts) > 1:
+        return set()
+    (above,) = element.parts.values()
+    below = [(ring.divisors[index], -exponent) for index, exponent in element.denominator.items()]
+    for polynomial, sign in ((above, 1), *below):
+        for factor, exponent in polynomial.factor()[1]:
+            shape = shape_of(Element(ring, {0: factor}, {}))
+            counts[shape] = counts.get(shape, 0) + sign * exponent
+    return {shape for shape, count in counts.items() if count <= 0}
 
 
 def factors_of(element: Element) -> dict[Shape, Element]:

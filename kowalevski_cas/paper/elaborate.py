@@ -10,11 +10,13 @@ the setting checks it.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from functools import cache, cached_property
+from functools import cached_property
 from itertools import pairwise, takewhile
 
 from kowalevski_cas.algebra import load
-from kowalevski_cas.algebra.tower import Ring
+from kowalevski_cas.algebra.polynomials import Polynomial
+from kowalevski_cas.algebra.present import formula_in
+from kowalevski_cas.algebra.tower import Element, Parts, Ring
 from kowalevski_cas.notation import (
     Constant,
     Formula,
@@ -36,6 +38,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.paper.validation import validate
 from kowalevski_cas.paper.written_out import WrittenOut
+from kowalevski_cas.problem import finder
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.mentions import mentions
 from kowalevski_cas.problem.space import (
@@ -103,12 +106,22 @@ class Elaboration(Moving):
         yield from (*primes, *names, *self.transcendental.roots)
 
     @cached_property
-    def loci(self) -> tuple[tuple[tuple[Equation, ...], Formula], ...]:
-        """The loci of the scene."""
-        return tuple(
-            (self.equations(locus.equations), self.formula(locus.condition))
-            for locus in self.scene.loci
-        )
+    def loci(self) -> tuple[tuple[tuple[Equation, ...], Formula], ...]:  # type: ignore[override] # computed here, an attribute above
+        """The loci of the scene, in variables, constants and roots."""
+        at, found = self.finder, []
+        for locus in self.scene.loci:
+            sides = at.differences(self.equations(locus.equations))
+            equations = tuple((formula_in(one), Number(0)) for one in sides)
+            found.append((equations, self.numerator(self.formula(locus.condition))))
+        return tuple(found)
+
+    def numerator(self, formula: Formula) -> Formula:
+        element = self.finder.scalar(formula)
+        parts, ring = element.parts, element.ring
+        for index in element.denominator:
+            while (quotients := _divided(parts, ring.divisors[index])) is not None:
+                parts = quotients
+        return formula_in(Element(ring, parts, {}))
 
     @property
     def coordinates(self) -> tuple[str, ...]:
@@ -310,11 +323,14 @@ class Elaboration(Moving):
         return tuple(equations)
 
 
+def _divided(parts: Parts, divisor: Polynomial) -> Parts | None:
+    """A numerator over a polynomial, if the division leaves nothing."""
+    both = {mask: divmod(part, divisor) for mask, part in parts.items()}
+    if not both or any(rest for _, rest in both.values()):
+        return None
+    return {mask: quotient for mask, (quotient, _) in both.items()}
+
+
 def finder_of(setting: Setting) -> Evaluation:
     """The evaluation of a setting with FLINT."""
-    return setting.finder if isinstance(setting, Elaboration) else _evaluated(setting)
-
-
-@cache
-def _evaluated(space: Setting) -> Evaluation:
-    return Evaluation(space, load("flint")).adjoin_roots()
+    return setting.finder if isinstance(setting, Elaboration) else finder.finder_of(setting)

@@ -10,8 +10,10 @@ from kowalevski_cas.notation import (
     Application,
     Formula,
     Name,
+    Negative,
     NotationError,
     Number,
+    Power,
     Quotient,
     times,
 )
@@ -21,6 +23,7 @@ from kowalevski_cas.paper.families import outside
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.scene import Change
+from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.paper.transcendental import Transcendental
 from kowalevski_cas.problem.goals import Follows, Goal, Rank, simple
 from kowalevski_cas.problem.prune import Reach
@@ -38,9 +41,10 @@ def functions_of(setting: Meaning) -> Transcendental:
     defined = [*_definitions(setting, scene.definitions)]
     known = scene.clock is not None or scene.time in scene.names()  # the letter may be another's
     time = "" if known else scene.time
-    moving = (*scene.variables, *setting.velocities.values())
+    paired = {name for pair in scene.conjugates for name in pair}  # of what is complex none is read
+    moving = [n for n in (*scene.variables, *setting.velocities.values()) if n not in paired]
     roots = (name for name in scene.roots if name not in scene.variables)
-    unit = () if scene.unit is None else ("i",)
+    unit = ("i",) if scene.unit is not None and _is_imaginary(setting, scene.unit) else ()
     constants = (*scene.constants, *scene.undefined, *roots, *unit)
     free, expanded = free_names(setting, own), partial(_expanded, setting)
     return Transcendental([*own, *defined], free, moving, constants, time, expanded, scene.roots)
@@ -53,6 +57,14 @@ def _expanded(setting: Meaning, formula: Formula, inside: tuple[str, ...] = ()) 
     if formula.name in inside:
         raise Meaningless(f"{formula.name} is defined by itself", formula.name)
     return _expanded(setting, setting.definition(formula.name), (*inside, formula.name))
+
+
+def _is_imaginary(setting: Meaning, unit: Printed) -> bool:
+    """Whether the square of the unit is printed as -1."""
+    with suppress(NotationError):
+        square = Power(Name("i"), Number(2))
+        return {*setting.texts.relation(unit).members} == {square, Negative(ONE)}
+    return False
 
 
 def _conditions(setting: Meaning) -> Iterator[Formula]:

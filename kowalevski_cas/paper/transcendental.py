@@ -14,30 +14,20 @@ holds for the functions, and so does it that an equation fails, for no equation 
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable, Iterator, Sequence
-from fractions import Fraction
 from functools import cached_property
 from math import lcm
 from typing import NamedTuple
 
-from kowalevski_cas.notation import (
-    Application,
-    Formula,
-    Name,
-    Negative,
-    Number,
-    Quotient,
-    times,
-    to_latex,
-    total,
-)
+from kowalevski_cas.notation import Application, Formula, Name, Number, times, to_latex, total
 from kowalevski_cas.notation.functions import FAMILY_OF, MEANING, Family
 from kowalevski_cas.paper.arguments import (
     Combination,
     Monomial,
+    by_name,
     combination,
     is_arithmetic,
+    multiple,
     names_in,
-    product_of,
     single_name,
 )
 from kowalevski_cas.paper.families import (
@@ -51,7 +41,7 @@ from kowalevski_cas.paper.families import (
 )
 from kowalevski_cas.problem.space import Adjoined, Meaningless
 
-ONE = Number(1)
+ONE, PI = Number(1), r"\pi"
 
 
 class Derived(NamedTuple):
@@ -90,15 +80,24 @@ class Transcendental:
             if not all(is_arithmetic(formula) for monomial in argument for formula, _ in monomial):
                 continue
             below = (name for one in kind.parameters for name in expanded(one).names())
-            if not {*constants}.issuperset(below):
+            if not {*constants}.issuperset(below) or any(map(self._degenerates, kind.parameters)):
                 continue  # what moves is no modulus: by it these functions are not derived
             for monomial, factor in argument.items():
                 if monomial:
-                    own, real, over = real_part(kind, monomial) or (kind, monomial, 1)
+                    own, real, over = self._real(kind, monomial) or (kind, monomial, 1)
                     over *= factor.denominator
                     found[own, real] = lcm(found.get((own, real), 1), over)
         self.groups = tuple(Generators(*key, over) for key, over in found.items())
         self.derived: dict[str, Derived] = {}
+
+    def _real(self, kind: Kind, monomial: Monomial) -> tuple[Kind, Monomial, int] | None:
+        """What an imaginary argument is i times; ``None`` where i is no unit."""
+        return real_part(kind, monomial) if "i" in self.constants else None
+
+    def _degenerates(self, modulus: Formula) -> bool:
+        """Whether a modulus is 0, 1 or -1, with which the functions obey more equations."""
+        numbers = combination(self._expanded(modulus))
+        return not numbers or (numbers.keys() == {()} and abs(numbers[()]) == 1)
 
     def _argument(self, application: Application) -> Combination:
         """The argument of a function, in which no name is a defined one."""
@@ -182,7 +181,7 @@ class Transcendental:
     def numbers(self) -> Iterator[str]:
         """The roots of numbers in the values at parts of π."""
         for group in self.groups:
-            if group.kind.family.angles and single_name(group.monomial) == r"\pi":
+            if group.kind.family.angles and self._is_pi(group):
                 yield from {3: (r"\sqrt{3}",), 4: (r"\sqrt{2}",), 6: (r"\sqrt{3}",)}.get(
                     group.over, ()
                 )
@@ -207,7 +206,7 @@ class Transcendental:
         for application in dict.fromkeys(one for f in formulas for one in applications(f)):
             kind = kind_of(application)
             for monomial, factor in self._argument(application).items():
-                own, real, over = real_part(kind, monomial) or (kind, monomial, 1)
+                own, real, over = self._real(kind, monomial) or (kind, monomial, 1)
                 if monomial and known.get((own, real), 0) % (over * factor.denominator):
                     return False
                 if monomial and (own, real) not in known:
@@ -237,11 +236,24 @@ class Transcendental:
 
     def _group(self, kind: Kind, monomial: Monomial) -> Generators | Imaginary | None:
         """The generators of a family at a product of names."""
-        own, real, over = real_part(kind, monomial) or (kind, monomial, 0)
+        own, real, over = self._real(kind, monomial) or (kind, monomial, 0)
         found = next((g for g in self.groups if (g.kind, g.monomial) == (own, real)), None)
         if found is None or not over:
             return found
         return Imaginary(kind, found, found.over // over)
+
+    def _values(self, group: Generators | Imaginary) -> dict[str, Formula]:
+        """The generators at an argument; at a part of π they are known."""
+        angles = group.kind.family.angles
+        if isinstance(group, Imaginary) or not angles or not self._is_pi(group):
+            return group.values
+        if group.over not in angles:
+            raise Meaningless(f"the values at {to_latex(group.argument)} are not known", PI)
+        return {letter: template(tex) for letter, tex in angles[group.over].items()}
+
+    def _is_pi(self, group: Generators) -> bool:
+        """Whether an argument is a part of π, which moves nowhere."""
+        return single_name(group.monomial) == PI and PI in self.constants
 
     def _at(
         self, kind: Kind, multiples: list[tuple[Generators | Imaginary, int]]
@@ -251,12 +263,12 @@ class Transcendental:
             return {letter: template(tex) for letter, tex in kind.family.zero.items()}
         *before, (group, count) = multiples
         if not before and count == 1:
-            return _values(group)
-        names = kind.names(total(_multiple(group.argument, n) for group, n in multiples))
+            return self._values(group)
+        names = kind.names(total(multiple(group.argument, n) for group, n in multiples))
         if not {*names.values()} <= self.derived.keys():
             added, rest = count > 0, count - 1 if count > 0 else count + 1
             alone = not before and not rest
-            right = _values(group) if added else kind.opposite(_values(group))
+            right = self._values(group) if added else kind.opposite(self._values(group))
             if not alone:
                 left = self._at(kind, [*before, (group, rest)] if rest else before)
                 right = kind.sum(left, right)
@@ -271,41 +283,6 @@ class Transcendental:
         found: dict[str, Formula] = {}
         for group in self.groups:
             if name in group.argument.names():
-                by = _by_name(group.monomial, name)
+                by = by_name(group.monomial, name)
                 found |= {one: times(by, rate) for one, rate in group.rates().items()}
         return found
-
-
-def _values(group: Generators | Imaginary) -> dict[str, Formula]:
-    """The generators at an argument; at a part of π they are known."""
-    angles = group.kind.family.angles
-    if isinstance(group, Imaginary) or not angles or single_name(group.monomial) != r"\pi":
-        return group.values
-    if group.over not in angles:
-        raise Meaningless(f"the values at {to_latex(group.argument)} are not known", r"\pi")
-    return {letter: template(tex) for letter, tex in angles[group.over].items()}
-
-
-def _multiple(argument: Formula, count: int) -> Formula:
-    whole = times(Number(abs(count)), argument)
-    if isinstance(argument, Quotient) and isinstance(argument.denominator, Number):
-        factor = Fraction(abs(count), argument.denominator.value)
-        above = times(Number(factor.numerator), argument.numerator)
-        below = Number(factor.denominator)
-        whole = above if below == ONE else Quotient(above, below)
-    return whole if count > 0 else Negative(whole)
-
-
-def _by_name(monomial: Monomial, name: str) -> Formula:
-    """The derivative of a product of names by one of them."""
-    found: list[Formula] = []
-    for formula, exponent in monomial:
-        if formula == Name(name):
-            rest = tuple((f, e - (f == formula)) for f, e in monomial)
-            by = product_of(tuple((f, e) for f, e in rest if e))
-            found.append(times(Number(abs(exponent)), by))
-            if exponent < 0:
-                found[-1] = Negative(found[-1])
-        elif name in formula.names():
-            raise Meaningless(f"print the derivative of {to_latex(formula)} by {name}", name)
-    return total(found)

@@ -288,8 +288,9 @@ class Evaluation(Fold):
     @cached_property
     def granted(self) -> list[Element]:
         """What does not vanish here; nor where a change comes from, as far as it is known here."""
-        found = [self.scalar(formula) for formula in self.setting.nonzero]
-        change = self.setting.change
+        setting = self.setting
+        found = [self.scalar(formula) for formula in (*setting.nonzero, *setting.assumed)]
+        change = setting.change
         for element in () if change is None else self.other(change.old).granted:
             with suppress(Meaningless):
                 found.append(self.image(element))

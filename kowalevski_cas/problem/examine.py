@@ -14,15 +14,9 @@ from kowalevski_cas.problem.evidence import Point, Proof
 from kowalevski_cas.problem.goals import Simple
 from kowalevski_cas.problem.place import Place
 from kowalevski_cas.problem.prune import moves
-from kowalevski_cas.problem.space import Adjoined, Setting, generators
+from kowalevski_cas.problem.space import Adjoined, Setting, all_names
 
 Of = Callable[[Setting], Evaluation]
-Names = Callable[[Setting], Sequence[str]]
-
-
-def all_names(setting: Setting) -> Sequence[str]:
-    """All names of a setting to which a point can give values."""
-    return (*generators(setting), *setting.roots)
 
 
 LARGEST_POWER = 16
@@ -69,11 +63,11 @@ class Accepted:
 class Examiner:
     """Checks proofs and points, and notes what was accepted.
 
-    ``of`` evaluates spaces, ``names`` are those to which a point of a space gives values.
+    ``of`` evaluates spaces.
     """
 
-    def __init__(self, of: Of, names: Names = all_names) -> None:
-        self.of, self.names = of, names
+    def __init__(self, of: Of) -> None:
+        self.of = of
         self.accepted = Accepted()
 
     def _unconditional(self, at: Evaluation) -> None:
@@ -125,7 +119,7 @@ class Examiner:
         if key not in at.places:
             at.places[key] = Place(at, need_point(point))
         place: Place = at.places[key]
-        if place.point.values.keys() != {*self.names(at.setting)}:
+        if place.point.values.keys() != {*all_names(at.setting)}:
             raise Unproved("the point leaves a value out, or has one too many")
         if not place.vanish(known):
             raise Unproved("the point is not where it should be")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from kowalevski_cas.notation import Formula, Name, Partial, Root
@@ -115,6 +115,14 @@ class Reach:
             if self._reached(formula):
                 self.formula(formula)
 
+    def assumed(self) -> Iterator[Formula]:
+        """What is granted in letters that are not reached, if those that are say it too."""
+        for formula in self.setting.nonzero:
+            if not self._reached(formula):
+                other = self.setting.numerator(formula)
+                if other.names() and self._reached(other):
+                    yield other
+
     def _reached(self, formula: Formula) -> bool:
         """Whether a formula speaks of names that are reached only."""
         trial = Reach(self.setting)
@@ -124,7 +132,10 @@ class Reach:
 
 
 def pruned(goals: Iterable[Goal]) -> Problem:
-    """The problem of some goals, over spaces that hold what the goals lead to and no more."""
+    """The problem of some goals, over spaces that hold what the goals lead to and no more.
+
+    What is left of a setting once more is the same space.
+    """
     goals = tuple(goals)
     reaches: dict[Setting, Reach] = {}
     for goal in goals:
@@ -138,7 +149,8 @@ def pruned(goals: Iterable[Goal]) -> Problem:
         found.close()
     stated = {one.space for goal in goals for one in simple(goal)}
     for setting in _sources_first(reaches, stated):
-        made[setting] = _space(reaches[setting], made)
+        space = _space(reaches[setting], made)
+        made[setting] = setting.left.setdefault(_said(space), space)
     return Problem(tuple(_over(goal, made) for goal in goals))
 
 
@@ -210,11 +222,27 @@ def _space(reach: Reach, made: dict[Setting, Space]) -> Space:
         variables=tuple(n for n in setting.variables if n in known),
         constants=tuple(n for n in setting.constants if n in known),
         nonzero=tuple(f for f in setting.nonzero if reach._reached(f)),
+        assumed=tuple(reach.assumed()),
         steps=tuple(reach.steps),
         field=setting.field if reach.moving else (),
         change=None if change is None else Change(made[change.old], change.formulas, change.time),
         conjugates=tuple(pair for pair in setting.conjugates if {*pair} <= known),
+        loci=tuple(
+            (equations, condition)
+            for equations, condition in setting.loci
+            if all(map(reach._reached, (condition, *(side for two in equations for side in two))))
+        ),
     )
+
+
+def _said(space: Space) -> object:
+    """All that a space says, as a key."""
+    change = space.change
+    come = None if change is None else (id(change.old), change.formulas, change.time)
+    return (
+        space.variables, space.constants, space.nonzero, space.steps, space.field, come,
+        space.conjugates, space.loci, space.assumed,
+    )  # fmt: skip
 
 
 def _over(goal: Goal, made: dict[Setting, Space]) -> Goal:

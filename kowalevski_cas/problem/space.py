@@ -121,6 +121,15 @@ class Setting(ABC):
     roots: tuple[str, ...]
     powers: tuple[str, ...]
     conjugates: tuple[tuple[str, str], ...]
+    loci: tuple[tuple[tuple[Equation, ...], Formula], ...]
+    """Declared places of degeneracy: equations, and what does not vanish elsewhere."""
+    assumed: tuple[Formula, ...] = ()
+    """What is granted besides, in letters that do not stand here."""
+
+    @cached_property
+    def left(self) -> dict[object, Space]:
+        """The spaces to which it was pruned, by all that they say."""
+        return {}
 
     @abstractmethod
     def step(self, name: str) -> Step | None:
@@ -128,6 +137,10 @@ class Setting(ABC):
 
         Raises :class:`~kowalevski_cas.problem.evaluate.Meaningless` if nothing does.
         """
+
+    def numerator(self, formula: Formula) -> Formula:
+        """What vanishes with a formula; in variables, constants and roots, if that can be said."""
+        return formula
 
     @property
     @abstractmethod
@@ -148,11 +161,6 @@ class Setting(ABC):
         return self.variables
 
     @property
-    def loci(self) -> tuple[tuple[tuple[Equation, ...], Formula], ...]:
-        """Declared places of degeneracy: equations, and what does not vanish elsewhere."""
-        return ()
-
-    @property
     @abstractmethod
     def field(self) -> tuple[Motion, ...]:
         """The rows of the vector field; none if there is none or a change gives it."""
@@ -165,7 +173,11 @@ class Setting(ABC):
 
 @dataclass(frozen=True, eq=False)
 class Space(Setting):
-    """A setting as it stands in a certificate."""
+    """A setting as it stands in a certificate.
+
+    ``loci`` and ``assumed`` are no part of it: where a search may look, and what the paper takes
+    for granted in letters that do not stand here. A point obeys that.
+    """
 
     variables: tuple[str, ...]
     constants: tuple[str, ...] = ()
@@ -174,6 +186,8 @@ class Space(Setting):
     field: tuple[Motion, ...] = ()
     change: Change | None = None
     conjugates: tuple[tuple[str, str], ...] = ()
+    loci: tuple[tuple[tuple[Equation, ...], Formula], ...] = ()
+    assumed: tuple[Formula, ...] = ()
 
     @cached_property
     def _by_name(self) -> dict[str, Step]:
@@ -201,6 +215,11 @@ class Space(Setting):
         if name not in self._by_name:
             raise Meaningless(f"{name} has no meaning here", name)
         return self._by_name[name]
+
+
+def all_names(setting: Setting) -> tuple[str, ...]:
+    """All names to which a point gives values."""
+    return (*generators(setting), *setting.roots)
 
 
 def generators(setting: Setting) -> tuple[str, ...]:

@@ -156,12 +156,20 @@ class Known:
         return found
 
     def sets(self, item: Item) -> list[Item]:
-        """The sets of the phase space that are supposed, to the end of their section."""
+        """The sets of the phase space that are supposed, to the end of their section.
+
+        A later assumption about the same one name, as x > 0 after x = 0, takes the place of one.
+        """
         before = [one for one in self.assumptions if one.order < item.order]
+        last = {one.names: one for one in sorted(before, key=lambda one: one.order)}
         return [
             one
             for one in before
-            if (self.roles[one].kind == "set in force" and _within(one, item))
+            if (
+                self.roles[one].kind == "set in force"
+                and _within(one, item)
+                and (len(one.names) != 1 or last[one.names] is one)
+            )
             or (self.roles[one].kind == "set of the sentence" and one.sentence == item.sentence)
         ]
 

@@ -35,6 +35,8 @@ class Rung:
     constants: tuple[str, ...]
     given: tuple[Item, ...] = ()
     """Those of them that hold on a part of the phase space only."""
+    in_force: bool = False
+    """Whether these are what is supposed there, and no more."""
 
 
 def rungs(item: Item, id: str, stage: Stage) -> Iterator[Rung]:
@@ -218,7 +220,8 @@ class _Ladder:
         if "relations" not in attributes:
             attributes.setdefault("printed", self.item.printed)
         claim = kind(self.id, found.scene, says, **attributes)  # type: ignore[arg-type]
-        return Rung(claim, (*found.assumptions, *on), found.constants, (*on,))
+        in_force = bool(on) and [*on] == self.known.sets(self.item)
+        return Rung(claim, (*found.assumptions, *on), found.constants, (*on,), in_force)
 
 
 def _beside(one: Item, other: Item) -> bool:

@@ -215,7 +215,6 @@ def chosen(found: list[Rung], on: Elaborations) -> Choice:
     """The first claim that holds, or the one with what is in force, where none does."""
     first: int | None = None
     message = ""
-    in_force = next((rung.given for rung in found if rung.given), ())
     for place, rung in enumerate(found):
         try:
             with time_limit(SECONDS):
@@ -229,7 +228,7 @@ def chosen(found: list[Rung], on: Elaborations) -> Choice:
             continue
         except (TimeoutError, ProcessDied):
             pass
-        if first is None or (rung.given and rung.given == in_force and not found[first].given):
+        if first is None or (rung.in_force and not found[first].in_force):
             first = place
     return Choice(first, "" if first is not None else message)
 

@@ -17,7 +17,7 @@ from kowalevski_cas.problem.evidence import Evidence, Found, Point, Regardless
 from kowalevski_cas.problem.examine import law
 from kowalevski_cas.problem.goals import Exists, Fails, Follows, Simple
 from kowalevski_cas.problem.place import Misplaced
-from kowalevski_cas.problem.space import Equation
+from kowalevski_cas.problem.space import Equation, all_names
 from kowalevski_cas.search.combinations import expressed
 from kowalevski_cas.search.numbers import linear_combination, solved_numbers
 from kowalevski_cas.search.place import Candidate, PointFinder
@@ -156,7 +156,7 @@ def _no_numbers(
     """Points with weights at which an equation adds up to a number."""
     monomials = sorted(collected)
     elements = [at.scalar(collected[monomial]) for monomial in monomials]
-    names = finder.names(at.setting)
+    names = all_names(at.setting)
     rows: list[list[Fraction]] = []
     candidates: list[Candidate] = []
     for point in islice(real_points(at, names), 40 * WEIGHTED):

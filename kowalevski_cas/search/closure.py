@@ -117,7 +117,7 @@ def closures(at: Evaluation, seed: Element, order: int) -> Iterator[Closure]:
     """
     if seed.is_zero:
         raise Meaningless("the function vanishes identically: its zeros are no set")
-    finder = PointFinder(lambda setting: at, lambda setting: (*at.names, *setting.roots))
+    finder = PointFinder(lambda setting: at)
     chain, least = [seed], None
     for _ in range(order):
         after = at.derivative(chain[-1])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from kowalevski_cas.algebra.present import formula_in, formula_rows
@@ -13,12 +13,9 @@ from kowalevski_cas.problem.evidence import Proof, Shown
 from kowalevski_cas.problem.examine import law
 from kowalevski_cas.problem.fold import divisors_of
 from kowalevski_cas.problem.goals import Follows
-from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.search.combinations import Combinations
 from kowalevski_cas.search.follows import LARGEST_POWER
 from kowalevski_cas.search.place import PointFinder
-
-Names = Callable[[Setting], Sequence[str]]
 
 
 class Step(NamedTuple):
@@ -109,11 +106,10 @@ def shown(
     rows: Sequence[Sequence[Element]],
     zero: Sequence[Element],
     at: Evaluation,
-    names: Names,
 ) -> Shown | None:
     """The proof of some steps and the last rows, and a point where ``zero`` vanishes."""
     divided = [entry for row in (*rows, *(step.row for step in steps)) for entry in row]
-    finder = PointFinder(lambda setting: at, names)
+    finder = PointFinder(lambda setting: at)
     point = finder.point(at, zero, [*law(goal, at), *zero, *divided])
     proof = Proof(tuple(tuple(map(_divided, row)) for row in rows))
     for element, row, power in reversed(steps):
@@ -135,9 +131,7 @@ def _divided(element: Element) -> Formula:
     return formula
 
 
-def in_turn(
-    goal: Follows, at: Evaluation, conditions: Sequence[Element], names: Names
-) -> Shown | None:
+def in_turn(goal: Follows, at: Evaluation, conditions: Sequence[Element]) -> Shown | None:
     """A proof that equations follow one after another, away from few of the conditions.
 
     The point is one where all of them hold.
@@ -145,4 +139,4 @@ def in_turn(
     known = at.differences(goal.given)
     (targets,) = map(at.differences, goal.conclusions)
     found = steps_to(targets, known, at.ring.divisors_of(known), conditions)
-    return found and shown(goal, *found, [*known, *targets], at, names)
+    return found and shown(goal, *found, [*known, *targets], at)

@@ -13,6 +13,7 @@ from kowalevski_cas.problem.evidence import At, Further
 from kowalevski_cas.problem.goals import Kernel
 from kowalevski_cas.problem.kernel import check_complete, check_further
 from kowalevski_cas.problem.place import Misplaced, Place
+from kowalevski_cas.problem.space import all_names
 from kowalevski_cas.search.integrals import first_integrals
 from kowalevski_cas.search.place import Candidate, PointFinder
 
@@ -22,7 +23,7 @@ POINTS = 3
 
 def complete(goal: Kernel, finder: PointFinder) -> At | None:
     """A point of the constants at which nothing is missing."""
-    at, names = finder.of(goal.space), finder.names(goal.space)
+    at, names = finder.of(goal.space), all_names(goal.space)
     found: list[At] = []
     tried = 0
 

@@ -23,6 +23,7 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point, Solutions
 from kowalevski_cas.problem.examine import is_real
 from kowalevski_cas.problem.goals import Count
+from kowalevski_cas.problem.space import all_names
 from kowalevski_cas.search.place import PointFinder
 from kowalevski_cas.search.points import Assignment, constant, eliminate
 
@@ -89,7 +90,7 @@ class System:
 
 def system_of(goal: Count, finder: PointFinder) -> System | None:
     """The system; ``None`` if there are roots, quotients, or other names in it."""
-    at, names = finder.of(goal.space), finder.names(goal.space)
+    at, names = finder.of(goal.space), all_names(goal.space)
     constants = [name for name in names if name in at.setting.constants]
     elements = at.differences(goal.equations)
     if any(e.denominator or e.parts.keys() - {0} for e in elements):

@@ -13,7 +13,7 @@ from kowalevski_cas.notation import Conjugate, Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
 from kowalevski_cas.problem.place import Misplaced, Pieces, Place, number_formula
-from kowalevski_cas.problem.space import Adjoined, Setting
+from kowalevski_cas.problem.space import Adjoined, Setting, all_names
 from kowalevski_cas.search.real import real_points
 
 Of = Callable[[Setting], Evaluation]
@@ -66,13 +66,11 @@ class Candidate:
 class PointFinder:
     """Points of the spaces of one problem.
 
-    ``of`` evaluates spaces with FLINT, ``names`` are those to which a point of a space gives
-    values.
+    ``of`` evaluates spaces with FLINT.
     """
 
-    def __init__(self, of: Of, names: Callable[[Setting], Sequence[str]]) -> None:
+    def __init__(self, of: Of) -> None:
         self.of = of
-        self.names = names
 
     def point(
         self,
@@ -88,7 +86,7 @@ class PointFinder:
         vanish, and then where some do, or all but some, as many as ``most``.
         """
         avoid = [*at.granted, *at.norms, *at.ring.divisors_of(divided)]
-        names = self.names(at.setting)
+        names = all_names(at.setting)
         norms = [self._norm(at, element) for element in (*zero, *_imaginary_parts(at, names))]
         for further in self._sections(at, most):
             for point in islice(real_points(at, names, [*norms, *further], avoid), TRIES):
@@ -112,7 +110,7 @@ class PointFinder:
                 return certain(candidate)
             if next(tried) >= ON_PIECES:
                 return False
-            return certain(Pieces(Place(at, candidate.point(self.names(at.setting))), known))
+            return certain(Pieces(Place(at, candidate.point(all_names(at.setting))), known))
 
         return good
 

@@ -18,6 +18,9 @@ ATTEMPTS = 400
 FIRST = 6
 """How many of these are tried with all choices, before the others are tried with any."""
 
+RATIOS = 100
+"""How many are tried after these among the ratios of the sides of right triangles."""
+
 CHOICES = 6
 """How many choices of variables to be solved for are tried."""
 
@@ -50,9 +53,10 @@ def points(
 def _completions(constraints: list[fmpq_mpoly], variables: Sequence[int]) -> Iterator[Assignment]:
     """One point for each choice of starting values, then the other roots for these."""
     choices, others = list(islice(_choices(constraints, variables), CHOICES)), []
-    for (first, last), solved in product(((0, FIRST), (FIRST, ATTEMPTS)), choices):
+    ways = ((_small_numbers, 0, FIRST), (_small_numbers, FIRST, ATTEMPTS), (_ratios, 0, RATIOS))
+    for (numbers, first, last), solved in product(ways, choices):
         free = [v for v in variables if v not in solved]
-        for sequence in islice(_small_numbers(), first, last if free else 1):
+        for sequence in islice(numbers(), first, last if free else 1):
             found = _completed(constraints, len(solved), {v: next(sequence) for v in free})
             yield from islice(found, 1)
             others.append(found)
@@ -194,6 +198,25 @@ def _entering(values: Assignment, constraints: list[fmpq_mpoly]) -> list[fmpq_mp
     """What constraints say of the other variables, if these have values."""
     entered: dict[str | int, fmpq] = {k: to_flint(value) for k, value in values.items()}
     return [c for c in (c.subs(entered) for c in constraints) if not c.is_zero()]
+
+
+def _ratios() -> Iterator[Iterator[Fraction]]:
+    """Sequences of ratios of the sides of right triangles with small sides, and their inverses.
+
+    With them 1 - x² is a square, and products of them are such ratios again more often than not.
+    """
+    sides = ((3, 4, 5), (5, 12, 13), (8, 15, 17))
+    pairs = [(a, b) for one in sides for a in one for b in one if a != b]
+    for attempt in count(1):
+        state = attempt * 69069 & 0x7FFFFFFF
+        yield _chosen(state, [Fraction(a, b) for a, b in pairs])
+
+
+def _chosen(state: int, numbers: Sequence[Fraction]) -> Iterator[Fraction]:
+    while True:
+        state = state * 1103515245 + 12345 & 0x7FFFFFFF
+        sign = 1 if state >> 12 & 1 else -1
+        yield sign * numbers[(state >> 16) % len(numbers)]
 
 
 def _small_numbers() -> Iterator[Iterator[Fraction]]:

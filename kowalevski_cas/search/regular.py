@@ -10,7 +10,7 @@ from kowalevski_cas.notation import Formula
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Shown
 from kowalevski_cas.problem.goals import Follows
-from kowalevski_cas.search.in_turn import Names, Step, shown, steps_to
+from kowalevski_cas.search.in_turn import Step, shown, steps_to
 
 Matrix = list[list[Element]]
 
@@ -24,7 +24,6 @@ def regular(
     functions: Sequence[Formula],
     multipliers: Sequence[str],
     conditions: Sequence[Element],
-    names: Names,
 ) -> Shown | None:
     """A proof that multipliers vanish one after another, and a point of the set, where they do.
 
@@ -50,7 +49,7 @@ def regular(
         ]
         for k in range(len(multipliers))
     ]
-    return shown(goal, steps, rows, [*known, *targets], at, names)
+    return shown(goal, steps, rows, [*known, *targets], at)
 
 
 def _changed(

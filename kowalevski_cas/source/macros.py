@@ -25,7 +25,7 @@ from kowalevski_cas.source.meanings import (
 from kowalevski_cas.source.mouth import Malformed, Mouth
 from kowalevski_cas.source.packages import Files
 from kowalevski_cas.source.tex import Token, is_word, stripped, typed
-from kowalevski_cas.source.text import Source, SourceError
+from kowalevski_cas.source.text import Part, Source, SourceError
 
 MOST_CALLS = 5_000
 """Macros that one macro of the text may lead to."""
@@ -58,6 +58,7 @@ class _Writer:
         """Open environments that cannot be told, where they begin, and why."""
         self.files = Files(self.mouth, self.definer, self.conditionals)
         self.groups = Groups(self.mouth, self.meanings, self.output, self.notes)
+        self.in_style = False
         self.begun = Token("")
         self.mark = (0, 0, 0)
         self.calls = self.call_tokens = self.tokens = 0
@@ -95,12 +96,8 @@ class _Writer:
 
     def run(self) -> Expanded:
         """Read all of the text."""
-        parts, in_style = [(part.start, part.style) for part in self.source.parts], False
-        while (token := self.mouth.take()) is not None:
-            while parts and self.mouth.at > parts[0][0]:
-                before, (_, in_style) = in_style, parts.pop(0)
-                if before != in_style:
-                    self.mouth.at_is_letter = in_style
+        parts = [*self.source.parts]
+        while (token := self.next(parts)) is not None:
             if token.literal:
                 depth = len(self.meanings.kinds)
                 self.begun, self.mark = token, (len(self.output.out), self.output.size, depth)
@@ -117,6 +114,14 @@ class _Writer:
             rest = len(self.notes) - MOST_NOTES
             self.notes[MOST_NOTES:] = [(self.notes[MOST_NOTES][0], f"and {rest} notes like these")]
         return self.output.expanded(self.body, self.notes)
+
+    def next(self, parts: list[Part]) -> Token | None:
+        """The next token; where a style begins, the sign @ becomes a letter, to its end."""
+        while parts and self.mouth.at >= parts[0].start:
+            part = parts.pop(0)
+            if part.style != self.in_style:
+                self.mouth.at_is_letter = self.in_style = part.style
+        return self.mouth.plain() or self.mouth.take()
 
     def note(self, token: Token, words: str) -> None:
         """Say something about a place of the file."""

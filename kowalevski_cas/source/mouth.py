@@ -4,7 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from kowalevski_cas.source.tex import PARAGRAPH, Token, bare, characters, is_word, normal, pattern
+from kowalevski_cas.source.tex import (
+    PARAGRAPH,
+    Token,
+    bare,
+    characters,
+    is_word,
+    normal,
+    ordinary,
+    pattern,
+)
 
 LONGEST = 200_000
 """Tokens in one argument."""
@@ -44,6 +53,15 @@ class Mouth:
             self.at = match.end()
         if token.end > self.last:
             self.last = token.end
+        return token
+
+    def plain(self) -> Token | None:
+        """All that comes next and means nothing but itself; ``None`` if there is nothing such."""
+        match = None if self.waiting else ordinary(self.active).match(self.text, self.at)
+        if match is None:
+            return None
+        token = Token(match[0], self.at, match.end(), True)
+        self.at = self.last = match.end()
         return token
 
     def put_back(self, tokens: Iterable[Token]) -> None:

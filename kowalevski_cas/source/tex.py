@@ -47,6 +47,12 @@ def pattern(active: str, at_is_letter: bool) -> re.Pattern[str]:
     )
 
 
+@lru_cache(maxsize=64)
+def ordinary(active: str) -> re.Pattern[str]:
+    """What matches text without any sign that TeX looks at, where these characters are active."""
+    return re.compile(rf"[^\\{{}}$#{re.escape(active)}]+")
+
+
 def normal(tokens: Iterable[Token]) -> list[Token]:
     """The tokens one character each, with single blanks, and none behind control words."""
     found: list[Token] = []

@@ -9,7 +9,6 @@ from kowalevski_cas.algebra import POINTS, load, load_points
 from kowalevski_cas.notation import Formula, to_plain
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.generators import decides
 from kowalevski_cas.paper.texts import Printed, Texts
@@ -17,6 +16,7 @@ from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.problem.examine import Accepted, Unproved, Vacuous
+from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.certificate import Stored
@@ -138,14 +138,14 @@ class Bench:
         return self._judged(statement, verdicts, arithmetic)
 
     def _judged(self, statement: Statement, verdicts: Verdicts | None, arithmetic: str) -> Decided:
-        judge = Judge(self.evaluations_in(arithmetic), statement.names)
+        judge = Judge(self.evaluations_in(arithmetic))
         if verdicts is None:
             message = "neither a proof nor a point where it fails was found"
             return Decided(statement, None, judge.accepted, Verdict.UNDECIDED, message)
         try:
             if isinstance(verdicts, Denial):
                 judge.denies(statement.goals[verdicts.goal], verdicts.evidence)
-                denied = statement.goals[verdicts.goal]
+                denied = statement.claimed[verdicts.goal]
                 if not (statement.claim.refuted_by(verdicts) and decides(denied)):
                     message = "what would prove it is false, which does not refute it"
                     return Decided(statement, None, judge.accepted, Verdict.UNDECIDED, message)
@@ -155,7 +155,7 @@ class Bench:
         except Vacuous as error:
             from kowalevski_cas.verify.conditions import excluding  # what is decided needs none
 
-            divided = ", ".join(map(to_plain, excluding(statement.goals)))
+            divided = ", ".join(map(to_plain, excluding(statement.goals, statement.legend)))
             nowhere = f"the motion is divided by {divided}, which vanishes on the whole set"
             message = nowhere if divided else str(error)
             return Decided(statement, None, judge.accepted, Verdict.UNDECIDED, message)

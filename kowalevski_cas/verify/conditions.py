@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache, reduce
 from operator import mul
 
@@ -12,7 +12,9 @@ from kowalevski_cas.notation import Formula, Negative, Product, Sum
 from kowalevski_cas.paper.denominators import Divisor, Shape, shape_of
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.examine import Accepted, law
+from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Exists, Follows, Goal, Simple, simple
+from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.search.combinations import vanish_on
 from kowalevski_cas.search.squares import sum_of_squares
 from kowalevski_cas.verify.shown import written
@@ -21,15 +23,22 @@ Divided = tuple[Elaboration, Formula]
 """What may not vanish, and the setting in which it stands."""
 
 
-def conditions_of(accepted: Accepted) -> list[Divided]:
-    """What all that was accepted assumes to be non-zero, each factor once."""
+def conditions_of(accepted: Accepted, legend: Mapping[Setting, Elaboration]) -> list[Divided]:
+    """What all that was accepted assumes to be non-zero, each factor once.
+
+    It is named in the words of the scenes that the ``legend`` tells.
+    """
     divisors: dict[Elaboration, set[int]] = {}
     stated: dict[Elaboration, list[Formula]] = {}
     for goal, elements in accepted.divided:
-        if not isinstance(goal.space, Elaboration):  # a theorem on functions: it has none
+        setting = legend.get(goal.space)
+        if setting is None:  # a theorem on functions: it has none
             continue
-        divisors.setdefault(goal.space, set()).update(may_vanish(goal, elements, goal.space))
-        stated.setdefault(goal.space, []).extend(goal.formulas())
+        there = setting.finder
+        for divisor in may_vanish(goal, elements):
+            own = there.image(divisor).inverse().denominator
+            divisors.setdefault(setting, set()).update(own)
+        stated.setdefault(setting, []).extend(goal.formulas())
     found: dict[Formula, Elaboration] = {}
     for setting, indices in divisors.items():
         for formula in _named(sorted(indices), setting, stated[setting]):
@@ -37,15 +46,14 @@ def conditions_of(accepted: Accepted) -> list[Divided]:
     return [(setting, formula) for formula, setting in found.items()]
 
 
-def may_vanish(goal: Simple, elements: Sequence[Element], setting: Elaboration) -> list[int]:
-    """The divisors, by their indices, that may vanish where what is given holds."""
-    at = setting.finder
-    found = sorted({index for element in elements for index in element.denominator})
-    if not setting.powers or not isinstance(goal, Follows) or not goal.given:
+def may_vanish(goal: Simple, elements: Sequence[Element]) -> list[Element]:
+    """What elements are divided by, that may vanish where what is given holds."""
+    at = finder_of(goal.space)
+    found = at.ring.divisors_of(elements)
+    if not goal.space.powers or not isinstance(goal, Follows) or not goal.given:
         return found
     known, one = at.differences(goal.given), at.ring.one
-    pairs = zip(found, at.ring.divisors_of(elements), strict=True)
-    return [index for index, divisor in pairs if vanish_on([one], [divisor, *known]) == [False]]
+    return [divisor for divisor in found if vanish_on([one], [divisor, *known]) == [False]]
 
 
 def _named(
@@ -106,19 +114,19 @@ def _positive(divisor: Element, setting: Elaboration) -> Formula:
     return formula_of(-divisor, words) if 2 * negative > len(terms) else formula
 
 
-def excluding(goals: Iterable[Goal]) -> tuple[Formula, ...]:
+def excluding(goals: Iterable[Goal], legend: Mapping[Setting, Elaboration]) -> tuple[Formula, ...]:
     """What the motion is divided by that vanishes on a set of which a goal about it speaks."""
     found: dict[Formula, None] = {}
     for goal in goals:
         bound = goal.bound if isinstance(goal, Exists) else ()
         for one in simple(goal):
-            if not isinstance(one.space, Elaboration):
+            if one.space not in legend:
                 continue
-            at = one.space.finder
+            at = finder_of(one.space)
             known = at.differences(one.given) if isinstance(one, Follows) else []
             divisors = at.ring.divisors_of(law(one, at, bound)) if known else []
             gone = zip(divisors, vanish_on(divisors, known), strict=True)
-            found |= {_positive(divisor, one.space): None for divisor, here in gone if here}
+            found |= {_positive(divisor, legend[one.space]): None for divisor, here in gone if here}
     return tuple(found)
 
 

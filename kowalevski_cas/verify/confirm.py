@@ -8,14 +8,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain
 
+from kowalevski_cas import UserError
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Name
-from kowalevski_cas.paper.denominators import Shape, factors_below, shape_of
-from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.denominators import Shape, factors_below, factors_of, granted_by, shape_of
 from kowalevski_cas.problem import checker
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.problem.examine import Accepted
+from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Along, Simple, simple
+from kowalevski_cas.problem.space import Raised, Setting
 from kowalevski_cas.problem.trees import decode
 from kowalevski_cas.verify.conditions import may_vanish
 from kowalevski_cas.verify.outcome import Outcome, Verdict
@@ -24,7 +27,7 @@ from kowalevski_cas.verify.statement import Statement, Verdicts
 Divided = Iterable[tuple[Simple, Sequence[Element]]]
 
 
-class Disagreement(ValueError):
+class Disagreement(UserError, ValueError):
     """The judge and the checker say two things of one statement; the message names both."""
 
 
@@ -41,20 +44,32 @@ def confirm(statement: Statement, verdicts: Verdicts, accepted: Accepted, text: 
         return
     goals = [one for goal in statement.goals for one in simple(goal)]
     found = _factors(accepted.divided), _factors(zip(goals, _divided(goals, theorems), strict=True))
-    for setting in {*found[0], *found[1]}:
-        judge, other = (factors.get(setting, set()) for factors in found)
+    for space in {*found[0], *found[1]}:
+        judge, other = (factors.get(space, set()) for factors in found)
         if judge != other:
             more, whose = (judge - other, "flint") if judge - other else (other - judge, "checker")
             raise Disagreement(
                 f"the conditions of flint and of the checker differ: {whose} has "
-                f"{len(more)} more on “{setting.scene.name}”"
+                f"{len(more)} more on “{statement.legend[space].scene.name}”"
             )
 
 
 def receive(outcome: Outcome) -> Outcome:
-    """An outcome that comes from elsewhere, if the checker accepts here what comes with it.
+    """An outcome that comes from elsewhere; an error, if it is not accepted here."""
+    try:
+        need_certificates(outcome)
+    except Disagreement as error:
+        return outcome._replace(
+            verdict=Verdict.ERROR, message=str(error), certificate="", conditions=(),
+            counterexample=None, correction=None, alternatives=(),
+        )  # fmt: skip
+    return outcome
 
-    An error otherwise: nothing that another process says is believed.
+
+def need_certificates(outcome: Outcome) -> None:
+    """Have the checker accept, here, what comes with an outcome from elsewhere.
+
+    Raises :class:`Disagreement`: nothing that another process says is believed.
     """
     due = []
     if outcome.certified:
@@ -66,12 +81,8 @@ def receive(outcome: Outcome) -> Outcome:
         for digest, sign, text in due:
             _theorems(outcome.claim, digest, sign, text)
     except (Disagreement, TimeoutError) as error:
-        said = f"what another process says of it is not accepted here: {error}"
-        return outcome._replace(
-            verdict=Verdict.ERROR, message=said, certificate="", conditions=(),
-            counterexample=None, correction=None, alternatives=(),
-        )  # fmt: skip
-    return outcome
+        said = f"{outcome.claim}: what another process says of it is not accepted here: {error}"
+        raise Disagreement(said) from None
 
 
 def _theorems(claim: str, digest: str, sign: str, text: str) -> list[checker.Theorem]:
@@ -98,38 +109,36 @@ def _divided(
         if isinstance(goal, Along):  # where a side is not defined it says nothing
             yield []
             continue
-        assert isinstance(goal.space, Elaboration)
-        scalar = goal.space.finder.scalar
+        scalar = finder_of(goal.space).scalar
         yield [scalar(decode(tree)).inverse() for tree in theorem.divisors]
 
 
-def _factors(divided: Divided) -> dict[Elaboration, set[Shape]]:
-    """The irreducible factors that may not vanish, by the settings in which they stand."""
-    found: dict[Elaboration, set[Shape]] = {}
+def _factors(divided: Divided) -> dict[Setting, set[Shape]]:
+    """The irreducible factors that may not vanish, by the spaces in which they stand."""
+    found: dict[Setting, set[Shape]] = {}
     for goal, elements in divided:
         if isinstance(goal, Along):
             continue
-        setting = goal.space
-        assert isinstance(setting, Elaboration)
-        powers = _of_powers(setting)
-        for index in may_vanish(goal, elements, setting):
-            for shape, factor in setting.divisors.left(index).factors.items():
-                both = {shape, shape_of(_conjugate(factor, setting))}
-                found.setdefault(setting, set()).update(both - powers)
+        at = finder_of(goal.space)
+        granted = granted_by(map(at.scalar, goal.space.nonzero)) | _of_powers(at)
+        for divisor in may_vanish(goal, elements):
+            for shape, factor in factors_of(divisor).items():
+                if shape not in granted:
+                    both = {shape, shape_of(_conjugate(factor, at))}
+                    found.setdefault(goal.space, set()).update(both)
     return found
 
 
-def _of_powers(setting: Elaboration) -> set[Shape]:
+def _of_powers(at: Evaluation) -> set[Shape]:
     """Bases of powers and the powers themselves, which are positive wherever they are defined."""
-    scalar = setting.finder.scalar
-    powers = [setting.raised(name) for name in setting.powers]
-    elements = [scalar(f) for step in powers for f in (step.base, Name(step.name))]
+    steps = map(at.setting.step, at.setting.powers)
+    powers = [step for step in steps if isinstance(step, Raised)]
+    elements = [at.scalar(f) for step in powers for f in (step.base, Name(step.name))]
     return {shape for element in elements for shape in factors_below(element.inverse())}
 
 
-def _conjugate(element: Element, setting: Elaboration) -> Element:
+def _conjugate(element: Element, at: Evaluation) -> Element:
     """What vanishes at a real point wherever the element does."""
-    at = setting.finder
-    if not setting.conjugates:
+    if not at.setting.conjugates:
         return element
     return at.image(element, lambda name: at.scalar(Name(name), True))

@@ -28,7 +28,6 @@ from kowalevski_cas.paper.claims import (
     LiouvilleIntegrable,
 )
 from kowalevski_cas.paper.claims.forms import ZERO
-from kowalevski_cas.paper.elaborate import Elaboration, finder_of
 from kowalevski_cas.problem.collect import collect_sides
 from kowalevski_cas.problem.differentials import chosen
 from kowalevski_cas.problem.evidence import (
@@ -42,6 +41,7 @@ from kowalevski_cas.problem.evidence import (
     Solutions,
 )
 from kowalevski_cas.problem.examine import Accepted
+from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.place import Place, number_formula
 from kowalevski_cas.problem.space import Setting
@@ -69,11 +69,11 @@ def against(
 ) -> Counterexample | None:
     """The last point that evidence against a goal gave, with the two values there, if any."""
     if isinstance(evidence, Solutions) and isinstance(goal, Count):
-        return _solutions(goal, accepted)
+        return _solutions(statement, goal, accepted)
     if isinstance(evidence, Roots) and isinstance(goal, Count):
         number = len(evidence.eliminant)
         words = f"the number of solutions, all of them real, is {number}, not {goal.number}"
-        there = _at(accepted.places[-1])
+        there = _at(statement, accepted.places[-1])
         return Counterexample(there, Number(number), Number(goal.number), words)
     if isinstance(evidence, Minors) or not accepted.places:
         return None
@@ -82,25 +82,26 @@ def against(
         own = len(place.at.setting.variables) - len(chosen(goal, place.at))
         claimed = len(place.at.setting.variables) - goal.rank
         words = f"by the rank at this point the dimension is {own}, not {claimed}"
-        return Counterexample(_at(place), Number(own), Number(claimed), words)
+        return Counterexample(_at(statement, place), Number(own), Number(claimed), words)
     if accepted.differs is not None:
         left, right = map(number_formula, accepted.differs)
         words = _words(statement, goal, place, (to_latex(left), to_latex(right)))
-        return Counterexample(_at(place), left, right, words)
+        return Counterexample(_at(statement, place), left, right, words)
     if isinstance(evidence, Regardless) and isinstance(goal, Exists):
-        return _regardless(goal, evidence, place)
+        return _regardless(statement, goal, evidence, place)
     return None
 
 
-def _at(place: Place) -> Point:
-    return point(place.point.values, place.at.setting)
+def _at(statement: Statement, place: Place) -> Point:
+    return point(place.point.values, statement.legend[place.at.setting])
 
 
 def _words(statement: Statement, goal: Goal, place: Place, values: tuple[str, str]) -> str:
     """What fails at a point, if not what is printed; ``values`` are the two sides there."""
     assert isinstance(goal, Follows)
     own, other = values
-    left, right = (written(side, place.at.setting) for side in _failing(goal, place))
+    setting = statement.legend[place.at.setting]
+    left, right = (written(side, setting) for side in _failing(goal, place))
     order = 0
     while isinstance(left, Derivative):
         left, order = left.argument, order + 1
@@ -165,7 +166,9 @@ def _is_constant(function: Formula, setting: Setting) -> bool:
     return all(at.partial(value, name).is_zero for name in setting.variables)
 
 
-def _regardless(goal: Exists, evidence: Regardless, place: Place) -> Counterexample | None:
+def _regardless(
+    statement: Statement, goal: Exists, evidence: Regardless, place: Place
+) -> Counterexample | None:
     """What is left of an equation at a point where all bound names drop out."""
     one = goal.goals[evidence.goal]
     assert isinstance(one, Follows)
@@ -178,15 +181,16 @@ def _regardless(goal: Exists, evidence: Regardless, place: Place) -> Counterexam
                 f"the derivative is ${to_latex(left)}$, "
                 "and every combination of the functions is $0$"
             )
-            return Counterexample(_at(place), left, Number(0), words)
+            return Counterexample(_at(statement, place), left, Number(0), words)
     return None
 
 
-def _solutions(goal: Count, accepted: Accepted) -> Counterexample:
+def _solutions(statement: Statement, goal: Count, accepted: Accepted) -> Counterexample:
     """The solutions that are listed, each name with the number of the solution."""
     first = accepted.places[0]
+    setting = statement.legend[first.at.setting]
     values: dict[Formula, Value] = {
-        named(name, first.at.setting): value
+        named(name, setting): value
         for name, value in first.point.values.items()
         if name not in goal.names
     }
@@ -199,9 +203,8 @@ def _solutions(goal: Count, accepted: Accepted) -> Counterexample:
         many = f"these are {len(points)} solutions" if len(points) > 1 else "this is a solution"
         words = f"{many}, and there are to be {goal.number or 'none'}"
         shown = Number(len(points))
-    assert isinstance(first.at.setting, Elaboration)
     for number, own in enumerate(points, 1):
-        for vector, names in first.at.setting.scene.vectors.items():
+        for vector, names in setting.scene.vectors.items():
             entries = tuple(own.get(name, ZERO) for name in names)
             if any(entry != ZERO for entry in entries):
                 values[Name(vector if circle else f"{vector}_{number}")] = Vector(entries)

@@ -12,15 +12,16 @@ from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Number, Product, Sum
 from kowalevski_cas.paper.claims.forms import minus, rate, vanishes
-from kowalevski_cas.paper.elaborate import Elaboration, finder_of
+from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.differentials import chosen, differentials
 from kowalevski_cas.problem.evidence import Denial, Point
 from kowalevski_cas.problem.examine import Unproved, law
-from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Rank
+from kowalevski_cas.problem.finder import finder_of
+from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.place import Misplaced, Place
-from kowalevski_cas.problem.space import Equation
+from kowalevski_cas.problem.space import Equation, all_names
 from kowalevski_cas.problem.trees import FormatError, Tree, encode
 from kowalevski_cas.search.combinations import vanish_on
 from kowalevski_cas.search.place import Candidate, PointFinder
@@ -37,7 +38,7 @@ ORDERS = 3
 
 def failing(statement: Statement) -> Iterator[tuple[Tree, str]]:
     """What may fail where a condition is violated: the condition, and the digest of a problem."""
-    for setting in dict.fromkeys([*statement.spaces, statement.on(statement.claim.scene)]):
+    for setting in dict.fromkeys([*statement.legend.values(), statement.on(statement.claim.scene)]):
         for locus in setting.scene.loci:
             for goal in _candidates(statement, setting, locus):
                 one = Statement(statement.claim, statement.on, (goal,))
@@ -56,17 +57,18 @@ def failure_on(
     for goal in _candidates(statement, setting, locus) if known != [] else ():
         one = Statement(statement.claim, statement.on, (goal,))
         if known is None:
-            verdicts = _found(one, goal, setting, condition)
+            verdicts = _found(one.goals[0], condition)
         else:
             verdicts = next((v for entry in known if (v := entry.verdicts(one))), None)
         if verdicts is None:
             continue
         evidence = verdicts.evidence if isinstance(verdicts, Denial) else verdicts[0]
-        judge = Judge(finder_of, one.names)
+        judge = Judge(finder_of)
         try:
-            (judge.denies if isinstance(goal, Count) else judge.holds)(goal, evidence)
-            zero = setting.finder.scalar(condition)
-            if not all(place.vanish([zero]) for place in judge.accepted.places):
+            (judge.denies if isinstance(goal, Count) else judge.holds)(one.goals[0], evidence)
+            if not all(
+                place.vanish([place.at.scalar(condition)]) for place in judge.accepted.places
+            ):
                 raise Unproved("the condition holds there")
         except Unproved as error:
             if stored is None or known is None:
@@ -76,18 +78,17 @@ def failure_on(
     return None
 
 
-def _found(
-    failing: Statement, goal: Fails | Count, setting: Elaboration, condition: Formula
-) -> Verdicts | None:
+def _found(goal: Goal, condition: Formula) -> Verdicts | None:
     """Evidence that a goal fails, or is denied, where a condition is violated."""
     from kowalevski_cas.search.find import Finder  # most evidence is read
     from kowalevski_cas.search.levels import more_solutions
 
-    finder = Finder(finder_of, failing.names)
+    finder = Finder(finder_of)
     if isinstance(goal, Count):
-        solutions = more_solutions(goal, finder, [setting.finder.scalar(condition)])
+        zero = finder_of(goal.space).scalar(condition)
+        solutions = more_solutions(goal, finder, [zero])
         return None if solutions is None else Denial(0, solutions)
-    evidence = finder.failure(goal, setting.finder)
+    evidence = finder.proof(goal)
     return None if evidence is None else (evidence,)
 
 
@@ -96,14 +97,14 @@ def _candidates(
 ) -> Iterator[Fails | Count]:
     """What may fail on a locus: conclusions, derivatives of a set that should stay, counts."""
     there = setting.equations(locus.equations)
-    for goal in statement.goals:
+    for goal in statement.claimed:
         if type(goal) is Follows and goal.space is setting:
             yield Fails(setting, goal.conclusions, (*goal.given, *there))
         if isinstance(goal, Exists):
             for one in goal.goals:
                 if isinstance(one, Follows) and one.given and one.space is setting:
                     yield from _leaving(setting, one.given, there)
-    yield from (goal for goal in statement.goals if isinstance(goal, Count))
+    yield from (goal for goal in statement.claimed if isinstance(goal, Count))
 
 
 def _leaving(
@@ -117,24 +118,22 @@ def _leaving(
             yield Fails(setting, ((vanishes(formula),),), (*relations, *there))
 
 
-def rank_on(
-    statement: Statement, goal: Rank, setting: Elaboration, locus: Locus
-) -> tuple[int, Point] | None:
+def rank_on(goal: Rank, locus: tuple[Equation, ...]) -> tuple[int, Point] | None:
     """The codimension of a level on a locus where an equation says nothing, and a point of it.
 
     All equations of the set have independent differentials at the point, so that near it the set
     is a manifold; those of the locus that hold on the whole level are no equations of the set.
     ``None`` if all equations say something there, or no such point is found.
     """
-    at = setting.finder
-    there = at.differences(setting.equations(locus.equations))
+    at = finder_of(goal.space)
+    there = at.differences(locus)
     given = at.differences(goal.given)
     gone = vanish_on(given, there)
     if not any(gone):
         return None
     left = [element for element, vanishes in zip(given, gone, strict=True) if not vanishes]
     functions = [at.scalar(f) for f in goal.functions]
-    names = statement.names(setting)
+    names = all_names(goal.space)
     avoid = [*at.granted, *at.ring.divisors_of([*functions, *left, *there])]
     for point in islice(real_points(at, names, [*left, *there], avoid), TRIES):
         with suppress(ZeroDivisionError, Misplaced):
@@ -192,13 +191,11 @@ def _between(one: Place, other: Place, t: int, goal: Count) -> Place:
     return Place(one.at, Point(values))
 
 
-def drop_on(
-    statement: Statement, goal: Rank, setting: Elaboration, locus: Locus
-) -> tuple[int, Point] | None:
+def drop_on(goal: Rank, locus: tuple[Equation, ...]) -> tuple[int, Point] | None:
     """A point of a set on a locus where fewer differentials are independent, and how many."""
-    at = setting.finder
-    finder = PointFinder(finder_of, statement.names)
-    known = [*at.differences(goal.given), *at.differences(setting.equations(locus.equations))]
+    at = finder_of(goal.space)
+    finder = PointFinder(finder_of)
+    known = [*at.differences(goal.given), *at.differences(locus)]
     rows = differentials(chosen(goal, at), at)
     found: list[int] = []
 

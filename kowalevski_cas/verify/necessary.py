@@ -52,7 +52,7 @@ def _lacking(
     statement: Statement, accepted: Accepted
 ) -> Iterator[tuple[Elaboration, Formula, Locus | None]]:
     """What may not vanish, each with the declared locus where it does, if there is one."""
-    for setting, formula in _needed(statement, conditions_of(accepted)):
+    for setting, formula in _needed(statement, conditions_of(accepted, statement.legend)):
         loci = setting.scene.loci
         own = (x for x in loci if setting.texts.expression(x.condition) == formula)
         yield setting, formula, next(own, None)
@@ -82,7 +82,7 @@ def _where_it_fails(
     """A condition with a point of its locus where the statement fails."""
     (goal,), verdicts = failure.statement.goals, failure.verdicts
     evidence = verdicts.evidence if isinstance(verdicts, Denial) else verdicts[0]
-    witness = against(statement, goal, evidence, failure.accepted)
+    witness = against(failure.statement, goal, evidence, failure.accepted)
     words = f"it fails for {locus.words}"
     if isinstance(goal, Fails) and say_nothing_on(setting, goal.given, locus):
         words = f"for {locus.words} the equations hold identically, and motions leave the set"
@@ -96,22 +96,22 @@ def _singular(statement: Statement, known: Sequence[Formula]) -> Iterator[Condit
     goal = statement.goals[0]
     if not isinstance(statement.claim, Dimension) or not isinstance(goal, Rank):
         return
-    assert isinstance(goal.space, Elaboration)
-    for locus in goal.space.scene.loci:
-        expression = goal.space.texts.expression(locus.condition)
-        if expression not in known:
+    setting = statement.legend[goal.space]
+    for locus, own in zip(setting.scene.loci, setting.loci, strict=True):
+        expression, (there, _) = setting.texts.expression(locus.condition), own
+        if expression not in known or own not in goal.space.loci:
             continue
-        found = rank_on(statement, goal, goal.space, locus)
+        found = rank_on(goal, there)
         if found is not None and found[0] < goal.rank:
             count = len(goal.space.variables)
-            own, claimed = count - found[0], count - goal.rank
-            words = f"near this point the set has dimension {own}, not {claimed}"
-            there = point(found[1].values, goal.space)
-            against = Counterexample(there, Number(own), Number(claimed), words)
-            said = f"for {locus.words} the set has dimension {own}"
+            left, claimed = count - found[0], count - goal.rank
+            words = f"near this point the set has dimension {left}, not {claimed}"
+            at = point(found[1].values, setting)
+            against = Counterexample(at, Number(left), Number(claimed), words)
+            said = f"for {locus.words} the set has dimension {left}"
             yield Condition(expression, said, against)
-        elif dropped := drop_on(statement, goal, goal.space, locus):
+        elif dropped := drop_on(goal, there):
             words = f"only {dropped[0]} of the {goal.rank} differentials are independent"
-            there = point(dropped[1].values, goal.space)
-            against = Counterexample(there, Number(dropped[0]), Number(goal.rank), words)
+            at = point(dropped[1].values, setting)
+            against = Counterexample(at, Number(dropped[0]), Number(goal.rank), words)
             yield Condition(expression, f"for {locus.words} the set is singular", against)

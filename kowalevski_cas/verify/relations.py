@@ -74,7 +74,7 @@ def relations(statement: Statement) -> Iterator[Relation]:
         space = statement.on(statement.claim.scene)
         values = [
             value
-            for goal in statement.goals
+            for goal in statement.claimed
             if type(goal) is Follows and goal.space is space and not goal.given
             for value in space.finder.differences(goal.conclusions[0])
         ]

@@ -8,10 +8,11 @@ from kowalevski_cas.algebra.points import Answer, NoPoint, Points, Question
 from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Name
-from kowalevski_cas.paper.elaborate import Elaboration, finder_of
+from kowalevski_cas.paper.generators import decides
 from kowalevski_cas.problem.differentials import chosen, differentials
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Found
+from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import (
     Along,
     Count,
@@ -47,6 +48,8 @@ def screen(
         for question in questions(statement, verdicts, unseen, stages):
             answer = points.answer(question)
             if answer.holds is False:
+                if not all(map(decides, statement.claimed)):
+                    return Screened(Verdict.UNDECIDED, "a point does not refute it")
                 return _refuted(answer)
             answers.append(answer)
     except (NoPoint, Meaningless) as error:
@@ -78,7 +81,6 @@ def questions(
 
     def at(setting: Setting) -> Sampled:
         if setting not in stages:
-            assert isinstance(setting, Elaboration)
             stages[setting] = Sampled(finder_of(setting))
         return stages[setting]
 

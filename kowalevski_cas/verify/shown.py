@@ -26,23 +26,22 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.notation.formula import times
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.roots import rationals
-from kowalevski_cas.problem.space import Meaningless, Setting
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import MARK
 from kowalevski_cas.verify.outcome import Point
 
 
-def shown(element: Element, setting: Setting) -> Formula:
+def shown(element: Element, setting: Elaboration) -> Formula:
     """An element in the names of its setting, in factors."""
-    assert isinstance(setting, Elaboration)
     return product_of(element, setting.texts.vocabulary)
 
 
-def named(name: str, setting: Setting) -> Formula:
+def named(name: str, setting: Elaboration) -> Formula:
     """A name as the paper prints it."""
-    return setting.texts.expression(name) if isinstance(setting, Elaboration) else Name(name)
+    return setting.texts.expression(name)
 
 
-def point(values: Mapping[str, Formula], setting: Setting) -> Point:
+def point(values: Mapping[str, Formula], setting: Elaboration) -> Point:
     """A point of a setting, with the values of exponential functions for those of their roots."""
     return Point(dict(_value(named(name, setting), _one_root(v)) for name, v in values.items()))
 
@@ -83,12 +82,11 @@ def scaled(coefficient: Formula, factor: Formula) -> Formula:
     return flat_product([coefficient, factor])
 
 
-def written(formula: Formula, setting: Setting) -> Formula:
+def written(formula: Formula, setting: Elaboration) -> Formula:
     """A formula of a statement, with its derivatives by the time of its setting.
 
     A dot stands on a name only, and only for the time t.
     """
-    assert isinstance(setting, Elaboration)
     if isinstance(formula, Name):
         return _read(formula, setting.texts.vocabulary)
     if isinstance(formula, Derivative) and formula.mark == MARK:

@@ -2,27 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
 from kowalevski_cas.paper.addition import addition_theorems
 from kowalevski_cas.paper.claims import Claim
-from kowalevski_cas.paper.elaborate import Elaboration, finder_of
+from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.generators import check_hypotheses
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.codec import digest
 from kowalevski_cas.problem.evidence import At, Denial, Evidence
-from kowalevski_cas.problem.goals import Follows, Goal, simple
+from kowalevski_cas.problem.finder import finder_of
+from kowalevski_cas.problem.goals import Follows, Goal, Problem, simple
 from kowalevski_cas.problem.prune import pruned
-from kowalevski_cas.problem.space import Meaningless, Setting, Space, generators
+from kowalevski_cas.problem.space import Meaningless, Setting, Space
 
 Verdicts = tuple[Evidence, ...] | Denial
 """Evidence for every goal, or against one."""
 
 
 class Statement:
-    """What a claim says, or other ``goals`` in its settings.
+    """What a claim says, or other goals on its scenes: a problem, and the legend to it.
+
+    The ``legend`` tells of each space the scene that it comes from, which has the words for it: the
+    names as they are printed, and the places. ``claimed`` are the goals over these scenes.
 
     Raises ``NotationError`` or ``Meaningless`` if it says nothing.
     """
@@ -34,11 +39,19 @@ class Statement:
         if goals is None:
             own = tuple(claim.goals(self.on))
             goals = (*own, *addition_theorems(own))
-        self.goals: tuple[Goal, ...] = goals
-        if not self.goals:  # all of them would hold
+        self.claimed: tuple[Goal, ...] = goals
+        if not self.claimed:  # all of them would hold
             raise Meaningless(f"{claim.id} states nothing")
-        check_hypotheses(self.goals)
-        self.problem = pruned(self.goals)
+        check_hypotheses(self.claimed)
+        self.problem = pruned(self.claimed)
+        self.goals = self.problem.goals
+        for setting in self.legend.values():
+            _ = setting.finder  # a scene that contradicts itself is refused
+
+    @property
+    def name(self) -> str:
+        """The name under which the problem is known."""
+        return self.claim.id
 
     @cached_property
     def digest(self) -> str:
@@ -46,31 +59,27 @@ class Statement:
         return digest(self.problem)
 
     @cached_property
-    def spaces(self) -> dict[Elaboration, Space]:
-        """What is reached of each setting."""
-        found: dict[Elaboration, Space] = {}
-        for goal, small in zip(self.goals, self.problem.goals, strict=True):
-            for one, other in zip(simple(goal), simple(small), strict=True):
+    def legend(self) -> dict[Setting, Elaboration]:
+        """What the spaces of the problem are elaborations of, those behind a change too."""
+        found: dict[Setting, Elaboration] = {}
+        for claimed, goal in zip(self.claimed, self.goals, strict=True):
+            for one, other in zip(simple(claimed), simple(goal), strict=True):
                 setting, space = one.space, other.space
-                while isinstance(setting, Elaboration) and isinstance(space, Space):
-                    found[setting] = space
+                while isinstance(setting, Elaboration):
+                    found[space] = setting
                     if space.change is None or setting.source is None:
                         break
                     setting, space = setting.source, space.change.old
         return found
-
-    def names(self, setting: Setting) -> Sequence[str]:
-        """The names to which a point of a setting gives values."""
-        space = self.spaces[setting] if isinstance(setting, Elaboration) else setting
-        return (*generators(space), *space.roots)
 
     @cached_property
     def stands_on(self) -> tuple[Printed, ...]:
         """The places of the paper on which the statement stands, its own first."""
         own = dict.fromkeys(self.claim.places())
         found = {**own}
-        for setting, space in self.spaces.items():
-            named = [place for step in space.steps for place in setting.places.get(step.name, ())]
+        for space, setting in self.legend.items():
+            steps = space.steps if isinstance(space, Space) else ()
+            named = [place for step in steps for place in setting.places.get(step.name, ())]
             moving = [*setting.motion_places()] if space.field or space.change else []
             used = dict.fromkeys([*named, *moving])
             found |= used
@@ -80,37 +89,62 @@ class Statement:
 
     def search(self) -> Verdicts | None:
         """Evidence for all goals or against one, with FLINT; ``None`` if it is not found."""
-        from kowalevski_cas.search.find import Finder  # most proofs are read, and search nothing
-
-        finder = Finder(finder_of, self.names)
-        own = self.claim.search(self.goals, self.on, self.names)
-        found: list[Evidence] = []
-        missing: list[int] = []
-        for place, goal in enumerate(self.goals):
-            evidence = own.get(place)
-            if evidence is not None and _denies(goal, evidence):
-                return Denial(place, evidence)
-            evidence = evidence or finder.proof(goal)
-            if evidence is None:
-                missing.append(place)
-            else:
-                found.append(evidence)
-        for place in missing:
-            refutation = finder.refutation(self.goals[place])
-            if refutation is not None:
-                return Denial(place, refutation)
-        return None if missing else tuple(found)
+        return find_evidence(self.goals, self.claim.search(self.goals))
 
     def holds(self) -> bool:
         """Whether all goals can be proved; nobody looks for points where they fail."""
         from kowalevski_cas.search.find import Finder
 
-        finder = Finder(finder_of, self.names)
-        own = self.claim.search(self.goals, self.on, self.names)
+        finder = Finder(finder_of)
+        own = self.claim.search(self.goals)
         return all(
             not _denies(goal, own[place]) if place in own else finder.proof(goal) is not None
             for place, goal in enumerate(self.goals)
         )
+
+
+@dataclass(frozen=True)
+class Posed:
+    """A problem by itself, under a name: nobody has to know of a claim that states it."""
+
+    name: str
+    problem: Problem
+
+    @property
+    def goals(self) -> tuple[Goal, ...]:
+        """The goals of the problem."""
+        return self.problem.goals
+
+    @property
+    def digest(self) -> str:
+        """The digest of the problem."""
+        return digest(self.problem)
+
+
+def find_evidence(goals: Sequence[Goal], own: Mapping[int, Evidence]) -> Verdicts | None:
+    """Evidence for all goals or against one, with FLINT; ``None`` if it is not found.
+
+    ``own`` is what another search has for some, by their places.
+    """
+    from kowalevski_cas.search.find import Finder  # most proofs are read, and search nothing
+
+    finder = Finder(finder_of)
+    found: list[Evidence] = []
+    missing: list[int] = []
+    for place, goal in enumerate(goals):
+        evidence = own.get(place)
+        if evidence is not None and _denies(goal, evidence):
+            return Denial(place, evidence)
+        evidence = evidence or finder.proof(goal)
+        if evidence is None:
+            missing.append(place)
+        else:
+            found.append(evidence)
+    for place in missing:
+        refutation = finder.refutation(goals[place])
+        if refutation is not None:
+            return Denial(place, refutation)
+    return None if missing else tuple(found)
 
 
 def _denies(goal: Goal, evidence: Evidence) -> bool:

@@ -25,11 +25,10 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.paper.claims import Claim, Dimension
 from kowalevski_cas.paper.claims.forms import ONE, ZERO
-from kowalevski_cas.paper.elaborate import finder_of
-from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.evidence import At, Denial, Evidence, Found, Proof, Roots, Row, Shown
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
-from kowalevski_cas.problem.space import Meaningless, Setting
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.outcome import Step
 from kowalevski_cas.verify.shown import flat_product, point, scaled, shown, size, written
 from kowalevski_cas.verify.statement import Statement, Verdicts
@@ -48,10 +47,10 @@ def steps(statement: Statement, verdicts: Verdicts) -> tuple[Step, ...]:
     """The steps that the program took; formulas of which the same is said stand together."""
     if isinstance(verdicts, Denial):
         goal = statement.goals[verdicts.goal]
-        told = list(_derivatives(goal)) if isinstance(goal, Follows) else []
+        told = list(_derivatives(goal, statement)) if isinstance(goal, Follows) else []
     else:
         both = zip(statement.goals, verdicts, strict=True)
-        told = [s for goal, evidence in both for s in _steps(statement.claim, goal, evidence)]
+        told = [s for goal, evidence in both for s in _steps(statement, goal, evidence)]
         follows = all(isinstance(goal, Follows) for goal in statement.goals)
         told = told or [_identical(statement)] * follows
     merged: dict[Step, dict[Formula, None]] = {}
@@ -69,37 +68,38 @@ def _identical(statement: Statement) -> Step:
     return Step("The equations that say so hold identically.")
 
 
-def _steps(claim: Claim, goal: Goal, evidence: Evidence) -> Iterator[Step]:
+def _steps(statement: Statement, goal: Goal, evidence: Evidence) -> Iterator[Step]:
+    claim, legend = statement.claim, statement.legend
     match goal, evidence:
         case Exists(), Found():
-            yield from _found(goal, evidence)
+            yield from _found(goal, evidence, statement)
         case Fails(), _:
             return
         case Follows(), Shown(proof, _):
-            yield from _derivatives(goal)
-            yield from _proof(claim, goal, proof)
+            yield from _derivatives(goal, statement)
+            yield from _proof(claim, goal, proof, legend[goal.space])
         case Rank(), At():
-            yield _rank(claim, goal, evidence)
+            yield _rank(claim, goal, evidence, legend[goal.space])
         case Count(), Roots():
-            yield _roots(goal, evidence)
+            yield _roots(evidence, legend[goal.space])
 
 
 # -- derivatives ---------------------------------------------------------------------
 
 
-def _derivatives(goal: Follows) -> Iterator[Step]:
+def _derivatives(goal: Follows, statement: Statement) -> Iterator[Step]:
     """The derivatives that the program generated for left sides."""
     told: list[Step] = []
     for left, _ in goal.conclusions[0] if goal.conclusions else ():
         match left:
             case (Derivative() as rate) | Product((Number(), Derivative() as rate)):
-                told += _derivative(rate, finder_of(goal.space))
+                told += _derivative(rate, statement.legend[goal.space])
     yield from [step for step in told if step != _VANISHES] or told[:1]
 
 
-def _derivative(formula: Derivative, at: Evaluation) -> Iterator[Step]:
+def _derivative(formula: Derivative, setting: Elaboration) -> Iterator[Step]:
     try:
-        values = at.components(formula)
+        values = setting.finder.components(formula)
     except Meaningless:
         return
     if all(value.is_zero for value in values):
@@ -107,30 +107,29 @@ def _derivative(formula: Derivative, at: Evaluation) -> Iterator[Step]:
     elif (terms := size(values)) > LONGEST:
         yield Step(f"The derivative along the vector field, as generated, has {terms} terms.")
     else:
-        parts = tuple(shown(value, at.setting) for value in values)
+        parts = tuple(shown(value, setting) for value in values)
         right = parts[0] if len(parts) == 1 else Vector(parts)
         words = "The derivative along the vector field, as generated:"
-        yield Step(words, (equal(written(formula, at.setting), right),))
+        yield Step(words, (equal(written(formula, setting), right),))
 
 
 # -- proofs --------------------------------------------------------------------------
 
 
-def _proof(claim: Claim, goal: Follows, proof: Proof) -> Iterator[Step]:
+def _proof(claim: Claim, goal: Follows, proof: Proof, setting: Elaboration) -> Iterator[Step]:
     """The combination that division found, or the cases."""
-    at = finder_of(goal.space)
     if isinstance(claim, Dimension):
-        yield _independent(proof, at)
+        yield _independent(proof, setting)
     elif proof.product:
-        yield _cases(proof, at)
+        yield _cases(proof, setting)
     elif goal.given and proof.rows:
-        yield _combination(goal, proof, at)
+        yield _combination(goal, proof, setting)
 
 
-def _independent(proof: Proof, at: Evaluation) -> Step:
+def _independent(proof: Proof, setting: Elaboration) -> Step:
     """At all points of the set, by how many identities."""
     rows = [*_rows(proof)]
-    terms = size(at.scalar(entry) for row in rows for entry in row)
+    terms = size(setting.finder.scalar(entry) for row in rows for entry in row)
     words = "At every point of the set that the hypotheses admit the differentials are independent"
     words += f", by {len(rows)} identities whose coefficients have {terms} terms"
     return Step(words, withheld=True)
@@ -143,12 +142,12 @@ def _rows(proof: Proof) -> Iterator[Row]:
         yield from _rows(case)
 
 
-def _cases(proof: Proof, at: Evaluation) -> Step:
-    groups = [[at.scalar(entry) for entry in group] for group in proof.product]
+def _cases(proof: Proof, setting: Elaboration) -> Step:
+    groups = [[setting.finder.scalar(entry) for entry in group] for group in proof.product]
     words = "From what is given it follows that a product vanishes; it is shown case by case"
     if size(element for group in groups for element in group) > LONGEST:
         return Step(f"{words}, for each of its factors", withheld=True)
-    factors = [_squares([shown(element, at.setting) for element in group]) for group in groups]
+    factors = [_squares([shown(element, setting) for element in group]) for group in groups]
     return Step(f"{words}, for each factor:", (equal(flat_product(factors), ZERO),))
 
 
@@ -157,8 +156,8 @@ def _squares(group: Sequence[Formula]) -> Formula:
     return group[0] if len(group) == 1 else total(Power(one, Number(2)) for one in group)
 
 
-def _combination(goal: Follows, proof: Proof, at: Evaluation) -> Step:
-    rows = [[at.scalar(entry) for entry in row] for row in proof.rows]
+def _combination(goal: Follows, proof: Proof, setting: Elaboration) -> Step:
+    rows = [[setting.finder.scalar(entry) for entry in row] for row in proof.rows]
     terms = size(entry for row in rows for entry in row)
     one = len(goal.conclusions) == 1
     what = "difference of the two sides" if one else "product of the differences of their sides"
@@ -167,22 +166,24 @@ def _combination(goal: Follows, proof: Proof, at: Evaluation) -> Step:
     products = sum(not entry.is_zero for row in rows for entry in row)
     if terms > LONGEST or products > MOST:
         return Step(f"{words}; its coefficients have {terms} terms", withheld=True)
-    choices = product(*(_differences(one, at) for one in goal.conclusions))
+    choices = product(*(_differences(one, setting) for one in goal.conclusions))
     lefts = [power(left, proof.power) for left in map(flat_product, choices)]
-    known = _differences(goal.given, at)
-    sums = [_sum(row, known, at.setting) for row in rows]
+    known = _differences(goal.given, setting)
+    sums = [_sum(row, known, setting) for row in rows]
     return Step(f"{words}:", tuple(map(equal, lefts, sums)))
 
 
-def _differences(equations: Sequence[tuple[Formula, Formula]], at: Evaluation) -> list[Formula]:
+def _differences(
+    equations: Sequence[tuple[Formula, Formula]], setting: Elaboration
+) -> list[Formula]:
     """Left minus right sides as they are printed; between vectors as they were computed."""
     found: list[Formula] = []
     for sides in equations:
-        parts = at.differences((sides,))
+        parts = setting.finder.differences((sides,))
         if len(parts) == 1:
-            found.append(written(_minus(*sides), at.setting))
+            found.append(written(_minus(*sides), setting))
         else:
-            found += [shown(part, at.setting) for part in parts]
+            found += [shown(part, setting) for part in parts]
     return found
 
 
@@ -191,7 +192,7 @@ def _minus(left: Formula, right: Formula) -> Formula:
     return total(terms if right == ZERO else (*terms, Negative(right)))
 
 
-def _sum(row: Sequence[Element], known: Sequence[Formula], setting: Setting) -> Formula:
+def _sum(row: Sequence[Element], known: Sequence[Formula], setting: Elaboration) -> Formula:
     return total(
         scaled(shown(entry, setting), one)
         for entry, one in zip(row, known, strict=True)
@@ -202,7 +203,7 @@ def _sum(row: Sequence[Element], known: Sequence[Formula], setting: Setting) -> 
 # -- what is found -------------------------------------------------------------------
 
 
-def _found(goal: Exists, evidence: Found) -> Iterator[Step]:
+def _found(goal: Exists, evidence: Found, statement: Statement) -> Iterator[Step]:
     """The numbers that were found; and the equations that are linear in bound names."""
     if goal.numbers:
         equations = tuple(equal(Name(name), evidence.values[name]) for name in goal.numbers)
@@ -213,7 +214,7 @@ def _found(goal: Exists, evidence: Found) -> Iterator[Step]:
         for left, right in one.conclusions[0] if one.conclusions else ():
             terms = _linear(right, goal.bound)
             if terms is not None:
-                yield _bound(left, terms, evidence, finder_of(one.space))
+                yield _bound(left, terms, evidence, statement.legend[one.space])
 
 
 def _linear(formula: Formula, bound: Sequence[str]) -> list[tuple[str, Formula]] | None:
@@ -229,21 +230,21 @@ def _linear(formula: Formula, bound: Sequence[str]) -> list[tuple[str, Formula]]
 
 
 def _bound(
-    left: Formula, terms: Sequence[tuple[str, Formula]], evidence: Found, at: Evaluation
+    left: Formula, terms: Sequence[tuple[str, Formula]], evidence: Found, setting: Elaboration
 ) -> Step:
-    values = [at.scalar(evidence.values[name]) for name, _ in terms]
+    values = [setting.finder.scalar(evidence.values[name]) for name, _ in terms]
     what = "derivatives" if isinstance(left, Derivative) else "functions"
     if (many := size(values)) > LONGEST:
         one = f"The {what[:-1]} of one" if what == "derivatives" else "One function"
         words = "is a linear combination of the relations whose coefficients have"
         return Step(f"{one} {words} {many} terms", withheld=True)
     words = f"The {what} are linear combinations of the relations"
-    right = _sum(values, [written(one, at.setting) for _, one in terms], at.setting)
-    return Step(f"{words}:", (equal(written(left, at.setting), right),))
+    right = _sum(values, [written(one, setting) for _, one in terms], setting)
+    return Step(f"{words}:", (equal(written(left, setting), right),))
 
 
-def _rank(claim: Claim, goal: Rank, evidence: At) -> Step:
-    count, setting = len(goal.space.variables), finder_of(goal.space).setting
+def _rank(claim: Claim, goal: Rank, evidence: At, setting: Elaboration) -> Step:
+    count = len(goal.space.variables)
     where = point(evidence.point.values, setting)
     if len(goal.functions) == 1 and not isinstance(claim, Dimension):
         others = " is independent of those of the hypotheses" if goal.given else " does not vanish"
@@ -258,9 +259,9 @@ def _rank(claim: Claim, goal: Rank, evidence: At) -> Step:
     return Step(words, point=where)
 
 
-def _roots(goal: Count, found: Roots) -> Step:
-    at, root = finder_of(goal.space), Name(found.root)
-    coefficients = [shown(at.scalar(entry), at.setting) for entry in found.eliminant]
+def _roots(found: Roots, setting: Elaboration) -> Step:
+    at, root = setting.finder, Name(found.root)
+    coefficients = [shown(at.scalar(entry), setting) for entry in found.eliminant]
     powers = [ONE, root, *(Power(root, Number(k)) for k in range(2, len(coefficients) + 1))]
     terms = [scaled(c, p) for c, p in zip(coefficients, powers[:-1], strict=True) if c != ZERO]
     equation = total([powers[-1], *reversed(terms)])

@@ -21,8 +21,9 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.errors import closeness
 from kowalevski_cas.paper.claims import Neighbour
-from kowalevski_cas.paper.elaborate import Elaboration, finder_of
+from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Exists, Follows, simple
 from kowalevski_cas.search.combinations import vanish_on
 from kowalevski_cas.verify.statement import Statement
@@ -66,7 +67,7 @@ def says_something(neighbour: Neighbour, statement: Statement, printed: Statemen
 
 def _moves(statement: Statement) -> bool:
     """Whether variables are reached from a statement."""
-    return any(space.variables for space in statement.spaces.values())
+    return any(space.variables for space in statement.legend)
 
 
 def _empty(statement: Statement) -> int:

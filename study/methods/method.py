@@ -9,10 +9,10 @@ from typing import Any
 
 from kowalevski_cas.export import Inexpressible
 from kowalevski_cas.limits import time_limit
-from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.problem.checker import Rejected
 from kowalevski_cas.problem.codec import evidence_data
 from kowalevski_cas.problem.evidence import Shown
+from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Problem
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
@@ -71,7 +71,7 @@ class Method(ABC):
 def certificate(one: Labelled) -> str:
     """What the certificate of an identity would be, were it true: its evidence is a point."""
     statement, evidence = one.statement, []
-    points = PointFinder(finder_of, statement.names)
+    points = PointFinder(finder_of)
     for goal in identities(Problem(statement.goals)):
         at = finder_of(goal.space)
         sides = [side for pair in at.pairs(goal.conclusions[0]) for side in pair]

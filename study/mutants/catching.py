@@ -17,6 +17,7 @@ from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.processes import each
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.certificate import load_certificates
+from kowalevski_cas.verify.confirm import need_certificates
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.verify.record import load_record
 from study.mutants.equivalence import equivalence
@@ -41,6 +42,8 @@ class Caught:
     late: bool
     """Whether something was not decided in time: then it is not known whether it survives."""
     seconds: float
+    outcomes: tuple[Outcome, ...] = ()
+    """What is said otherwise than of the source as it is, with what shows it."""
 
     @property
     def caught(self) -> bool:
@@ -129,6 +132,7 @@ class Measure:
             reason,
             any(map(_late, after.values())),
             seconds,
+            tuple(one for one in found.outcomes.values() if f"claim {one.claim}" in changed),
         )
 
     def _named(self, found: Audit, mutant: Mutant) -> bool:
@@ -200,10 +204,15 @@ def _of(outcome: Outcome) -> object:
 
 
 def measure(work: Measure, mutants: Sequence[Mutant], pool: Pool = HERE) -> Measurement:
-    """Audit mutants of a source; it tells how far it has come."""
+    """Audit mutants of a source; it tells how far it has come.
+
+    Raises ``Disagreement`` if the checker does not accept here what a worker has found.
+    """
     start = perf_counter()
     found = Measurement()
     for result in pool.map(work, mutants):
+        for outcome in result.outcomes:
+            need_certificates(outcome)
         found.results.append(result)
         tell("mutants", len(found.results), len(mutants))
     found.seconds = perf_counter() - start

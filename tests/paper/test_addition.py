@@ -8,12 +8,12 @@ import pytest
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.notation.functions import CIRCULAR, EXPONENTIAL, FAMILIES, JACOBI
 from kowalevski_cas.paper.addition import theorem
-from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.codec import digest, evidence_data, problem_data
 from kowalevski_cas.problem.evidence import At
-from kowalevski_cas.problem.examine import Unproved, all_names
+from kowalevski_cas.problem.examine import Unproved
+from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Along
 from kowalevski_cas.problem.prune import pruned
 from kowalevski_cas.search.find import Finder
@@ -36,7 +36,7 @@ def certificate(goal, evidence):
 @pytest.mark.parametrize(("added", "alone"), SIGNS)
 def test_addition_theorems_are_proved(family, added, alone):
     goal = theorem(family, added, alone)
-    evidence = Finder(finder_of, all_names).proof(goal)
+    evidence = Finder(finder_of).proof(goal)
     Judge(finder_of).holds(goal, evidence)
     assert checker.check(certificate(goal, evidence)).sign == "holds"
 
@@ -80,7 +80,7 @@ def test_with_another_table_none_is_proved(family, key, mutant):
             continue
         if (goal.initial, goal.equations) == (true.initial, true.equations) and key != "rates":
             continue  # it does not speak of what was changed
-        finder = Finder(finder_of, all_names)
+        finder = Finder(finder_of)
         try:
             evidence = finder.proof(goal)
         except ValueError:
@@ -99,7 +99,7 @@ def test_what_is_false_is_denied_by_a_derivative():
     """That of the sine of a sum where the second angle is zero."""
     family = replace(CIRCULAR, sum={**CIRCULAR.sum, "s": "sc_1-cs_1"})
     goal = theorem(family, True, False)
-    evidence = Finder(finder_of, all_names).refutation(goal)
+    evidence = Finder(finder_of).refutation(goal)
     assert evidence.order == 1
     Judge(finder_of).denies(goal, evidence)
     assert checker.check(certificate(goal, evidence)).sign == "denied"
@@ -111,4 +111,4 @@ def test_it_begins_where_the_system_is_regular():
     initial = tuple((name, value) for name, value in true.initial[1:])
     for goal in (Along(true.space, initial, true.equations), Along(true.space, (), true.equations)):
         with pytest.raises(checker.Rejected):
-            checker.check(certificate(goal, Finder(finder_of, all_names).proof(true)))
+            checker.check(certificate(goal, Finder(finder_of).proof(true)))

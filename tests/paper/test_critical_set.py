@@ -11,10 +11,10 @@ from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.library import load
 from kowalevski_cas.notation import Name, edits, to_latex
 from kowalevski_cas.paper.claims import CriticalSet
-from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evidence import Denial, Proof, Shown
 from kowalevski_cas.problem.examine import Unproved
+from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement
@@ -142,7 +142,7 @@ def test_another_function_moves_on_the_set(session, claim, words) -> None:
     one = statement(session, claim, texts.edited(claim.printed, edit))
     denial = one.search()
     assert isinstance(denial, Denial)
-    Judge(finder_of, one.names).denies(one.goals[denial.goal], denial.evidence)
+    Judge(finder_of).denies(one.goals[denial.goal], denial.evidence)
     if denial.goal == 0:
         x = point({Name(name): value for name, value in denial.evidence.point.values.items()})
         assert on_the_sphere(x)
@@ -155,7 +155,7 @@ def test_wrong_steps_prove_nothing(session) -> None:
     shown = session._evidence(one, "corrected/critical-set")
     converse = shown[1]
     assert isinstance(converse, Shown) and converse.proof.cases
-    Judge(finder_of, one.names).holds(one.goals[1], converse)
+    Judge(finder_of).holds(one.goals[1], converse)
     proof = converse.proof
     (step,), (rest,) = proof.product, proof.cases
     for wrong in (
@@ -169,4 +169,4 @@ def test_wrong_steps_prove_nothing(session) -> None:
         Proof(),
     ):
         with pytest.raises(Unproved):
-            Judge(finder_of, one.names).holds(one.goals[1], converse._replace(proof=wrong))
+            Judge(finder_of).holds(one.goals[1], converse._replace(proof=wrong))

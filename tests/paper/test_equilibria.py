@@ -13,9 +13,9 @@ from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.library import load
 from kowalevski_cas.notation import Application, Formula, Negative, Number, to_latex
 from kowalevski_cas.paper.claims import Equilibria
-from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evidence import Denial, Roots
+from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.verify.counterexamples import counterexample
 from kowalevski_cas.verify.outcome import Counterexample, Point, Verdict
 from kowalevski_cas.verify.run import Session
@@ -109,7 +109,7 @@ def denied(session, claim):
     statement = Statement(claim, session.on(claim))
     denial = statement.search()
     assert isinstance(denial, Denial)
-    judge = Judge(finder_of, statement.names)
+    judge = Judge(finder_of)
     judge.denies(statement.goals[denial.goal], denial.evidence)
     return counterexample(statement, denial, judge.accepted)
 
@@ -133,7 +133,7 @@ def test_the_eliminant_is_a_biquadratic(session) -> None:
     statement = Statement(CLAIM, session.on(CLAIM))
     (roots,) = session._evidence(statement, "equilibria")
     assert isinstance(roots, Roots) and len(roots.eliminant) == 4
-    at = statement.goals[0].space.finder
+    at = finder_of(statement.goals[0].space)
     coefficients = [at.scalar(coefficient) for coefficient in roots.eliminant]
     assert coefficients[1].is_zero and coefficients[3].is_zero
     a2, b2, c = (at.ring.generator(name) for name in "abc")

@@ -16,10 +16,10 @@ from kowalevski_cas.paper.claims import (
     Implication,
     InvariantRelations,
 )
-from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evidence import Found
 from kowalevski_cas.problem.examine import Unproved
+from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Exists
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.run import Session
@@ -144,8 +144,8 @@ def existing(papers):
 )
 def test_what_exists_is_not_zero(papers):
     """A transformation, a cofactor matrix, a root that is zero shows nothing."""
-    for statement, goal, found in existing(papers):
-        judge = Judge(finder_of, statement.names)
+    for _, goal, found in existing(papers):
+        judge = Judge(finder_of)
         judge.holds(goal, found)
         for name in (None, *goal.bound):
             values = {n: Number(0) if name in (n, None) else v for n, v in found.values.items()}
@@ -157,12 +157,10 @@ def test_what_exists_is_not_zero(papers):
 
 def test_what_exists_is_used():
     """A value for a name that stands in no goal is none."""
-    statement, goal, found = existing(("kharlamov2002",))[0]
+    _, goal, found = existing(("kharlamov2002",))[0]
     more = replace(goal, expressions=(*goal.expressions, "unused"))
     with pytest.raises(Unproved, match="not used"):
-        Judge(finder_of, statement.names).holds(
-            more, Found({**found.values, "unused": Number(1)}, found.evidence)
-        )
+        Judge(finder_of).holds(more, Found({**found.values, "unused": Number(1)}, found.evidence))
 
 
 def test_a_root_of_a_root_of_what_is_complex():

@@ -18,9 +18,9 @@ from kowalevski_cas.paper.claims import (
     Implication,
     Independence,
 )
-from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evidence import Denial
+from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.certificate import certificate
 from kowalevski_cas.verify.corrections import true_ones
@@ -87,7 +87,7 @@ def refuted_mutants(session, claim):
         except (Meaningless, NotationError, ZeroDivisionError):
             continue
         if isinstance(denial, Denial):
-            judge = Judge(finder_of, statement.names)
+            judge = Judge(finder_of)
             judge.denies(statement.goals[denial.goal], denial.evidence)
             yield neighbour, statement, denial, judge.accepted
 

@@ -5,10 +5,11 @@ import pytest
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.library import find, load
 from kowalevski_cas.notation import Negative, Number
-from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evidence import At, Denial, Point
+from kowalevski_cas.problem.finder import finder_of
+from kowalevski_cas.problem.space import all_names
 from kowalevski_cas.verify.certificate import certificate, load_certificates
 from kowalevski_cas.verify.record import load_record
 from kowalevski_cas.verify.run import Session
@@ -75,9 +76,9 @@ def test_no_set_of_critical_points_can_be_left_out(id, place):
     assert len(neighbours) == len(ON_ONE_ALONE[id])
     statement = Statement(neighbours[place].claim, on)
     (goal,) = statement.goals
-    values = {name: ON_ONE_ALONE[id][place].get(name, 0) for name in statement.names(goal.space)}
+    values = {name: ON_ONE_ALONE[id][place].get(name, 0) for name in all_names(goal.space)}
     point = Point({n: Negative(Number(-v)) if v < 0 else Number(v) for n, v in values.items()})
-    judge = Judge(finder_of, statement.names)
+    judge = Judge(finder_of)
     judge.denies(goal, At(point))
     text = certificate(statement, Denial(0, At(point)), judge.accepted)
     assert checker.check(text).sign == "denied"

@@ -292,3 +292,96 @@ def test_a_printed_root_is_no_sine(tex):
     claim = Identity("c", scene, "", printed=section.display("d", tex)[1])
     [outcome] = decide(section, claim)
     assert str(outcome.verdict) == "refuted"
+
+
+PI = [
+    (r"\sin(\pi-x)=\sin x", "proved"),
+    (r"\cos\left(\frac{\pi}{3}+x\right)=\frac12\cos x-\frac{\sqrt3}{2}\sin x", "proved"),
+    (r"\cos\left(\frac{\pi}{3}+x\right)=\frac12\cos x+\frac{\sqrt3}{2}\sin x", "refuted"),
+    (r"\sin(x+\pi)=\sin x", "refuted"),
+    (r"\sin\frac{\pi}{5}=\frac12", "error"),
+]  # fmt: skip
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize(("tex", "verdict"), sampled(PI, 3))
+def test_values_at_parts_of_pi(tex, verdict):
+    section = Section("1", "")
+    scene = scene_of(section, r"\dot x=1", "x", r"\pi")
+    scene = scene.adjoining(r"\sqrt{3}") if "sqrt" in tex else scene
+    [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
+    assert str(outcome.verdict) == verdict
+
+
+@pytest.mark.usefixtures("uncorrected")
+def test_a_pi_that_moves_is_no_number():
+    section = Section("1", "")
+    scene = scene_of(section, r"\dot x=1,\quad\dot\pi=x", r"x \pi", "")
+    claim = Identity("c", scene, "", printed=section.display("d", r"\sin(\pi-x)=\sin x")[1])
+    [outcome] = decide(section, claim)
+    assert str(outcome.verdict) == "refuted"
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize(("unit", "sign", "verdict"), [("i^2=-1", "+", "proved"), ("i^2=-1", "-", "refuted"), ("i^2=1", "+", "error")])  # fmt: skip
+def test_the_exponential_of_what_is_imaginary(unit, sign, verdict):
+    section = Section("1", "")
+    scene = scene_of(section, r"\dot x=1", "x", "").with_unit(section.display("i", unit)[1])
+    tex = rf"e^{{ix}}=\cos x{sign}i\sin x"
+    [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
+    assert str(outcome.verdict) == verdict
+
+
+def test_of_what_is_complex_no_function_is_read():
+    section = Section("1", "")
+    motion = section.display("motion", r"\dot x_1=x_2,\quad\dot x_2=x_1")
+    scene = Scene(variables=("x_1", "x_2"), conjugates=(("x_1", "x_2"),)).moving(motion)
+    claim = Identity("c", scene, "", printed=section.display("d", r"\sin^2x_1+\cos^2x_1=1")[1])
+    [outcome] = decide(section, claim)
+    assert str(outcome.verdict) == "error"
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize(
+    ("tex", "verdict"),
+    [
+        (r"\operatorname{sn}(x,k)=\operatorname{sn}(x,-k)", "undecided"),  # true, and not seen
+        (r"\operatorname{sn}(x,k)=\operatorname{sn}(x,k^2)", "undecided"),  # false
+        (r"\operatorname{dn}(x,0)=1", "error"),
+        (r"\operatorname{dn}(x,1)=\operatorname{cn}(x,1)", "error"),
+    ],
+)
+def test_with_two_moduli_nothing_is_refuted_and_special_ones_are_refused(tex, verdict):
+    section = Section("1", "")
+    scene = scene_of(section, r"\dot x=1", "x", "k")
+    [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
+    assert str(outcome.verdict) == verdict
+
+
+def test_a_modulus_that_moves_is_refused():
+    section = Section("1", "")
+    scene = scene_of(section, r"\dot x=1,\quad\dot k=1", "x k", "")
+    tex = r"\frac{d}{dt}\operatorname{sn}(x,k)=\operatorname{cn}(x,k)\operatorname{dn}(x,k)"
+    [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
+    assert str(outcome.verdict) == "error"
+
+
+PENDULUM = [
+    (r"\dot x^2=\omega^2(1-x^2)(k^2-x^2)", "proved"),
+    (r"\ddot x=-\omega^2x(1+k^2-2x^2)", "proved"),
+    (r"\dot x=k\omega\operatorname{cn}(\omega t,k)\operatorname{dn}(\omega t,k)", "proved"),
+    (r"\frac{d}{dt}(2k\omega\operatorname{cn}(\omega t,k))=-2\omega^2x\operatorname{dn}(\omega t,k)", "proved"),
+    (r"\dot x^2=\omega^2(1+x^2)(k^2-x^2)", "refuted"),
+    (r"\ddot x=-\omega^2x(1-k^2-2x^2)", "refuted"),
+]  # fmt: skip
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize(("tex", "verdict"), sampled(PENDULUM, 3))
+def test_the_pendulum_of_a_textbook(tex, verdict):
+    """Half its angle has the sine x, which is an elliptic function of the time."""
+    section = Section("1", "")
+    closed = section.display("closed", r"x=k\operatorname{sn}(\omega t,k)")
+    scene = Scene(constants=("k", r"\omega")).defining(closed)
+    [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
+    assert str(outcome.verdict) == verdict

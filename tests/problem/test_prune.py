@@ -101,7 +101,7 @@ def names_in(formula):
 
 def test_a_problem_holds_what_it_uses_and_defines_it_before(statements):
     for statement in statements[1]:
-        for small in {id(s): s for s in statement.spaces.values()}.values():
+        for small in statement.legend:
             known = {*generators(small)}
             for step in small.steps:
                 first, *printed = step.formulas()

@@ -3,7 +3,7 @@
 import pytest
 
 from kowalevski_cas.audit.audited import OPEN
-from kowalevski_cas.audit.reading import ReadingSession, assumed, audit_reading
+from kowalevski_cas.audit.reading import ReadingSession, assumed, audit_reading, unchecked
 from kowalevski_cas.reading import ASSUMPTION, CLAIM, DEFINITION, LAW, read
 from kowalevski_cas.source.files import decode
 from kowalevski_cas.verify.outcome import Verdict
@@ -98,6 +98,12 @@ def test_names_that_nothing_explains_stand_among_what_is_assumed():
     assert any("mu" in one.words and one.claims for one in assumed(found))
 
 
+def test_definitions_on_which_no_verdict_rests_are_told():
+    text = TOP + r"Put $F=bp^2-aq^2$ and $G=2q$. Then $\dot F=0$."
+    found = audit_reading(ReadingSession(reading(text), timeout=5))
+    assert [formula.tex for formula in unchecked(found)] == ["G=2q"]
+
+
 def test_what_holds_to_first_order_is_not_judged():
     found = audit_reading(
         ReadingSession(
@@ -150,3 +156,13 @@ def test_any_letter_that_is_no_time_can_be_defined(name):
     text = TOP + rf"Put ${name}=p/r$; then $\dot {name}=q(a-c\,{name}^2)$."
     found = verdicts(text)
     assert found == {rf"\dot {name}=q(a-c\,{name}^2)": Verdict.CONDITIONAL}
+
+
+@pytest.mark.parametrize("later", ["p>0", r"p\ne0", "p=1"])
+def test_a_later_supposition_about_the_same_name_takes_the_place_of_the_first(later):
+    """Under two that contradict each other anything would hold."""
+    false = r"(p+q)^2=p^2+q^2"
+    suppose = TOP + r"Suppose that $p=0$. Then $pq=0$. "
+    assert verdicts(rf"{suppose} Now let ${later}$. Then ${false}$.")[false] not in (
+        Verdict.PROVED, Verdict.CONDITIONAL
+    )  # fmt: skip

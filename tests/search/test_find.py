@@ -145,7 +145,7 @@ def test_numbers_for_which_an_identity_holds_are_found(a, b):
     )
     sides = Power(Sum((p_x, q_y)), Number(2)), Power(Sum((a_x, b_y)), Number(2))
     space = Space(("x", "y"))
-    finder = PointFinder(lambda space: Evaluation(space, load("flint")), lambda space: ("x", "y"))
+    finder = PointFinder(lambda space: Evaluation(space, load("flint")))
     found = solved_numbers(Exists((identity(space, sides),), numbers=("p", "q")), finder)
     shown = tuple(map(fraction_formula, (a, b))), tuple(map(fraction_formula, (-a, -b)))
     assert found is not None and tuple(found.values()) in shown
@@ -177,3 +177,11 @@ def test_a_single_slip_is_mended(wrong, right):
     assert outcome.correction is not None and outcome.correction.verdict.green
     if right is not None:
         assert in_latex(outcome.correction.formulas).replace(" ", "") == right.replace(" ", "")
+
+
+def test_real_points_on_circles_that_hang_together():
+    """As those of elliptic functions do: s = 4/5, c = 3/5, k = 3/4, w = 4/5 is one."""
+    system = System(r"\dot s=cw,\quad\dot c=-sw,\quad\dot w=-k^2sc")
+    circles = ("s^2+c^2=1", "w^2+k^2s^2=1")
+    claim = system.implication(r"\frac{1}{scwk}=\frac{1}{kwcs}", given=circles)
+    assert str(claim.verdict) == "conditional"

@@ -123,7 +123,7 @@ def test_styles_and_classes_beside_a_paper_are_found(tmp_path):
         tmp_path,
         paper_tex="\\documentclass{own}\\usepackage[wide]{mine,amsmath}\\begin{document}$\\a\\b\\c$",
         own_cls="\\LoadClass{article}\\def\\a{1} $z$",
-        mine_sty="\\def\\x@y{2}\\def\\b{\\x@y}\\def\\c{3}\\DeclareOption{wide}{\\def\\c{4}}\\ProcessOptions",
+        mine_sty="\\x@z\\def\\x@y{2}\\def\\b{\\x@y}\\def\\c{3}\\DeclareOption{wide}{\\def\\c{4}}\\ProcessOptions",
     )
     assert formulas(found) == ["124"]
     assert not found.refused

@@ -13,6 +13,7 @@ from kowalevski_cas.library import find, load
 from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.evidence import Proof, Shown
 from kowalevski_cas.problem.examine import Unproved
+from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.certificate import VERSION, Stored, load_certificates
 from kowalevski_cas.verify.record import load_record
@@ -231,10 +232,10 @@ def test_cofactors_may_not_be_divided_by_what_vanishes_on_the_set(derivation):
     (shown,) = statement.search()
     assert isinstance(shown, Shown)
     space = statement.goals[0].space
-    known = space.finder.differences(statement.goals[0].given)
-    (target, *_) = space.finder.differences(statement.goals[0].conclusions[0])
+    known = finder_of(space).differences(statement.goals[0].given)
+    (target, *_) = finder_of(space).differences(statement.goals[0].conclusions[0])
     first = next(k for k, element in enumerate(known) if not element.is_zero)
-    entries = [space.finder.ring.zero] * len(known)
+    entries = [finder_of(space).ring.zero] * len(known)
     entries[first] = target / known[first]
     rows = list(shown.proof.rows)
     rows[0] = tuple(map(formula_in, entries))

@@ -39,7 +39,7 @@ class Slow(Session):
 
 
 class LongSearch(Identity):
-    def search(self, goals, on, names):
+    def search(self, goals):
         time.sleep(5)
         return {}
 

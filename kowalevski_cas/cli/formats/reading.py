@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from kowalevski_cas.audit.audited import OPEN
+from kowalevski_cas.audit.reading import unchecked
 from kowalevski_cas.cli import plain
 from kowalevski_cas.report.document import Display, Paragraph
 from kowalevski_cas.report.sentences import Phrases
@@ -45,6 +46,10 @@ def rest(audit: Audit, phrases: Phrases) -> Iterator[str]:
     yield from _assumed(audit, phrases)
     yield from _undecided(audit, phrases)
     yield from _open(audit)
+    if found := unchecked(audit):
+        shown = ", ".join(map(audit.called, found))
+        said = f"Definitions on which no verdict rests: {shown}."
+        yield from ("", *plain.lines([Paragraph((said,))]))
 
 
 def _obeyed(audit: Audit) -> Iterator[str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
@@ -15,9 +15,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts, check_attributes
 from kowalevski_cas.problem.evidence import Denial, Evidence
 from kowalevski_cas.problem.goals import Goal
-from kowalevski_cas.problem.space import Meaningless, Setting
-
-Names = Callable[[Setting], Sequence[str]]
+from kowalevski_cas.problem.space import Meaningless
 
 
 class Neighbour(NamedTuple):
@@ -107,12 +105,10 @@ class Claim(_Kind, ABC):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         """What is stated, in the settings that the scenes mean."""
 
-    def search(
-        self, goals: Sequence[Goal], on: Elaborations, names: Names
-    ) -> Mapping[int, Evidence]:
+    def search(self, goals: Sequence[Goal]) -> Mapping[int, Evidence]:
         """Evidence for or against goals, by their places, where the kind has a search of its own.
 
-        It is made with FLINT; ``names`` are those to which a point of a space gives values.
+        They are those of the problem, over plain spaces; it is made with FLINT.
         """
         return {}
 

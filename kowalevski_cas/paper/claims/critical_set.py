@@ -7,12 +7,13 @@ from dataclasses import replace
 from itertools import combinations
 
 from kowalevski_cas.notation import Formula, Negative, Number, Partial, Product, Sum, edits, equal
-from kowalevski_cas.paper.claims.claim import Claim, Names, Neighbour
+from kowalevski_cas.paper.claims.claim import Claim, Neighbour
 from kowalevski_cas.paper.claims.forms import equation, equations, expression, moving, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.evidence import Evidence
+from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Follows, Goal
 from kowalevski_cas.problem.space import Equation
 
@@ -40,19 +41,17 @@ class CriticalSet(Claim):
         slopes = (vanishes(Partial(level[0], name)) for name in moving(space, level[0]))
         yield Follows(space, (), (level, *slopes))
 
-    def search(
-        self, goals: Sequence[Goal], on: Elaborations, names: Names
-    ) -> Mapping[int, Evidence]:
+    def search(self, goals: Sequence[Goal]) -> Mapping[int, Evidence]:
         """That both directions hold off the loci, or a point there where one fails."""
         from kowalevski_cas.search.follows import FollowsFinder
         from kowalevski_cas.search.in_turn import in_turn
 
-        space, found = on(self.scene), dict[int, Evidence]()
-        at, finder = space.finder, FollowsFinder(lambda setting: space.finder, names)
-        conditions = [at.scalar(condition) for _, condition in space.loci]
+        finder, found = FollowsFinder(finder_of), dict[int, Evidence]()
         for place, goal in enumerate(goals[:2]):
             assert isinstance(goal, Follows)
-            if shown := in_turn(goal, at, conditions, names):
+            at = finder_of(goal.space)
+            conditions = [at.scalar(condition) for _, condition in goal.space.loci]
+            if shown := in_turn(goal, at, conditions):
                 found[place] = shown
             elif point := finder.failure(goal, at, conditions):
                 return {place: point}

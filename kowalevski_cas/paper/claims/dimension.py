@@ -7,13 +7,14 @@ from dataclasses import replace
 from functools import cache
 
 from kowalevski_cas.notation import Conjugate, Formula, Name, Partial, times, total
-from kowalevski_cas.paper.claims.claim import Claim, Names, Neighbour
+from kowalevski_cas.paper.claims.claim import Claim, Neighbour
 from kowalevski_cas.paper.claims.forms import equations, first_member, minus, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.evidence import At, Denial, Evidence, Minors
+from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Follows, Goal, Rank
 from kowalevski_cas.problem.space import Meaningless
 
@@ -54,22 +55,19 @@ class Dimension(Claim):
             on(self._with_multipliers), (tuple(map(vanishes, multipliers)),), (*given, *combined)
         )
 
-    def search(
-        self, goals: Sequence[Goal], on: Elaborations, names: Names
-    ) -> Mapping[int, Evidence]:
+    def search(self, goals: Sequence[Goal]) -> Mapping[int, Evidence]:
         """That no combination of the differentials vanishes, by a Gröbner basis."""
         from kowalevski_cas.search.regular import regular
 
         rank, everywhere = goals
         assert isinstance(rank, Rank) and isinstance(everywhere, Follows)
-        at = on(self._with_multipliers).finder
+        at = finder_of(everywhere.space)
         found = regular(
             everywhere,
             at,
             (*rank.functions, *map(minus, rank.given)),
             self._multipliers,
             [*at.granted, *(at.scalar(condition) for _, condition in at.setting.loci)],
-            names,
         )
         return {} if found is None else {1: found}
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from fractions import Fraction
+from functools import reduce
 from math import gcd
 
 from .polynomials import Element, Ring, Terms
@@ -27,8 +28,11 @@ def primitive(element: Element) -> tuple[Fraction, Element]:
 def quotient(element: Element, divisor: Element) -> Element | None:
     """A polynomial over a primitive one, if that is a polynomial; neither has roots."""
     ring = element.ring
-    ring.spend(1 + (len(element.terms) + len(divisor.terms) >> 4))
+    ring.spend(1 + (len(element.terms) + len(divisor.terms) >> 2))
     guard, first, last = ring.guard, max(divisor.terms), min(divisor.terms)
+    degrees, own = (reduce(ring.larger, one.terms, 0) for one in (element, divisor))
+    if (degrees | guard) - own & guard != guard:  # in each generator those of a quotient add up
+        return None
     rest, out, bits = dict(element.terms), Terms(), element.bits
     while rest:
         top, low = max(rest), min(rest)
