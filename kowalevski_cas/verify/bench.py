@@ -145,7 +145,7 @@ class Bench:
         try:
             if isinstance(verdicts, Denial):
                 judge.denies(statement.goals[verdicts.goal], verdicts.evidence)
-                denied = statement.goals[verdicts.goal]
+                denied = statement.claimed[verdicts.goal]
                 if not (statement.claim.refuted_by(verdicts) and decides(denied)):
                     message = "what would prove it is false, which does not refute it"
                     return Decided(statement, None, judge.accepted, Verdict.UNDECIDED, message)
