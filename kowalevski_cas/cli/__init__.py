@@ -22,6 +22,7 @@ COMMANDS = {
     "audit": "read a paper's TeX source and prove or refute each formula in it",
     "bundle": "put the evidence, the checker and the page into a folder to deposit with a paper",
     "find": "find what nobody has printed: integrals and the like",
+    "prove": "find evidence for a problem that anybody wrote, and print its certificate",
     "check": "check certificates with the independent checker",
     "certificates": "write the certificates of a derivation",
     "export": "write certificates in the language of another program",

@@ -24,7 +24,7 @@ from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Exists, Goal
 from kowalevski_cas.problem.trees import FormatError, Tree, encode
 from kowalevski_cas.verify.outcome import CORRECTED
-from kowalevski_cas.verify.statement import Statement, Verdicts
+from kowalevski_cas.verify.statement import Posed, Statement, Verdicts
 
 FOLDER = "certificates"
 FORMAT, VERSION = "kowalevski-cas certificate", 2
@@ -128,7 +128,7 @@ def load_certificates(folder: Path) -> dict[str, Stored]:
 
 
 def certificate(
-    statement: Statement,
+    statement: Statement | Posed,
     verdicts: Verdicts,
     accepted: Accepted,
     failures: Mapping[Formula, Supported | None] = MappingProxyType({}),
@@ -149,22 +149,25 @@ def certificate(
 
 
 def written(
-    statement: Statement, sign: str, evidence: list[Data], failures: list[Data] | None = None
+    statement: Statement | Posed,
+    sign: str,
+    evidence: list[Data],
+    failures: list[Data] | None = None,
 ) -> str:
     """The text of a certificate that nobody has checked."""
-    head = {"format": FORMAT, "version": VERSION, "claim": statement.claim.id}
+    head = {"format": FORMAT, "version": VERSION, "claim": statement.name}
     more = {} if failures is None else {"failures": failures}
     return dump({**head, **_stated(statement, sign, evidence), **more})
 
 
-def _stated(statement: Statement, sign: str, evidence: list[Data]) -> Data:
+def _stated(statement: Statement | Posed, sign: str, evidence: list[Data]) -> Data:
     """A problem with a sign and evidence."""
     problem = problem_data(statement.problem)
     return {**problem, "sign": sign, "evidence": evidence, "digest": statement.digest}
 
 
 def _evidence(
-    statement: Statement, verdicts: Verdicts, accepted: Accepted
+    statement: Statement | Posed, verdicts: Verdicts, accepted: Accepted
 ) -> tuple[str, list[Data]]:
     """The sign and the evidence for it."""
     away = iter(accepted.away)

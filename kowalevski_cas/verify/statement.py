@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
 from kowalevski_cas.paper.addition import addition_theorems
@@ -13,7 +15,7 @@ from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.codec import digest
 from kowalevski_cas.problem.evidence import At, Denial, Evidence
 from kowalevski_cas.problem.finder import finder_of
-from kowalevski_cas.problem.goals import Follows, Goal, simple
+from kowalevski_cas.problem.goals import Follows, Goal, Problem, simple
 from kowalevski_cas.problem.prune import pruned
 from kowalevski_cas.problem.space import Meaningless, Setting, Space
 
@@ -45,6 +47,11 @@ class Statement:
         self.goals = self.problem.goals
         for setting in self.legend.values():
             _ = setting.finder  # a scene that contradicts itself is refused
+
+    @property
+    def name(self) -> str:
+        """The name under which the problem is known."""
+        return self.claim.id
 
     @cached_property
     def digest(self) -> str:
@@ -82,26 +89,7 @@ class Statement:
 
     def search(self) -> Verdicts | None:
         """Evidence for all goals or against one, with FLINT; ``None`` if it is not found."""
-        from kowalevski_cas.search.find import Finder  # most proofs are read, and search nothing
-
-        finder = Finder(finder_of)
-        own = self.claim.search(self.goals)
-        found: list[Evidence] = []
-        missing: list[int] = []
-        for place, goal in enumerate(self.goals):
-            evidence = own.get(place)
-            if evidence is not None and _denies(goal, evidence):
-                return Denial(place, evidence)
-            evidence = evidence or finder.proof(goal)
-            if evidence is None:
-                missing.append(place)
-            else:
-                found.append(evidence)
-        for place in missing:
-            refutation = finder.refutation(self.goals[place])
-            if refutation is not None:
-                return Denial(place, refutation)
-        return None if missing else tuple(found)
+        return find_evidence(self.goals, self.claim.search(self.goals))
 
     def holds(self) -> bool:
         """Whether all goals can be proved; nobody looks for points where they fail."""
@@ -113,6 +101,50 @@ class Statement:
             not _denies(goal, own[place]) if place in own else finder.proof(goal) is not None
             for place, goal in enumerate(self.goals)
         )
+
+
+@dataclass(frozen=True)
+class Posed:
+    """A problem by itself, under a name: nobody has to know of a claim that states it."""
+
+    name: str
+    problem: Problem
+
+    @property
+    def goals(self) -> tuple[Goal, ...]:
+        """The goals of the problem."""
+        return self.problem.goals
+
+    @property
+    def digest(self) -> str:
+        """The digest of the problem."""
+        return digest(self.problem)
+
+
+def find_evidence(goals: Sequence[Goal], own: Mapping[int, Evidence]) -> Verdicts | None:
+    """Evidence for all goals or against one, with FLINT; ``None`` if it is not found.
+
+    ``own`` is what another search has for some, by their places.
+    """
+    from kowalevski_cas.search.find import Finder  # most proofs are read, and search nothing
+
+    finder = Finder(finder_of)
+    found: list[Evidence] = []
+    missing: list[int] = []
+    for place, goal in enumerate(goals):
+        evidence = own.get(place)
+        if evidence is not None and _denies(goal, evidence):
+            return Denial(place, evidence)
+        evidence = evidence or finder.proof(goal)
+        if evidence is None:
+            missing.append(place)
+        else:
+            found.append(evidence)
+    for place in missing:
+        refutation = finder.refutation(goals[place])
+        if refutation is not None:
+            return Denial(place, refutation)
+    return None if missing else tuple(found)
 
 
 def _denies(goal: Goal, evidence: Evidence) -> bool:
