@@ -18,7 +18,7 @@ from kowalevski_cas.verify.statement import Statement
 from tests.sample import sampled
 
 CHAPTERS = {name: load(name) for name in ("dlmf22", "dlmf4")}
-ROWS = [(name, claim) for name, one in CHAPTERS.items() for claim in one.claims if isinstance(claim, Identity)]  # fmt: skip
+ROWS = [(name, claim) for name, one in CHAPTERS.items() for claim in one.claims if isinstance(claim, Identity) and "z_1" not in claim.scene.variables]  # fmt: skip
 
 
 def jacobi(u, k):

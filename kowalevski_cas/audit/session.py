@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from functools import cached_property
+from math import inf
 
 from kowalevski_cas.limits import tell, time_limit
 from kowalevski_cas.notation import Edit, Formula, NotationError
@@ -17,10 +18,10 @@ from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.verify.blame import Blame, Repairs
 from kowalevski_cas.verify.outcome import Correction, Outcome, Verdict
-from kowalevski_cas.verify.run import Session
+from kowalevski_cas.verify.run import PROVING, Session
 from kowalevski_cas.verify.statement import Statement
 
-PATIENCE = 2.0
+PATIENCE = 4.0
 """Seconds that a correction, or a misprint in a definition, is sought for."""
 
 AS_BEFORE = "as the derivation has it"
@@ -51,7 +52,8 @@ class AuditSession(Session):
             tell(claim.id, done, len(claims))
             found[claim.id] = self.outcome(claim)
         explained = [c.id for c in claims if not self._unexplained(c, found[c.id])]
-        blame = Blame(self, {id: outcome.verdict for id, outcome in found.items()}, explained)
+        verdicts = {id: outcome.verdict for id, outcome in found.items()}
+        blame = Blame(self, verdicts, explained, self.patience or inf)
         for id, corrections in self._repairs(blame).items():
             found[id] = self._told(found[id], corrections)
         return found
@@ -60,11 +62,12 @@ class AuditSession(Session):
         """The corrections that are found in time."""
         found: Repairs = {}
         failing = blame.open()
-        with suppress(TimeoutError, RecursionError), time_limit(self.patience):
+        limit = PROVING * (self.patience or inf)
+        with suppress(TimeoutError, RecursionError), time_limit(limit):
             found = blame.shared() if failing else {}
         for claim in failing:
             if claim.id not in found:
-                with suppress(TimeoutError, RecursionError), time_limit(self.patience):
+                with suppress(TimeoutError, RecursionError), time_limit(limit):
                     found[claim.id] = blame.alone(claim)
         return found
 

@@ -164,8 +164,7 @@ class Findings:
             Display(meant, verdict=correction.verdict),
         ]
         for other in first.alternatives:
-            lead = "Or in another formula: " if other.blamed != correction.blamed else "Or: "
-            shown.append(Paragraph((lead, *self.phrases.words(other.words), ".")))
+            shown.append(Paragraph(("Or: ", *self.phrases.words(other.words), ".")))
             shown.append(Display(other.formulas, verdict=other.verdict))
         if correction.others:
             shown.append(Paragraph((*self.phrases.links(correction.others), _KEPT)))

@@ -8,6 +8,9 @@ from dataclasses import dataclass, field
 from kowalevski_cas.source.parameters import NO_VALUE
 from kowalevski_cas.source.tex import Token, is_word
 
+MOST_NOTES = 20
+"""Things that are not understood, after which no more are told."""
+
 
 @dataclass
 class Expanded:
@@ -112,4 +115,7 @@ class Output:
 
     def expanded(self, body: int, notes: list[tuple[int, str]]) -> Expanded:
         """What is written; the document begins at ``body``."""
+        if len(notes) > MOST_NOTES:
+            rest = f"and {len(notes) - MOST_NOTES} notes like these"
+            notes = [*notes[:MOST_NOTES], (notes[MOST_NOTES][0], rest)]
         return Expanded("".join(self.out), body, notes, self.unclear, self.starts, self.pieces)

@@ -33,8 +33,6 @@ LONGEST_CALL = 100_000
 """Tokens that one macro of the text may be written out as."""
 LONGEST = 8_000_000
 """Tokens that all macros of a file may be written out as."""
-MOST_NOTES = 20
-"""Things that are not understood, after which no more are told."""
 
 
 def expand(source: Source) -> Expanded:
@@ -110,9 +108,6 @@ class _Writer:
         while self.spans:
             self.ended(self.spans[-1][0])
         self.groups.found()
-        if len(self.notes) > MOST_NOTES:
-            rest = len(self.notes) - MOST_NOTES
-            self.notes[MOST_NOTES:] = [(self.notes[MOST_NOTES][0], f"and {rest} notes like these")]
         return self.output.expanded(self.body, self.notes)
 
     def next(self, parts: list[Part]) -> Token | None:

@@ -21,6 +21,8 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import cached_property
+from math import inf
+from time import perf_counter
 from typing import NamedTuple
 
 from kowalevski_cas.notation import Derivative, Edit, Name, NotationError, edits
@@ -91,6 +93,8 @@ class Blame:
     verdicts: Mapping[str, Verdict]
     corrected: Collection[str] = ()
     """The claims that have a correction already."""
+    seconds: float = inf
+    """For the search of what claims stand on, which then has what was found so far."""
     _true: dict[str, bool] = field(default_factory=dict)
 
     def corrections(self) -> Repairs:
@@ -119,13 +123,13 @@ class Blame:
         return found
 
     def alone(self, claim: Claim) -> tuple[Correction, ...]:
-        """The corrections of one claim: of its own formula, and then of what it stands on."""
+        """The corrections of one claim: of its own formula, or else of what it stands on."""
         own = tuple(self.mender.corrected_by(Statement(claim, self.mender.on(claim)), MOST))
-        if len(own) == MOST:
+        if own:
             return own
         others = [one for one in self._failing if one is not claim]
         repairs = self._sought([claim, *others], least=1, one=claim)
-        return (*own, *self._proved(repairs, least=1).get(claim.id, ()))[:MOST]
+        return self._proved(repairs, least=1).get(claim.id, ())
 
     # -- who fails ------------------------------------------------------------------
 
@@ -195,23 +199,26 @@ class Blame:
     def _changes(
         self, failing: Sequence[Claim], least: int
     ) -> Iterator[tuple[Suspect, Edit | Relation, Printed, list[Claim]]]:
-        """What may mend so many claims, and the claims that it changes."""
-        suspects = self._suspects(failing, least)
-        texts = self.mender.on(failing[0]).texts
-        names = self._names(failing, suspects, texts)
-        for place, suspect in sorted(suspects.items(), key=lambda item: item[1]):
-            if suspect is Suspect.OWN and least == 1:
-                continue  # they were tried
-            standing = [claim for claim in failing if place in claim.reads()]
-            for edit in edits(texts.statement(place), texts.vocabulary, names):
-                if not changes_subject(edit):
-                    yield suspect, edit, place, standing
+        """What may mend so many claims, and the claims that it changes; the likeliest first."""
         for claim in failing:
             for relation in relations(self._statement(claim)):
                 supposed = supposes(claim.scene, self.mender.derivation)
+                if not supposed and len(relation.formula.names()) == 1:
+                    continue  # a number for a constant, of which the paper does not think
                 suspect = Suspect.ASSUMPTION if supposed else Suspect.RELATION
                 standing = [one for one in failing if relation.concerns(one.scene)]
                 yield suspect, relation, relation.place, standing
+        suspects = self._suspects(failing, least)
+        texts = self.mender.on(failing[0]).texts
+        names = self._names(failing, suspects, texts)
+        found = [
+            (suspect, edit, place, [claim for claim in failing if place in claim.reads()])
+            for place, suspect in suspects.items()
+            if suspect is not Suspect.OWN or least > 1  # else they were tried
+            for edit in edits(texts.statement(place), texts.vocabulary, names)
+            if not changes_subject(edit)
+        ]
+        yield from sorted(found, key=lambda one: (_slip(one[1]), one[0]))
 
     @staticmethod
     def _names(
@@ -232,8 +239,10 @@ class Blame:
     ) -> list[Repair]:
         """The repairs that at points mend so many claims, perhaps this one, and break none."""
         found: list[Repair] = []
-        most = least
+        most, end = least, perf_counter() + self.seconds
         for suspect, change, place, standing in self._changes(failing, least):
+            if perf_counter() > end:
+                break
             repair = Repair(suspect, change, place, ())
             if one is not None and one not in standing:
                 continue
@@ -327,7 +336,10 @@ class Blame:
 
 def _likelihood(repair: Repair) -> tuple[object, ...]:
     """What sorts repairs: those that mend most first, then by what is suspected."""
-    change = repair.change
-    edited = unlikeliness(change) if isinstance(change, Edit) else ()
-    kind = KINDS.index(change.kind) if isinstance(change, Edit) else 0
-    return (-len(repair.mends), repair.suspect, *edited, kind)
+    slip = _slip(repair.change) if isinstance(repair.change, Edit) else ()
+    return (-len(repair.mends), repair.suspect, *slip)
+
+
+def _slip(edit: Edit) -> tuple[object, ...]:
+    """What sorts edits, the likelier slips of the pen first."""
+    return (*unlikeliness(edit), KINDS.index(edit.kind))

@@ -41,6 +41,9 @@ Work = Callable[[Callable[[Any], Any], Sequence[Any]], Iterable[Any]]
 FRAMES = 20
 """The innermost calls of a stack that are shown."""
 
+PROVING = 3
+"""How many times as long as the search for a correction its proof may take with it."""
+
 LEAST = 0.5
 """Seconds for a correction, however little the refutation has left."""
 
@@ -247,11 +250,16 @@ class Session(Mender):
         """The search for what makes claims fail, of which these are the outcomes so far."""
         verdicts = {id: outcome.verdict for id, outcome in outcomes.items()}
         explained = [id for id, outcome in outcomes.items() if outcome.correction]
-        return Blame(self, verdicts, explained)
+        return Blame(self, verdicts, explained, self.patience or (self.timeout or inf) / 2)
+
+    @property
+    def _longest(self) -> float | None:
+        """The seconds in which what is found for a correction is to be proved as well."""
+        return self.timeout if self.patience is None else PROVING * self.patience
 
     def _shared(self, blame: Blame) -> Repairs:
         """What mends several claims, if it is found in time."""
-        with suppress(Exception), time_limit(inf), time_limit(self.patience or self.timeout):
+        with suppress(Exception), time_limit(inf), time_limit(self._longest):
             return blame.shared()
         return {}  # what goes wrong with one of the claims is told where it is by itself
 
@@ -260,7 +268,7 @@ class Session(Mender):
     ) -> Outcome:
         """An outcome with the corrections that are found in time, and with what that took."""
         first, start = self.arithmetics[0], perf_counter()
-        limits = [] if self.patience is None else [self.patience]
+        limits = [] if self.patience is None else [PROVING * self.patience]
         limits += (
             [] if self.timeout is None else [max(self.timeout - outcome.seconds[first], LEAST)]
         )

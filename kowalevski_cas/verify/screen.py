@@ -8,6 +8,7 @@ from kowalevski_cas.algebra.points import Answer, NoPoint, Points, Question
 from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Name
+from kowalevski_cas.paper.generators import decides
 from kowalevski_cas.problem.differentials import chosen, differentials
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Found
@@ -47,6 +48,8 @@ def screen(
         for question in questions(statement, verdicts, unseen, stages):
             answer = points.answer(question)
             if answer.holds is False:
+                if not all(map(decides, statement.claimed)):
+                    return Screened(Verdict.UNDECIDED, "a point does not refute it")
                 return _refuted(answer)
             answers.append(answer)
     except (NoPoint, Meaningless) as error:

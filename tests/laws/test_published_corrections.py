@@ -9,6 +9,12 @@ from kowalevski_cas.verify.run import Session
 from tests.laws.published import SEEN, UNSEEN
 from tests.sample import sampled
 
+OWN = (
+    r"W=\frac{q_1q_1}{4\pi\varepsilon R}",
+    r"V=\frac{q_3}{4\pi\varepsilon}(\frac{q_1}S-\frac{q_2}U)",
+)
+"""Definitions by which one claim fails, which is corrected itself then."""
+
 BEYOND = {
     r"\frac{\dot x^2+\dot y^2}2-\frac{mu}r": "two letters were printed for a command",
     r"\frac{\dot x^2+\dot y^2}2+(C-\frac{mu}r)": "two letters were printed for a command",
@@ -57,4 +63,4 @@ def test_what_an_author_has_mended(place):
     proposed = [one for o in bad for one in (o.correction, *o.alternatives) if one]
     meant = right.read(entry.mended)
     found = any(meant in one.formulas for one in proposed)
-    assert found != (entry.printed in BEYOND)
+    assert found != (entry.printed in (*BEYOND, *OWN))

@@ -5,6 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.source import macros
+from kowalevski_cas.source.expanded import MOST_NOTES
 from kowalevski_cas.source.files import decode, read_source
 from kowalevski_cas.source.macros import expand
 from kowalevski_cas.source.text import SourceError
@@ -116,7 +117,7 @@ def test_definitions_that_are_not_understood_are_noted():
 
 def test_unclosed_definitions_take_no_time():
     expanded = expand(decode("paper.tex", rb"\def\a{" * 30_000))
-    assert len(expanded.notes) == macros.MOST_NOTES + 1
+    assert len(expanded.notes) == MOST_NOTES + 1
 
 
 STYLE = rb"""\ProvidesPackage{own}
