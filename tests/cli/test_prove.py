@@ -13,11 +13,12 @@ from tests.sample import sampled
 SEARCHED_OTHERWISE = {
     ("kharlamov2002", "M4-dimension"),
     ("kharlamov2002", "N4-dimension"),
+    ("kharlamov2002", "appelrot-area"),
     ("kharlamov2002", "appelrot-dimension"),
     ("kharlamov2002", "critical-set"),
     ("kharlamov2002", "corrected/critical-set"),
 }
-"""Problems of kinds of claims that have a search of their own: a set, or critical points."""
+"""Problems of kinds that have a search of their own, and one that is proved by a declared locus."""
 
 PROBLEMS = [
     stored
