@@ -56,6 +56,9 @@ CUES: dict[str, str] = {
     "places": r"""
         planes lines axes points surfaces sets circles плоскост(?:и|ей) прям(?:ые|ых) ос(?:и|ей)\b
         точ(?:ки|ек)""",
+    "derived": r"""
+        \b(?:we|one)\s+(?:have|has|finds?|gets?|obtains?) becom\w+ takes?\s+the\s+form reduc\w+
+        получ\w+ имеем прим\w+\s+вид привод\w+""",
     "on it": r"""
         \bon\s+(?:it|this|them|these|that)\b \bthere\b на\s+н[её][мй]?\b на\s+них""",
     "level": r"""

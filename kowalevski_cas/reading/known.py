@@ -200,5 +200,10 @@ class Known:
 
 
 def _within(one: Item, item: Item) -> bool:
-    """Whether a statement stands in the theorem of another one, or else in its section."""
+    """Whether a statement stands where another one holds: in its item of a list, in its theorem.
+
+    Outside of theorems that is its section.
+    """
+    if one.entry is not None and not one.entry[0] <= item.typed.start < one.entry[1]:
+        return False
     return one.section in item.sections if one.theorem is None else one.theorem == item.theorem

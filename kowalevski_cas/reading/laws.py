@@ -128,9 +128,27 @@ class _Finder:
                 yield law
 
     def _another(self, item: Item, known: Sequence[Law]) -> bool:
-        """Whether the words set up another system in the same variables."""
+        """Whether the words, or another section, set up another system in the same variables."""
+        if self._own_system(item, known[-1]):
+            return True
         said = cue("another system", item.before) or cue("another system", item.section.title)
         return bool(said) and item.section not in known[-1].first.sections[-1:]
+
+    def _own_system(self, item: Item, before: Law) -> bool:
+        """Whether a display of another section is closed by itself, and follows from nothing.
+
+        What it says of the variables of an earlier law would contradict that law, or repeat it.
+        """
+        if item.sections[:2] == before.first.sections[:2] or len(item.sections) < 2:
+            return False
+        if cue("follows", item.before) or cue("derived", item.before) or item.refs:
+            return False
+        rows = [row for row in self.rows if row.typed is item.typed]
+        rated = {name for row in rows for name in self.scalars(row)}
+        named = {name for row in rows for name in self.names.scalars(row.names)}
+        printed = {row.formula for row in before.rows}
+        new = any(row.formula not in printed for row in rows)
+        return new and self.given(rows) >= len(rated) and not named & {*before.variables} - rated
 
     def scalars(self, item: Item) -> tuple[str, ...]:
         return self.names.scalars(item.rates)

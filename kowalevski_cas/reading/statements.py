@@ -55,6 +55,8 @@ class Item:
     refs: tuple[str, ...] = ()
     span: tuple[int, int] = (0, 0)
     """The interval of the file in which it stands."""
+    entry: tuple[int, int] | None = None
+    """The interval of the item of a list in which it stands."""
 
     @property
     def words(self) -> str:
@@ -167,6 +169,7 @@ def read_statements(source: Source) -> Paper:
                     Printed(display, number), formula, tree, trouble, len(items), around.sentence,
                     around.lead, around.tail, around.before, around.after, around.paragraph,
                     path, prose.theorem(formula.start), around.refs, span,
+                    prose.entry(formula.start),
                 )
             )  # fmt: skip
     return Paper(source, prose, words, tuple(displays), tuple(items), lines, expanded)

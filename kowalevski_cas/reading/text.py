@@ -41,6 +41,8 @@ _NEWTHEOREM = re.compile(r"\\newtheorem\*?\s*\{([^{}]+)\}")
 _THEOREMS = frozenset(
     "theorem lemma proposition corollary remark example definition claim theo lem prop cor".split()
 )
+_LISTS = frozenset({"enumerate", "itemize", "description", "list", "compactenum"})
+_ENTRY = re.compile(r"\\item(?![A-Za-z])|" + _ENVIRONMENT.pattern)
 _ASIDE = frozenset({"abstract", "thebibliography", "keywords"})
 _STOP = re.compile(
     r"(?P<paragraph>\n[ \t]*\n\s*)|(?P<end>[.?!])(?=[)\]}'’”»\s]*(?:\s|$))|(?P<break>\\(?:item|par"
@@ -151,6 +153,26 @@ class Prose:
         """The interval of the theorem, with its proof, around an offset."""
         around = (one[:2] for one in self.statements if one[0] <= offset < one[1])
         return next(around, None)
+
+    @cached_property
+    def entries(self) -> list[tuple[int, int]]:
+        """The intervals of the items of lists, inner ones first."""
+        found: list[tuple[int, int]] = []
+        opened: list[int | None] = []
+        for match in _ENTRY.finditer(self.text, self.start):
+            if match["what"] == "begin" and match["name"] in _LISTS:
+                opened.append(None)
+            elif opened and (match["what"] is None or match["name"] in _LISTS):
+                start = opened.pop()
+                if start is not None:
+                    found.append((start, match.start()))
+                if match["what"] is None:
+                    opened.append(match.start())
+        return found
+
+    def entry(self, offset: int) -> tuple[int, int] | None:
+        """The interval of the innermost item of a list around an offset."""
+        return next((one for one in self.entries if one[0] <= offset < one[1]), None)
 
 
 def references(words: str) -> tuple[str, ...]:

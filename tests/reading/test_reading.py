@@ -166,3 +166,30 @@ def test_a_later_supposition_about_the_same_name_takes_the_place_of_the_first(la
     assert verdicts(rf"{suppose} Now let ${later}$. Then ${false}$.")[false] not in (
         Verdict.PROVED, Verdict.CONDITIONAL
     )  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", ["enumerate", "itemize"])
+def test_what_an_item_supposes_reaches_no_other_item(kind):
+    """Each item of a list has hypotheses of its own; those before the list reach into all."""
+    items = rf"\begin{{{kind}}}\item Let $a=-b$. Then $p^2+q^2$ is constant."
+    items += rf"\item Then $q^2+p^2$ is constant.\end{{{kind}}}"
+    found = verdicts(TOP + r"\begin{theorem}" + items + r"\end{theorem}")
+    assert found["p^2+q^2"] is Verdict.PROVED and not found["q^2+p^2"].green
+    before = verdicts(TOP + r"\begin{theorem} Let $a=-b$. " + items + r"\end{theorem}")
+    assert before["q^2+p^2"] is Verdict.PROVED
+
+
+def test_each_section_may_have_a_system_of_its_own_in_the_same_letters():
+    first = r"\section{One} The motion is $$\dot x=y,\quad \dot y=-x.$$ Then $x^2+y^2$ is constant."
+    second = r"\section{Two} The motion is $$\dot x=y,\quad \dot y=x.$$ Then $x^2-y^2$ is constant."
+    text = first + second + r" But $xy+x^2$ is constant."
+    found = verdicts(text)
+    assert found["x^2+y^2"] is found["x^2-y^2"] is Verdict.PROVED
+    assert not found["xy+x^2"].green
+    assert reading(text).known.laws[1:]
+
+
+def test_what_follows_in_another_section_is_claimed_by_the_law():
+    first = r"\section{One} The motion is $$\dot x=y,\quad \dot y=-x.$$"
+    second = r"\section{Two} Therefore we have $$\dot x=y,\quad \dot y=x.$$"
+    assert len(reading(first + second).known.laws) == 1
