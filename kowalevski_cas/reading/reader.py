@@ -158,6 +158,7 @@ class _Reader:
         rung = self.candidates[item][choice.place]
         given = any(one.given for one in self.candidates[item])
         sure = not (given or rung.constants or cue("on it", item.words)) and self._is_plain(rung)
+        sure = sure and not any(one.title == "abstract" for one in item.sections)
         fixed = (member for member in item.members if not self.known.varying(member.names()))
         doubtful = role.kind == "identity" and not item.derives and any(fixed)
         rate = role.kind == "integral" or item.derives
@@ -166,10 +167,13 @@ class _Reader:
         return Formula(item, role, rung.claim, rung.on, rung.constants, doubt, choice.message)
 
     def _is_plain(self, rung: Rung) -> bool:
-        """Whether a claim stands on a law that rests on no other one, and is printed once."""
+        """Whether a claim stands on the only law of its variables, which rests on no other one."""
         rows = {*rung.claim.scene.field} if isinstance(rung.claim.scene.field, tuple) else set()
         law = next((one for one in self.known.laws if {r.printed for r in one.rows} == rows), None)
-        return law is not None and law.base is None
+        if law is None or law.base is not None:
+            return False
+        others = (one for one in self.known.laws if one is not law)
+        return not any({*one.variables} & {*law.variables} for one in others)
 
     def _id(self, item: Item) -> str:
         beside = [one for one in self.paper.items if one.typed is item.typed]

@@ -193,3 +193,13 @@ def test_what_follows_in_another_section_is_claimed_by_the_law():
     first = r"\section{One} The motion is $$\dot x=y,\quad \dot y=-x.$$"
     second = r"\section{Two} Therefore we have $$\dot x=y,\quad \dot y=x.$$"
     assert len(reading(first + second).known.laws) == 1
+
+
+def test_what_may_be_by_another_law_of_the_same_letters_is_not_red_by_itself():
+    """Each claim may be meant by the other law: yellow, unless one edit mends it."""
+    first = r"\section{One} The motion is $$\dot x=y,\quad \dot y=-x.$$ "
+    second = r"\section{Two} The motion is $$\dot x=y,\quad \dot y=x^3+x.$$ "
+    claimed = r"Then $x^2y^2+x+7y^3$ is constant."
+    (alone,) = verdicts(first + claimed).values()
+    assert alone is Verdict.REFUTED
+    assert Verdict.REFUTED not in verdicts(first + second + claimed).values()
