@@ -133,8 +133,8 @@ def test_1_a_refuted_claim_without_a_record(cli, write):
 def test_2_wrong_usage(cli):
     assert cli()[0] == 2
     assert "exit codes:" in cli()[1]
-    code, _, err = cli("prove")
-    assert code == 2 and "invalid choice: 'prove'" in err
+    code, _, err = cli("demonstrate")
+    assert code == 2 and "invalid choice: 'demonstrate'" in err
     code, _, err = cli("verify", "--arithmetic", "maple")
     assert code == 2 and "invalid choice: 'maple'" in err
     code, _, err = cli("verify", "--timeout", "-1")

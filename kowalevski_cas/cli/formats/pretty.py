@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from kowalevski_cas.cli import plain
-from kowalevski_cas.cli.formats import ComparedRun, reading
+from kowalevski_cas.cli.formats import ComparedRun
 from kowalevski_cas.library import MEND
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.report.document import Block, Display, Paragraph
@@ -141,6 +141,8 @@ class AuditText:
         audit = self.audit
         findings = Findings(self.phrases, tuple(audit.outcomes.values()))
         if audit.reading is not None:
+            from kowalevski_cas.cli.formats import reading  # a run has no audit
+
             head = *reading.answer(audit), *self.wrong(), *reading.rest(audit, self.phrases)
             return "\n".join((*head, *details, *self.uncovered(), "", *self.summary(), ""))
         source = f"{audit.source.path}, by the derivation {audit.session.derivation.name}."
