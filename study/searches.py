@@ -43,7 +43,7 @@ from kowalevski_cas.processes import each
 from kowalevski_cas.search.branches import branches
 from kowalevski_cas.search.groebner import Basis
 from kowalevski_cas.search.integrals import first_integrals
-from kowalevski_cas.search.parameters import Ansatz, cofactor_monomials
+from kowalevski_cas.search.parameters import DarbouxAnsatz, cofactor_monomials
 from kowalevski_cas.tools import TOOLS
 from study.charts import display_name, line_style, look, seconds
 from study.published import PUBLISHED, Published
@@ -203,7 +203,9 @@ def _equations(one: Published) -> tuple[list[fmpq_mpoly], range]:
         for variable, exponent in zip(at.setting.variables, exponents, strict=True):
             term = term * ring.generator(variable) ** exponent
         value = value + term
-    found = [c.terms()[0] for _, c in Ansatz(at, value, letters).equations() if not c.is_zero]
+    found = [
+        c.terms()[0] for _, c in DarbouxAnsatz(at, value, letters).equations() if not c.is_zero
+    ]
     moving = [ring.polynomials.generators.index(name) for name in at.setting.variables]
     width = len(ring.polynomials.generators)
     kept = [k for k in range(width) if k not in moving]
@@ -219,7 +221,7 @@ def _by_cases(one: Published) -> Callable[[], int]:
 
 def _with_cofactors(one: Published) -> Callable[[], int]:
     equations, _ = _equations(one)
-    return lambda: len(Basis(equations, ()).reduced())
+    return lambda: len(Basis(equations, ()).interreduced())
 
 
 def _by_flint(one: Published) -> Callable[[], int]:

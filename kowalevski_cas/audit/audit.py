@@ -11,7 +11,7 @@ from kowalevski_cas.audit.audited import SUSPECT, Audited
 from kowalevski_cas.audit.author import AuthorSession
 from kowalevski_cas.audit.describe import Describer
 from kowalevski_cas.audit.limits import excess
-from kowalevski_cas.audit.places import Place, find_places
+from kowalevski_cas.audit.places import Correspondence, find_places
 from kowalevski_cas.audit.quotations import Quotations
 from kowalevski_cas.audit.session import AuditSession, formulas
 from kowalevski_cas.paper.derivation import Derivation
@@ -38,7 +38,7 @@ class Audit:
 
     source: Source
     expanded: Expanded
-    places: list[Place]
+    places: list[Correspondence]
     formulas: list[Audited]
     session: AuthorSession
     notes: list[tuple[int, str]]

@@ -17,7 +17,7 @@ from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.verify.corrections import printed_of, stated
+from kowalevski_cas.verify.corrections import printed_of, statement_of
 from kowalevski_cas.verify.outcome import Correction, Outcome, Verdict
 from kowalevski_cas.verify.statement import Statement
 
@@ -69,7 +69,7 @@ class AuthorSession(AuditSession):
     def decide(self, claim: Claim) -> Outcome:
         """The outcome for a claim: that of the derivation, if its problem is the same."""
         if why := self.other.get(claim.id) or self._refusal(claim):
-            return self.unread(claim, self.on(claim), Verdict.UNDECIDED, why)
+            return self.outcome_without_evidence(claim, self.on(claim), Verdict.UNDECIDED, why)
         known = self.known[claim.id]
         if not claim.reads() & self.changed or self._same(claim, known):
             return known
@@ -133,7 +133,7 @@ class AuthorSession(AuditSession):
         with suppress(NotationError, Meaningless):
             for neighbour in claim.neighbours(on.texts):
                 if printed_of(neighbour) == good.formulas:
-                    return self.proposed(neighbour, stated(neighbour, on))
+                    return self.correction_of(neighbour, statement_of(neighbour, on))
         return Correction(
             good.formulas, AS_BEFORE, good.verdict, good.conditions, good.digest,
             certificate=good.certificate,
@@ -173,7 +173,7 @@ class AuthorSession(AuditSession):
             return self._true(claim, texts)
         proposed = known.correction
         if proposed is not None and proposed.printed is not None and proposed.edit is not None:
-            return self._true(claim, texts.edited(proposed.printed, proposed.edit))
+            return self._true(claim, texts.with_edit(proposed.printed, proposed.edit))
         try:
             return Statement(claim, self.on(claim, texts)).digest == known.digest
         except TimeoutError:

@@ -6,11 +6,11 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from kowalevski_cas.audit.audited import GIVEN, MISSING, NEW, SUSPECT, UNREADABLE, WRONG, Audited
 from kowalevski_cas.audit.author import AuthorSession
-from kowalevski_cas.audit.places import Place
-from kowalevski_cas.audit.roles import Role, Roles, undefined, unused
+from kowalevski_cas.audit.places import Correspondence
+from kowalevski_cas.audit.roles import PlaceRoles, Roles, undefined, unused
 from kowalevski_cas.notation import Formula, NotationError, split_display, to_latex
 from kowalevski_cas.paper.texts import Display, Printed
-from kowalevski_cas.source.displays import Typed
+from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.outcome import WORST
@@ -38,7 +38,7 @@ class Describer:
             for printed in causes:
                 self.broken.setdefault(printed.place, []).append(claim)
 
-    def formulas(self, place: Place) -> Iterator[Audited]:
+    def formulas(self, place: Correspondence) -> Iterator[Audited]:
         """The statements of one display."""
         display, typed = place.display, place.typed
         if typed is None:
@@ -73,7 +73,9 @@ class Describer:
                 f"{expected} statements are expected here, {len(intervals)} are found",
             )  # fmt: skip
 
-    def new(self, typed: Sequence[Typed], places: Sequence[Place]) -> Iterator[Audited]:
+    def new(
+        self, typed: Sequence[TypedFormula], places: Sequence[Correspondence]
+    ) -> Iterator[Audited]:
         """Displays of the source for which the derivation has no place."""
         known = {id(place.typed) for place in places}
         for formula in typed:
@@ -85,7 +87,7 @@ class Describer:
     def _audited(
         self,
         id: str,
-        typed: Typed,
+        typed: TypedFormula,
         interval: tuple[int, int],
         display: Display | None,
         verdict: str,
@@ -98,7 +100,7 @@ class Describer:
         label = typed.labels[0] if typed.labels else ""
         return Audited(id, label, line, column, tex, role, verdict, message=message)
 
-    def _position(self, typed: Typed, start: int, end: int) -> tuple[int, int]:
+    def _position(self, typed: TypedFormula, start: int, end: int) -> tuple[int, int]:
         while start < end and typed.tex[start].isspace():
             start += 1
         at = self.expanded.origin(typed.start + start, typed.start + start + 1)[0]
@@ -133,7 +135,9 @@ class Describer:
             audited.causes = tuple(cause.place for cause in causes)
         self._blame(audited, printed, audited.formula, role)
 
-    def _blame(self, audited: Audited, printed: Printed, formula: Formula, role: Role) -> None:
+    def _blame(
+        self, audited: Audited, printed: Printed, formula: Formula, role: PlaceRoles
+    ) -> None:
         """What a statement makes false, and what it no longer defines."""
         session = self.session
         audited.breaks = tuple(self.broken.get(printed.place, ()))

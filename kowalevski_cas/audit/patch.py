@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from kowalevski_cas.audit.audit import Audit, audit
-from kowalevski_cas.audit.places import Place
+from kowalevski_cas.audit.places import Correspondence
 from kowalevski_cas.notation import NotationError, read_display
 from kowalevski_cas.source.difference import difference
 from kowalevski_cas.source.text import Source
@@ -15,7 +15,7 @@ ROUNDS = 3
 """A misprint can hide behind another one; so what is mended is audited again."""
 
 
-def mended(found: Audit) -> Source:
+def repair_source(found: Audit) -> Source:
     """The source with every misprint mended that a true formula is known for."""
     source = found.source
     for _ in range(ROUNDS):
@@ -46,7 +46,7 @@ def _once(audit: Audit) -> Source:
     return audit.source.edited(replacements)
 
 
-def wanted_tex(audit: Audit, place: Place) -> str | None:
+def wanted_tex(audit: Audit, place: Correspondence) -> str | None:
     """The source of a display as it should be; ``None`` if nothing is wrong with it.
 
     What the author has changed is to be what the derivation has, and a misprint to be mended.
@@ -87,4 +87,4 @@ def _replaced(text: str, replacements: dict[tuple[int, int], str]) -> str:
 
 def patch(found: Audit) -> str:
     """A unified diff that mends every misprint, empty if there is none."""
-    return difference(found.source, mended(found))
+    return difference(found.source, repair_source(found))

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Display
-from kowalevski_cas.source.displays import Typed
+from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.tokens import likeness, words
 
 LIKE = 0.6
@@ -27,18 +27,18 @@ PATIENCE = 20_000_000
 
 
 @dataclass(frozen=True)
-class Place:
+class Correspondence:
     """A display of the derivation and the formula of the source that stands for it."""
 
     display: Display
-    typed: Typed | None
+    typed: TypedFormula | None
     moved: bool = False
 
 
-def find_places(derivation: Derivation, formulas: Sequence[Typed]) -> list[Place]:
+def find_places(derivation: Derivation, formulas: Sequence[TypedFormula]) -> list[Correspondence]:
     """The places of all displays that the paper prints, in the order of the derivation."""
     displays = [display for display in derivation.displays() if not display.source]
-    finder = _Finder(displays, formulas)
+    finder = _Matcher(displays, formulas)
     finder.by_label()
     finder.by_content()
     finder.between(False, RELATED)
@@ -46,7 +46,7 @@ def find_places(derivation: Derivation, formulas: Sequence[Typed]) -> list[Place
     finder.anywhere()
     steady = finder.in_order()
     return [
-        Place(
+        Correspondence(
             display,
             formulas[finder.found[k]] if k in finder.found else None,
             k in finder.found and k not in steady,
@@ -55,10 +55,10 @@ def find_places(derivation: Derivation, formulas: Sequence[Typed]) -> list[Place
     ]
 
 
-class _Finder:
+class _Matcher:
     """Which formula stands for which display, as far as is known."""
 
-    def __init__(self, displays: Sequence[Display], formulas: Sequence[Typed]) -> None:
+    def __init__(self, displays: Sequence[Display], formulas: Sequence[TypedFormula]) -> None:
         self.displays = displays
         self.formulas = formulas
         self.found: dict[int, int] = {}

@@ -11,10 +11,10 @@ from collections.abc import Sequence
 from difflib import SequenceMatcher
 from functools import cached_property
 
-from kowalevski_cas.audit.places import Place
+from kowalevski_cas.audit.places import Correspondence
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.source.displays import Typed, find_formulas
+from kowalevski_cas.source.displays import TypedFormula, find_formulas
 from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.sentences import STOP, Word, sentence_words
 from kowalevski_cas.source.text import Source
@@ -33,8 +33,8 @@ class Quotations:
         self,
         source: Source,
         expanded: Expanded,
-        typed: Sequence[Typed],
-        places: Sequence[Place],
+        typed: Sequence[TypedFormula],
+        places: Sequence[Correspondence],
         derivation: Derivation,
     ) -> None:
         self.source, self.expanded, self.derivation = source, expanded, derivation
@@ -45,7 +45,7 @@ class Quotations:
         )
         self.texts = [word.text for word in self.words]
 
-    def called(self, formula: Typed) -> str:
+    def called(self, formula: TypedFormula) -> str:
         """An inline formula by its id, or by what it prints."""
         printed = words(formula.tex)
         return self.names.get(printed) or f"${' '.join(printed)}$"

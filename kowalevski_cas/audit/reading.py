@@ -16,17 +16,25 @@ from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.audited import OPEN, UNREADABLE, Audited
 from kowalevski_cas.audit.author import AuthorSession
 from kowalevski_cas.audit.describe import Describer
-from kowalevski_cas.audit.places import Place
+from kowalevski_cas.audit.places import Correspondence
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.limits import time_limit
 from kowalevski_cas.notation import Edit, Name, Negative, Number, Power, Relation, edits
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.texts import Printed, Texts
-from kowalevski_cas.reading import ASSUMPTION, CLAIM, CONVENTION, DEFINITION, LAW, Formula, Reading
+from kowalevski_cas.reading import (
+    ASSUMPTION,
+    CLAIM,
+    CONVENTION,
+    DEFINITION,
+    LAW,
+    JudgedStatement,
+    Reading,
+)
 from kowalevski_cas.reading.uncovered import Uncovered, sentences
 from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.outcome import Outcome, Verdict
-from kowalevski_cas.verify.run import FALSE_AS_READ, Progress, Work, shared
+from kowalevski_cas.verify.run import FALSE_AS_READ, Progress, Work, run_together
 
 PATIENCE = 15.0
 """Seconds for what claims share, and for each that is corrected by itself."""
@@ -59,7 +67,7 @@ class ReadingSession(AuditSession):
     @cached_property
     def outcomes(self) -> dict[str, Outcome]:
         """What is said about each claim; processes share the work."""
-        (run,) = shared([self], progress=self.heard)
+        (run,) = run_together([self], progress=self.heard)
         found = {one.claim: self._blaming(one) for one in run.outcomes}
         self._mend(found)
         return {
@@ -87,7 +95,7 @@ class ReadingSession(AuditSession):
                 for one in outcomes
                 if one.verdict is Verdict.REFUTED and place in claims[one.claim].reads()
             ]
-            texts = self.texts.edited(place, edit)
+            texts = self.texts.with_edit(place, edit)
 
             def holds(number: int, failing: list[Claim] = failing, texts: Texts = texts) -> bool:
                 with suppress(TimeoutError), time_limit(self.patience):
@@ -131,7 +139,7 @@ class ReadingSession(AuditSession):
         again = ReadingSession(self.reading, self.arithmetics, timeout=self.timeout)
         again.texts = self.texts.reading(mended)
         again.elaborations = self.elaborations.apart(again.texts)
-        (run,) = shared([again], rest, self.heard)
+        (run,) = run_together([again], rest, self.heard)
         for outcome in run.outcomes:
             own = outcome.correction is not None and not outcome.correction.blamed
             late = found[outcome.claim].verdict is Verdict.TIMEOUT
@@ -152,7 +160,7 @@ def audit_reading(session: ReadingSession) -> Audit:
     """All formulas of a source that is its own derivation, with what a run says of each."""
     start, reading = perf_counter(), session.reading
     paper = reading.paper
-    places = [Place(display, typed) for display, typed in paper.displays]
+    places = [Correspondence(display, typed) for display, typed in paper.displays]
     author = AuthorSession(session, {}, {}, {})
     describe = Describer(paper.source, paper.expanded, author, {})
     found = [formula for place in places for formula in describe.formulas(place)]
@@ -176,7 +184,7 @@ def uncovered(reading: Reading) -> list[Uncovered]:
     return [one for span, kind, one in stated if (span, kind) not in kinds]
 
 
-def _as_read(audited: Audited, formula: Formula | None) -> None:
+def _as_read(audited: Audited, formula: JudgedStatement | None) -> None:
     """Give a formula the role that it was read in."""
     if formula is None:
         audited.role, audited.reason = "unread", audited.message
@@ -198,7 +206,7 @@ class Assumed(NamedTuple):
     claims: tuple[str, ...]
 
 
-def assumed(audit: Audit) -> Iterator[Assumed]:
+def assumptions_of(audit: Audit) -> Iterator[Assumed]:
     """What an audit takes for granted: assumptions, conventions, and names taken for constants."""
     reading = audit.reading
     assert reading is not None

@@ -15,7 +15,7 @@ ORDER = ("unit", "vector field", "definition", "claim", "condition")
 
 
 @dataclass
-class Role:
+class PlaceRoles:
     """The roles of one place, the claims that are about it, and those of just this formula."""
 
     roles: set[str] = field(default_factory=set)
@@ -42,7 +42,7 @@ class Roles:
     """The roles of all places, by their public names."""
 
     def __init__(self, derivation: Derivation) -> None:
-        self.places: dict[str, Role] = {}
+        self.places: dict[str, PlaceRoles] = {}
         for scene in derivation.scenes():
             for name, printed in scene.roles():
                 self.at(printed.place).roles.add(name)
@@ -62,14 +62,14 @@ class Roles:
                 if printed not in own:
                     self.at(printed.place).roles.add("condition")
 
-    def at(self, place: str) -> Role:
+    def at(self, place: str) -> PlaceRoles:
         """The role of a place, none if the derivation does not use it."""
         if place not in self.places:
-            self.places[place] = Role()
+            self.places[place] = PlaceRoles()
         return self.places[place]
 
 
-def undefined(role: Role, formula: Formula) -> list[str]:
+def undefined(role: PlaceRoles, formula: Formula) -> list[str]:
     """The names that a place should define, and does not print as a member of its equation."""
     is_equality = isinstance(formula, Relation) and formula.is_equality
     members = formula.children() if is_equality else ()

@@ -42,7 +42,7 @@ from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.confirm import need_certificates
 from kowalevski_cas.verify.outcome import Outcome, Verdict
-from kowalevski_cas.verify.teller import disagreement
+from kowalevski_cas.verify.outcome_writer import disagreement
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -20,12 +20,12 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.report.compare import without_marks
 from kowalevski_cas.report.document import (
     Block,
-    Claim,
     Code,
-    Display,
     Emphasis,
+    Equations,
     Heading,
     Inline,
+    Judgement,
     Link,
     Paragraph,
     Sign,
@@ -127,10 +127,10 @@ def lines(blocks: Iterable[Block], indent: int = 0) -> Iterator[str]:
                 yield from map(bold, wrap(text(block.text), margin, indent))
             case Paragraph():
                 yield from wrap(text(block.text), margin, indent)
-            case Display():
+            case Equations():
                 mark = sign(block.verdict) if block.verdict else " " * 4
                 yield from wrap(formulas(block.formulas, block.source), margin + mark, indent + 4)
-            case Claim():
+            case Judgement():
                 mark = sign(block.verdict) if block.verdict else ""
                 inner = indent + (4 if block.verdict else 0)
                 yield from wrap(text(block.head), margin + mark, inner)

@@ -17,9 +17,9 @@ from kowalevski_cas.cli.exits import AS_RECORDED, DISAGREEMENT, UNDECIDED, Comma
 from kowalevski_cas.files import write_all
 from kowalevski_cas.verify import record
 from kowalevski_cas.verify.certificate import FOLDER, Stored
-from kowalevski_cas.verify.committed import wanted
+from kowalevski_cas.verify.committed import certificates_of
 from kowalevski_cas.verify.outcome import Run, Verdict
-from kowalevski_cas.verify.teller import disagreement
+from kowalevski_cas.verify.outcome_writer import disagreement
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -66,7 +66,7 @@ def _write(folder: Path, found: Run) -> int:
         if change.claim not in left:
             print(f"{change.claim}: {change.recorded} -> {change.found}")
     texts = found.certificates
-    kept = wanted({claim: recorded[claim] for claim in left if claim in recorded})
+    kept = certificates_of({claim: recorded[claim] for claim in left if claim in recorded})
     write_all(
         {folder / record.FILE: record.dump_record(found, recorded)}
         | {folder / FOLDER / f"{name}.json": text for name, text in texts.items()}

@@ -25,7 +25,7 @@ from kowalevski_cas.processes import each
 from kowalevski_cas.verify.certificate import FOLDER, Stored, load_certificates
 from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.verify.record import RecordError, load_record
-from kowalevski_cas.verify.run import Session, shared
+from kowalevski_cas.verify.run import Session, run_together
 
 if TYPE_CHECKING:
     from rich.progress import TaskID
@@ -102,7 +102,7 @@ def runs(
             raise CommandError(said) from None
         sessions.append(session)
     with progress_bar() as progress:
-        found = shared(sessions, only, progress)
+        found = run_together(sessions, only, progress)
     for note in (outcome.note for run in found for outcome in run.outcomes if outcome.note):
         print(note, file=sys.stderr)
     return [(run, session.texts) for run, session in zip(found, sessions, strict=True)]

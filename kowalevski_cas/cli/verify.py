@@ -24,7 +24,12 @@ from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.verify.certificate import Stored
 from kowalevski_cas.verify.outcome import Run
-from kowalevski_cas.verify.record import contradictions, differences, load_record, unexpected
+from kowalevski_cas.verify.record import (
+    contradictions,
+    differences,
+    load_record,
+    unexpected_verdicts,
+)
 
 PAUSE = 0.2
 """Seconds between two looks at the files that are watched."""
@@ -77,12 +82,16 @@ def compare_with_record(
     """A run beside the record in a folder, of all claims if it is whole."""
     record, said = load_record(folder), derivation.expected
     if record is None:
-        differing = unexpected(found, said)
+        differing = unexpected_verdicts(found, said)
     elif found.arithmetics[0] in POINTS:
         differing = contradictions(found, record)
     else:
         differing = differences(found, record, whole)
-        against = (difference for difference in unexpected(found, said) if difference.claim in said)
+        against = (
+            difference
+            for difference in unexpected_verdicts(found, said)
+            if difference.claim in said
+        )
         words = "against the file, which expects {}"
         differing += [
             difference._replace(recorded=words.format(difference.recorded))

@@ -15,7 +15,7 @@ from kowalevski_cas.paper.families import Generators, Kind, template
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.problem.goals import Along, Goal, simple
 from kowalevski_cas.problem.prune import Reach
-from kowalevski_cas.problem.space import Motion, Space
+from kowalevski_cas.problem.space import EquationOfMotion, Space
 
 U, V = Name("u"), Name("v")
 
@@ -55,7 +55,7 @@ def theorem(family: Family, added: bool, alone: bool) -> Along:
         constants=(*family.parameters, *(() if alone else first.moving)),
         nonzero=tuple(g.values[n] for g in (first, second)[alone:] for n in family.nonzero),
         steps=(*(() if alone else first.roots()), *second.roots()),
-        field=tuple(Motion((name,), Number(1), rates[name]) for name in moving),
+        field=tuple(EquationOfMotion((name,), Number(1), rates[name]) for name in moving),
     )
     return Along(space, tuple(initial.items()), tuple((names[g], equations[g]) for g in names))
 

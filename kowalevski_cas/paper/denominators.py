@@ -40,7 +40,7 @@ class Divisors:
     @cached_property
     def granted(self) -> set[Shape]:
         """The factors of what is taken for granted not to vanish."""
-        return granted_by(map(self.setting.finder.scalar, self.setting.nonzero))
+        return granted_factors(map(self.setting.finder.scalar, self.setting.nonzero))
 
     @cached_property
     def landmarks(self) -> dict[object, Formula]:
@@ -87,7 +87,7 @@ def _below(formulas: Iterable[Formula]) -> Iterator[Formula]:
                 yield factor.base if isinstance(factor, Power) else factor
 
 
-def granted_by(elements: Iterable[Element]) -> set[Shape]:
+def granted_factors(elements: Iterable[Element]) -> set[Shape]:
     """The irreducible polynomials that vanish nowhere but where one of the elements does."""
     from kowalevski_cas.algebra.factors import vanishes_with
 

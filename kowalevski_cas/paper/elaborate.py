@@ -29,15 +29,15 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.paper.components import component
 from kowalevski_cas.paper.denominators import Divisors
+from kowalevski_cas.paper.inlined import InlinedDefinitions
 from kowalevski_cas.paper.motion import Moving
 from kowalevski_cas.paper.names import head, is_bold
 from kowalevski_cas.paper.plain import Plain
-from kowalevski_cas.paper.roots import root_of_number, solved
+from kowalevski_cas.paper.roots import root_of_number, solve_for_root
 from kowalevski_cas.paper.scene import Change as ChangeOfScene
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.paper.validation import validate
-from kowalevski_cas.paper.written_out import WrittenOut
 from kowalevski_cas.problem import finder
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.mentions import mentions
@@ -78,7 +78,7 @@ class Elaboration(Moving):
             *(n for one in scene.variables for n in functions.instead(one)),
             *self.velocities.values(),
             *functions.products(moving=True),
-            *(functions.instead(scene.time) if functions.timed else ()),
+            *(functions.instead(scene.time) if functions.depends_on_time else ()),
         ]
         still = [n for one in (*scene.constants, *scene.undefined) for n in functions.instead(one)]
         still += functions.products(moving=False)
@@ -241,7 +241,7 @@ class Elaboration(Moving):
             step = self.source.step("i")
             self.places["i"] = self.source.places.get("i", ())
             return step
-        return solved(self, "i", printed)
+        return solve_for_root(self, "i", printed)
 
     def _root(self, name: str) -> Step:
         if name in self.transcendental.roots:
@@ -249,7 +249,7 @@ class Elaboration(Moving):
             return Adjoined(name, self.plain(self.transcendental.roots[name].square))
         printed = self.scene.roots.get(name)
         if printed is not None:
-            return solved(self, name, printed)
+            return solve_for_root(self, name, printed)
         root = self.texts.expression(name)
         if not isinstance(root, Root):
             raise Meaningless(f"{name} is not printed as a square root", name)
@@ -299,9 +299,9 @@ class Elaboration(Moving):
         return Plain(self)
 
     @cached_property
-    def written_out(self) -> WrittenOut:
+    def inlined_places(self) -> InlinedDefinitions:
         """What a place prints that leaves no name in the space."""
-        return WrittenOut(self.plain)
+        return InlinedDefinitions(self.plain)
 
     @cached_property
     def divisors(self) -> Divisors:

@@ -27,7 +27,7 @@ from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.paper.transcendental import Transcendental
 from kowalevski_cas.problem.goals import Follows, Goal, Rank, simple
 from kowalevski_cas.problem.prune import Reach
-from kowalevski_cas.problem.space import Meaningless, Motion
+from kowalevski_cas.problem.space import EquationOfMotion, Meaningless
 
 ONE, ZERO = Number(1), Number(0)
 
@@ -101,7 +101,9 @@ def free_names(setting: Meaning, formulas: Iterable[Formula]) -> frozenset[str]:
     return frozenset(found)
 
 
-def with_generators(setting: Meaning, rows: Sequence[Motion]) -> Iterator[Motion]:
+def with_generators(
+    setting: Meaning, rows: Sequence[EquationOfMotion]
+) -> Iterator[EquationOfMotion]:
     """The rows of a field, with those of generators in the place of what they replace.
 
     The time moves as well, where it stands in a formula. Raises :class:`Meaningless` for a name in
@@ -111,9 +113,9 @@ def with_generators(setting: Meaning, rows: Sequence[Motion]) -> Iterator[Motion
     known = {
         name: (factor, force) for row in rows for name, factor, force in setting.components(row)
     }
-    if functions.timed:
+    if functions.depends_on_time:
         known[scene.time] = ONE, ONE
-        rows = [*rows, Motion((scene.time,), ONE, ONE)]
+        rows = [*rows, EquationOfMotion((scene.time,), ONE, ONE)]
     yield from (row for row in rows if not any(name in functions for name in row.names))
     for group in functions.groups if known else ():
         if not functions.moves(group):
@@ -126,7 +128,9 @@ def with_generators(setting: Meaning, rows: Sequence[Motion]) -> Iterator[Motion
                     if isinstance(rate, Quotient)
                     else (ONE, rate)
                 )
-                yield Motion((name,), times(below, factor), times(setting.plain(above), force))
+                yield EquationOfMotion(
+                    (name,), times(below, factor), times(setting.plain(above), force)
+                )
 
 
 def _rate(

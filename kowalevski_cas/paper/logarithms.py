@@ -54,14 +54,16 @@ def _slope(function: str, inner: Formula) -> Formula:
     return substitute(read(DERIVATIVE_OF[function], ARGUMENT), {"x": inner})
 
 
-def derived(formula: Formula, by: Callable[[Formula], Formula], space: Elaboration) -> Formula:
+def derivative_of(
+    formula: Formula, by: Callable[[Formula], Formula], space: Elaboration
+) -> Formula:
     """A derivative of a function with logarithms, of which ``by`` is the one without them.
 
     Raises :class:`Meaningless` for a logarithm that is no term with a constant factor.
     """
 
     def of(part: Formula) -> Formula:
-        return derived(part, by, space)
+        return derivative_of(part, by, space)
 
     if not has_logarithm(formula):
         return by(formula)

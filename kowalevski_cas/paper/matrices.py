@@ -62,8 +62,8 @@ def rows(formula: Formula, setting: Meaning, within: tuple[str, ...] = ()) -> Ro
         case Derivative(argument, mark):
             return _each(of(argument), lambda entry: setting.plain(Derivative(entry, mark)))
         case Sum(terms) if any(is_matrix(term, setting) for term in terms):
-            return reduce(_sum, alike(terms, setting, within))
-    return _multiplied(formula, setting, of)
+            return reduce(_sum, as_matrices(terms, setting, within))
+    return _multiply(formula, setting, of)
 
 
 def by_rows(formula: Formula, setting: Meaning) -> bool:
@@ -80,7 +80,7 @@ def by_rows(formula: Formula, setting: Meaning) -> bool:
     return any(by_rows(child, setting) for child in formula.children())
 
 
-def alike(
+def as_matrices(
     formulas: Sequence[Formula],
     setting: Meaning,
     within: tuple[str, ...] = (),
@@ -102,7 +102,7 @@ def alike(
     ]
 
 
-def _multiplied(formula: Formula, setting: Meaning, of: Callable[[Formula], Rows]) -> Rows:
+def _multiply(formula: Formula, setting: Meaning, of: Callable[[Formula], Rows]) -> Rows:
     """The entries of what is made of matrices by multiplication."""
     match formula:
         case Commutator(left, right):
@@ -169,7 +169,7 @@ def _sum(left: Rows, right: Rows) -> Rows:
     return tuple(tuple(map(Sum, zip(a, b, strict=True))) for a, b in zip(left, right, strict=True))
 
 
-def applied(matrix: Rows, column: Sequence[Formula]) -> tuple[Formula, ...]:
+def matrix_times_column(matrix: Rows, column: Sequence[Formula]) -> tuple[Formula, ...]:
     """A matrix times a column; raises :class:`Meaningless` if their sizes do not fit."""
     if len(matrix[0]) != len(column):
         raise Meaningless("factors are multiplied whose sizes do not fit")
@@ -178,5 +178,5 @@ def applied(matrix: Rows, column: Sequence[Formula]) -> tuple[Formula, ...]:
 
 def product(left: Rows, right: Rows) -> Rows:
     """The product of two matrices."""
-    columns = (applied(left, column) for column in zip(*right, strict=True))
+    columns = (matrix_times_column(left, column) for column in zip(*right, strict=True))
     return tuple(zip(*columns, strict=True))

@@ -11,7 +11,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.paper.transcendental import Transcendental
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.space import Motion, Setting
+from kowalevski_cas.problem.space import EquationOfMotion, Setting
 
 
 class Meaning(Setting):
@@ -27,7 +27,7 @@ class Meaning(Setting):
     """The formulas of a claim with functions that the scene itself does not print."""
 
     @abstractmethod
-    def components(self, row: Motion) -> Iterator[tuple[str, Formula, Formula]]:
+    def components(self, row: EquationOfMotion) -> Iterator[tuple[str, Formula, Formula]]:
         """An equation of motion by components: name, factor of its rate, right side."""
 
     @property

@@ -41,7 +41,7 @@ from kowalevski_cas.paper.scene import Change as ChangeOfScene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.paper.transcendental import Transcendental
 from kowalevski_cas.paper.validation import check_time
-from kowalevski_cas.problem.space import Change, Equation, Meaningless, Motion
+from kowalevski_cas.problem.space import ChangeOfVariables, Equation, EquationOfMotion, Meaningless
 
 
 def velocities(
@@ -70,12 +70,12 @@ def _orders(formula: Formula, above: int = 0) -> Iterator[tuple[str, int]]:
         yield from _orders(child, above + isinstance(formula, Derivative))
 
 
-def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[Motion]:
+def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[EquationOfMotion]:
     """The rows of the field of a scene; raises :class:`Meaningless` if there is no such field."""
     _check_marks(setting)
     setting.turning = turning = dict[str, Formula]()
     velocities = setting.velocities.items()
-    rows = [Motion((x,), Number(1), Name(rate)) for x, rate in velocities]
+    rows = [EquationOfMotion((x,), Number(1), Name(rate)) for x, rate in velocities]
     found: dict[str, Printed] = {}
     others: list[Equation] = []
     for printed in places:
@@ -86,7 +86,7 @@ def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[Motion]:
             continue
         if force == Number(0) and len(row.names) > 1:
             force = Vector((force,) * len(row.names))
-        row = Motion(row.names, setting.plain(row.factor), force)
+        row = EquationOfMotion(row.names, setting.plain(row.factor), force)
         turning[row.names[0]] = Quotient(row.force, row.factor)
         rows.append(row)
         for name in row.names:
@@ -114,7 +114,7 @@ def _check_marks(setting: Meaning) -> None:
         raise Meaningless("dots and primes in the same equations: print one of them")
 
 
-def _row(left: Formula, setting: Meaning) -> Motion | None:
+def _row(left: Formula, setting: Meaning) -> EquationOfMotion | None:
     """The left side of a row of the field, with 0 on the right; ``None`` if it is none."""
     factors = left.factors if isinstance(left, Product) else (left,)
     rates = [factor for factor in factors if isinstance(factor, Derivative)]
@@ -133,7 +133,7 @@ def _row(left: Formula, setting: Meaning) -> Motion | None:
         names = tuple(setting.velocities[one] for one in names)
     ones: Formula = Vector((Number(1),) * len(names)) if len(names) > 1 else Number(1)
     rest = tuple(ones if factor is rates[0] else factor for factor in factors)
-    return Motion(names, Product(rest) if len(rest) > 1 else ones, Number(0))
+    return EquationOfMotion(names, Product(rest) if len(rest) > 1 else ones, Number(0))
 
 
 def _has_rate(formula: Formula) -> bool:
@@ -148,8 +148,11 @@ def marks(equations: Sequence[Formula]) -> set[str]:
 
 
 def _solved(
-    equations: Sequence[Equation], unknown: Sequence[str], known: Sequence[Motion], setting: Meaning
-) -> Iterator[Motion]:
+    equations: Sequence[Equation],
+    unknown: Sequence[str],
+    known: Sequence[EquationOfMotion],
+    setting: Meaning,
+) -> Iterator[EquationOfMotion]:
     """The rows for variables whose rates stand in equations, with those that are known.
 
     Raises :class:`Meaningless` for equations that are not linear in the rates, or do not determine
@@ -182,7 +185,9 @@ def _solved(
         left = {index for one in row for index in at.scalar(one).denominator}
         gone = sorted({index for value in values for index in value.denominator} - left)
         below = [formula_in(Element(at.ring, {0: at.ring.divisors[n]}, {})) for n in gone]
-        yield Motion((name,), *(times(*below, one) for one in row))  # what cancels is remembered
+        yield EquationOfMotion(
+            (name,), *(times(*below, one) for one in row)
+        )  # what cancels is remembered
 
 
 def _partial(element: Element, name: str) -> Element:
@@ -231,13 +236,13 @@ class Moving(Meaning):
         return velocities(self.printed_field, self.scene.variables, self.scene.vectors)
 
     @cached_property
-    def field(self) -> tuple[Motion, ...]:
+    def field(self) -> tuple[EquationOfMotion, ...]:
         """The printed equations of motion, solved for the rates where they are not."""
         rows = self.scene.field
         return () if isinstance(rows, ChangeOfScene) else tuple(field(self, rows))
 
     @cached_property
-    def change(self) -> Change | None:
+    def change(self) -> ChangeOfVariables | None:
         """The change of variables that gives the field."""
         change = self.scene.field
         if not isinstance(change, ChangeOfScene):
@@ -256,7 +261,7 @@ class Moving(Meaning):
         ]
         check_time(self.source, change.time)
         time = Quotient(Number(1), self.source.plain(self.texts.time_scale(change.time)))
-        return Change(self.source, tuple(formulas), time)
+        return ChangeOfVariables(self.source, tuple(formulas), time)
 
     @cached_property
     def inverse(self) -> dict[str, Formula]:
@@ -280,7 +285,7 @@ class Moving(Meaning):
             yield from field
         yield from self.scene.zero
 
-    def components(self, row: Motion) -> Iterator[tuple[str, Formula, Formula]]:
+    def components(self, row: EquationOfMotion) -> Iterator[tuple[str, Formula, Formula]]:
         if len(row.names) == 1:
             yield row.names[0], row.factor, row.force
             return

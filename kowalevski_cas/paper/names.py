@@ -20,10 +20,10 @@ def is_indexed(name: str) -> bool:
     return name.endswith(("_i", "_j"))
 
 
-def summed(arguments: Iterable[str]) -> set[str]:
+def summation_indices(arguments: Iterable[str]) -> set[str]:
     r"""What is summed over in a bracket of these coordinates, if they are indexed.
 
-    >>> sorted(summed(("M_i", "p_j")))
+    >>> sorted(summation_indices(("M_i", "p_j")))
     ['M_k', '\\varepsilon_{ijk}', 'p_k']
     """
     found = {f"{one[:-1]}k" for one in arguments if is_indexed(one)}

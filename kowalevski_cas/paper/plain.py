@@ -36,11 +36,11 @@ from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.paper.brackets import Brackets
 from kowalevski_cas.paper.components import parts
 from kowalevski_cas.paper.functions import value_of
-from kowalevski_cas.paper.matrices import OF_MATRICES, applied, by_rows, rows
+from kowalevski_cas.paper.matrices import OF_MATRICES, by_rows, matrix_times_column, rows
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.motion import marks
 from kowalevski_cas.paper.roots import root_of_number
-from kowalevski_cas.paper.summation import written_out
+from kowalevski_cas.paper.summation import expand_sum
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.mentions import mentions
 from kowalevski_cas.problem.space import Meaningless
@@ -98,7 +98,7 @@ class Plain:
             case PoissonBracket(left, right):
                 return self._brackets(self._components(left), self._components(right))
             case Summation():
-                return self(written_out(formula))
+                return self(expand_sum(formula))
             case Power(base, Number(exponent)) if (square := self._square(base)) is not None:
                 half, odd = divmod(exponent, 2)
                 even = Power(square, Number(half)) if half > 1 else square
@@ -131,7 +131,9 @@ class Plain:
         if ranks[-1] != VECTOR:
             raise Meaningless("a vector stands before a matrix: print it behind")
         matrix = Product(tuple(before)) if len(before) > 1 else before[0]
-        return Vector(applied(rows(matrix, self.setting), parts(self(vector), self.setting)))
+        return Vector(
+            matrix_times_column(rows(matrix, self.setting), parts(self(vector), self.setting))
+        )
 
     def _derivative(self, argument: Formula, mark: str) -> Formula:
         """The rate by the time of the scene, or by the other one that its clock declares."""

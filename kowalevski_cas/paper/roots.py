@@ -20,7 +20,7 @@ from kowalevski_cas.notation import (
     times,
     to_latex,
 )
-from kowalevski_cas.paper.denominators import factors_below, factors_of, granted_by
+from kowalevski_cas.paper.denominators import factors_below, factors_of, granted_factors
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -52,7 +52,7 @@ def rationals() -> Evaluation:
     return Evaluation(Space((), ("",)), load("flint"))
 
 
-def solved(setting: Meaning, name: str, printed: Printed) -> Adjoined:
+def solve_for_root(setting: Meaning, name: str, printed: Printed) -> Adjoined:
     r"""A root by a printed equation in which its square stands.
 
     The equation is solved for the square: ``a^2`` in :math:`(\alpha,\alpha)=a^2`,
@@ -67,7 +67,7 @@ def solved(setting: Meaning, name: str, printed: Printed) -> Adjoined:
         if name not in other.names():
             return Adjoined(name, setting.plain(other))
     at = setting.free([name])
-    sides = [plain for m in members if (plain := _known(at, setting, m)) is not None]
+    sides = [plain for m in members if (plain := _expand_known(at, setting, m)) is not None]
     if len(sides) < 2:
         raise Meaningless(f"the equation at {printed.place} does not give {name}^2", name)
     right = sides[-1]
@@ -76,7 +76,7 @@ def solved(setting: Meaning, name: str, printed: Printed) -> Adjoined:
     for above, below in parts:
         if factor.is_zero or not (above * rest - below * factor).is_zero:
             raise Meaningless(f"the equation at {printed.place} does not give {name}^2", name)
-    granted = granted_by(map(at.scalar, setting.nonzero))
+    granted = granted_factors(map(at.scalar, setting.nonzero))
     if factors_below(factor.inverse()).keys() - granted - factors_below(factor).keys():
         shown = to_latex(formula_in(factor))
         raise Meaningless(
@@ -104,7 +104,7 @@ def _even(element: Element, name: str) -> tuple[Element, Element]:
     return (factor, rest) if even else (ring.zero, ring.one)
 
 
-def _known(at: Evaluation, setting: Meaning, member: Formula) -> Formula | None:
+def _expand_known(at: Evaluation, setting: Meaning, member: Formula) -> Formula | None:
     """A member written out; ``None`` if the scene does not know what it is."""
     try:
         plain = setting.plain(member)

@@ -13,7 +13,7 @@ from kowalevski_cas.problem.space import Meaningless
 _INDEX = re.compile(r"\\[A-Za-z]+|\d+|.")
 
 
-def written_out(formula: Summation) -> Formula:
+def expand_sum(formula: Summation) -> Formula:
     """The terms of a sum; raises :class:`Meaningless` if its limits are no numbers."""
     match formula.first, formula.last:
         case Number(first), Number(last):

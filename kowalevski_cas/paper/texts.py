@@ -169,7 +169,7 @@ class Texts:
     _read: dict[str, tuple[PrintedStatement, ...]] = default(default_factory=dict)
     _expressions: dict[str, Formula] = default(default_factory=dict)
 
-    def edited(self, printed: Printed, edit: Edit) -> Texts:
+    def with_edit(self, printed: Printed, edit: Edit) -> Texts:
         """The same texts with one statement changed."""
         return self.reading({printed: edit.formula})
 

@@ -104,7 +104,7 @@ class Transcendental:
         return combination(self._expanded(application.arguments[0]))
 
     @cached_property
-    def replaced(self) -> frozenset[str]:
+    def names_replaced(self) -> frozenset[str]:
         """The names in whose place generators stand."""
         alone = {single_name(group.monomial) for group in self.groups}
         used = {
@@ -119,7 +119,7 @@ class Transcendental:
         for group in self.groups:
             name = single_name(group.monomial)
             beside = sum(single_name(other.monomial) == name for other in self.groups)
-            if name not in self.replaced or beside > 1 or not group.kind.family.covers:
+            if name not in self.names_replaced or beside > 1 or not group.kind.family.covers:
                 below = (n for one in group.kind.parameters for n in one.names())
                 found.update(group.names.values(), group.argument.names(), below)
         return frozenset(found)
@@ -148,16 +148,16 @@ class Transcendental:
         return not self._expanded(modulus).names().isdisjoint(self.adjoined)
 
     def __contains__(self, name: str) -> bool:
-        return name in self.replaced
+        return name in self.names_replaced
 
     def instead(self, name: str) -> tuple[str, ...]:
         """The names in the place of one, or the name with its functions."""
-        found = () if name in self.replaced else (name,)
+        found = () if name in self.names_replaced else (name,)
         groups = (g for g in self.groups if single_name(g.monomial) == name)
         return (*found, *(n for g in groups for n in g.moving))
 
     @property
-    def timed(self) -> bool:
+    def depends_on_time(self) -> bool:
         """Whether the time stands in a formula."""
         used = any(self.time in group.argument.names() for group in self.groups)
         return bool(self.time) and (used or self.time in self.free)

@@ -17,14 +17,15 @@ from typing import Any
 from kowalevski_cas.algebra.numbers import independent, inverse_of, rational
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Number
-from kowalevski_cas.problem.along import Solved, check_departure, check_equal
+from kowalevski_cas.problem.along import InitialValueProblem, check_departure, check_equal
 from kowalevski_cas.problem.collect import collect_sides
 from kowalevski_cas.problem.count import check_free, check_roots, check_solutions
-from kowalevski_cas.problem.differentials import chosen, differentials, minors
+from kowalevski_cas.problem.differentials import differentials, functions_for_differentials, minors
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import (
     At,
     Departure,
+    Entailment,
     Evidence,
     Found,
     Further,
@@ -32,7 +33,6 @@ from kowalevski_cas.problem.evidence import (
     Proof,
     Regardless,
     Roots,
-    Shown,
     Solutions,
 )
 from kowalevski_cas.problem.examine import Examiner, Unproved, Vacuous, is_real, law, need_point
@@ -48,7 +48,7 @@ from kowalevski_cas.problem.goals import (
     Simple,
 )
 from kowalevski_cas.problem.kernel import check_complete, check_further, check_no_solution
-from kowalevski_cas.problem.place import Misplaced, Pieces, Place
+from kowalevski_cas.problem.place import Misplaced, Pieces, PointEvaluation
 from kowalevski_cas.problem.space import Equation, Meaningless
 
 ZERO = Number(0)
@@ -104,12 +104,12 @@ class Judge(Examiner):
 
     # -- what follows --------------------------------------------------------------
 
-    def _everywhere(self, goal: Follows, evidence: Shown, at: Evaluation, sign: bool) -> None:
+    def _everywhere(self, goal: Follows, evidence: Entailment, at: Evaluation, sign: bool) -> None:
         """What was said to fail somewhere follows, without a condition."""
         self._follows(goal, evidence, at, sign)
         self._unconditional(at)
 
-    def _follows(self, goal: Follows, evidence: Shown, at: Evaluation, sign: bool) -> None:
+    def _follows(self, goal: Follows, evidence: Entailment, at: Evaluation, sign: bool) -> None:
         if not all(goal.conclusions):
             raise Unproved("nothing is stated")
         need_point(evidence.point)
@@ -145,7 +145,7 @@ class Judge(Examiner):
     # -- ranks ---------------------------------------------------------------------
 
     def _rows(self, goal: Rank, at: Evaluation) -> list[list[Element]]:
-        functions = chosen(goal, at)
+        functions = functions_for_differentials(goal, at)
         self.accepted.divides(functions)
         return differentials(functions, at)
 
@@ -199,7 +199,7 @@ class Judge(Examiner):
     # -- solutions -------------------------------------------------------------------
 
     def _along(self, goal: Along, evidence: At | Departure, at: Evaluation, sign: bool) -> None:
-        solutions = Solved(goal, at)
+        solutions = InitialValueProblem(goal, at)
         self._point(at, evidence.point, solutions.differences)
         if isinstance(evidence, Departure):
             check_departure(solutions, evidence.order, self.accepted.places[-1])
@@ -239,7 +239,7 @@ class Judge(Examiner):
         goal: Exists,
         sides: Equation,
         at: Evaluation,
-        weighted: Sequence[tuple[Fraction, Place]],
+        weighted: Sequence[tuple[Fraction, PointEvaluation]],
     ) -> bool:
         """Whether the weighted sum of an equation at points is a number other than zero."""
         collected = collect_sides(sides, goal.bound)
@@ -252,11 +252,15 @@ class Judge(Examiner):
         return not _adds_to_zero(free, weighted)
 
 
-def _vanish(elements: Sequence[Element], weighted: Sequence[tuple[Fraction, Place]]) -> bool:
+def _vanish(
+    elements: Sequence[Element], weighted: Sequence[tuple[Fraction, PointEvaluation]]
+) -> bool:
     return all(place(element).is_zero for _, place in weighted for element in elements)
 
 
-def _adds_to_zero(elements: Sequence[Element], weighted: Sequence[tuple[Fraction, Place]]) -> bool:
+def _adds_to_zero(
+    elements: Sequence[Element], weighted: Sequence[tuple[Fraction, PointEvaluation]]
+) -> bool:
     """Whether the weighted sums of values vanish; of several points they have to be rational."""
     if len(weighted) == 1:
         return _vanish(elements, weighted)
@@ -276,8 +280,8 @@ def _rational(number: Element) -> Fraction:
 Rule = Callable[[Judge, Any, Any, Evaluation, bool], None]
 _RULES: dict[tuple[type, type, bool], Rule] = {
     (Fails, At, True): Judge._fails,
-    (Fails, Shown, False): Judge._everywhere,
-    (Follows, Shown, True): Judge._follows,
+    (Fails, Entailment, False): Judge._everywhere,
+    (Follows, Entailment, True): Judge._follows,
     (Follows, At, False): Judge._fails,
     (Rank, At, True): Judge._rank,
     (Rank, At, False): Judge._rank,

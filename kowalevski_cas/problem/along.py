@@ -13,13 +13,13 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.goals import Along
-from kowalevski_cas.problem.place import Misplaced, Place
+from kowalevski_cas.problem.place import Misplaced, PointEvaluation
 
 ORDER = 12
 """The largest order of a derivative that is looked at, by the checker as well."""
 
 
-class Solved:
+class InitialValueProblem:
     """The sides of a goal, and the beginning of the motion.
 
     Raises :class:`Misplaced` if it does not begin with values of all that moves, or where
@@ -100,7 +100,7 @@ class Solved:
         return {ring.polynomials.generators[place] for places in occurring for place in places}
 
 
-def check_equal(solved: Solved) -> None:
+def check_equal(solved: InitialValueProblem) -> None:
     """Check that both sides solve one regular system, and begin as one."""
     at, names = solved.at, {*solved.values}
     for root in at.setting.roots:
@@ -118,7 +118,7 @@ def check_equal(solved: Solved) -> None:
             raise Misplaced(f"{name} begins otherwise")
 
 
-def check_departure(solved: Solved, order: int, place: Place) -> None:
+def check_departure(solved: InitialValueProblem, order: int, place: PointEvaluation) -> None:
     """Check that a derivative of this order of some difference is not zero at the beginning."""
     if not 0 <= order <= ORDER:
         raise Misplaced(f"the order is at most {ORDER}")

@@ -19,6 +19,7 @@ from kowalevski_cas.notation import Formula
 from kowalevski_cas.problem.evidence import (
     At,
     Departure,
+    Entailment,
     Evidence,
     Factor,
     Found,
@@ -28,7 +29,6 @@ from kowalevski_cas.problem.evidence import (
     Proof,
     Regardless,
     Roots,
-    Shown,
     Solutions,
 )
 from kowalevski_cas.problem.goals import (
@@ -44,10 +44,10 @@ from kowalevski_cas.problem.goals import (
 )
 from kowalevski_cas.problem.space import (
     Adjoined,
-    Change,
-    Definition,
+    ChangeOfVariables,
+    EquationOfMotion,
     Let,
-    Motion,
+    NameDefinition,
     Raised,
     Setting,
     Space,
@@ -59,7 +59,7 @@ Data = dict[str, Any]
 
 SHAPES: dict[type[Any], str] = {
     Space: "variables constants? nonzero? steps? field? change? conjugates?",
-    Change: "old formulas time",
+    ChangeOfVariables: "old formulas time",
     Exists: "numbers expressions goals",
     Follows: "space given conclusions",
     Fails: "space given conclusions",
@@ -129,7 +129,7 @@ def evidence_data(evidence: Evidence) -> Data:
     return _object(evidence, [])
 
 
-def _written(value: Any, spaces: list[Space]) -> Tree:
+def _json_of(value: Any, spaces: list[Space]) -> Tree:
     """A value as JSON; spaces that are met are entered, each after those that it rests on."""
     match value:
         case Formula():
@@ -137,12 +137,12 @@ def _written(value: Any, spaces: list[Space]) -> Tree:
         case str() | int():
             return value
         case tuple() if type(value) is tuple:
-            return [_written(one, spaces) for one in value]
+            return [_json_of(one, spaces) for one in value]
         case Space():
             return _place(value, spaces)
-        case Definition():
+        case NameDefinition():
             return [_WORDS[type(value)], *value.trees]
-        case Motion(names, factor, force):
+        case EquationOfMotion(names, factor, force):
             return [[*names], encode(factor), encode(force)]
         case Mapping():
             return [[name, encode(one)] for name, one in value.items()]
@@ -152,7 +152,7 @@ def _written(value: Any, spaces: list[Space]) -> Tree:
 def _place(space: Space, spaces: list[Space]) -> int:
     if space not in spaces:
         if space.change is not None:
-            _written(space.change.old, spaces)
+            _json_of(space.change.old, spaces)
         spaces.append(space)
     return spaces.index(space)
 
@@ -163,14 +163,14 @@ def _object(value: Any, spaces: list[Space]) -> Data:
         case Point(values):
             trees = [[name, encode(one)] for name, one in sorted(values.items())]
             return {"roots": sorted(_radicands(trees)), "values": trees}
-        case Shown(proof, None):
+        case Entailment(proof, None):
             return _object(proof, spaces)
-        case Shown(proof, point):
+        case Entailment(proof, point):
             return {"point": _object(point, spaces), **_object(proof, spaces)}
     word = {"goal": _WORDS[type(value)]} if type(value) in _WORDS else {}
     found = [(key, getattr(value, name), least) for key, name, least in _KEYS[type(value)]]
     return word | {
-        key: _written(one, spaces) for key, one, least in found if one not in (least, None)
+        key: _json_of(one, spaces) for key, one, least in found if one not in (least, None)
     }
 
 
@@ -191,8 +191,8 @@ def read_problem(data: Data) -> Problem:
     try:
         spaces: list[Space] = []
         for space in data["spaces"]:
-            spaces.append(_read_object(Space, space, spaces))
-        return Problem(tuple(_read(Goal, goal, spaces) for goal in data["goals"]))
+            spaces.append(_object_from_json(Space, space, spaces))
+        return Problem(tuple(_value_from_json(Goal, goal, spaces) for goal in data["goals"]))
     except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
         raise FormatError(f"it states nothing that can be read: {error}") from None
 
@@ -208,11 +208,13 @@ def read_evidence(data: Data, goal: Goal, holds: bool = True) -> Evidence:
         if isinstance(goal, Exists) and kind is Found:
             pairs = zip(found.pop("evidence"), goal.goals, strict=True)
             inner = tuple(read_evidence(entry, one) for entry, one in pairs)
-            return Found(_read(_types(Found)["values"], found.pop("values"), []), inner, **found)
-        if kind is Shown:
-            point = _read(Point, found.pop("point"), [])
-            return Shown(_read_object(Proof, found, []), point)
-        evidence: Evidence = _read_object(kind, found, [])
+            return Found(
+                _value_from_json(_types(Found)["values"], found.pop("values"), []), inner, **found
+            )
+        if kind is Entailment:
+            point = _value_from_json(Point, found.pop("point"), [])
+            return Entailment(_object_from_json(Proof, found, []), point)
+        evidence: Evidence = _object_from_json(kind, found, [])
         return evidence
     except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
         raise FormatError(f"it is no evidence: {error}") from None
@@ -224,7 +226,7 @@ def _kind(data: Data, goal: Goal, holds: bool) -> type:
         case Exists():
             return Found if holds else Regardless
         case Follows() if isinstance(goal, Fails) != holds:
-            return Shown
+            return Entailment
         case Rank() if not holds and "minors" in data:
             return Minors
         case Kernel() if "further" in data:
@@ -236,51 +238,57 @@ def _kind(data: Data, goal: Goal, holds: bool) -> type:
     return At
 
 
-def _read(kind: Any, data: Tree, spaces: list[Space]) -> Any:
+def _value_from_json(kind: Any, data: Tree, spaces: list[Space]) -> Any:
     """The value of a type that is written as this JSON."""
     if isinstance(kind, UnionType):
-        return _read_one(kind, data, spaces)
+        return _one_from_json(kind, data, spaces)
     if get_origin(kind) is tuple:
         first, *others = get_args(kind)
         parts = [first] * len(data) if others == [...] else [first, *others]
-        return tuple(_read(part, one, spaces) for part, one in zip(parts, data, strict=True))
+        return tuple(
+            _value_from_json(part, one, spaces) for part, one in zip(parts, data, strict=True)
+        )
     if get_origin(kind) is Mapping:
         return {name: decode(tree) for name, tree in data}
     if kind is Formula:
         return decode(data)
     if kind is Setting:
-        return spaces[_read(int, data, spaces)]
+        return spaces[_value_from_json(int, data, spaces)]
     if kind in (str, int):
         if type(data) is not kind or (kind is int and data < 0):
             raise FormatError(f"{data!r:.80} is no {'name' if kind is str else 'whole number'}")
         return data
-    if kind is Motion:
-        return _read_listed(Motion, data, spaces)
-    return _read_object(kind, data, spaces)
+    if kind is EquationOfMotion:
+        return _list_from_json(EquationOfMotion, data, spaces)
+    return _object_from_json(kind, data, spaces)
 
 
-def _read_one(kind: Any, data: Tree, spaces: list[Space]) -> Any:
+def _one_from_json(kind: Any, data: Tree, spaces: list[Space]) -> Any:
     """A goal, a step, or what may be left out and is not."""
     if kind == Step:
         word, *rest = data
-        return _read_listed(_STEPS[word], rest, spaces)
+        return _list_from_json(_STEPS[word], rest, spaces)
     first, *others = (part for part in get_args(kind) if part is not NoneType)
     if not others:
-        return _read(first, data, spaces)
+        return _value_from_json(first, data, spaces)
     own = _GOALS[data["goal"]]
     if not issubclass(own, get_args(kind)):
         raise FormatError(f"a goal of the kind {data['goal']} cannot stand here")
-    return _read_object(own, {key: one for key, one in data.items() if key != "goal"}, spaces)
+    return _object_from_json(own, {key: one for key, one in data.items() if key != "goal"}, spaces)
 
 
-def _read_listed(kind: Any, data: Tree, spaces: list[Space]) -> Any:
+def _list_from_json(kind: Any, data: Tree, spaces: list[Space]) -> Any:
     types = [*_types(kind).values()][: len(data)]
-    return kind(*(_read(part, one, spaces) for part, one in zip(types, data, strict=True)))
+    return kind(
+        *(_value_from_json(part, one, spaces) for part, one in zip(types, data, strict=True))
+    )
 
 
-def _read_object(kind: Any, data: Data, spaces: list[Space]) -> Any:
+def _object_from_json(kind: Any, data: Data, spaces: list[Space]) -> Any:
     keys = _KEYS[kind]
     if unknown := data.keys() - {key for key, *_ in keys} - ({"roots"} if kind is Point else set()):
         raise FormatError(f"“{min(unknown)}” is unknown here")
     names = {name: data[key] for key, name, least in keys if key in data or least is MISSING}
-    return kind(**{name: _read(_types(kind)[name], one, spaces) for name, one in names.items()})
+    return kind(
+        **{name: _value_from_json(_types(kind)[name], one, spaces) for name, one in names.items()}
+    )

@@ -14,7 +14,7 @@ from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Factor, Roots, Row, Solutions
 from kowalevski_cas.problem.goals import Count
-from kowalevski_cas.problem.place import Misplaced, Place
+from kowalevski_cas.problem.place import Misplaced, PointEvaluation
 from kowalevski_cas.problem.space import Space
 from kowalevski_cas.problem.trees import LARGEST_EXPONENT
 
@@ -190,9 +190,9 @@ def _minors(found: Roots, inner: Evaluation, factors: list[Element]) -> None:
             raise Misplaced("a minor is another one")
 
 
-def check_solutions(goal: Count, found: Solutions, at: Evaluation) -> list[Place]:
+def check_solutions(goal: Count, found: Solutions, at: Evaluation) -> list[PointEvaluation]:
     """Check that more points than there should be are solutions for the same constants."""
-    places = [Place(at, point) for point in found.points]
+    places = [PointEvaluation(at, point) for point in found.points]
     known = at.differences(goal.equations)
     if len(places) <= goal.number or not all(place.vanish(known) for place in places):
         raise Misplaced("these are not more solutions")
@@ -208,10 +208,10 @@ def check_solutions(goal: Count, found: Solutions, at: Evaluation) -> list[Place
     return places
 
 
-def _same(name: str, one: Place, other: Place) -> bool:
+def _same(name: str, one: PointEvaluation, other: PointEvaluation) -> bool:
     a, b = (place.numbers.scalar(_value(place, name)) for place in (one, other))
     return str(a.terms()) == str(b.terms())
 
 
-def _value(place: Place, name: str) -> Formula:
+def _value(place: PointEvaluation, name: str) -> Formula:
     return place.point.values[name]

@@ -11,7 +11,7 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.goals import Rank
 
 
-def chosen(goal: Rank, at: Evaluation) -> list[Element]:
+def functions_for_differentials(goal: Rank, at: Evaluation) -> list[Element]:
     """The functions, and left minus right sides of equations, whose differentials are meant."""
     return [*map(at.scalar, goal.functions), *at.differences(goal.given)]
 

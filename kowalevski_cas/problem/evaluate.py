@@ -16,9 +16,9 @@ from kowalevski_cas.notation import Formula, Name, Negative, Number, to_latex
 from kowalevski_cas.problem.fold import Fold, Value
 from kowalevski_cas.problem.space import (
     Adjoined,
+    EquationOfMotion,
     Let,
     Meaningless,
-    Motion,
     Raised,
     Setting,
     Step,
@@ -163,7 +163,7 @@ class Evaluation(Fold):
 
     # -- derivatives -------------------------------------------------------------
 
-    def moving(self, rates: Field, rows: Sequence[Motion]) -> Evaluation:
+    def moving(self, rates: Field, rows: Sequence[EquationOfMotion]) -> Evaluation:
         """The same evaluation, in which these are the rates, with those that rows give."""
         bound = copy(self)
         bound._values = dict(self._values)

@@ -36,7 +36,7 @@ class Proof(NamedTuple):
     power: int = 1
 
 
-class Shown(NamedTuple):
+class Entailment(NamedTuple):
     """That something follows: a proof, and a point at which the hypotheses hold.
 
     Without a point nothing is shown: it may be about nothing.
@@ -128,7 +128,7 @@ class Departure(NamedTuple):
     order: int
 
 
-Evidence = Shown | At | Minors | Found | Regardless | Roots | Solutions | Further | Departure
+Evidence = Entailment | At | Minors | Found | Regardless | Roots | Solutions | Further | Departure
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from kowalevski_cas.notation import Negative, Number
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point, Proof
 from kowalevski_cas.problem.goals import Simple
-from kowalevski_cas.problem.place import Place
+from kowalevski_cas.problem.place import PointEvaluation
 from kowalevski_cas.problem.prune import moves
 from kowalevski_cas.problem.space import Adjoined, Setting, all_names
 
@@ -42,7 +42,7 @@ class Accepted:
 
     divided: list[tuple[Simple, list[Element]]] = field(default_factory=list)
     away: list[list[Element]] = field(default_factory=list)
-    places: list[Place] = field(default_factory=list)
+    places: list[PointEvaluation] = field(default_factory=list)
     differs: tuple[Element, Element] | None = None
 
     def starts(self, goal: Simple) -> None:
@@ -113,12 +113,14 @@ class Examiner:
                 raise Unproved("the two sides are not equal")
             yield from entries
 
-    def _point(self, at: Evaluation, point: Point | None, known: Sequence[Element]) -> Place:
+    def _point(
+        self, at: Evaluation, point: Point | None, known: Sequence[Element]
+    ) -> PointEvaluation:
         """The point, where known elements vanish and nothing that the goal divides by does."""
         key = tuple(need_point(point).values.items())
         if key not in at.places:
-            at.places[key] = Place(at, need_point(point))
-        place: Place = at.places[key]
+            at.places[key] = PointEvaluation(at, need_point(point))
+        place: PointEvaluation = at.places[key]
         if place.point.values.keys() != {*all_names(at.setting)}:
             raise Unproved("the point leaves a value out, or has one too many")
         if not place.vanish(known):

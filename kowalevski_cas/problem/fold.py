@@ -177,7 +177,7 @@ def rational_number(formula: Formula) -> int | Fraction | None:
 # -- rules -----------------------------------------------------------------------
 
 
-def _paired(left: Triple, right: Triple) -> Iterator[tuple[Element, Element]]:
+def _pair_components(left: Triple, right: Triple) -> Iterator[tuple[Element, Element]]:
     """The components of two vectors; raises :class:`Meaningless` if one has more of them."""
     if len(left) != len(right):
         raise Meaningless(f"a vector of {len(left)} components beside one of {len(right)}")
@@ -188,7 +188,7 @@ def multiply(left: Value, right: Value) -> Value:
     """The product of scalars, of a scalar and a vector, or of a diagonal matrix and a vector."""
     if isinstance(left, Triple):
         if isinstance(right, Triple):
-            return Triple(a * b for a, b in _paired(left, right))
+            return Triple(a * b for a, b in _pair_components(left, right))
         return Triple(a * right for a in left)
     if isinstance(right, Triple):
         return Triple(left * b for b in right)
@@ -197,7 +197,7 @@ def multiply(left: Value, right: Value) -> Value:
 
 def _add(left: Value, right: Value) -> Value:
     if isinstance(left, Triple) and isinstance(right, Triple):
-        return Triple(a + b for a, b in _paired(left, right))
+        return Triple(a + b for a, b in _pair_components(left, right))
     if isinstance(left, Triple) or isinstance(right, Triple):
         raise Meaningless("a vector is added to a scalar")
     return left + right
@@ -270,7 +270,7 @@ def _power(formula: Power, at: Fold, bar: bool) -> Value:
 def _scalar_product(formula: ScalarProduct, at: Fold, bar: bool) -> Value:
     left, right = (at.vector(f, bar) for f in (formula.left, formula.right))
     total = at.ring.zero
-    for a, b in _paired(left, right):
+    for a, b in _pair_components(left, right):
         total = total + a * b
     return total
 

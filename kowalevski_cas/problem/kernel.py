@@ -16,7 +16,7 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.goals import Kernel
-from kowalevski_cas.problem.place import Misplaced, Place
+from kowalevski_cas.problem.place import Misplaced, PointEvaluation
 from kowalevski_cas.problem.polynomial_fields import (
     Exponents,
     PolynomialField,
@@ -42,7 +42,7 @@ class Ansatz:
     Raises :class:`Misplaced` if there are too many, or if a value has no residue.
     """
 
-    def __init__(self, goal: Kernel, at: Evaluation, place: Place) -> None:
+    def __init__(self, goal: Kernel, at: Evaluation, place: PointEvaluation) -> None:
         self.goal, self.at = goal, at
         if len(goal.weights) != len(at.setting.variables) or min(goal.weights, default=0) < 1:
             raise Misplaced("there is not a positive weight for each variable")
@@ -54,7 +54,7 @@ class Ansatz:
         self.field = PolynomialField(at, self.factor)
         self.values = [self._value(name, place) for name in at.setting.constants]
 
-    def _value(self, name: str, place: Place) -> int | None:
+    def _value(self, name: str, place: PointEvaluation) -> int | None:
         """The residue of a constant that stands in the statement, if it is rational."""
         if name not in place.point.values:
             return None
@@ -123,7 +123,7 @@ def product_of(left: Residues, right: Residues) -> Residues:
     return {key: value for key, value in total.items() if value}
 
 
-def check_complete(goal: Kernel, at: Evaluation, place: Place) -> None:
+def check_complete(goal: Kernel, at: Evaluation, place: PointEvaluation) -> None:
     """Check that nothing is missing; raises :class:`Misplaced`."""
     ansatz = Ansatz(goal, at, place)
     known = ansatz.known()
@@ -132,7 +132,7 @@ def check_complete(goal: Kernel, at: Evaluation, place: Place) -> None:
         raise Misplaced("there may be more polynomials")
 
 
-def check_further(goal: Kernel, formula: Formula, at: Evaluation, place: Place) -> None:
+def check_further(goal: Kernel, formula: Formula, at: Evaluation, place: PointEvaluation) -> None:
     """Check that a polynomial belongs to the kernel and is independent of what is known there."""
     ansatz = Ansatz(goal, at, place)
     degree, own = ansatz.solution(formula, ansatz.factor)
@@ -143,7 +143,7 @@ def check_further(goal: Kernel, formula: Formula, at: Evaluation, place: Place) 
         raise Misplaced("it may depend on what is known")
 
 
-def check_no_solution(goal: Kernel, at: Evaluation, place: Place) -> None:
+def check_no_solution(goal: Kernel, at: Evaluation, place: PointEvaluation) -> None:
     """Check that something which is said to be known is no solution at the point."""
     factor = at.scalar(goal.factor)
     both = [(f, factor) for f in goal.solutions] + [(f, at.ring.zero) for f in goal.integrals]

@@ -38,7 +38,7 @@ class Misplaced(ValueError):
     """A point that is not where it should be; the message says why."""
 
 
-class Place:
+class PointEvaluation:
     """A point in a space: calling it gives the value of an element there.
 
     Names that the point does not mention do not stand in the statement. Raises
@@ -131,7 +131,7 @@ class Pieces:
     has one of its signs. So an element whose value has an inverse is zero on none of them.
     """
 
-    def __init__(self, place: Place, known: Sequence[Element]) -> None:
+    def __init__(self, place: PointEvaluation, known: Sequence[Element]) -> None:
         at, values = place.at, place.point.values
         self.place = place
         numbers = _numbers.__wrapped__(at.polynomials, place.squares)

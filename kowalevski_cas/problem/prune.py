@@ -18,7 +18,7 @@ from kowalevski_cas.problem.goals import (
     simple,
 )
 from kowalevski_cas.problem.mentions import Mentions, mentions
-from kowalevski_cas.problem.space import Adjoined, Change, Raised, Setting, Space, Step
+from kowalevski_cas.problem.space import Adjoined, ChangeOfVariables, Raised, Setting, Space, Step
 
 
 class Reach:
@@ -131,7 +131,7 @@ class Reach:
         return trial.names == self.names
 
 
-def pruned(goals: Iterable[Goal]) -> Problem:
+def prune(goals: Iterable[Goal]) -> Problem:
     """The problem of some goals, over spaces that hold what the goals lead to and no more.
 
     What is left of a setting once more is the same space.
@@ -225,7 +225,9 @@ def _space(reach: Reach, made: dict[Setting, Space]) -> Space:
         assumed=tuple(reach.assumed()),
         steps=tuple(reach.steps),
         field=setting.field if reach.moving else (),
-        change=None if change is None else Change(made[change.old], change.formulas, change.time),
+        change=None
+        if change is None
+        else ChangeOfVariables(made[change.old], change.formulas, change.time),
         conjugates=tuple(pair for pair in setting.conjugates if {*pair} <= known),
         loci=tuple(
             (equations, condition)

@@ -31,7 +31,7 @@ class Meaningless(ValueError):
 
 
 @dataclass(frozen=True)
-class Definition:
+class NameDefinition:
     """What says what a name means; what many statements ask of it is found once."""
 
     name: str
@@ -63,14 +63,14 @@ def _parts(value: object) -> tuple[object, ...]:
 
 
 @dataclass(frozen=True)
-class Let(Definition):
+class Let(NameDefinition):
     """A name that stands for a formula."""
 
     formula: Formula
 
 
 @dataclass(frozen=True)
-class Adjoined(Definition):
+class Adjoined(NameDefinition):
     """A name whose square is a formula; ``printed`` is the equation that says so in the paper."""
 
     square: Formula
@@ -78,7 +78,7 @@ class Adjoined(Definition):
 
 
 @dataclass(frozen=True)
-class Raised(Definition):
+class Raised(NameDefinition):
     """A name for ``base`` to the power of a constant: θ > 0, and dP = m P dθ/θ."""
 
     base: Formula
@@ -88,7 +88,7 @@ class Raised(Definition):
 Step = Let | Adjoined | Raised
 
 
-class Motion(NamedTuple):
+class EquationOfMotion(NamedTuple):
     """A row of a vector field: ``factor`` times the rates of the names is ``force``."""
 
     names: tuple[str, ...]
@@ -97,7 +97,7 @@ class Motion(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Change:
+class ChangeOfVariables:
     """The field is that of the space ``old``, carried over by formulas for the new variables.
 
     Each rate by the new time is ``time`` times the one by the old time.
@@ -162,12 +162,12 @@ class Setting(ABC):
 
     @property
     @abstractmethod
-    def field(self) -> tuple[Motion, ...]:
+    def field(self) -> tuple[EquationOfMotion, ...]:
         """The rows of the vector field; none if there is none or a change gives it."""
 
     @property
     @abstractmethod
-    def change(self) -> Change | None:
+    def change(self) -> ChangeOfVariables | None:
         """The change of variables that gives the field."""
 
 
@@ -183,8 +183,8 @@ class Space(Setting):
     constants: tuple[str, ...] = ()
     nonzero: tuple[Formula, ...] = ()
     steps: tuple[Step, ...] = ()
-    field: tuple[Motion, ...] = ()
-    change: Change | None = None
+    field: tuple[EquationOfMotion, ...] = ()
+    change: ChangeOfVariables | None = None
     conjugates: tuple[tuple[str, str], ...] = ()
     loci: tuple[tuple[tuple[Equation, ...], Formula], ...] = ()
     assumed: tuple[Formula, ...] = ()

@@ -83,7 +83,7 @@ def decode(tree: Tree) -> Formula:
     if op == "^" and len(tree) == 3:
         return _power(tree[1], tree[2])
     if op in _KINDS and op not in ("/", "D"):
-        return _made(op, tuple(map(decode, tree[1:])))
+        return _make_node(op, tuple(map(decode, tree[1:])))
     match tree:
         case ["d", str(name), argument]:
             return Partial(decode(argument), name)
@@ -132,7 +132,7 @@ def _power_of_name(name: str, exponent: int) -> Formula:
     return Power(_name(name), _number(exponent))
 
 
-def _made(op: str, parts: tuple[Formula, ...]) -> Formula:
+def _make_node(op: str, parts: tuple[Formula, ...]) -> Formula:
     kind = _KINDS[op]
     try:
         return kind(parts) if kind in _LISTS else kind(*parts)

@@ -1,7 +1,7 @@
 """Open questions about a scene, a module each; what is found is claimed like anything else.
 
 A module has a docstring, and ``search(on, scene, pool, …)``, which yields one
-:class:`~kowalevski_cas.verify.found.Finding` after the other; what was found before the time is
+:class:`~kowalevski_cas.verify.finding.Finding` after the other; what was found before the time is
 over is kept.
 """
 
@@ -19,7 +19,7 @@ from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Texts
-from kowalevski_cas.verify.found import Finding
+from kowalevski_cas.verify.finding import Finding
 
 QUESTIONS = {
     "integrals": "polynomial first integrals, up to a degree",

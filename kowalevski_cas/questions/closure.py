@@ -26,7 +26,7 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.search.closure import Closure, closures
-from kowalevski_cas.verify.found import Finding
+from kowalevski_cas.verify.finding import Finding
 from kowalevski_cas.verify.outcome import in_latex
 
 

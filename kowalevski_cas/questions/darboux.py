@@ -39,11 +39,11 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.verify.found import Attribute, Finding
+from kowalevski_cas.verify.finding import Attribute, Finding
 
 if TYPE_CHECKING:
+    from kowalevski_cas.search.cofactor_relations import CofactorRelation as CofactorRelation
     from kowalevski_cas.search.cofactor_relations import Exponential
-    from kowalevski_cas.search.cofactor_relations import Relation as CofactorRelation
     from kowalevski_cas.search.darboux import Darboux
 
 

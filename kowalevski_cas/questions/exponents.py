@@ -41,7 +41,7 @@ from kowalevski_cas.questions import with_constants
 from kowalevski_cas.search.branches import Branch
 from kowalevski_cas.search.exponents import Balance, LeadingPart
 from kowalevski_cas.search.painleve import laurent
-from kowalevski_cas.verify.found import Finding
+from kowalevski_cas.verify.finding import Finding
 
 LETTERS = (r"\rho", r"\lambda", *(rf"\rho_{k}" for k in range(10)))
 """Names for an exponent, of which the first that the scene does not have is taken."""

@@ -18,7 +18,7 @@ from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.questions.exponents import leading
-from kowalevski_cas.verify.found import Attribute, Finding
+from kowalevski_cas.verify.finding import Attribute, Finding
 
 DEGREE = 2
 """The highest degree, if none is given."""

@@ -33,8 +33,8 @@ from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.mentions import mentions
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.questions import with_constants
-from kowalevski_cas.search.parameters import Ansatz, cofactor_monomials
-from kowalevski_cas.verify.found import Finding
+from kowalevski_cas.search.parameters import DarbouxAnsatz, cofactor_monomials
+from kowalevski_cas.verify.finding import Finding
 
 LETTERS = (r"\kappa", r"\lambda", r"\mu")
 
@@ -52,7 +52,7 @@ def search(
         )
     space = with_constants(on, scene, *unknown, *letters)
     scene, words = space.scene, space.texts.vocabulary
-    ansatz = Ansatz(space.finder, space.finder.scalar(space.formula(polynomial)), letters)
+    ansatz = DarbouxAnsatz(space.finder, space.finder.scalar(space.formula(polynomial)), letters)
 
     def formula(element: Element) -> Formula:
         return formula_of(element, words)

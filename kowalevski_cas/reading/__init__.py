@@ -1,7 +1,14 @@
 """A paper's source read as a derivation: what each formula is, and on what it stands."""
 
-from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, CONVENTION, DEFINITION, LAW, Role
-from kowalevski_cas.reading.reader import Formula, Reading, read
+from kowalevski_cas.reading.known import (
+    ASSUMPTION,
+    CLAIM,
+    CONVENTION,
+    DEFINITION,
+    LAW,
+    StatementRole,
+)
+from kowalevski_cas.reading.reader import JudgedStatement, Reading, read
 
 __all__ = [
     "ASSUMPTION",
@@ -9,8 +16,8 @@ __all__ = [
     "CONVENTION",
     "DEFINITION",
     "LAW",
-    "Formula",
+    "JudgedStatement",
     "Reading",
-    "Role",
+    "StatementRole",
     "read",
 ]

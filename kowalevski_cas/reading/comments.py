@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from difflib import get_close_matches
 
 from kowalevski_cas.reading.grammar import NAMING, Directive, parse, wrong
-from kowalevski_cas.reading.statements import Item, Paper
+from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 from kowalevski_cas.reading.text import Prose
 from kowalevski_cas.source.comments import Comment, find_comments
 from kowalevski_cas.source.tokens import words
@@ -17,21 +17,21 @@ from kowalevski_cas.source.tokens import words
 class Said:
     """The comments of a paper: by the statements that they are about, and claims of their own."""
 
-    of: dict[Item, list[Directive]] = field(default_factory=dict)
+    of: dict[SourceStatement, list[Directive]] = field(default_factory=dict)
     claims: list[Directive] = field(default_factory=list)
     sentences: list[int] = field(default_factory=list)
     """The places in the text of the sentences that are skipped."""
 
-    def role(self, item: Item) -> Directive | None:
+    def role(self, item: SourceStatement) -> Directive | None:
         """What says which role a statement has."""
         return next((one for one in self.of.get(item, ()) if one.verb != "on"), None)
 
-    def verb(self, item: Item) -> str:
+    def verb(self, item: SourceStatement) -> str:
         """The verb of what says which role a statement has; empty if nothing does."""
         found = self.role(item)
         return found.verb if found is not None else ""
 
-    def on(self, item: Item) -> tuple[Item, ...] | None:
+    def on(self, item: SourceStatement) -> tuple[SourceStatement, ...] | None:
         """On which statements a claim rests, if that is said."""
         found = [one.on for one in self.of.get(item, ()) if one.on is not None]
         return found[-1] if found else None
@@ -47,7 +47,7 @@ class Said:
         return sorted(found, key=lambda one: (one.comment.offset, one.comment.line))
 
 
-def read_comments(paper: Paper) -> Said:
+def read_comments(paper: SourcePaper) -> Said:
     """What the comments of a paper say.
 
     Raises:
@@ -77,12 +77,12 @@ def read_comments(paper: Paper) -> Said:
     return said
 
 
-def _sentence(comment: Comment, paper: Paper) -> int:
+def _sentence(comment: Comment, paper: SourcePaper) -> int:
     """The place in the text with macros written out of the words behind a comment."""
     return paper.expanded.behind(comment.offset)
 
 
-def _check_names(found: Directive, item: Item) -> None:
+def _check_names(found: Directive, item: SourceStatement) -> None:
     if found.verb in NAMING:
         known = {_bare(name) for name in (*item.printed.heads.names, *item.names)}
         for name in found.names:
@@ -94,19 +94,19 @@ def _bare(name: str) -> str:
     return name.replace(" ", "")
 
 
-def names_of(found: Directive, item: Item) -> tuple[str, ...]:
+def names_of(found: Directive, item: SourceStatement) -> tuple[str, ...]:
     """The names that a comment gives, as they are called in a statement."""
     called = {_bare(name): name for name in (*item.names, *item.printed.heads.names)}
     return tuple(called.get(_bare(name), name) for name in found.names)
 
 
-def _printed(item: Item) -> tuple[tuple[str, ...], ...]:
+def _printed(item: SourceStatement) -> tuple[tuple[str, ...], ...]:
     """The tokens of a statement, and of its display."""
     whole = words(item.typed.tex)
     return (whole,) if item.formula is None else (words(item.printed.tex), whole)
 
 
-def places(word: str, paper: Paper) -> Sequence[Item]:
+def places(word: str, paper: SourcePaper) -> Sequence[SourceStatement]:
     """The statements of a label, or of TeX in quotes.
 
     Raises:
@@ -120,7 +120,7 @@ def places(word: str, paper: Paper) -> Sequence[Item]:
         if found:
             return found
         raise LookupError("is no formula of the paper")
-    known: dict[str, list[Item]] = {}
+    known: dict[str, list[SourceStatement]] = {}
     for one in paper.items:
         names = (*one.typed.labels, one.printed.display.id)
         numbered = (f"{name}.{one.printed.number}" for name in names)

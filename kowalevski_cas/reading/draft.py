@@ -8,10 +8,10 @@ from itertools import groupby
 
 from kowalevski_cas.reading.grammar import AS, RULED
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, LEVEL
-from kowalevski_cas.reading.reader import Formula, Reading
-from kowalevski_cas.reading.statements import Item, Paper
+from kowalevski_cas.reading.reader import JudgedStatement, Reading
+from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 from kowalevski_cas.source.comments import MARK
-from kowalevski_cas.source.displays import Typed
+from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.text import Source
 
 _VERBS = {LAW: "law", DEFINITION: "define", LEVEL: "level", ASSUMPTION: "given"}
@@ -46,7 +46,7 @@ def beside(reading: Reading) -> str:
     return kept + "".join(anchored)
 
 
-def comments(reading: Reading) -> Iterator[tuple[Typed, list[str]]]:
+def comments(reading: Reading) -> Iterator[tuple[TypedFormula, list[str]]]:
     """The formulas of which something is inferred, each with the comments that say it."""
     said = reading.known.said
     for _, group in groupby(reading.formulas, key=lambda formula: id(formula.item.typed)):
@@ -63,7 +63,7 @@ def comments(reading: Reading) -> Iterator[tuple[Typed, list[str]]]:
             yield typed, lines
 
 
-def text_of(formula: Formula, paper: Paper) -> str:
+def text_of(formula: JudgedStatement, paper: SourcePaper) -> str:
     """The comment that says the role of a statement; empty for what states nothing."""
     role = formula.role
     names = " ".join(name.replace(" ", "") for name in role.names)
@@ -82,13 +82,13 @@ def text_of(formula: Formula, paper: Paper) -> str:
     return f"{_VERBS[role.name]} {kind}{names}".strip()
 
 
-def _called(item: Item, paper: Paper) -> str:
+def _called(item: SourceStatement, paper: SourcePaper) -> str:
     """What a statement is called in a comment."""
     beside = [one for one in paper.items if one.typed is item.typed]
     return item.printed.display.id if len(beside) == 1 else item.printed.place
 
 
-def _place(typed: Typed, paper: Paper) -> int:
+def _place(typed: TypedFormula, paper: SourcePaper) -> int:
     """Where in the file a formula begins, with what opens it."""
     text, before = paper.expanded.text, [f for _, f in paper.displays if f.start < typed.start]
     mark = typed.kind if typed.kind[0] in "$\\" else f"\\begin{{{typed.kind}}}"
@@ -98,12 +98,12 @@ def _place(typed: Typed, paper: Paper) -> int:
     return paper.expanded.origin(opened, opened + 1)[0]
 
 
-def _start(typed: Typed) -> int:
+def _start(typed: TypedFormula) -> int:
     """Where in the text a formula prints its first sign."""
     return typed.start + len(typed.tex) - len(typed.tex.lstrip())
 
 
-def _anchor(typed: Typed, paper: Paper) -> str:
+def _anchor(typed: TypedFormula, paper: SourcePaper) -> str:
     """The label of a formula, or enough of its words in quotes."""
     if typed.labels:
         return typed.labels[0]

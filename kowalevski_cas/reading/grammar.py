@@ -22,7 +22,7 @@ from typing import Any
 
 from kowalevski_cas.paper import claims
 from kowalevski_cas.paper.claims import Claim
-from kowalevski_cas.reading.statements import Item
+from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.source.comments import Comment
 from kowalevski_cas.source.text import SourceError
 
@@ -68,9 +68,9 @@ class Directive:
     kind: type[Claim] | None = None
     values: Mapping[str, object] | None = None
     """The attributes of a claim of this kind."""
-    items: tuple[Item, ...] = ()
+    items: tuple[SourceStatement, ...] = ()
     """The statements that are named."""
-    on: tuple[Item, ...] | None = None
+    on: tuple[SourceStatement, ...] | None = None
     """The statements on which the claim rests, if they are said."""
 
     @property
@@ -114,7 +114,7 @@ def of_formula(kind: type[Claim]) -> bool:
     return any("own" in code.co_names for code in codes)
 
 
-def parse(comment: Comment, find: Callable[[str], Sequence[Item]]) -> Directive:
+def parse(comment: Comment, find: Callable[[str], Sequence[SourceStatement]]) -> Directive:
     """What a comment says; ``find`` gives the statements of a label or of TeX in quotes.
 
     Raises:
@@ -124,10 +124,10 @@ def parse(comment: Comment, find: Callable[[str], Sequence[Item]]) -> Directive:
 
 
 class _Parser:
-    def __init__(self, comment: Comment, find: Callable[[str], Sequence[Item]]) -> None:
+    def __init__(self, comment: Comment, find: Callable[[str], Sequence[SourceStatement]]) -> None:
         self.comment, self.find = comment, find
         self.words = [word.strip(",;") or word for word in _WORDS.findall(comment.words)]
-        self.items: list[Item] = []
+        self.items: list[SourceStatement] = []
 
     def directive(self) -> Directive:
         number = int(self.words.pop(0)) if self.words and self.words[0].isdigit() else 0
@@ -167,7 +167,7 @@ class _Parser:
         if not rest or rest[0] in _BEHIND:
             self.words = rest
             names: tuple[str, ...] = ()
-            on: tuple[Item, ...] | None = None
+            on: tuple[SourceStatement, ...] | None = None
             while self.words:
                 if self.words.pop(0) == "on":
                     on = self.places(self.taken(_BEHIND))
@@ -199,7 +199,9 @@ class _Parser:
             raise wrong(self.comment, f"which one is meant: {', '.join(candidates)}?")
         return next(iter(candidates.values()))
 
-    def values(self, kind: type[Claim]) -> tuple[dict[str, object], tuple[Item, ...] | None]:
+    def values(
+        self, kind: type[Claim]
+    ) -> tuple[dict[str, object], tuple[SourceStatement, ...] | None]:
         """The attributes of a kind, and on what the claim rests."""
         own = {one.name: one for one in own_fields(kind)}
         places = [name for name, one in own.items() if one.type in _PLACES]
@@ -209,7 +211,7 @@ class _Parser:
         called |= {"with": "levels"} if "levels" in own else {}
         called |= {} if "given" not in own else {"on": "given"}
         values: dict[str, object] = {}
-        on: tuple[Item, ...] | None = None
+        on: tuple[SourceStatement, ...] | None = None
         numbers = [name for name, one in own.items() if one.type == "int"]
         while self.words:
             word = self.words.pop(0)
@@ -261,9 +263,9 @@ class _Parser:
             raise wrong(self.comment, f"one is expected, and not {' '.join(words) or 'none'}")
         return found[0]
 
-    def places(self, words: Iterable[str]) -> tuple[Item, ...]:
+    def places(self, words: Iterable[str]) -> tuple[SourceStatement, ...]:
         """The statements that some words name."""
-        found: list[Item] = []
+        found: list[SourceStatement] = []
         for word in words:
             try:
                 found += self.find(word)

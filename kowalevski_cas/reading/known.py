@@ -12,10 +12,10 @@ from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.laws import Law
 from kowalevski_cas.reading.names import Names
-from kowalevski_cas.reading.statements import Item, Paper
+from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 
 
-class Role(NamedTuple):
+class StatementRole(NamedTuple):
     """What a statement is for its paper, with the reason in words.
 
     ``kind`` says what is claimed, or why that is not judged; ``names`` are those that it defines,
@@ -46,31 +46,31 @@ def called(name: str) -> str:
 class Known:
     """What a paper has said, as far as it has been read."""
 
-    paper: Paper
+    paper: SourcePaper
     names: Names
     laws: list[Law]
     restated: list[Law] = field(default_factory=list)
-    roles: dict[Item, Role] = field(default_factory=dict)
-    definitions: dict[str, list[Item]] = field(default_factory=dict)
-    assumptions: list[Item] = field(default_factory=list)
-    units: list[Item] = field(default_factory=list)
-    clocks: list[Item] = field(default_factory=list)
-    seen: dict[str, Item] = field(default_factory=dict)
+    roles: dict[SourceStatement, StatementRole] = field(default_factory=dict)
+    definitions: dict[str, list[SourceStatement]] = field(default_factory=dict)
+    assumptions: list[SourceStatement] = field(default_factory=list)
+    units: list[SourceStatement] = field(default_factory=list)
+    clocks: list[SourceStatement] = field(default_factory=list)
+    seen: dict[str, SourceStatement] = field(default_factory=dict)
     """The equations in which names have been used first."""
     said: Said = field(default_factory=Said)
     """What comments say of statements."""
 
     @cached_property
-    def later(self) -> dict[str, list[Item]]:
+    def later(self) -> dict[str, list[SourceStatement]]:
         """The statements that have a name alone on their left, by this name: they may define it."""
-        found: dict[str, list[Item]] = {}
+        found: dict[str, list[SourceStatement]] = {}
         for item in self.paper.items:
             if item.bare and item.members[0] == Name(item.bare[0]) and not item.derives:
                 if not any(isinstance(member, Number) for member in item.members):
                     found.setdefault(item.bare[0], []).append(item)
         return found
 
-    def enter(self, item: Item, role: Role) -> None:
+    def enter(self, item: SourceStatement, role: StatementRole) -> None:
         """Keep what a statement says."""
         self.roles[item] = role
         for name in role.names if role.name in NAMING else ():
@@ -87,7 +87,7 @@ class Known:
 
     # -- names ---------------------------------------------------------------------
 
-    def law_of(self, item: Item) -> Law | None:
+    def law_of(self, item: SourceStatement) -> Law | None:
         """The law of which a statement is a part."""
         return next((law for law in self.laws if item in law.items), None)
 
@@ -96,7 +96,7 @@ class Known:
         parts = self.names.vectors.get(name, (name,))
         return any({*parts} & {*law.variables} for law in self.laws)
 
-    def definition(self, name: str, item: Item) -> Item | None:
+    def definition(self, name: str, item: SourceStatement) -> SourceStatement | None:
         """What defines a name where it stands in a statement: the last before it, or the next."""
         found = self.definitions.get(name, [])
         before = [one for one in found if one.order <= item.order]
@@ -138,13 +138,13 @@ class Known:
 
     # -- suppositions ----------------------------------------------------------------
 
-    def supposed(self, item: Item) -> list[Item]:
+    def supposed(self, item: SourceStatement) -> list[SourceStatement]:
         """The assumptions about constants that are in force at a statement, the latest first.
 
         They hold to the end of their section, or of their theorem with its proof; a later one
         about the same constants takes the place of an earlier one.
         """
-        found: list[Item] = []
+        found: list[SourceStatement] = []
         taken: set[str] = set()
         for one in sorted(self.assumptions, key=lambda one: -one.order):
             if one.order >= item.order or not self.reaches(one, item):
@@ -155,7 +155,7 @@ class Known:
             taken |= names
         return found
 
-    def sets(self, item: Item) -> list[Item]:
+    def sets(self, item: SourceStatement) -> list[SourceStatement]:
         """The sets of the phase space that are supposed, to the end of their section.
 
         A later assumption about the same one name, as x > 0 after x = 0, takes the place of one.
@@ -173,7 +173,7 @@ class Known:
             or (self.roles[one].kind == "set of the sentence" and one.sentence == item.sentence)
         ]
 
-    def reaches(self, one: Item, item: Item) -> bool:
+    def reaches(self, one: SourceStatement, item: SourceStatement) -> bool:
         """Whether what is said at a statement is in force at another one."""
         if self.roles[one].kind.startswith("set"):
             return False
@@ -181,7 +181,7 @@ class Known:
             return one.sentence == item.sentence
         return _within(one, item)
 
-    def special(self, law: Law) -> list[Item]:
+    def special(self, law: Law) -> list[SourceStatement]:
         """The assumptions about the constants of a law for which it is printed anew."""
         first = law.items[-1]
         assert law.restates is not None
@@ -189,7 +189,7 @@ class Known:
         mentioned = {*self.names.scalars(below)} | below
         return [one for one in self.supposed(first) if {*self.roles[one].names} & mentioned]
 
-    def cited(self, item: Item) -> Iterator[Item]:
+    def cited(self, item: SourceStatement) -> Iterator[SourceStatement]:
         """The statements that are cited in a sentence."""
         for label in item.refs:
             yield from (one for one in self.paper.labels.get(label, ()) if one is not item)
@@ -199,7 +199,7 @@ class Known:
         return [name for name in names if self.varies(name)]
 
 
-def _within(one: Item, item: Item) -> bool:
+def _within(one: SourceStatement, item: SourceStatement) -> bool:
     """Whether a statement stands where another one holds: in its item of a list, in its theorem.
 
     Outside of theorems that is its section.

@@ -21,7 +21,7 @@ from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM
 from kowalevski_cas.reading.stage import Stage, Supposed
-from kowalevski_cas.reading.statements import Item
+from kowalevski_cas.reading.statements import SourceStatement
 
 ZERO = Number(0)
 
@@ -31,15 +31,15 @@ class Rung:
     """A claim that a statement may make, and the statements on which it would rest."""
 
     claim: Claim
-    on: tuple[Item, ...]
+    on: tuple[SourceStatement, ...]
     constants: tuple[str, ...]
-    given: tuple[Item, ...] = ()
+    given: tuple[SourceStatement, ...] = ()
     """Those of them that hold on a part of the phase space only."""
     in_force: bool = False
     """Whether these are what is supposed there, and no more."""
 
 
-def rungs(item: Item, id: str, stage: Stage) -> Iterator[Rung]:
+def rungs(item: SourceStatement, id: str, stage: Stage) -> Iterator[Rung]:
     """The claims that a statement may make, the likeliest first; none if it is not judged.
 
     Raises ``ValueError`` where names have no meaning together.
@@ -48,7 +48,7 @@ def rungs(item: Item, id: str, stage: Stage) -> Iterator[Rung]:
 
 
 class _Ladder:
-    def __init__(self, item: Item, id: str, stage: Stage) -> None:
+    def __init__(self, item: SourceStatement, id: str, stage: Stage) -> None:
         self.item, self.id, self.stage, self.known = item, id, stage, stage.known
         self.role = self.known.roles[item]
         self.supposed = self.known.supposed(item)
@@ -89,16 +89,16 @@ class _Ladder:
         """The first square root that the statement prints."""
         return next(iter(self._roots(self.item)), "")
 
-    def _roots(self, item: Item) -> list[str]:
+    def _roots(self, item: SourceStatement) -> list[str]:
         nodes = item.formula.nodes() if item.formula is not None else ()
         return [to_latex(node) for node in nodes if isinstance(node, Root)]
 
-    def _beside(self) -> list[Item]:
+    def _beside(self) -> list[SourceStatement]:
         """The other statements of the same display."""
         items = self.known.paper.items
         return [one for one in items if one.typed is self.item.typed and one is not self.item]
 
-    def suppositions(self) -> list[list[Item]]:
+    def suppositions(self) -> list[list[SourceStatement]]:
         """The assumptions with which a claim is tried: those in force, and fewer.
 
         Where the statement itself has a constant that is specialised, it may be meant in general.
@@ -108,7 +108,7 @@ class _Ladder:
         ]
         return [kept, self.supposed] if len(kept) < len(self.supposed) else [self.supposed]
 
-    def hypotheses(self) -> list[tuple[Item, ...]]:
+    def hypotheses(self) -> list[tuple[SourceStatement, ...]]:
         """What may be given: sets in force, what the sentence cites, and both.
 
         What stands just before is given too, if the words say so.
@@ -120,7 +120,7 @@ class _Ladder:
         found = (sets, tuple(cited), (*sets, *cited))
         return [*dict.fromkeys(tuple(dict.fromkeys(one)) for one in found if one)]
 
-    def _restricts(self, one: Item) -> bool:
+    def _restricts(self, one: SourceStatement) -> bool:
         """Whether a statement holds on a part of the phase space only, so that it can be given."""
         role = self.known.roles.get(one)
         if role is None or not one.members or one.derives or not self.known.varying(one.names):
@@ -129,9 +129,9 @@ class _Ladder:
             return True
         return role.name == CLAIM and role.kind in ("integral", "identity") and not role.names
 
-    def just_before(self) -> list[Item]:
+    def just_before(self) -> list[SourceStatement]:
         """The set that was spoken of, or cited, last in the same paragraph."""
-        found: list[Item] = []
+        found: list[SourceStatement] = []
         for one in self.known.roles:
             if one.order < self.item.order and one.paragraph == self.item.paragraph:
                 near = [one] if self._is_set(one) else []
@@ -139,7 +139,7 @@ class _Ladder:
                 found = near or found
         return [one for one in self.known.roles if found and one.typed is found[-1].typed]
 
-    def _is_set(self, one: Item) -> bool:
+    def _is_set(self, one: SourceStatement) -> bool:
         role = self.known.roles.get(one)
         return role is not None and (role.kind.startswith("set") or role.kind == "invariant")
 
@@ -152,7 +152,7 @@ class _Ladder:
         for assumptions in self._ways():
             if derived is None:
                 yield self.rung(FirstIntegral, says, assumptions)
-            elif isinstance(derived, Item):
+            elif isinstance(derived, SourceStatement):
                 yield self.rung(FirstIntegral, says, assumptions, printed=derived.printed)
             else:
                 yield self.rung(Identity, says, assumptions)
@@ -163,11 +163,11 @@ class _Ladder:
             else:
                 yield self.rung(Implication, said, self.supposed, given, given=_places(given))
 
-    def _ways(self) -> list[list[Item]]:
+    def _ways(self) -> list[list[SourceStatement]]:
         """Without assumptions, and with those in force."""
         return [[], self.supposed] if self.supposed else [[]]
 
-    def _derived(self) -> Item | bool | None:
+    def _derived(self) -> SourceStatement | bool | None:
         """Of a rate that vanishes: true, or where its function is defined by logarithms."""
         if ZERO not in self.item.members or not self.item.derives:
             return None
@@ -192,9 +192,9 @@ class _Ladder:
                     InvariantRelations, says, assumptions, (), relations, relations=places
                 )
 
-    def _set(self) -> tuple[Item, ...]:
+    def _set(self) -> tuple[SourceStatement, ...]:
         """The equations of the set: those of a display, or side by side in the text."""
-        found: list[list[Item]] = []
+        found: list[list[SourceStatement]] = []
         own = [one for one, role in self.known.roles.items() if role.kind == "invariant"]
         for one in sorted(own, key=lambda one: one.order):
             before = found[-1][-1] if found else None
@@ -210,9 +210,9 @@ class _Ladder:
         self,
         kind: type[Claim],
         says: str,
-        assumptions: Sequence[Item],
-        on: Sequence[Item] = (),
-        items: Sequence[Item] = (),
+        assumptions: Sequence[SourceStatement],
+        on: Sequence[SourceStatement] = (),
+        items: Sequence[SourceStatement] = (),
         **attributes: object,
     ) -> Rung:
         own = [*(items or (self.item,)), *on]
@@ -224,7 +224,7 @@ class _Ladder:
         return Rung(claim, (*found.assumptions, *on), found.constants, (*on,), in_force)
 
 
-def _beside(one: Item, other: Item) -> bool:
+def _beside(one: SourceStatement, other: SourceStatement) -> bool:
     """Whether two formulas stand side by side in a line of text, with nothing but an “and”.
 
     Where the words are of planes or points, each of them is one.
@@ -235,5 +235,5 @@ def _beside(one: Item, other: Item) -> bool:
     return inline and other.order == one.order + 1 and between in ("", "and", "и")
 
 
-def _places(items: Sequence[Item]) -> tuple[Printed, ...]:
+def _places(items: Sequence[SourceStatement]) -> tuple[Printed, ...]:
     return tuple(item.printed for item in items)

@@ -10,14 +10,14 @@ from kowalevski_cas.notation import Derivative, Formula, Name, Number, Power, Pr
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.names import Names
-from kowalevski_cas.reading.statements import Item, Paper
+from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 
 
 @dataclass(eq=False)
 class Law:
     """A closed set of equations of motion, for these variables."""
 
-    items: tuple[Item, ...]
+    items: tuple[SourceStatement, ...]
     names: Names
     base: Law | None = None
     """The law of the names on its right sides, if it is another one."""
@@ -31,7 +31,7 @@ class Law:
         return tuple(dict.fromkeys((*(self.base.variables if self.base else ()), *own)))
 
     @cached_property
-    def rows(self) -> tuple[Item, ...]:
+    def rows(self) -> tuple[SourceStatement, ...]:
         """All its equations, with those that it is added to."""
         return (*(self.base.rows if self.base else ()), *self.items)
 
@@ -41,7 +41,7 @@ class Law:
         return max(item.order for item in self.items)
 
     @cached_property
-    def first(self) -> Item:
+    def first(self) -> SourceStatement:
         """The first of its equations."""
         return min(self.items, key=lambda item: item.order)
 
@@ -57,16 +57,16 @@ class Law:
         return ", ".join(filter(None, labels)) or "the equations of motion"
 
 
-def find_laws(paper: Paper, names: Names, said: Said) -> list[Law]:
+def find_laws(paper: SourcePaper, names: Names, said: Said) -> list[Law]:
     """The closed sets of equations of motion, in the order of the paper.
 
     The first display with rates of names that nothing defines is grown until the rates of all that
     moves in it are there. Another set has new variables, or is set up as another system.
     """
-    return [*_Finder(paper, names, said).laws()]
+    return [*_LawFinder(paper, names, said).laws()]
 
 
-def find_restated(paper: Paper, laws: Sequence[Law]) -> list[Law]:
+def find_restated(paper: SourcePaper, laws: Sequence[Law]) -> list[Law]:
     """The laws that displays print anew, row for row, with what rows of the law are left."""
     found: list[Law] = []
     for items in {
@@ -86,10 +86,10 @@ def find_restated(paper: Paper, laws: Sequence[Law]) -> list[Law]:
     return found
 
 
-class _Finder:
+class _LawFinder:
     """The equations with rates of a paper, and which of them belong together."""
 
-    def __init__(self, paper: Paper, names: Names, said: Said) -> None:
+    def __init__(self, paper: SourcePaper, names: Names, said: Said) -> None:
         self.paper, self.names = paper, names
         defined: dict[str, int] = {}
         for item in paper.items:
@@ -127,14 +127,14 @@ class _Finder:
                 known.append(law)
                 yield law
 
-    def _another(self, item: Item, known: Sequence[Law]) -> bool:
+    def _another(self, item: SourceStatement, known: Sequence[Law]) -> bool:
         """Whether the words, or another section, set up another system in the same variables."""
         if self._own_system(item, known[-1]):
             return True
         said = cue("another system", item.before) or cue("another system", item.section.title)
         return bool(said) and item.section not in known[-1].first.sections[-1:]
 
-    def _own_system(self, item: Item, before: Law) -> bool:
+    def _own_system(self, item: SourceStatement, before: Law) -> bool:
         """Whether a display of another section is closed by itself, and follows from nothing.
 
         What it says of the variables of an earlier law would contradict that law, or repeat it.
@@ -150,10 +150,10 @@ class _Finder:
         new = any(row.formula not in printed for row in rows)
         return new and self.given(rows) >= len(rated) and not named & {*before.variables} - rated
 
-    def scalars(self, item: Item) -> tuple[str, ...]:
+    def scalars(self, item: SourceStatement) -> tuple[str, ...]:
         return self.names.scalars(item.rates)
 
-    def grown(self, first: Item, apart: Collection[str]) -> Law | None:
+    def grown(self, first: SourceStatement, apart: Collection[str]) -> Law | None:
         """A set of rows from a first one on, grown until it is closed; ``None`` if it cannot be."""
         own = [row for row in self.rows if row.typed is first.typed]
         while True:
@@ -170,13 +170,13 @@ class _Finder:
             return None
         return Law(tuple(sorted(own, key=lambda row: row.order)), self.names)
 
-    def given(self, rows: Sequence[Item]) -> int:
+    def given(self, rows: Sequence[SourceStatement]) -> int:
         """How many rates some rows give, each one or those of a vector."""
         return sum(len(self.names.vectors.get(_left(row), "1")) for row in rows)
 
     def following(
-        self, own: Sequence[Item], wanted: Collection[str], apart: Collection[str]
-    ) -> list[Item]:
+        self, own: Sequence[SourceStatement], wanted: Collection[str], apart: Collection[str]
+    ) -> list[SourceStatement]:
         """The rows that tell how what is wanted moves: of a display, or else inline."""
         at = own[0].order
         rated = {name for row in own for name in self.scalars(row)}
@@ -192,7 +192,7 @@ class _Finder:
         return [row for row in whole if not {*self.scalars(row)} <= rated] or whole
 
 
-def is_row(item: Item) -> bool:
+def is_row(item: SourceStatement) -> bool:
     r"""Whether a statement may be an equation of motion: an equality, linear in rates.
 
     What is a name on the left is a definition, unless it gives a multiple of one rate, as
@@ -216,7 +216,7 @@ def _has_rate(formula: Formula) -> bool:
     return any(isinstance(node, Derivative) for node in formula.nodes())
 
 
-def _left(row: Item) -> str:
+def _left(row: SourceStatement) -> str:
     """The name of which a row gives the rate, or the one that it begins with."""
     formula = row.formula
     assert isinstance(formula, Relation)

@@ -7,12 +7,12 @@ from collections.abc import Iterable, Mapping
 
 from kowalevski_cas.notation import CrossProduct, Name, Vector
 from kowalevski_cas.notation.errors import letter_and_index
-from kowalevski_cas.reading.statements import Paper
+from kowalevski_cas.reading.statements import SourcePaper
 
 _NUMBER = re.compile(r"_\{?(\d)\}?$")
 
 
-def vectors_of(paper: Paper) -> dict[str, tuple[str, ...]]:
+def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
     r"""The vectors of a paper with their components.
 
     :math:`\mathbf r=(x,y,z)` names them; other vectors have as many, called after the letter with

@@ -18,11 +18,11 @@ from kowalevski_cas.reading.known import (
     LEVEL,
     OTHER,
     Known,
-    Role,
+    StatementRole,
 )
 from kowalevski_cas.reading.ladder import Rung, rungs
 from kowalevski_cas.reading.stage import Stage
-from kowalevski_cas.reading.statements import Item
+from kowalevski_cas.reading.statements import SourceStatement
 
 SAID = "said"
 """The kind of a claim that a comment states with all that it is about."""
@@ -34,7 +34,9 @@ _KINDS = {"skip": SKIPPED, "map": "change"}
 """The kinds of roles that a verb gives by itself."""
 
 
-def said_role(found: Directive, item: Item, inferred: Role, known: Known) -> Role:
+def said_role(
+    found: Directive, item: SourceStatement, inferred: StatementRole, known: Known
+) -> StatementRole:
     """The role that a comment gives a statement, and what was inferred, if it is another one."""
     name, kind = _ROLES[found.verb], found.ruled
     if found.verb == "law" and known.law_of(item) is None:
@@ -54,10 +56,10 @@ def said_role(found: Directive, item: Item, inferred: Role, known: Known) -> Rol
     reason = f"line {found.comment.line} of {found.comment.path.rpartition('/')[2]} says so"
     if (inferred.name, inferred.kind) != (name, kind) and kind != SAID:
         reason += f"; without it: {inferred.name}, {inferred.reason}"
-    return Role(name, reason, kind, names)
+    return StatementRole(name, reason, kind, names)
 
 
-def _names(name: str, item: Item, inferred: Role) -> tuple[str, ...]:
+def _names(name: str, item: SourceStatement, inferred: StatementRole) -> tuple[str, ...]:
     """The names that a role gives a meaning or a value, where no comment names them."""
     if inferred.name == name:
         return inferred.names
@@ -66,7 +68,7 @@ def _names(name: str, item: Item, inferred: Role) -> tuple[str, ...]:
     return (item.bare or tuple(sorted(item.names))) if name == ASSUMPTION else ()
 
 
-def said_rungs(item: Item, id: str, stage: Stage, said: Said) -> Iterator[Rung]:
+def said_rungs(item: SourceStatement, id: str, stage: Stage, said: Said) -> Iterator[Rung]:
     """The claims that a statement may make: what a comment states, or on what it puts them."""
     found, on = said.role(item), said.on(item)
     if found is not None and found.kind is not None:
@@ -79,7 +81,7 @@ def said_rungs(item: Item, id: str, stage: Stage, said: Said) -> Iterator[Rung]:
     yield from same or [_rung_on(item, id, stage, on)]
 
 
-def said_rung(found: Directive, id: str, stage: Stage, item: Item | None = None) -> Rung:
+def said_rung(found: Directive, id: str, stage: Stage, item: SourceStatement | None = None) -> Rung:
     """The claim that a comment states with all that it is about."""
     assert found.kind is not None and found.values is not None
     own = [*([item] if item is not None else []), *about(found, stage.known)]
@@ -95,7 +97,7 @@ def said_rung(found: Directive, id: str, stage: Stage, item: Item | None = None)
     return Rung(claim, (*supposed.assumptions, *on), supposed.constants)
 
 
-def about(found: Directive, known: Known) -> list[Item]:
+def about(found: Directive, known: Known) -> list[SourceStatement]:
     """The statements that a comment names, and those that define what it names in TeX."""
     own = list(dict.fromkeys((*found.items, *_defining(found, known))))
     if not own and not found.is_of_formula:
@@ -122,7 +124,7 @@ def spelled_out(found: Directive, known: Known) -> dict[str, object]:
     return {name: components(value) for name, value in (found.values or {}).items()}
 
 
-def _defining(found: Directive, known: Known) -> Iterator[Item]:
+def _defining(found: Directive, known: Known) -> Iterator[SourceStatement]:
     """The statements that define the names which a comment gives in TeX."""
     words = known.paper.words
     parts = {part for own in known.names.vectors.values() for part in own}
@@ -139,7 +141,7 @@ def _defining(found: Directive, known: Known) -> Iterator[Item]:
                 yield from known.definitions.get(name, [])[:1]
 
 
-def _rung_on(item: Item, id: str, stage: Stage, on: tuple[Item, ...]) -> Rung:
+def _rung_on(item: SourceStatement, id: str, stage: Stage, on: tuple[SourceStatement, ...]) -> Rung:
     """A claim of a statement on those that a comment names."""
     supposed = stage.scene([item, *on], on)
     given = tuple(one.printed for one in on if one not in supposed.assumptions)
@@ -154,7 +156,7 @@ def _rung_on(item: Item, id: str, stage: Stage, on: tuple[Item, ...]) -> Rung:
     return Rung(claim, on, supposed.constants)
 
 
-def claim_id(found: Directive, first: Item) -> str:
+def claim_id(found: Directive, first: SourceStatement) -> str:
     """What a claim is called that no formula makes: by its kind, and the first of its places."""
     assert found.kind is not None
     return f"{found.kind.__name__.lower()}-{first.printed.display.id}"

@@ -22,14 +22,14 @@ from kowalevski_cas.reading.comments import read_comments
 from kowalevski_cas.reading.conventions import conventions
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.grammar import wrong
-from kowalevski_cas.reading.known import CLAIM, CONVENTION, Known, Role
+from kowalevski_cas.reading.known import CLAIM, CONVENTION, Known, StatementRole
 from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.laws import find_laws, find_restated
 from kowalevski_cas.reading.names import Names, vectors_of
 from kowalevski_cas.reading.obey import SAID, about, claim_id, said_rung, said_rungs
 from kowalevski_cas.reading.roles import role_of
 from kowalevski_cas.reading.stage import Stage
-from kowalevski_cas.reading.statements import Item, Paper, read_statements
+from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, read_statements
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.statement import Statement
 
@@ -38,13 +38,13 @@ SECONDS = 2.0
 
 
 @dataclass(eq=False)
-class Formula:
+class JudgedStatement:
     """A statement of the source with its role, the reason, and on what its claim rests."""
 
-    item: Item
-    role: Role
+    item: SourceStatement
+    role: StatementRole
     claim: Claim | None = None
-    on: tuple[Item, ...] = ()
+    on: tuple[SourceStatement, ...] = ()
     constants: tuple[str, ...] = ()
     doubt: Doubt | None = None
     """How its claim may have been meant otherwise, if it may."""
@@ -56,11 +56,11 @@ class Formula:
 class Reading:
     """A source as a derivation, every statement with its role."""
 
-    paper: Paper
+    paper: SourcePaper
     derivation: Derivation
-    formulas: tuple[Formula, ...]
+    formulas: tuple[JudgedStatement, ...]
     known: Known = field(repr=False)
-    statements: tuple[Formula, ...] = ()
+    statements: tuple[JudgedStatement, ...] = ()
     """The claims that comments state and that are no formula's."""
 
 
@@ -79,21 +79,21 @@ def read(source: Source, heard: Heard = lambda *_: None) -> Reading:
         known.enter(item, role_of(item, known))
     for item, role in conventions(known):
         known.enter(item, role)
-    return _Reader(paper, known).reading(heard)
+    return _DerivationReader(paper, known).reading(heard)
 
 
-def _in_order(paper: Paper) -> list[Item]:
+def _in_order(paper: SourcePaper) -> list[SourceStatement]:
     """The statements as they are read: an abstract claims before anything is defined."""
     last = [item for item in paper.items if any(s.title == "abstract" for s in item.sections)]
     return [item for item in paper.items if item not in last] + last
 
 
-class _Reader:
-    def __init__(self, paper: Paper, known: Known) -> None:
+class _DerivationReader:
+    def __init__(self, paper: SourcePaper, known: Known) -> None:
         self.paper, self.known = paper, known
         self.stage = Stage(known)
-        self.candidates: dict[Item, list[Rung]] = {}
-        self.troubles: dict[Item, str] = {}
+        self.candidates: dict[SourceStatement, list[Rung]] = {}
+        self.troubles: dict[SourceStatement, str] = {}
 
     def reading(self, heard: Heard) -> Reading:
         """The reading, in which each statement makes the first of its claims that holds."""
@@ -114,7 +114,7 @@ class _Reader:
         derivation = replace(self._derivation(claims), doubts=doubts)
         return Reading(self.paper, derivation, formulas, self.known, statements)
 
-    def _statements(self) -> Iterator[Formula]:
+    def _statements(self) -> Iterator[JudgedStatement]:
         """The claims that comments state and that are no formula's."""
         ids: Counter[str] = Counter()
         for found in self.known.said.claims:
@@ -122,22 +122,22 @@ class _Reader:
             name = claim_id(found, first)
             ids[name] += 1
             id = name if ids[name] == 1 else f"{name}_{ids[name]}"
-            role = Role(CLAIM, f"line {found.comment.line} says so", SAID)
+            role = StatementRole(CLAIM, f"line {found.comment.line} says so", SAID)
             try:
                 rung = said_rung(found, id, self.stage)
             except (ValueError, Meaningless) as error:
                 raise wrong(found.comment, str(error)) from None
-            yield Formula(first, role, rung.claim, rung.on, rung.constants)
+            yield JudgedStatement(first, role, rung.claim, rung.on, rung.constants)
 
     @contextmanager
-    def _noting(self, item: Item) -> Iterator[None]:
+    def _noting(self, item: SourceStatement) -> Iterator[None]:
         """Note what a statement cannot be claimed for."""
         try:
             yield
         except (ValueError, Meaningless) as error:
             self.troubles[item] = str(error)
 
-    def _chosen(self, heard: Heard) -> dict[Item, Choice]:
+    def _chosen(self, heard: Heard) -> dict[SourceStatement, Choice]:
         """The claim of each statement, by its place in the ladder; processes share the work."""
         waiting = [item for item, found in self.candidates.items() if found]
         first = self._derivation(self.candidates[item][0].claim for item in waiting)
@@ -151,10 +151,12 @@ class _Reader:
         found = each(choice, range(len(waiting)), heard=lambda *words: heard(*words[:3]))
         return dict(zip(waiting, found, strict=True))
 
-    def _formula(self, item: Item, role: Role, choice: Choice | None) -> Formula:
+    def _formula(
+        self, item: SourceStatement, role: StatementRole, choice: Choice | None
+    ) -> JudgedStatement:
         if choice is None or choice.place is None:
             message = self.troubles.get(item, "") if choice is None else choice.message
-            return Formula(item, role, message=message)
+            return JudgedStatement(item, role, message=message)
         rung = self.candidates[item][choice.place]
         given = any(one.given for one in self.candidates[item])
         sure = not (given or rung.constants or cue("on it", item.words)) and self._is_plain(rung)
@@ -164,7 +166,9 @@ class _Reader:
         rate = role.kind == "integral" or item.derives
         doubt = None if (sure and rate) or role.kind == SAID else Doubt.UNLESS_MENDED
         doubt = Doubt.ALWAYS if doubtful else doubt
-        return Formula(item, role, rung.claim, rung.on, rung.constants, doubt, choice.message)
+        return JudgedStatement(
+            item, role, rung.claim, rung.on, rung.constants, doubt, choice.message
+        )
 
     def _is_plain(self, rung: Rung) -> bool:
         """Whether a claim stands on the only law of its variables, which rests on no other one."""
@@ -175,7 +179,7 @@ class _Reader:
         others = (one for one in self.known.laws if one is not law)
         return not any({*one.variables} & {*law.variables} for one in others)
 
-    def _id(self, item: Item) -> str:
+    def _id(self, item: SourceStatement) -> str:
         beside = [one for one in self.paper.items if one.typed is item.typed]
         display = item.printed.display.id
         return display if len(beside) == 1 else item.printed.place
@@ -237,4 +241,4 @@ def chosen(found: list[Rung], on: Elaborations) -> Choice:
     return Choice(first, "" if first is not None else message)
 
 
-__all__ = ["Formula", "Reading", "read"]
+__all__ = ["JudgedStatement", "Reading", "read"]

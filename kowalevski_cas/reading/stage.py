@@ -28,7 +28,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, Known
 from kowalevski_cas.reading.laws import Law
-from kowalevski_cas.reading.statements import Item
+from kowalevski_cas.reading.statements import SourceStatement
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class Supposed:
     """A scene, the statements that it takes for granted, and the names it takes for constants."""
 
     scene: Scene
-    assumptions: tuple[Item, ...]
+    assumptions: tuple[SourceStatement, ...]
     constants: tuple[str, ...]
 
 
@@ -46,7 +46,7 @@ class _Closure:
 
     law: Law | None
     names: frozenset[str]
-    definitions: Mapping[str, Item]
+    definitions: Mapping[str, SourceStatement]
 
     @property
     def variables(self) -> tuple[str, ...]:
@@ -60,7 +60,9 @@ class Stage:
     known: Known
     scenes: dict[object, Supposed] = field(default_factory=dict)
 
-    def scene(self, items: Sequence[Item], assumptions: Sequence[Item] = ()) -> Supposed:
+    def scene(
+        self, items: Sequence[SourceStatement], assumptions: Sequence[SourceStatement] = ()
+    ) -> Supposed:
         """The smallest scene of some statements, with what is supposed of its constants."""
         closure = self._closure(items)
         law = closure.law
@@ -83,7 +85,7 @@ class Stage:
 
     # -- names -----------------------------------------------------------------------
 
-    def _closure(self, items: Sequence[Item]) -> _Closure:
+    def _closure(self, items: Sequence[SourceStatement]) -> _Closure:
         """What some statements need, through the definitions before the last of them."""
         known = self.known
         at = max(items, key=lambda item: item.order)
@@ -92,7 +94,7 @@ class Stage:
         waiting = [name for item in items for name in self._mentioned(item)]
         waiting += [name for row in (law.rows if law else ()) for name in self._mentioned(row)]
         names: set[str] = set()
-        definitions: dict[str, Item] = {}
+        definitions: dict[str, SourceStatement] = {}
         while waiting:
             name = waiting.pop()
             if name in names:
@@ -108,7 +110,7 @@ class Stage:
                 waiting += self._mentioned(by)
         return _Closure(law, frozenset(names), definitions)
 
-    def _mentioned(self, item: Item) -> list[str]:
+    def _mentioned(self, item: SourceStatement) -> list[str]:
         """The names that a statement needs, functions and brackets among them."""
         found = set(item.names)
         for node in item.formula.nodes() if item.formula is not None else ():
@@ -118,7 +120,7 @@ class Stage:
                 found |= {name for name in self.known.definitions if name.startswith(BRACKET)}
         return sorted(found)
 
-    def law(self, at: Item, items: Sequence[Item]) -> Law | None:
+    def law(self, at: SourceStatement, items: Sequence[SourceStatement]) -> Law | None:
         """The law of some statements: one that is cited, or the latest that moves their names."""
         known = self.known
         below = {n for item in items for name in self._mentioned(item) for n in known.below(name)}
@@ -138,7 +140,7 @@ class Stage:
                 raise ValueError(f"nothing says how {name} moves")
         return self._restated(law, at) if law is not None else None
 
-    def _restated(self, law: Law, at: Item) -> Law:
+    def _restated(self, law: Law, at: SourceStatement) -> Law:
         """A law as it is printed anew before, where the assumptions for that are not in force."""
         known = self.known
         cited, supposed = {*known.cited(at)}, {*known.supposed(at)}
@@ -152,13 +154,17 @@ class Stage:
 
     # -- scenes ------------------------------------------------------------------------
 
-    def _has_clock(self, item: Item) -> bool:
+    def _has_clock(self, item: SourceStatement) -> bool:
         """Whether derivatives by another time are printed in a statement."""
         law = {mark for one in self.known.laws for row in one.rows for mark in _marks(row)}
         return bool(_marks(item) - {"dot", "t"} - ({"prime"} & law))
 
     def _made(
-        self, closure: _Closure, about: Sequence[Item], roots: Iterable[str], clock: Item | None
+        self,
+        closure: _Closure,
+        about: Sequence[SourceStatement],
+        roots: Iterable[str],
+        clock: SourceStatement | None,
     ) -> Supposed:
         places, squares = self._places(closure)
         names = self.known.names
@@ -172,7 +178,7 @@ class Stage:
         rows = tuple(row.printed for row in closure.law.rows) if closure.law else ()
         scene = Scene(title, vectors, closure.variables, constants, rows, definitions=places)
         scene = self._with_unit(scene.adjoining(*squares), closure.names, clock)
-        used: list[Item] = []
+        used: list[SourceStatement] = []
         for one in sorted(about, key=lambda one: one.order):
             narrower = with_assumption(scene, one, self.known)
             used += [one] if narrower is not scene else []
@@ -218,7 +224,9 @@ class Stage:
             if name not in taken and not name.startswith(BRACKET):
                 yield name
 
-    def _with_unit(self, scene: Scene, names: frozenset[str], clock: Item | None) -> Scene:
+    def _with_unit(
+        self, scene: Scene, names: frozenset[str], clock: SourceStatement | None
+    ) -> Scene:
         if not self.known.units or ("i" not in names and clock is None):
             return scene
         unit = self.known.units[0].printed
@@ -248,13 +256,13 @@ class Stage:
                     yield to_latex(Root(Power(argument, Number(2))))
 
 
-def _marks(item: Item) -> set[str]:
+def _marks(item: SourceStatement) -> set[str]:
     """How the derivatives in a statement are printed."""
     nodes = item.formula.nodes() if item.formula is not None else ()
     return {node.mark for node in nodes if isinstance(node, Derivative)}
 
 
-def with_assumption(scene: Scene, item: Item, known: Known) -> Scene:
+def with_assumption(scene: Scene, item: SourceStatement, known: Known) -> Scene:
     """A scene with what is supposed of its constants; itself, if that says nothing of them."""
     match item.formula:
         case Relation((left, right), (r"\ne" | r"\neq",)):

@@ -16,8 +16,8 @@ from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.text import MARK, Prose, Section, references
-from kowalevski_cas.source.displays import Typed
+from kowalevski_cas.reading.text import MARK, Prose, TextSection, references
+from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.formulas import typed_formulas
 from kowalevski_cas.source.listing import guessed
@@ -32,7 +32,7 @@ _NUMBER = re.compile(r"\\(?:l?eqno|tag\*?)\s*\{?\s*\(?([\w.*']{1,9})\)?")
 
 
 @dataclass(eq=False)
-class Item:
+class SourceStatement:
     """A statement of a source, as it is read, in its sentence.
 
     ``lead`` and ``tail`` are the words from the formula before, and to the next one, as far as the
@@ -40,7 +40,7 @@ class Item:
     """
 
     printed: Printed
-    typed: Typed
+    typed: TypedFormula
     formula: Formula | None
     trouble: str
     order: int
@@ -50,7 +50,7 @@ class Item:
     before: str
     after: str
     paragraph: int
-    sections: tuple[Section, ...]
+    sections: tuple[TextSection, ...]
     theorem: tuple[int, int] | None
     refs: tuple[str, ...] = ()
     span: tuple[int, int] = (0, 0)
@@ -64,7 +64,7 @@ class Item:
         return f"{self.before} {MARK} {self.after}"
 
     @property
-    def section(self) -> Section:
+    def section(self) -> TextSection:
         """The innermost section."""
         return self.sections[-1]
 
@@ -101,20 +101,20 @@ class Item:
 
 
 @dataclass(frozen=True)
-class Paper:
+class SourcePaper:
     """A source with its formulas as displays, and their statements in the order of the text."""
 
     source: Source
     prose: Prose
     words: Vocabulary
-    displays: tuple[tuple[Display, Typed], ...]
-    items: tuple[Item, ...]
+    displays: tuple[tuple[Display, TypedFormula], ...]
+    items: tuple[SourceStatement, ...]
     lines: dict[str, int] = field(repr=False)
     """The lines of the displays, by their ids."""
     expanded: Expanded = field(repr=False)
 
     @cached_property
-    def approximate(self) -> frozenset[Item]:
+    def approximate(self) -> frozenset[SourceStatement]:
         """The statements behind the words, in the same section, that they hold approximately."""
         words = self.prose.between
         return frozenset(
@@ -132,22 +132,22 @@ class Paper:
         return frozenset({"t", r"\tau"} | marks) & self.words.times
 
     @cached_property
-    def labels(self) -> dict[str, list[Item]]:
+    def labels(self) -> dict[str, list[SourceStatement]]:
         """The statements by the labels that cite them."""
-        found: dict[str, list[Item]] = {}
+        found: dict[str, list[SourceStatement]] = {}
         for item in self.items:
             for label in (*item.typed.labels, *_NUMBER.findall(item.typed.tex)):
                 found.setdefault(label, []).append(item)
         return found
 
 
-def read_statements(source: Source) -> Paper:
+def read_statements(source: Source) -> SourcePaper:
     """The statements of a source, read in the names that it uses."""
     expanded, formulas = typed_formulas(source)
     prose = Prose(expanded.text, expanded.body, formulas)
     words = _vocabulary(formulas)
-    displays: list[tuple[Display, Typed]] = []
-    items: list[Item] = []
+    displays: list[tuple[Display, TypedFormula]] = []
+    items: list[SourceStatement] = []
     lines: dict[str, int] = {}
     ids: Counter[str] = Counter()
     for formula in formulas:
@@ -165,20 +165,20 @@ def read_statements(source: Source) -> Paper:
         for number, (tree, trouble, (start, end)) in enumerate(_read(formula, words), 1):
             span = expanded.origin(formula.start + start, formula.start + end)
             items.append(
-                Item(
+                SourceStatement(
                     Printed(display, number), formula, tree, trouble, len(items), around.sentence,
                     around.lead, around.tail, around.before, around.after, around.paragraph,
                     path, prose.theorem(formula.start), around.refs, span,
                     prose.entry(formula.start),
                 )
             )  # fmt: skip
-    return Paper(source, prose, words, tuple(displays), tuple(items), lines, expanded)
+    return SourcePaper(source, prose, words, tuple(displays), tuple(items), lines, expanded)
 
 
 class _Around:
     """The words around a formula."""
 
-    def __init__(self, prose: Prose, formula: Typed) -> None:
+    def __init__(self, prose: Prose, formula: TypedFormula) -> None:
         start, end = self.sentence = prose.sentence(formula.start)
         self.before = prose.between(start, formula.start)
         self.after = prose.between(formula.end, end)
@@ -188,11 +188,11 @@ class _Around:
         self.paragraph = prose.text.rfind("\n\n", 0, formula.start)
 
 
-def _label(formula: Typed) -> str:
+def _label(formula: TypedFormula) -> str:
     return f"({formula.labels[0]})" if formula.labels else ""
 
 
-def _id(formula: Typed, ids: Counter[str]) -> str:
+def _id(formula: TypedFormula, ids: Counter[str]) -> str:
     """What a formula is called: its label, or its own letters, with a number if they are taken."""
     name = formula.labels[0] if formula.labels else formula.tex
     letters = re.sub(r"[^A-Za-z0-9]+", "-", re.sub(r"\\(?:left|right|displaystyle)\b", "", name))
@@ -201,7 +201,7 @@ def _id(formula: Typed, ids: Counter[str]) -> str:
     return letters if ids[letters] == 1 else f"{letters}_{ids[letters]}"
 
 
-def _vocabulary(formulas: Sequence[Typed]) -> Vocabulary:
+def _vocabulary(formulas: Sequence[TypedFormula]) -> Vocabulary:
     """The names of a paper; bold capitals are matrices or vectors, as more formulas can be read."""
     guesses = [guessed(formulas, capitals) for capitals in (VECTOR, MATRIX)]
     guesses = [replace(one, scalars=one.scalars - {"d"}) for one in guesses]
@@ -212,7 +212,7 @@ def _vocabulary(formulas: Sequence[Typed]) -> Vocabulary:
 
 
 def _read(
-    formula: Typed, words: Vocabulary
+    formula: TypedFormula, words: Vocabulary
 ) -> Iterator[tuple[Formula | None, str, tuple[int, int]]]:
     """The statements of a formula, each with why it cannot be read, and where it stands."""
     whole = (0, len(formula.tex))

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from kowalevski_cas.source.displays import DISPLAYS, Typed
+from kowalevski_cas.source.displays import DISPLAYS, TypedFormula
 
 _SILENT = re.compile(
     r"(?:\\label\s*\{[^{}]*\}|\\(?:end|nonumber|notag)(?:\s*\{[^{}]*\})?|\\\\|\\[,;! ]|[}\s])$"
@@ -57,7 +57,7 @@ _REFERENCE = re.compile(r"\\(?:eq|c|C|auto)?ref\s*\{([^{}]*)\}")
 
 
 @dataclass(frozen=True)
-class Section:
+class TextSection:
     """A part of a text: the levels of its headings, from the outermost, and its interval."""
 
     title: str
@@ -69,7 +69,7 @@ class Section:
 class Prose:
     """The words of a text from an offset on, with a mark in place of each formula."""
 
-    def __init__(self, text: str, start: int, formulas: Sequence[Typed]) -> None:
+    def __init__(self, text: str, start: int, formulas: Sequence[TypedFormula]) -> None:
         self.start, self.formulas = start, formulas
         pieces, at = [], 0
         for formula in formulas:
@@ -102,7 +102,7 @@ class Prose:
         return " ".join(self.text[start:end].split())
 
     @cached_property
-    def sections(self) -> list[Section]:
+    def sections(self) -> list[TextSection]:
         """The parts of the text, in the order in which they begin."""
         heads = [
             (
@@ -114,10 +114,10 @@ class Prose:
         ]
         heads += [(start, level, name) for start, level, name in self._environments()]
         heads.sort()
-        found = [Section("", -1, self.start, len(self.text))]
+        found = [TextSection("", -1, self.start, len(self.text))]
         for place, (start, level, title) in enumerate(heads):
             later = (one for one, other, _ in heads[place + 1 :] if other <= level)
-            found.append(Section(title, level, start, next(later, len(self.text))))
+            found.append(TextSection(title, level, start, next(later, len(self.text))))
         return found
 
     def _environments(self) -> Iterator[tuple[int, int, str]]:
@@ -127,7 +127,7 @@ class Prose:
                 title = match["name"] if match["what"] == "begin" else ""
                 yield match.start(), 0, title
 
-    def path(self, offset: int) -> tuple[Section, ...]:
+    def path(self, offset: int) -> tuple[TextSection, ...]:
         """The sections around an offset, from the outermost."""
         return tuple(one for one in self.sections if one.start <= offset < one.end)
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from kowalevski_cas.reading.text import Prose
-from kowalevski_cas.source.displays import Typed
+from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.source.tokens import scanned
@@ -108,7 +108,10 @@ def _stated(words: str, spans: Sequence[tuple[int, int]]) -> tuple[str, re.Match
 
 
 def formulas(
-    typed: Sequence[Typed], covered: Iterable[Typed], source: Source, expanded: Expanded
+    typed: Sequence[TypedFormula],
+    covered: Iterable[TypedFormula],
+    source: Source,
+    expanded: Expanded,
 ) -> Iterator[Uncovered]:
     """The inline formulas of more than one sign that nothing covers."""
     known = {id(one) for one in covered}

@@ -14,12 +14,12 @@ from kowalevski_cas.paper.texts import Display as Printed
 from kowalevski_cas.report.contents import Contents
 from kowalevski_cas.report.document import (
     Block,
-    Claim,
     Code,
-    Display,
     Document,
+    Equations,
     Heading,
     Inline,
+    Judgement,
     Link,
     Paragraph,
     Sign,
@@ -27,10 +27,10 @@ from kowalevski_cas.report.document import (
     anchor,
 )
 from kowalevski_cas.report.paragraphs import FIRST, FormulaBlocks
-from kowalevski_cas.report.places import Item, sections
+from kowalevski_cas.report.places import ReportItem, sections
 from kowalevski_cas.report.prose import read_article
 from kowalevski_cas.report.sentences import list_in_words
-from kowalevski_cas.source.displays import DISPLAYS, Typed, find_formulas
+from kowalevski_cas.source.displays import DISPLAYS, TypedFormula, find_formulas
 from kowalevski_cas.source.listing import guessed
 from kowalevski_cas.verify.outcome import Run, Verdict
 
@@ -62,11 +62,11 @@ class _Annotated:
         )  # fmt: skip
         paper = sections(run, derivation, audit.session.texts)
         self.contents = Contents(run, paper)
-        self.items: dict[str, list[Item]] = {}
+        self.items: dict[str, list[ReportItem]] = {}
         self.begins: dict[str, str] = {}
         for section in paper:
-            waiting: list[Item] = []
-            last: list[Item] | None = None
+            waiting: list[ReportItem] = []
+            last: list[ReportItem] | None = None
             shown = (i.display for i in section.items if i.display and not i.source)
             first = next(shown, "")
             self.begins[first] = f"section.{anchor(section.number)}"
@@ -108,7 +108,7 @@ class _Annotated:
 
     # -- formulas -------------------------------------------------------------------
 
-    def _one(self, typed: Typed) -> FormulaBlocks:
+    def _one(self, typed: TypedFormula) -> FormulaBlocks:
         display = self.placed.get((typed.start, typed.end))
         if display is not None and display.id in self.items:
             return self._known(typed, display)
@@ -116,9 +116,9 @@ class _Annotated:
         if typed.inline:
             text = list_in_words([(formula,) for formula in formulas], ", ") or (Code(typed.tex),)
             return FormulaBlocks(text, inline=True)
-        return FormulaBlocks((), (Display(formulas, typed.tex),))
+        return FormulaBlocks((), (Equations(formulas, typed.tex),))
 
-    def _known(self, typed: Typed, display: Printed) -> FormulaBlocks:
+    def _known(self, typed: TypedFormula, display: Printed) -> FormulaBlocks:
         """A formula that the derivation knows: with what is claimed of it."""
         items = self.items[display.id]
         own = next(item for item in items if item.display == display.id)
@@ -157,7 +157,7 @@ class _Annotated:
                         *phrases.links(formula.breaks),
                         ".",
                     )
-                yield Claim(Verdict.ERROR, "", said, (Code(formula.id),))
+                yield Judgement(Verdict.ERROR, "", said, (Code(formula.id),))
 
     # -- the text -------------------------------------------------------------------
 
@@ -176,7 +176,7 @@ class _Annotated:
         end_of_document = _END.search(rest)
         return "".join([*pieces, rest[: end_of_document.start()] if end_of_document else rest])
 
-    def _around(self, typed: Typed) -> tuple[int, int]:
+    def _around(self, typed: TypedFormula) -> tuple[int, int]:
         """The interval of a formula with what opens and closes it."""
         closing = _CLOSING.get(typed.kind)
         if typed.trouble:
@@ -204,7 +204,9 @@ class _Annotated:
     def _target(self, display: Printed | None) -> str:
         """Where a reference to a display leads."""
         items = self.items.get(display.id, ()) if display else ()
-        own: Sequence[Item] = [item for item in items if display and item.display == display.id]
+        own: Sequence[ReportItem] = [
+            item for item in items if display and item.display == display.id
+        ]
         return own[0].anchor if own else "paper"
 
 

@@ -31,7 +31,7 @@ from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.graph import picture
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.passages import Passages
-from kowalevski_cas.report.places import Section, labels, names
+from kowalevski_cas.report.places import PaperSection, labels, names
 from kowalevski_cas.report.results import main_results
 from kowalevski_cas.report.sentences import Phrases, count_in_words, list_in_words, nonzero
 from kowalevski_cas.report.witnesses import Witness, arithmetics
@@ -52,7 +52,7 @@ class Contents:
     def __init__(
         self,
         run: Run,
-        sections: Sequence[Section],
+        sections: Sequence[PaperSection],
         certified: Mapping[str, str] = MappingProxyType({}),
         programs: Sequence[Witness] = (),
         evidence: str = "",

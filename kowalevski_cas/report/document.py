@@ -70,7 +70,7 @@ class Paragraph(NamedTuple):
     anchor: str = ""
 
 
-class Display(NamedTuple):
+class Equations(NamedTuple):
     """Formulas on lines of their own, or their ``source`` where they cannot be read.
 
     ``verdict`` puts a sign beside them and ``label`` a text behind; ``wrong`` ones are false.
@@ -90,7 +90,7 @@ class Display(NamedTuple):
     leads: bool = False
 
 
-class Claim(NamedTuple):
+class Judgement(NamedTuple):
     """A statement with its verdict beside it, and what is said of it.
 
     ``folded`` is what the program did, which a reader may skip.
@@ -132,7 +132,7 @@ class Figure(NamedTuple):
     caption: Text
 
 
-Block = Heading | Paragraph | Display | Claim | Items | Table | Graph | Figure
+Block = Heading | Paragraph | Equations | Judgement | Items | Table | Graph | Figure
 """A piece of the page."""
 
 
@@ -158,12 +158,12 @@ def for_paper(document: Document) -> Document:
     moved: list[Block] = []
     names: dict[tuple[Formula, ...], str] = {}
 
-    def away(lead: Paragraph, display: Display) -> Paragraph:
+    def away(lead: Paragraph, display: Equations) -> Paragraph:
         name = names.get(display.formulas, f"A{len(names) + 1}")
         if display.formulas not in names:
             names[display.formulas] = name
             # one by one, so that a page can end between them
-            first, *others = (Display((formula,)) for formula in display.formulas)
+            first, *others = (Equations((formula,)) for formula in display.formulas)
             moved.append(first._replace(label=(name,), anchor=f"long.{name}"))
             moved.extend(others)
         return Paragraph(
@@ -173,13 +173,13 @@ def for_paper(document: Document) -> Document:
     def stays(blocks: Sequence[Block]) -> Iterator[Block]:
         before: Block | None = None
         for block in blocks:
-            if isinstance(block, Display) and block.long and isinstance(before, Paragraph):
+            if isinstance(block, Equations) and block.long and isinstance(before, Paragraph):
                 before = away(before, block)
                 continue
             if before is not None:
                 yield before
             before = block
-            if isinstance(block, Claim):
+            if isinstance(block, Judgement):
                 inner = tuple(_led(stays(block.blocks))), tuple(_led(stays(block.folded)))
                 before = _together(block._replace(blocks=inner[0], folded=inner[1]))
             elif isinstance(block, Paragraph) and block.kind == "record":
@@ -197,19 +197,19 @@ def _led(blocks: Iterable[Block]) -> Iterator[Block]:
     row = [*blocks]
     while row:
         match row:
-            case [Paragraph(leads=True), Display(verdict=None), Display(), *_]:
+            case [Paragraph(leads=True), Equations(verdict=None), Equations(), *_]:
                 yield row.pop(0)
-            case [Paragraph(leads=True) as lead, Display(verdict=None) as display, *row]:
+            case [Paragraph(leads=True) as lead, Equations(verdict=None) as display, *row]:
                 yield display._replace(lead=lead.text)
             case [block, *row]:
                 yield block
 
 
-def _together(claim: Claim) -> Claim:
+def _together(claim: Judgement) -> Judgement:
     """A claim of which the last formula stays with what is said of it."""
     row = *claim.blocks, *claim.folded
     for k, (one, behind) in enumerate(pairwise(row)):
-        if isinstance(one, Display) and isinstance(behind, Paragraph):
+        if isinstance(one, Equations) and isinstance(behind, Paragraph):
             row = *row[:k], one._replace(leads=True), *row[k + 1 :]
             break
     many = len(claim.blocks)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kowalevski_cas.report.compare import mark_differences
-from kowalevski_cas.report.document import Block, Display, Link, Paragraph, Text
+from kowalevski_cas.report.document import Block, Equations, Link, Paragraph, Text
 from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.sentences import capitalise
 from kowalevski_cas.verify.outcome import Outcome
@@ -31,9 +31,9 @@ def _corrections(findings: Findings) -> Iterator[Block]:
         where = capitalise(findings.phrases.found([outcome.claim for outcome in slip]))
         printed, meant = mark_differences(first.formulas, correction.formulas)
         yield Paragraph((*where, ", for"), leads=True)
-        yield Display(printed, first.source)
+        yield Equations(printed, first.source)
         yield Paragraph(("read",), leads=True)
-        yield Display(meant)
+        yield Equations(meant)
         yield from _because(findings, first)
     for outcome in findings.false:
         where = capitalise(findings.phrases.found([outcome.claim]))

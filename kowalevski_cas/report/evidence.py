@@ -6,10 +6,10 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from kowalevski_cas.notation import Formula, Relation, to_plain
 from kowalevski_cas.report.compare import mark_differences
-from kowalevski_cas.report.document import Block, Display, Emphasis, Paragraph, Text
+from kowalevski_cas.report.document import Block, Emphasis, Equations, Paragraph, Text
 from kowalevski_cas.report.sentences import Phrases, capitalise, group_alike, list_in_words
 from kowalevski_cas.tools import title
-from kowalevski_cas.verify.outcome import Condition, Outcome, Step
+from kowalevski_cas.verify.outcome import Condition, Outcome, ReportedStep
 
 LONG = 150
 """How many letters a formula has at most that stands among sentences; another is folded away."""
@@ -48,9 +48,9 @@ class Evidence:
             yield Paragraph((*self._whose(claims), *said), leads=bool(formulas))
             long = sum(len(to_plain(formula)) for formula in formulas) > LONG
             if formulas:
-                yield Display(formulas, long=long)
+                yield Equations(formulas, long=long)
 
-    def _said(self, step: Step, leads: bool) -> Text:
+    def _said(self, step: ReportedStep, leads: bool) -> Text:
         if step.point is not None:
             return capitalise((*self.phrases.at(step.point), *self.phrases.words(step.words)))
         return self.phrases.sentence(step.words, ":" if leads else ".")
@@ -107,7 +107,7 @@ class Evidence:
                 said = (*said, ". What follows is read with it")
             yield Paragraph((*said, "."), leads=bool(formulas))
             if formulas:
-                yield Display(formulas, verdict=one.verdict)
+                yield Equations(formulas, verdict=one.verdict)
             for condition in one.conditions:
                 if condition.witness:
                     yield Paragraph(self._fails(condition))

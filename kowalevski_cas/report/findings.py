@@ -7,7 +7,15 @@ from functools import cached_property
 
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.report.compare import mark_differences
-from kowalevski_cas.report.document import Block, Claim, Display, Emphasis, Heading, Paragraph, Text
+from kowalevski_cas.report.document import (
+    Block,
+    Emphasis,
+    Equations,
+    Heading,
+    Judgement,
+    Paragraph,
+    Text,
+)
 from kowalevski_cas.report.sentences import (
     Phrases,
     capital,
@@ -137,7 +145,7 @@ class Findings:
             for outcome in self.open:
                 where = self.phrases.links([outcome.claim])
                 said = self.phrases.sentence(outcome.message)
-                yield Claim(outcome.verdict, "", (*where, ": ", *said))
+                yield Judgement(outcome.verdict, "", (*where, ": ", *said))
 
     def hypotheses(self) -> Iterator[Block]:
         """What the paper does not say and a statement needs, each condition once."""
@@ -148,9 +156,9 @@ class Findings:
                 reasons = group_alike(needing, lambda condition: condition.words)
                 said = tuple(self._reason(claims, one) for claims, (one, *_) in reasons)
                 head: Text = ("We need ", nonzero(expression), ".")
-                yield Claim(Verdict.CONDITIONAL, "", head, blocks=said)
+                yield Judgement(Verdict.CONDITIONAL, "", head, blocks=said)
 
-    def _misprint(self, slip: Slip) -> Claim:
+    def _misprint(self, slip: Slip) -> Judgement:
         first, correction = slip[0], slip[0].correction
         assert correction is not None
         where = capitalise(self.phrases.found([outcome.claim for outcome in slip]))
@@ -160,24 +168,24 @@ class Findings:
         printed, meant = mark_differences(correction.blamed or first.formulas, correction.formulas)
         source = "" if correction.blamed else first.source
         shown: list[Block] = [
-            Display(printed, source, first.verdict, wrong=True),
-            Display(meant, verdict=correction.verdict),
+            Equations(printed, source, first.verdict, wrong=True),
+            Equations(meant, verdict=correction.verdict),
         ]
         for other in filter(lambda other: _says_else(first, other), first.alternatives):
             shown.append(Paragraph(("Or: ", *self.phrases.words(other.words), ".")))
-            shown.append(Display(other.formulas, verdict=other.verdict))
+            shown.append(Equations(other.formulas, verdict=other.verdict))
         if correction.others:
             shown.append(Paragraph((*self.phrases.links(correction.others), _KEPT)))
         if first.counterexample:
             shown.append(Paragraph(self.phrases.values(first.counterexample), "note"))
-        return Claim(None, "", head, blocks=tuple(shown))
+        return Judgement(None, "", head, blocks=tuple(shown))
 
-    def _falsehood(self, outcome: Outcome) -> Claim:
+    def _falsehood(self, outcome: Outcome) -> Judgement:
         where = capitalise(self.phrases.found([outcome.claim]))
         head: Text = (*where, ": ", *self.phrases.sentence(outcome.words))
         shown: list[Block] = []
         if outcome.source and not {*outcome.formulas} <= {*head}:
-            shown.append(Display(outcome.formulas, outcome.source))
+            shown.append(Equations(outcome.formulas, outcome.source))
         if outcome.counterexample:
             shown.append(Paragraph(self.phrases.values(outcome.counterexample)))
         elif outcome.message:
@@ -185,11 +193,11 @@ class Findings:
         correction = outcome.correction
         if correction is None:
             head = (*head, " No true statement was found near it.")
-            return Claim(outcome.verdict, "", head, blocks=tuple(shown))
+            return Judgement(outcome.verdict, "", head, blocks=tuple(shown))
         head = (*head, " ", Emphasis(("Correct:",)), " ", *self.phrases.words(correction.words))
         if correction.conditions:
             head = (*head, ", where ", *self.phrases.where(correction.conditions))
-        return Claim(outcome.verdict, "", (*head, "."), blocks=tuple(shown))
+        return Judgement(outcome.verdict, "", (*head, "."), blocks=tuple(shown))
 
     def _reason(self, claims: Sequence[str], condition: Condition) -> Paragraph:
         """What some claims say, and what happens without the hypothesis."""

@@ -12,13 +12,13 @@ from typing import Final
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.notation.mathml import MATHML, growing_bracket
 from kowalevski_cas.report.document import (
-    Claim,
-    Display,
     Document,
+    Equations,
     Figure,
     Graph,
     Heading,
     Items,
+    Judgement,
     Link,
     Paragraph,
     Table,
@@ -144,7 +144,7 @@ class HtmlWriter(Writer):
         place = f' id="{block.anchor}"' if block.anchor else ""
         return f"<p{place}{kind}>{self.text(block.text)}</p>"
 
-    def display(self, block: Display) -> str:
+    def equations(self, block: Equations) -> str:
         """A display, for wide and for narrow pages if these differ."""
         if not block.formulas:
             inner = f'<span class="source">{escape(" ".join(block.source.split()))}</span>'
@@ -164,7 +164,7 @@ class HtmlWriter(Writer):
             f'<div class="display{kind}"{place}>{sign}<div class="math">{inner}</div>{label}</div>'
         )
 
-    def claim(self, block: Claim) -> str:
+    def judgement(self, block: Judgement) -> str:
         sign = self.sign(block.verdict) if block.verdict else ""
         place = f' id="{block.anchor}"' if block.anchor else ""
         label = f'<span class="label">{self.text(block.label)}</span>' if block.label else ""

@@ -6,13 +6,13 @@ from collections.abc import Sequence
 
 from kowalevski_cas.notation.latex import Latex
 from kowalevski_cas.report.document import (
-    Claim,
-    Display,
     Document,
+    Equations,
     Figure,
     Graph,
     Heading,
     Items,
+    Judgement,
     Link,
     Paragraph,
     Table,
@@ -105,7 +105,7 @@ class LatexWriter(Writer):
         after = r"\nopagebreak" if block.leads else ""
         return f"\n{{{kind}{stays}{self._place(block.anchor)}{text}\\par}}{after}\n"
 
-    def display(self, block: Display) -> str:
+    def equations(self, block: Equations) -> str:
         if block.formulas:
             mathematics = self.setter.display(block.formulas, self.room)
             shown = rf"\fit{{{mathematics}}}"
@@ -120,7 +120,7 @@ class LatexWriter(Writer):
         after = r"\nopagebreak" if block.leads else ""
         return f"\\Shown{{{sign}}}{{{shown}}}{{{label}}}{after}"
 
-    def claim(self, block: Claim) -> str:
+    def judgement(self, block: Judgement) -> str:
         sign = rf"\Sign{{{block.verdict}}}" if block.verdict else ""
         head = self._place(block.anchor) + self.text(block.head)
         inner = self.blocks(block.blocks)

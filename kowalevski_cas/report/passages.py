@@ -9,18 +9,18 @@ from kowalevski_cas.notation import Formula, Relation
 from kowalevski_cas.report.compare import mark_differences
 from kowalevski_cas.report.document import (
     Block,
-    Claim,
     Code,
-    Display,
     Emphasis,
+    Equations,
     Heading,
+    Judgement,
     Paragraph,
     Text,
     anchor,
 )
 from kowalevski_cas.report.evidence import Evidence
 from kowalevski_cas.report.marks import MARKS
-from kowalevski_cas.report.places import ClaimGroup, Item, Section
+from kowalevski_cas.report.places import ClaimGroup, PaperSection, ReportItem
 from kowalevski_cas.report.sentences import Phrases, capital, group_alike, list_in_words, nonzero
 from kowalevski_cas.report.witnesses import Witness
 from kowalevski_cas.tools import title
@@ -49,7 +49,7 @@ class Passages:
     ) -> None:
         self.phrases, self.certified, self.programs = phrases, certified, programs
 
-    def section(self, section: Section) -> Iterator[Block]:
+    def section(self, section: PaperSection) -> Iterator[Block]:
         """A section of the paper: what it assumes, and its displays and claims in their order."""
         name = self.phrases.title(section)
         yield Heading(name, f"section.{anchor(section.number)}")
@@ -69,16 +69,16 @@ class Passages:
             before = what
             yield from self.item(item)
 
-    def item(self, item: Item) -> Iterator[Block]:
+    def item(self, item: ReportItem) -> Iterator[Block]:
         """A display, what is claimed of it, and what was found; or claims about no display."""
         if not item.stated:
             formulas = tuple(formula for row in item.rows for formula in row.formulas)
             label = (item.label,) if item.label else ()
-            yield Display(formulas, item.rows[0].source, label=label, anchor=item.anchor)
+            yield Equations(formulas, item.rows[0].source, label=label, anchor=item.anchor)
         for one in item.stated:
             yield self._several(one) if len(one.rows) > 1 else self._alone(one)
 
-    def _several(self, stated: ClaimGroup) -> Claim:
+    def _several(self, stated: ClaimGroup) -> Judgement:
         """The formulas of a display, all or some of which are claimed."""
         outcomes = stated.outcomes
         words = dict.fromkeys(outcome.words for outcome in outcomes if outcome.words)
@@ -90,7 +90,7 @@ class Passages:
             if own and len(where) > 1 and self._where(own):
                 beside.append(("valid for ", *self._where(own)))
             shown.append(
-                Display(
+                Equations(
                     _slips(row.formulas, own),
                     row.source,
                     own.verdict if own else None,
@@ -104,13 +104,13 @@ class Passages:
             head = (*head, *_valid(*where))
         return self._claim(None, "", head, stated.number, shown, outcomes)
 
-    def _alone(self, stated: ClaimGroup) -> Claim:
+    def _alone(self, stated: ClaimGroup) -> Judgement:
         """A single claim, with its formulas."""
         (row,), (outcome,) = stated.rows, stated.outcomes
         misprint = outcome.misprinted
         shown = []
         if row.formulas or row.source:
-            shown = [Display(_slips(row.formulas, outcome), row.source, wrong=misprint)]
+            shown = [Equations(_slips(row.formulas, outcome), row.source, wrong=misprint)]
         head = (*self.phrases.sentence(outcome.words), *_valid(self._where(outcome)))
         if not self._where(outcome) and outcome.verdict not in (
             Verdict.PROVED,
@@ -131,12 +131,12 @@ class Passages:
         place: str,
         head: Text,
         number: str,
-        shown: Sequence[Display],
+        shown: Sequence[Equations],
         outcomes: Sequence[Outcome],
-    ) -> Claim:
+    ) -> Judgement:
         told = Evidence(self.phrases, outcomes)
         folded = (*told.steps(), *self._records(outcomes))
-        return Claim(verdict, place, head, (number,), (*shown, *told.first()), folded)
+        return Judgement(verdict, place, head, (number,), (*shown, *told.first()), folded)
 
     def _records(self, outcomes: Sequence[Outcome]) -> Iterator[Paragraph]:
         """Who confirms claims, and what they rest on; what holds of several is said once."""
@@ -159,7 +159,7 @@ class Passages:
         return text
 
 
-def _role(item: Item) -> str:
+def _role(item: ReportItem) -> str:
     """What a display is for that nobody claims where it stands."""
     equations = any(isinstance(f, Relation) for row in item.rows for f in row.formulas)
     return _ROLES.get(item.role if equations else "condition", "")

@@ -26,7 +26,7 @@ from kowalevski_cas.report.graph import Drawing
 from kowalevski_cas.report.graph.svg import svg
 from kowalevski_cas.report.html import render_html
 from kowalevski_cas.report.latex import render_latex
-from kowalevski_cas.report.places import Section
+from kowalevski_cas.report.places import PaperSection
 from kowalevski_cas.report.typst import render_typst
 from kowalevski_cas.report.witnesses import Witness, programs
 from kowalevski_cas.verify.outcome import Outcome, Run
@@ -56,7 +56,7 @@ class Written:
 
 def page(
     run: Run,
-    sections: Sequence[Section],
+    sections: Sequence[PaperSection],
     certified: Mapping[str, str],
     beside: Path | None = None,
     evidence: str = "",
@@ -105,7 +105,7 @@ def facts(run: Run, certified: Mapping[str, str], programs: Sequence[Witness]) -
 
 def write_report(
     run: Run,
-    sections: Sequence[Section],
+    sections: Sequence[PaperSection],
     folder: Path,
     certified: Mapping[str, str] = MappingProxyType({}),
     evidence: str = "",

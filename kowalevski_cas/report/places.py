@@ -62,7 +62,7 @@ class ClaimName(NamedTuple):
     several: int = 1
 
 
-class Item(NamedTuple):
+class ReportItem(NamedTuple):
     """A display with the claims about it, or claims about none, which has no formulas.
 
     ``label`` is the number of the equation and ``display`` the name of what is displayed; ``role``
@@ -90,12 +90,12 @@ class Item(NamedTuple):
         return f"display.{anchor(self.display)}" if self.display else ""
 
 
-class Section(NamedTuple):
+class PaperSection(NamedTuple):
     """A section of the paper; ``copied`` says whether its formulas are those of a print, if any."""
 
     number: str
     title: str
-    items: tuple[Item, ...]
+    items: tuple[ReportItem, ...]
     copied: bool | None = True
 
     @property
@@ -113,7 +113,7 @@ class _DisplayPlace:
         self.after: list[tuple[Display | None, Outcome]] = []
 
 
-def sections(run: Run, derivation: paper.Derivation, texts: Texts) -> tuple[Section, ...]:
+def sections(run: Run, derivation: paper.Derivation, texts: Texts) -> tuple[PaperSection, ...]:
     """The sections of a paper that state something, each in the order of its displays.
 
     A claim stands at the display that it is about; one about none follows what it mentions.
@@ -125,11 +125,11 @@ def sections(run: Run, derivation: paper.Derivation, texts: Texts) -> tuple[Sect
         items = tuple(_items(section, outcomes, texts, roles))
         if any(item.stated for item in items):
             items = number_items(section.number, items)
-            found.append(Section(section.number, section.title, items, section.copied))
+            found.append(PaperSection(section.number, section.title, items, section.copied))
     return tuple(found)
 
 
-def number_items(section: str, items: Sequence[Item]) -> tuple[Item, ...]:
+def number_items(section: str, items: Sequence[ReportItem]) -> tuple[ReportItem, ...]:
     """The items of a section, with a number for all that is stated."""
     own, before, found = count(1), "", []
     for item, after in zip_longest(items, items[1:]):
@@ -146,7 +146,7 @@ def number_items(section: str, items: Sequence[Item]) -> tuple[Item, ...]:
     return tuple(found)
 
 
-def names(sections: Sequence[Section]) -> dict[str, ClaimName]:
+def names(sections: Sequence[PaperSection]) -> dict[str, ClaimName]:
     """What the claims are called."""
     stated = [one for section in sections for item in section.items for one in item.stated]
     return {
@@ -159,7 +159,7 @@ def names(sections: Sequence[Section]) -> dict[str, ClaimName]:
     }
 
 
-def labels(sections: Sequence[Section]) -> dict[str, str]:
+def labels(sections: Sequence[PaperSection]) -> dict[str, str]:
     """Where the numbers of equations lead."""
     items = (item for section in sections for item in section.items)
     return {item.label: item.anchor for item in items if item.label}
@@ -167,7 +167,7 @@ def labels(sections: Sequence[Section]) -> dict[str, str]:
 
 def _items(
     section: paper.Section, outcomes: dict[str, Outcome], texts: Texts, roles: Roles
-) -> Iterator[Item]:
+) -> Iterator[ReportItem]:
     order = {display: k for k, display in enumerate(section.displays)}
     places = [
         _DisplayPlace() for _ in range(len(order) + 1)
@@ -194,14 +194,16 @@ def _items(
         yield from _apart(place.after)
 
 
-def _apart(claims: Sequence[tuple[Display | None, Outcome]]) -> Iterator[Item]:
+def _apart(claims: Sequence[tuple[Display | None, Outcome]]) -> Iterator[ReportItem]:
     """Claims about no display of the section: those about one of another section together."""
     for display, ones in groupby(claims, lambda pair: pair[0]):
         outcomes = [outcome for _, outcome in ones]
         if display is None:
-            yield from (Item(stated=(ClaimGroup((Row.of(outcome),)),)) for outcome in outcomes)
+            yield from (
+                ReportItem(stated=(ClaimGroup((Row.of(outcome),)),)) for outcome in outcomes
+            )
         else:
-            yield Item(stated=(ClaimGroup(tuple(map(Row.of, outcomes))),))
+            yield ReportItem(stated=(ClaimGroup(tuple(map(Row.of, outcomes))),))
 
 
 def _home(claim: Claim) -> Display | None:
@@ -212,7 +214,7 @@ def _home(claim: Claim) -> Display | None:
     return displays.pop() if len(displays) == 1 else None
 
 
-def _displayed(display: Display, place: _DisplayPlace, texts: Texts, roles: Roles) -> Item:
+def _displayed(display: Display, place: _DisplayPlace, texts: Texts, roles: Roles) -> ReportItem:
     role = roles.at(Printed(display, 1).place).elsewhere
     source = texts.source(display)
     spans: tuple[tuple[int, int], ...] = ()
@@ -221,7 +223,7 @@ def _displayed(display: Display, place: _DisplayPlace, texts: Texts, roles: Role
     places = enumerate(spans or ((0, len(source)),), 1)
     rows = tuple(_row(source[start:end], display[k], texts) for k, (start, end) in places)
     stated = tuple(_stated(rows, place))
-    return Item(rows, stated, display.label, role, display.id, display.source)
+    return ReportItem(rows, stated, display.label, role, display.id, display.source)
 
 
 def _row(source: str, printed: Printed, texts: Texts) -> Row:

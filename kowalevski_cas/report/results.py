@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 
-from kowalevski_cas.report.document import Block, Claim, Paragraph, Text
+from kowalevski_cas.report.document import Block, Judgement, Paragraph, Text
 from kowalevski_cas.report.sentences import Phrases, count_in_words, in_words, list_in_words
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 
@@ -41,12 +41,14 @@ def _fate(verdicts: Sequence[Verdict]) -> str:
     return f"Of {in_words(many)} main results {' and '.join(parts)}."
 
 
-def _statement(phrases: Phrases, outcome: Outcome) -> Claim:
+def _statement(phrases: Phrases, outcome: Outcome) -> Judgement:
     """A statement with its sign, where it holds, and a link to its place."""
     where = phrases.where(outcome.conditions)
     valid = (", where ", *where) if where else ()
     words = phrases.words(outcome.words.rstrip("."))
-    return Claim(outcome.verdict, "", (*phrases.links([outcome.claim]), ": ", *words, *valid, "."))
+    return Judgement(
+        outcome.verdict, "", (*phrases.links([outcome.claim]), ": ", *words, *valid, ".")
+    )
 
 
 def _reach(

@@ -9,8 +9,8 @@ from typing import Final, TypeVar
 
 from kowalevski_cas.notation import Formula, Number, Relation, Vocabulary, equal, read_prose
 from kowalevski_cas.report.document import Code, Inline, Link, Text, anchor
-from kowalevski_cas.report.places import ClaimName, Section
-from kowalevski_cas.verify.outcome import Condition, Counterexample, Point, Value
+from kowalevski_cas.report.places import ClaimName, PaperSection
+from kowalevski_cas.verify.outcome import Condition, Counterexample, PrintedPoint, Value
 
 T = TypeVar("T")
 
@@ -146,7 +146,7 @@ class Phrases:
         """Words that begin with a capital, where they begin with a letter, and come to an end."""
         return self.words(_sentence(text, end))
 
-    def title(self, section: Section) -> Text:
+    def title(self, section: PaperSection) -> Text:
         """The number and the title of a section, without links."""
         return read_prose(f"{section.number}. {section.title}", self.vocabulary)
 
@@ -211,7 +211,7 @@ class Phrases:
         return capitalise((*self.at(found.point), *said, "."))
 
     @staticmethod
-    def at(at: Point) -> Text:
+    def at(at: PrintedPoint) -> Text:
         """``At`` and the coordinates of a point, equal ones together."""
         same: dict[Value, list[Formula]] = {}
         for name, value in at.values.items():

@@ -8,13 +8,13 @@ from typing import Final
 
 from kowalevski_cas.notation.typst import TYPST
 from kowalevski_cas.report.document import (
-    Claim,
-    Display,
     Document,
+    Equations,
     Figure,
     Graph,
     Heading,
     Items,
+    Judgement,
     Link,
     Paragraph,
     Table,
@@ -93,7 +93,7 @@ class TypstWriter(Writer):
         place = f" <{block.anchor}>" if block.anchor else ""
         return f"#{kind}[{self.text(block.text)}]{place}"
 
-    def display(self, block: Display) -> str:
+    def equations(self, block: Equations) -> str:
         shown = f"#code({_quoted(' '.join(block.source.split()))})"
         if block.formulas:
             shown = f"$ {self.setter.display(block.formulas, self.room)} $"
@@ -106,7 +106,7 @@ class TypstWriter(Writer):
         sticky = ", sticky: true" if block.leads else ""
         return f"#shown({name}, [{label}]{wrong}{sticky})[{shown}]{place}"
 
-    def claim(self, block: Claim) -> str:
+    def judgement(self, block: Judgement) -> str:
         name = f'"{block.verdict}"' if block.verdict else "none"
         place = f"<{block.anchor}>" if block.anchor else "none"
         inner = f"{self.blocks(block.blocks)}\n#did[\n{self.blocks(block.folded)}\n]"

@@ -18,8 +18,8 @@ from kowalevski_cas.problem.examine import law
 from kowalevski_cas.problem.goals import Exists, Fails, Follows, Simple
 from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation, all_names
-from kowalevski_cas.search.combinations import expressed
-from kowalevski_cas.search.numbers import linear_combination, solved_numbers
+from kowalevski_cas.search.combinations import cofactors_for
+from kowalevski_cas.search.numbers import linear_combination, solve_for_numbers
 from kowalevski_cas.search.place import Candidate, PointFinder
 from kowalevski_cas.search.real import real_points
 
@@ -33,10 +33,10 @@ WEIGHTED = 24
 """At how many points an equation is looked at, to see that no numbers fit."""
 
 
-def found(goal: Exists, finder: PointFinder, prove: Prove) -> Found | None:
+def find_bound_values(goal: Exists, finder: PointFinder, prove: Prove) -> Found | None:
     """Values for the bound names, and the evidence that ``prove`` finds for each goal with them."""
     if goal.numbers:
-        values = solved_numbers(goal, finder)
+        values = solve_for_numbers(goal, finder)
         if values is None:
             return None
     else:
@@ -52,14 +52,14 @@ def found(goal: Exists, finder: PointFinder, prove: Prove) -> Found | None:
     evidence: list[Evidence] = []
     for one in goal.goals:
         at = finder.of(one.space)
-        inner = prove(one, at.binding(_used(one, values, at)))
+        inner = prove(one, at.binding(_values_in_goal(one, values, at)))
         if inner is None:
             return None
         evidence.append(inner)
     return Found({name: values[name] for name in goal.bound}, tuple(evidence))
 
 
-def _used(goal: Simple, values: dict[str, Formula], at: Evaluation) -> dict[str, Element]:
+def _values_in_goal(goal: Simple, values: dict[str, Formula], at: Evaluation) -> dict[str, Element]:
     """The values of the bound names that stand in a goal."""
     mine = {name for formula in goal.formulas() for name in formula.names()}
     return {name: at.scalar(value) for name, value in values.items() if name in mine}
@@ -70,14 +70,14 @@ def _linear(
 ) -> dict[str, Formula] | None:
     """The names that the equations of a goal are linear in, solved for."""
     unknown = [name for name in exists.bound if name not in values]
-    at = at.binding(_used(goal, values, at))
+    at = at.binding(_values_in_goal(goal, values, at))
     rows = [_row(sides, unknown) for sides in goal.conclusions[0]]
     found_here: dict[str, Formula] = {}
     waiting = [row for row in rows if row[1]]
     while waiting:
         group = _group(waiting)
         waiting = [row for row in waiting if row not in group]
-        solution = _solved(group, at, goal)
+        solution = _solve_for_values(group, at, goal)
         if solution is None:
             return None
         found_here |= {name: formula_in(value) for name, value in solution.items()}
@@ -103,13 +103,15 @@ def _group(rows: list[Linear]) -> list[Linear]:
     return [row for row in rows if names & row[1].keys()]
 
 
-def _solved(group: list[Linear], at: Evaluation, goal: Follows) -> dict[str, Element] | None:
+def _solve_for_values(
+    group: list[Linear], at: Evaluation, goal: Follows
+) -> dict[str, Element] | None:
     """One equation is divided by its coefficients; several are a linear system."""
     names = list(dict.fromkeys(name for _, coefficients in group for name in coefficients))
     if len(group) == 1:
         free, coefficients = group[0]
         known = [at.scalar(c) for c in coefficients.values()]
-        row = expressed(-at.scalar(free), known, goal.main)
+        row = cofactors_for(-at.scalar(free), known, goal.main)
         return None if row is None else dict(zip(coefficients, row, strict=True))
     zero = at.ring.zero
     matrix = [[at.scalar(cs[name]) if name in cs else zero for name in names] for _, cs in group]

@@ -58,7 +58,7 @@ def branches(
     """
     granted = tuple(factor for one in nonzero for factor in _factors(one))
     groups = [_factors(one) for one in equations if not one.is_zero()]
-    yield from maximal([*_split(groups, tuple(places), granted, ())])
+    yield from maximal([*_split_cases(groups, tuple(places), granted, ())])
 
 
 def maximal(found: Sequence[Branch]) -> Iterator[Branch]:
@@ -69,7 +69,9 @@ def maximal(found: Sequence[Branch]) -> Iterator[Branch]:
             yield one
 
 
-def solved(task: tuple[Iterable[fmpq_mpoly], Sequence[int], Iterable[fmpq_mpoly]]) -> list[Branch]:
+def solve_by_cases(
+    task: tuple[Iterable[fmpq_mpoly], Sequence[int], Iterable[fmpq_mpoly]],
+) -> list[Branch]:
     """The cases of :func:`branches` for its arguments: a task for a pool."""
     return [*branches(*task)]
 
@@ -119,10 +121,10 @@ def _factors(polynomial: fmpq_mpoly) -> _Group:
     return tuple(_Factor(factor / factor.leading_coefficient()) for factor, _ in factors)
 
 
-def _split(
+def _split_cases(
     equations: Iterable[_Group], places: tuple[int, ...], nonzero: _Group, solved: Solved
 ) -> Iterator[Branch]:
-    groups = _cleared(equations, places, nonzero)
+    groups = _clear_factors(equations, places, nonzero)
     if groups is None:
         return
     single = [group[0] for group in groups if len(group) == 1]
@@ -136,13 +138,13 @@ def _split(
         first = min(several, key=lambda group: (sum(one.size for one in group), len(group)))
         left = [group for group in groups if group is not first]
         for k, factor in enumerate(first):
-            yield from _split([(factor,), *left], places, (*nonzero, *first[:k]), solved)
+            yield from _split_cases([(factor,), *left], places, (*nonzero, *first[:k]), solved)
     else:
         known = tuple(factor.polynomial for factor in nonzero)
-        yield Branch(_reduced(solved), tuple(one.polynomial for one in single), known)
+        yield Branch(_reduce_solutions(solved), tuple(one.polynomial for one in single), known)
 
 
-def _cleared(
+def _clear_factors(
     equations: Iterable[_Group], places: tuple[int, ...], nonzero: _Group
 ) -> list[_Group] | None:
     """Equations without factors that cannot vanish; ``None`` if one has no other."""
@@ -206,22 +208,22 @@ def _eliminated(
     for factor in unknown:
         rest = coefficient(polynomial, place, 0)
         others = [] if rest.is_zero() else [_factors(rest)]
-        yield from _split([(factor,), *others, *left], places, nonzero, solved)
+        yield from _split_cases([(factor,), *others, *left], places, nonzero, solved)
         nonzero = (*nonzero, factor)
-    kept = [_put(factor, place, polynomial) for factor in nonzero]
+    kept = [_substitute_factor(factor, place, polynomial) for factor in nonzero]
     if any(group is None for group in kept):
         return
     granted = tuple(one for group in kept for one in group or ())
     further: list[_Group] = []
     for group in left:
-        parts = [_put(factor, place, polynomial) for factor in group]
+        parts = [_substitute_factor(factor, place, polynomial) for factor in group]
         if None not in parts:
             further.append(tuple(dict.fromkeys(one for part in parts for one in part or ())))
     rest_of_places = tuple(one for one in places if one != place)
-    yield from _split(further, rest_of_places, granted, (*solved, (place, polynomial)))
+    yield from _split_cases(further, rest_of_places, granted, (*solved, (place, polynomial)))
 
 
-def _put(factor: _Factor, place: int, equation: fmpq_mpoly) -> _Group | None:
+def _substitute_factor(factor: _Factor, place: int, equation: fmpq_mpoly) -> _Group | None:
     """The factors of a factor in which an unknown is replaced; ``None`` if it vanishes."""
     if not factor.degrees[place]:
         return (factor,)
@@ -229,7 +231,7 @@ def _put(factor: _Factor, place: int, equation: fmpq_mpoly) -> _Group | None:
     return None if polynomial.is_zero() else _factors(polynomial)
 
 
-def _reduced(solved: Solved) -> Solved:
+def _reduce_solutions(solved: Solved) -> Solved:
     """Equations for unknowns without those that later equations are solved for."""
     found: list[tuple[int, fmpq_mpoly]] = []
     for place, equation in reversed(solved):

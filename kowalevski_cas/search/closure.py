@@ -17,9 +17,9 @@ from kowalevski_cas.algebra.numbers import rank
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
-from kowalevski_cas.problem.place import Place
+from kowalevski_cas.problem.place import PointEvaluation
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.search.combinations import expressed
+from kowalevski_cas.search.combinations import cofactors_for
 from kowalevski_cas.search.place import PointFinder
 
 
@@ -37,7 +37,7 @@ class Closure:
 
     def is_regular(self) -> bool:
         """Whether the differentials of the chain are independent at the point."""
-        names, there = self.at.setting.variables, Place(self.at, self.point)
+        names, there = self.at.setting.variables, PointEvaluation(self.at, self.point)
         rows = [[there(entry) for entry in gradient(element, names)] for element in self.chain]
         return rank(rows) == len(rows)
 
@@ -121,7 +121,7 @@ def closures(at: Evaluation, seed: Element, order: int) -> Iterator[Closure]:
     chain, least = [seed], None
     for _ in range(order):
         after = at.derivative(chain[-1])
-        row = expressed(after, chain)
+        row = cofactors_for(after, chain)
         degree = None if row is None else _degree(at, chain, row)
         if row is not None and degree is not None and (least is None or degree < least):
             point = finder.point(at, chain, [*at.law, *chain, *row], most=0 if degree else 2)

@@ -34,7 +34,7 @@ class Exponential:
 
 
 @dataclass(frozen=True)
-class Relation:
+class CofactorRelation:
     """Σ λK + Σ μL = 0, or Σ λK + Σ μL + div = 0 for a ``multiplier``, with constants λ, μ."""
 
     exponents: tuple[Element, ...]
@@ -72,7 +72,7 @@ def exponential_factors(
 
 def relations(
     field: PolynomialField, known: Sequence[Darboux], exponentials: Sequence[Exponential] = ()
-) -> Iterator[Relation]:
+) -> Iterator[CofactorRelation]:
     """A basis of the relations among cofactors that are not zero."""
     at, zero = field.at, field.at.ring.zero
     divergence = zero
@@ -86,7 +86,7 @@ def relations(
             continue
         if multiplier or not all(one.is_zero for one in exponents):  # no sum of G/P alone
             exponential = _combined(vector[len(known) :], [e.exponent for e in exponentials])
-            yield Relation(tuple(exponents), exponential, multiplier)
+            yield CofactorRelation(tuple(exponents), exponential, multiplier)
 
 
 def _monomials(field: PolynomialField, degree: int) -> Iterator[Element]:

@@ -14,7 +14,7 @@ from kowalevski_cas.algebra.flint import terms_of, to_flint
 from kowalevski_cas.algebra.kernels import TooLarge, kernel
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.search.cofactors import cofactors
-from kowalevski_cas.search.groebner import Basis, reduced_basis, remainder
+from kowalevski_cas.search.groebner import Basis, reduced_groebner_basis, remainder
 
 POWERS = 3
 """The largest power of a unit by which a target is multiplied."""
@@ -71,7 +71,7 @@ class Combinations:
 
     def reduced(self) -> list[Element]:
         """The elements of the reduced basis."""
-        found = [] if self.basis is None else self.basis.reduced()
+        found = [] if self.basis is None else self.basis.interreduced()
         return [self.flat.element(_in(self.flat.context, one)) for one in found]
 
     def row(self, target: Element) -> list[Element] | None:
@@ -86,7 +86,7 @@ class Combinations:
                 return self._entries(row, prod(over, start=flat.inverse_denominator(target)))
         return None
 
-    def divided(self, target: Element) -> list[Element] | None:
+    def division_row(self, target: Element) -> list[Element] | None:
         """The row that divides by a polynomial of the least degree for which there is one.
 
         It is no combination of the generators, for that would vanish wherever these do; so a number
@@ -95,7 +95,7 @@ class Combinations:
         own, flat = self._graded(target), self.flat
         if self.basis is None or own.is_constant():
             return None
-        basis, one = self.basis.kept, self.context.constant(1)
+        basis, one = self.basis.minimal_elements, self.context.constant(1)
         used = {k for polynomial in (*basis, own) for k in _variables(polynomial)}
         names = [one, *(self.context.gens()[k] for k in sorted(used))]
         for degree in range(1, LARGEST_DEGREE + 1):
@@ -136,14 +136,14 @@ def complete(rows: Iterable[Row | None]) -> list[Row] | None:
     return found
 
 
-def expressed(
+def cofactors_for(
     target: Element, generators: Sequence[Element], main: Sequence[tuple[str, ...]] = ()
 ) -> list[Element] | None:
     """Cofactors of a target without a condition, or in main variables, or with the least one."""
     if (row := cofactors(target, generators)) is not None or len(generators) == 1:
         return row or cofactors(target, generators, main)
     made = combinations_of([target], generators)
-    return made.row(target) or cofactors(target, generators, main) or made.divided(target)
+    return made.row(target) or cofactors(target, generators, main) or made.division_row(target)
 
 
 def combinations_of(targets: Sequence[Element], generators: Sequence[Element]) -> Combinations:
@@ -164,7 +164,7 @@ def vanish_on(elements: Sequence[Element], known: Sequence[Element]) -> list[boo
     context = fmpq_mpoly_ctx.get(flat.context.names(), Ordering.deglex)
     relations = (*map(flat.polynomial, given), *flat.relations())
     try:
-        basis = reduced_basis([_in(context, one) for one in relations])
+        basis = reduced_groebner_basis([_in(context, one) for one in relations])
     except TooLarge:
         return [False] * len(elements)
     dividends = (_in(context, flat.polynomial(element)) for element in elements)

@@ -24,17 +24,17 @@ from kowalevski_cas.problem.evidence import Evidence, Factor, Point, Roots
 from kowalevski_cas.problem.goals import Count
 from kowalevski_cas.problem.space import Space
 from kowalevski_cas.search.cofactors import cofactors
-from kowalevski_cas.search.combinations import expressed
+from kowalevski_cas.search.combinations import cofactors_for
 from kowalevski_cas.search.cramer import cramer
 from kowalevski_cas.search.eliminants import Eliminant, eliminant
 from kowalevski_cas.search.groebner import remainder
 from kowalevski_cas.search.levels import (
-    System,
+    LevelEquations,
     more_solutions,
     new_name,
+    point_evidence,
     solutions,
     system_of,
-    written_point,
 )
 from kowalevski_cas.search.place import PointFinder
 from kowalevski_cas.search.squares import sum_of_squares
@@ -47,7 +47,7 @@ class Builder:
     """The evidence for one system and its eliminant, in formulas."""
 
     def __init__(
-        self, goal: Count, system: System, found: Eliminant, values: Sequence[Element]
+        self, goal: Count, system: LevelEquations, found: Eliminant, values: Sequence[Element]
     ) -> None:
         self.goal, self.system, self.found = goal, system, found
         self.at = system.at
@@ -144,7 +144,7 @@ class Builder:
         found = []
         for goal in goals:
             zero = [goal] * len(self.known)
-            row = zero if goal.is_zero else expressed(goal, self.known, main)
+            row = zero if goal.is_zero else cofactors_for(goal, self.known, main)
             if row is None:
                 return None
             found.append(tuple(map(formula_in, row)))
@@ -249,7 +249,7 @@ class Builder:
         """A solution in small whole numbers, with its constants."""
         for found in solutions(self.system):
             if all(self.system.value(factor, found) for factor in factors):
-                return written_point(found)
+                return point_evidence(found)
         return None
 
 

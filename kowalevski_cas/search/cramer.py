@@ -15,13 +15,13 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Name, Negative, Number
 from kowalevski_cas.problem.evidence import Point, Roots
 from kowalevski_cas.problem.goals import Count
-from kowalevski_cas.search.levels import System, new_name, small, written_point
+from kowalevski_cas.search.levels import LevelEquations, new_name, point_evidence, small
 from kowalevski_cas.search.points import constant
 
 Row = list[fmpq_mpoly]
 
 
-class Solved(NamedTuple):
+class LinearSolution(NamedTuple):
     """Unknowns x that equations e give: :math:`d x_k - n_k` is the k-th row times e.
 
     d is ``below``, and n ``above``; no unknown stands in d, in n or in the rows.
@@ -32,12 +32,12 @@ class Solved(NamedTuple):
     rows: list[Row]
 
 
-def cramer(goal: Count, system: System) -> Roots | None:
+def cramer(goal: Count, system: LevelEquations) -> Roots | None:
     """The one solution; ``None`` if the equations are not linear, or not independent."""
     at = system.at
     zero: fmpq_mpoly = at.ring.polynomials.zero
     known = [element.parts.get(0, zero) for element in at.differences(goal.equations)]
-    found = _solved(known, [at.names.index(name) for name in goal.names])
+    found = _eliminate(known, [at.names.index(name) for name in goal.names])
     if found is None:
         return None
 
@@ -65,7 +65,7 @@ def cramer(goal: Count, system: System) -> Roots | None:
     )
 
 
-def _point(goal: Count, system: System, found: Solved) -> Point | None:
+def _point(goal: Count, system: LevelEquations, found: LinearSolution) -> Point | None:
     """The solution for some small constants."""
     names, own = system.at.names, [system.at.names.index(name) for name in system.constants]
     for numbers in small(len(own)):
@@ -76,11 +76,11 @@ def _point(goal: Count, system: System, found: Solved) -> Point | None:
             one = {n: v / below for n, v in zip(goal.names, numerators, strict=True)}
             one |= {names[place]: number for place, number in values.items()}
             if system.makes_sense(one):
-                return written_point(one)
+                return point_evidence(one)
     return None
 
 
-def _solved(known: Sequence[fmpq_mpoly], places: Sequence[int]) -> Solved | None:
+def _eliminate(known: Sequence[fmpq_mpoly], places: Sequence[int]) -> LinearSolution | None:
     """The unknowns by elimination without fractions; ``None`` if that is not possible."""
     size, count = len(places), len(known)
     units = [(*(int(j == k) for j in range(size)),) for k in range(size)]
@@ -92,7 +92,7 @@ def _solved(known: Sequence[fmpq_mpoly], places: Sequence[int]) -> Solved | None
         one, zero = (polynomial.context().constant(n) for n in (1, 0))
         own = [parts.get(unit, zero) for unit in units]
         rows.append([*own, *(one if j == k else zero for j in range(count))])
-    below = _reduced(rows, size)
+    below = _reduce_columns(rows, size)
     if below is None:
         return None
     left = [row[size:] for row in rows]
@@ -106,10 +106,10 @@ def _solved(known: Sequence[fmpq_mpoly], places: Sequence[int]) -> Solved | None
         below * gens[place] - sum(a * e for a, e in zip(row, known, strict=True))
         for place, row in zip(places, left, strict=True)
     ]
-    return Solved(above, below, left)
+    return LinearSolution(above, below, left)
 
 
-def _reduced(rows: list[Row], size: int) -> fmpq_mpoly | None:
+def _reduce_columns(rows: list[Row], size: int) -> fmpq_mpoly | None:
     """Make the first columns a multiple of the unit matrix, and return the factor.
 
     The rows are those of Bareiss: every division is exact.

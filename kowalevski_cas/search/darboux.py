@@ -30,7 +30,7 @@ from kowalevski_cas.problem.polynomial_fields import (
     number_of_monomials,
     primitive,
 )
-from kowalevski_cas.search.branches import Branch, solved
+from kowalevski_cas.search.branches import Branch, solve_by_cases
 from kowalevski_cas.search.integrals import Span
 
 LARGEST = 500
@@ -64,14 +64,14 @@ def darboux_polynomials(
         Meaningless: the motion is no polynomial in the variables.
         TooLarge: what comes next has too many unknowns.
     """
-    search = _Search(at, special)
+    search = _DarbouxSearch(at, special)
     ansatze, waiting = tee(search.ansatze(degree))
-    found = pool.map(solved, map(search.task, waiting))
+    found = pool.map(solve_by_cases, map(search.task, waiting))
     for cases, ansatz in zip(found, ansatze, strict=True):
         yield from search.new(ansatz, cases)
 
 
-class _Search:
+class _DarbouxSearch:
     """Darboux polynomials found so far, in a field."""
 
     def __init__(self, at: Evaluation, special: bool) -> None:
@@ -146,11 +146,11 @@ class _Search:
         while waiting:
             left, total, first = waiting.pop()
             if total == cofactor:
-                span.extended(left)
+                span.extend(left)
             for k in range(first, len(own)):
                 if _degree(left) + _degree(own[k][0]) <= degree:
                     waiting.append((product_of(left, own[k][0]), _added(total, own[k][1]), k))
-        return span.extended(target)
+        return span.extend(target)
 
     def _values(self, one: Darboux) -> list[int]:
         """Residues of constants in general position among those that obey the equations."""

@@ -18,7 +18,7 @@ from kowalevski_cas.algebra.kernels import TooLarge
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.problem.polynomial_fields import primitive
 from kowalevski_cas.search.combinations import complete
-from kowalevski_cas.search.groebner import reduced_basis
+from kowalevski_cas.search.groebner import reduced_groebner_basis
 
 
 class Eliminant(NamedTuple):
@@ -37,14 +37,14 @@ class Eliminant(NamedTuple):
 def eliminant(levels: Sequence[Terms], size: int) -> Eliminant | None:
     """A sum of few of the unknowns with an integral equation, by which all of them are told."""
     for form in sorted(product((0, 1), repeat=size), key=sum)[1:]:
-        found = complete(_told(levels, form, place) for place in range(size))
+        found = complete(_elimination_formulas(levels, form, place) for place in range(size))
         if found is not None:
             equations, denominators, numerators = zip(*found, strict=True)
             return Eliminant(form, equations[0], denominators, numerators)
     return None
 
 
-def _told(
+def _elimination_formulas(
     levels: Sequence[Terms], form: Sequence[int], place: int
 ) -> tuple[Terms, Terms, Terms] | None:
     """The equation of the form, and the unknown at a place as a denominator and a numerator."""
@@ -59,7 +59,7 @@ def _told(
     )
     given = [side - value for side, value in zip(sides, context.gens()[size:], strict=True)]
     try:
-        basis = reduced_basis(given)
+        basis = reduced_groebner_basis(given)
     except TooLarge:
         return None
     own = [

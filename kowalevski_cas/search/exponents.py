@@ -22,8 +22,8 @@ from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.polynomial_fields import PolynomialField
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.search.branches import Branch, branches, maximal, solved, without
-from kowalevski_cas.search.groebner import reduced_basis
+from kowalevski_cas.search.branches import Branch, branches, maximal, solve_by_cases, without
+from kowalevski_cas.search.groebner import reduced_groebner_basis
 
 LARGEST = 6
 """The largest weight that is tried."""
@@ -119,7 +119,7 @@ class LeadingPart:
             ([*homogeneous, *self.variables[:k]], self.places, [self.scale, variable])
             for k, variable in enumerate(self.variables)
         )
-        found = chain.from_iterable(pool.map(solved, tasks))
+        found = chain.from_iterable(pool.map(solve_by_cases, tasks))
         for equations in maximal([*chain.from_iterable(map(self._at_one, found))]):
             yield self._balance(sides, equations)
 
@@ -132,12 +132,12 @@ class LeadingPart:
                 [*(one for _, one in found.solved), *basis], self.places, found.nonzero
             )
         for part in parts:
-            rest = self._basis(part) if len(part.rest) > 1 else [*map(self._scaled, part.rest)]
+            rest = self._basis(part) if len(part.rest) > 1 else [*map(self._monic, part.rest)]
             if all(any(map(one.derivative, self.places)) for one in rest):
-                pairs = ((place, _monic(self._scaled(one), place)) for place, one in part.solved)
+                pairs = ((place, _monic(self._monic(one), place)) for place, one in part.solved)
                 yield Branch(tuple(pairs), tuple(rest), ())
 
-    def _scaled(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
+    def _monic(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
         """A polynomial at the scale 1, with leading coefficient 1."""
         one = without(polynomial, 0, self.scale - 1)
         return one / one.leading_coefficient()
@@ -151,12 +151,12 @@ class LeadingPart:
 
     def _basis(self, found: Branch) -> list[fmpq_mpoly]:
         """A Gröbner basis of what vanishes at the scale 1 where the rest does, and nothing else."""
-        unit = prod(map(self._scaled, found.nonzero), start=self.scale) - 1
-        basis = reduced_basis([*map(self._scaled, found.rest), unit])
+        unit = prod(map(self._monic, found.nonzero), start=self.scale) - 1
+        basis = reduced_groebner_basis([*map(self._monic, found.rest), unit])
         return [one for one in basis if not one.degrees()[0]]
 
     def _balance(self, sides: Sequence[fmpq_mpoly], equations: Branch) -> Balance:
-        divisions = tuple(divided(side, equations) for side in sides)
+        divisions = tuple(pseudo_remainder(side, equations) for side in sides)
         if any(rest for *_, rest in divisions):
             raise Meaningless("a balance is not solved for: try it with numbers for constants")
         solved, matrix = Branch(equations.solved, (), ()), []
@@ -164,10 +164,10 @@ class LeadingPart:
             row = [
                 (j == k) * self.multiple * self.exponent - side.derivative(j) for j in self.places
             ]
-            parts = [divided(entry, solved) for entry in row]
+            parts = [pseudo_remainder(entry, solved) for entry in row]
             unit = prod({str(u): u for u, *_ in parts}.values(), start=self.context.constant(1))
             matrix.append(tuple(rest * (unit / u) for u, _, rest in parts))
-        characteristic = divided(determinant(matrix), Branch((), equations.rest, ()))
+        characteristic = pseudo_remainder(determinant(matrix), Branch((), equations.rest, ()))
         exponents, factors = self._roots(characteristic[2])
         return Balance(equations, divisions, tuple(matrix), characteristic, exponents, factors)
 
@@ -231,7 +231,7 @@ def _range(row: Sequence[int], own: Sequence[int], top: int) -> tuple[int, int]:
     return known + low, known + high
 
 
-def divided(polynomial: fmpq_mpoly, branch: Branch) -> Division:
+def pseudo_remainder(polynomial: fmpq_mpoly, branch: Branch) -> Division:
     """A multiple of a polynomial, divided by the equations of a branch one after another."""
     context = polynomial.context()
     unit, cofactors = context.constant(1), list[fmpq_mpoly]()

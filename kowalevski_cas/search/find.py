@@ -6,7 +6,7 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Evidence
 from kowalevski_cas.problem.goals import Along, Count, Exists, Fails, Follows, Goal, Kernel, Rank
 from kowalevski_cas.search.along import departure, equal
-from kowalevski_cas.search.bound import found, never
+from kowalevski_cas.search.bound import find_bound_values, never
 from kowalevski_cas.search.count import others, roots
 from kowalevski_cas.search.follows import FollowsFinder
 from kowalevski_cas.search.kernels import complete, further
@@ -20,11 +20,11 @@ class Finder(FollowsFinder, RankFinder):
         """Evidence that a goal holds."""
         match goal:
             case Exists():
-                return found(goal, self, self.proof)
+                return find_bound_values(goal, self, self.proof)
             case Fails():
                 return self.failure(goal, at or self.of(goal.space))
             case Follows():
-                return self.shown(goal, at or self.of(goal.space))
+                return self.entailment(goal, at or self.of(goal.space))
             case Rank():
                 return self.independent(goal, at or self.of(goal.space))
             case Count():
@@ -40,7 +40,7 @@ class Finder(FollowsFinder, RankFinder):
             case Exists():
                 return never(goal, self)
             case Fails():
-                shown = self.shown(goal, self.of(goal.space))
+                shown = self.entailment(goal, self.of(goal.space))
                 return None if shown is None or self._divides(shown, goal) else shown
             case Follows():
                 return self.failure(goal, self.of(goal.space))

@@ -11,10 +11,10 @@ from kowalevski_cas.algebra.numbers import inverse_of
 from kowalevski_cas.algebra.present import formula_rows
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.evidence import At, Proof, Shown
+from kowalevski_cas.problem.evidence import At, Entailment, Proof
 from kowalevski_cas.problem.examine import is_real, law, value_of
 from kowalevski_cas.problem.goals import Fails, Follows
-from kowalevski_cas.problem.place import Place
+from kowalevski_cas.problem.place import PointEvaluation
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.combinations import Combinations, combinations_of, complete, vanish_on
 from kowalevski_cas.search.place import Candidate, PointFinder, Values
@@ -27,7 +27,7 @@ LARGEST_POWER = 3
 class FollowsFinder(PointFinder):
     """Evidence that equations follow from others, or fail where these hold."""
 
-    def shown(self, goal: Follows, at: Evaluation) -> Shown | None:
+    def entailment(self, goal: Follows, at: Evaluation) -> Entailment | None:
         """A point of the hypotheses at which the goal holds, and a proof by cofactors.
 
         Without a point nobody looks for a proof, nor where the goal fails at all points in
@@ -39,13 +39,13 @@ class FollowsFinder(PointFinder):
         sides = [e for one in goal.conclusions for p in at.pairs(one) for e in p]
         divided = [*law(goal, at), *known, *sides]
 
-        def holds(there: Candidate | Place) -> bool:
+        def holds(there: Candidate | PointEvaluation) -> bool:
             return not conclusions or any(map(there.vanish, conclusions))
 
         point = self.point(at, here, divided)
         if point is None:
-            return Shown()
-        if not holds(Place(at, point)):
+            return Entailment()
+        if not holds(PointEvaluation(at, point)):
             point = self.point(at, here, divided, holds, 0) if goal.given else None
             if point is None:
                 return None
@@ -54,16 +54,16 @@ class FollowsFinder(PointFinder):
         if found is None or any(entry.denominator for entry in entries):
             everywhere = self._at_real_points(conclusions, known, at) or self._by_loci(goal, at)
             if everywhere is not None:
-                return Shown(everywhere, point)
+                return Entailment(everywhere, point)
         if found is None:
             return None
         rows, power = found
         proof = Proof(formula_rows(rows), power=power)
-        if not goal.conclusions and self._divides(Shown(proof), goal):
+        if not goal.conclusions and self._divides(Entailment(proof), goal):
             return None
-        if not Place(at, point).defines(entries):
+        if not PointEvaluation(at, point).defines(entries):
             point = self.point(at, here, [*divided, *entries])
-        return Shown(proof, point)
+        return Entailment(proof, point)
 
     @staticmethod
     def _at_real_points(
@@ -92,7 +92,7 @@ class FollowsFinder(PointFinder):
                 return Proof(formula_rows([off]), formula_rows([group, goals]), cases)
         return None
 
-    def _divides(self, shown: Shown, goal: Follows) -> bool:
+    def _divides(self, shown: Entailment, goal: Follows) -> bool:
         """Whether a proof divides by something, and so shows nothing where that vanishes."""
         at = self.of(goal.space)
         return any(at.scalar(entry).denominator for row in shown.proof.rows for entry in row)
@@ -139,17 +139,17 @@ def rows_of(
     if all(goal.is_zero for goal in goals):
         return [], 1
     several = len(known) > 1
-    rows = complete(combined(goal, known, () if several else main) for goal in goals)
+    rows = complete(combine(goal, known, () if several else main) for goal in goals)
     if rows is not None or not several:
         return None if rows is None else (rows, 1)
     made = combinations_of(goals, known)
-    rows = made.rows(goals) or complete(combined(goal, known, main) for goal in goals)
+    rows = made.rows(goals) or complete(combine(goal, known, main) for goal in goals)
     if rows is not None:
         return rows, 1
     for power in range(2, LARGEST_POWER + 1):
         if (rows := made.rows(goals, power)) is not None:
             return rows, power
-    rows = complete(map(made.divided, goals))
+    rows = complete(map(made.division_row, goals))
     return None if rows is None else (rows, 1)
 
 
@@ -159,7 +159,7 @@ def _row(target: Element, known: Sequence[Element]) -> list[Element] | None:
     return None if row is None or any(entry.denominator for entry in row) else row
 
 
-def combined(
+def combine(
     target: Element, known: Sequence[Element], main: Sequence[tuple[str, ...]]
 ) -> list[Element] | None:
     """Cofactors of the target; one over a cofactor where the one known element is a multiple."""

@@ -49,13 +49,13 @@ class Basis:
         """The terms that were reduced so far."""
         while self._pairs and self._steps <= LONGEST:
             _, i, j, _ = heappop(self._pairs)
-            rest, made = self._reduced(*self._pair(i, j))
+            rest, made = self._normal_form(*self._pair(i, j))
             if not rest.is_zero():
                 self._enter(rest, made)
 
     def cofactors(self, target: fmpq_mpoly) -> list[fmpq_mpoly] | None:
         """The combination of the generators that a polynomial is, if it is one."""
-        rest, made = self._reduced(target, {})
+        rest, made = self._normal_form(target, {})
         if not rest.is_zero():
             return None
         zero = self.context.constant(0)
@@ -66,13 +66,13 @@ class Basis:
         return row[: self.count]
 
     @property
-    def kept(self) -> list[fmpq_mpoly]:
+    def minimal_elements(self) -> list[fmpq_mpoly]:
         """The elements whose leading monomials no later one divides."""
         return [self.elements[k] for k in self._kept]
 
-    def reduced(self) -> list[fmpq_mpoly]:
+    def interreduced(self) -> list[fmpq_mpoly]:
         """A basis in which no monomial is divisible by the leading one of another element."""
-        found = self.kept
+        found = self.minimal_elements
         for k, own in enumerate(found):
             found[k] = remainder(own, (*found[:k], *found[k + 1 :]))
         return [one for one in found if one]
@@ -96,16 +96,16 @@ class Basis:
         least: dict[Monomial, int] = {}
         for k, lcm in sorted(new, key=lambda pair: sum(pair[1])):
             if lcm in least:
-                if self._apart(lead, k):
+                if self._coprime_leads(lead, k):
                     least[lcm] = k
             elif not any(_divides(other, lcm) for other in least):
                 least[lcm] = k
         for lcm, k in least.items():
-            if not self._apart(lead, k):
+            if not self._coprime_leads(lead, k):
                 heappush(self._pairs, (sum(lcm), k, place, lcm))
         self._kept = [k for k in self._kept if reached[k] != self.leads[k]] + [place]
 
-    def _apart(self, lead: Monomial, k: int) -> bool:
+    def _coprime_leads(self, lead: Monomial, k: int) -> bool:
         """Whether a lead has no variable in common with that of an element."""
         return not any(a and b for a, b in zip(lead, self.leads[k], strict=True))
 
@@ -119,7 +119,7 @@ class Basis:
         )
         return first * self.elements[i] - second * self.elements[j], {i: first, j: -second}
 
-    def _reduced(self, rest: fmpq_mpoly, made: Made) -> tuple[fmpq_mpoly, Made]:
+    def _normal_form(self, rest: fmpq_mpoly, made: Made) -> tuple[fmpq_mpoly, Made]:
         """What is left of a polynomial when leading terms are reduced, and how it is made."""
         made = dict(made)
         while not rest.is_zero():
@@ -133,7 +133,7 @@ class Basis:
         return rest, made
 
 
-def reduced_basis(polynomials: Sequence[fmpq_mpoly]) -> list[fmpq_mpoly]:
+def reduced_groebner_basis(polynomials: Sequence[fmpq_mpoly]) -> list[fmpq_mpoly]:
     """The reduced Gröbner basis of polynomials, where nobody asks how it is made.
 
     Raises:

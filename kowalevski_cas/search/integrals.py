@@ -55,7 +55,7 @@ def first_integrals(
         TooLarge: if what comes next takes too much memory.
     """
     field = PolynomialField(at, cofactor)
-    search = _Search(field, weights or (1,) * len(at.setting.variables), pool)
+    search = _IntegralSearch(field, weights or (1,) * len(at.setting.variables), pool)
     if cofactor is not None:
         search.factors = [field.polynomial(one) for one in integrals]
     for size in range(cofactor is None, weight + 1):
@@ -63,7 +63,7 @@ def first_integrals(
             yield search.field.element(terms)
 
 
-class _Search:
+class _IntegralSearch:
     """Integrals found so far, in a field."""
 
     def __init__(self, field: PolynomialField, weights: Sequence[int], pool: Pool) -> None:
@@ -91,7 +91,7 @@ class _Search:
             if len(span) == dimension or len(self.monomials) * (degree + 1) > LARGEST:
                 return
             for terms in sorted(self._kernel(degree), key=_size):
-                if len(span) < dimension and span.extended(residues(terms, self.values)):
+                if len(span) < dimension and span.extend(residues(terms, self.values)):
                     self.known.append(primitive(terms))
                     yield self.known[-1]
                     span = self._span(weight)
@@ -119,7 +119,7 @@ class _Search:
         while waiting:
             left, first = waiting.pop()
             if weight_of(left, self.weights) <= weight:
-                found.extended(left)
+                found.extend(left)
                 waiting += [(product_of(left, own[k]), k) for k in range(first, len(own))]
         return found
 
@@ -143,7 +143,7 @@ class Span:
     def __len__(self) -> int:
         return len(self._basis)
 
-    def extended(self, terms: Residues) -> bool:
+    def extend(self, terms: Residues) -> bool:
         """Add a polynomial; whether it was not in the space before."""
         rest = dict(terms)
         while rest:

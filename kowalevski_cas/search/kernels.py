@@ -12,7 +12,7 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Further
 from kowalevski_cas.problem.goals import Kernel
 from kowalevski_cas.problem.kernel import check_complete, check_further
-from kowalevski_cas.problem.place import Misplaced, Place
+from kowalevski_cas.problem.place import Misplaced, PointEvaluation
 from kowalevski_cas.problem.space import all_names
 from kowalevski_cas.search.integrals import first_integrals
 from kowalevski_cas.search.place import Candidate, PointFinder
@@ -32,19 +32,19 @@ def complete(goal: Kernel, finder: PointFinder) -> At | None:
         tried += 1
         point = candidate.point(names)
         try:
-            check_complete(goal, at, Place(at, point))
+            check_complete(goal, at, PointEvaluation(at, point))
         except Misplaced:
             return not at.setting.constants or tried == POINTS
         found.append(At(point))
         return True
 
-    finder.point(at, [], _divided(goal, at), good, most=0)
+    finder.point(at, [], _divide_row(goal, at), good, most=0)
     return next(iter(found), None)
 
 
 def further(goal: Kernel, finder: PointFinder) -> At | Further | None:
     """A point where what is listed is no solution, or a polynomial that is missing."""
-    at, divided = finder.of(goal.space), _divided(goal, finder.of(goal.space))
+    at, divided = finder.of(goal.space), _divide_row(goal, finder.of(goal.space))
     rest = next((one for one in _rests(goal, at) if not one.is_zero), None)
     if rest is not None:
         there = finder.point(at, [], [*divided, rest], lambda c: not c(rest).is_zero)
@@ -58,12 +58,12 @@ def further(goal: Kernel, finder: PointFinder) -> At | Further | None:
             at, goal.degree, goal.weights, cofactor=factor, integrals=integrals
         ):
             with suppress(Misplaced):
-                check_further(goal, formula_in(element), at, Place(at, point))
+                check_further(goal, formula_in(element), at, PointEvaluation(at, point))
                 return Further(formula_in(element), point)
     return None
 
 
-def _divided(goal: Kernel, at: Evaluation) -> list[Element]:
+def _divide_row(goal: Kernel, at: Evaluation) -> list[Element]:
     return [*at.law, at.scalar(goal.factor)]
 
 

@@ -38,7 +38,7 @@ Solved = list[tuple[int, fmpq_mpoly]]
 
 
 @dataclass
-class System:
+class LevelEquations:
     """Polynomials in the unknowns and the constants, which vanish.
 
     ``solved`` gives the other variables through both.
@@ -88,7 +88,7 @@ class System:
         return True
 
 
-def system_of(goal: Count, finder: PointFinder) -> System | None:
+def system_of(goal: Count, finder: PointFinder) -> LevelEquations | None:
     """The system; ``None`` if there are roots, quotients, or other names in it."""
     at, names = finder.of(goal.space), all_names(goal.space)
     constants = [name for name in names if name in at.setting.constants]
@@ -102,7 +102,7 @@ def system_of(goal: Count, finder: PointFinder) -> System | None:
     rest, eliminated = eliminate(polynomials, places)
     solved = _through(eliminated)
     unknowns = [name for name in goal.names if at.names.index(name) not in dict(solved)]
-    return System(at, unknowns, constants, rest, solved)
+    return LevelEquations(at, unknowns, constants, rest, solved)
 
 
 def _through(eliminated: Solved) -> Solved:
@@ -116,7 +116,7 @@ def _through(eliminated: Solved) -> Solved:
     return found[::-1]
 
 
-def solutions(system: System) -> Iterator[dict[str, Fraction]]:
+def solutions(system: LevelEquations) -> Iterator[dict[str, Fraction]]:
     """Solutions in small whole numbers, where the scene makes sense; the smallest first."""
     names = system.at.names
     unknowns, constants = (
@@ -128,7 +128,7 @@ def solutions(system: System) -> Iterator[dict[str, Fraction]]:
     order = [*unknowns, *dict(system.solved), *constants]
     for point in small(len(unknowns) + len(free)):
         values = dict(zip((*unknowns, *free), map(Fraction, point), strict=True))
-        if not _extended(values, roots) or any(constant(one, values) for one in checks):
+        if not _add_roots(values, roots) or any(constant(one, values) for one in checks):
             continue
         for place, expression in (*reversed(given), *system.solved):
             values[place] = constant(expression, values)
@@ -152,7 +152,7 @@ def _roots(
     checks = []
     used: set[int] = set()
     for polynomial in equations:
-        new = (k for k in constants if k not in used and _squared(polynomial, k))
+        new = (k for k in constants if k not in used and _is_single_square(polynomial, k))
         place = next(new, None)
         if place is None:
             checks.append(polynomial)
@@ -163,13 +163,13 @@ def _roots(
     return roots, checks
 
 
-def _squared(polynomial: fmpq_mpoly, place: int) -> bool:
+def _is_single_square(polynomial: fmpq_mpoly, place: int) -> bool:
     """Whether a name stands in a polynomial in one term only, a multiple of its square."""
     powers = coefficients(polynomial, [place])
     return powers.keys() <= {(0,), (2,)} and (2,) in powers and powers[2,].is_constant()
 
 
-def _extended(values: Assignment, roots: Solved) -> bool:
+def _add_roots(values: Assignment, roots: Solved) -> bool:
     """Whether the squares that are given have rational roots, which are entered."""
     for place, square in roots:
         root = square_root(constant(square, values))
@@ -185,7 +185,7 @@ def new_name(at: Evaluation) -> str:
     return next(n for n in chain("srnpquvwxyz", map("s_{}".format, count())) if n not in taken)
 
 
-def written_point(values: dict[str, Fraction]) -> Point:
+def point_evidence(values: dict[str, Fraction]) -> Point:
     """The point as evidence."""
     return Point({name: fraction_formula(number) for name, number in values.items()})
 
@@ -209,5 +209,5 @@ def more_solutions(
             group = groups.setdefault(tuple(found[name] for name in system.constants), [])
             group.append(found)
             if len(group) > goal.number:
-                return Solutions(tuple(map(written_point, group)))
+                return Solutions(tuple(map(point_evidence, group)))
     return None

@@ -21,7 +21,7 @@ from kowalevski_cas.algebra.flint import coefficients, to_flint
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.branches import Branch, branches, without
 from kowalevski_cas.search.exponents import Balance, LeadingPart, determinant
-from kowalevski_cas.search.groebner import reduced_basis, remainder
+from kowalevski_cas.search.groebner import reduced_groebner_basis, remainder
 
 Vector = list[fmpq_mpoly]
 
@@ -51,7 +51,7 @@ def laurent(part: LeadingPart, balance: Balance) -> Laurent:
     if balance.exponents.count(Fraction(0)) > _dimension(part, balance):
         return Laurent((), (), 0)
     for order in range(1, int(balance.exponents[-1]) + 1):
-        found = series.extended(order)
+        found = series.extend(order)
         if found is None:
             return Laurent(tuple(conditions), (), order)
         conditions += ((order, one) for one in found)
@@ -137,10 +137,10 @@ class _Series:
 
     def _nowhere(self, polynomial: fmpq_mpoly) -> bool:
         """Whether a polynomial vanishes at no point of the balance."""
-        basis = reduced_basis([*self.rest, polynomial])
+        basis = reduced_groebner_basis([*self.rest, polynomial])
         return not all(any(one.degrees()[: self.size + 1]) for one in basis)
 
-    def extended(self, order: int) -> Vector | None:
+    def extend(self, order: int) -> Vector | None:
         """One coefficient more; what has to vanish for it, or ``None`` if constants are missing.
 
         Polynomials in A are its inverse on the image and the projection to the rest, by the theorem
@@ -152,12 +152,12 @@ class _Series:
         roots = (fmpq_poly([-to_flint(one), 1]) for one in others)
         projection = prod(roots, start=fmpq_poly([1]))
         projection /= projection(order)
-        known, quotient = self._known(order), projection // fmpq_poly([-order, 1])
-        next_one, conditions = self._applied(quotient, known), Vector()
+        known, quotient = self._known_terms(order), projection // fmpq_poly([-order, 1])
+        next_one, conditions = self._apply_polynomial(quotient, known), Vector()
         if times:
             places = range(self.size)
             units = ([self.zero + (j == k) for j in places] for k in places)
-            columns = [self._applied(projection, unit) for unit in units]
+            columns = [self._apply_polynomial(projection, unit) for unit in units]
             moved = (self._times(column) for column in columns)
             kept = zip(moved, columns, strict=True)
             if any(
@@ -165,7 +165,7 @@ class _Series:
             ):
                 return None
             chosen = self._independent(columns, times)
-            failing = self._applied(projection, known)
+            failing = self._apply_polynomial(projection, known)
             hindering = [one for k in chosen if (one := self._numerator(failing[k]))]
             conditions = [one / one.factor()[0] for one in hindering]
             for k in chosen:
@@ -202,7 +202,7 @@ class _Series:
         """A times a vector."""
         return [self._short(sum(map(mul, row, vector), self.zero)) for row in self.matrix]
 
-    def _applied(self, polynomial: fmpq_poly, vector: Vector) -> Vector:
+    def _apply_polynomial(self, polynomial: fmpq_poly, vector: Vector) -> Vector:
         """A polynomial in A times a vector."""
         total = [self.zero] * self.size
         for value in reversed(polynomial.coeffs()):
@@ -210,7 +210,7 @@ class _Series:
             total = [a + value * b for a, b in zip(moved, vector, strict=True)]
         return total
 
-    def _known(self, order: int) -> Vector:
+    def _known_terms(self, order: int) -> Vector:
         """What the coefficients found so far give for the next one."""
         return [
             self._short(

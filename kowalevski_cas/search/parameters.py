@@ -13,7 +13,7 @@ from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.polynomial_fields import monomials
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.search.branches import Branch, solved
+from kowalevski_cas.search.branches import Branch, solve_by_cases
 
 Monomial = tuple[int, ...]
 
@@ -26,7 +26,7 @@ class Case:
     cofactor: Element
 
 
-class Ansatz:
+class DarbouxAnsatz:
     """Polynomials F and K in the variables, with constants in their coefficients, and F′ = KF.
 
     Args:
@@ -82,7 +82,7 @@ class Ansatz:
             ([*self._equations.values(), *growing[:k]], self._places, [*granted, coefficient])
             for k, coefficient in enumerate(growing)
         )
-        for branches in pool.map(solved, tasks):
+        for branches in pool.map(solve_by_cases, tasks):
             yield from map(self._case, branches)
 
     def _case(self, branch: Branch) -> Case:

@@ -12,7 +12,7 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Conjugate, Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
-from kowalevski_cas.problem.place import Misplaced, Pieces, Place, number_formula
+from kowalevski_cas.problem.place import Misplaced, Pieces, PointEvaluation, number_formula
 from kowalevski_cas.problem.space import Adjoined, Setting, all_names
 from kowalevski_cas.search.real import real_points
 
@@ -59,7 +59,7 @@ class Candidate:
         """
         values = {name: number_formula(self(self.at.scalar(Name(name)))) for name in names}
         point = Point(values)
-        Place(self.at, point)
+        PointEvaluation(self.at, point)
         return point
 
 
@@ -110,7 +110,9 @@ class PointFinder:
                 return certain(candidate)
             if next(tried) >= ON_PIECES:
                 return False
-            return certain(Pieces(Place(at, candidate.point(all_names(at.setting))), known))
+            return certain(
+                Pieces(PointEvaluation(at, candidate.point(all_names(at.setting))), known)
+            )
 
         return good
 

@@ -39,7 +39,7 @@ def points(
     equations are linear, or have rational roots.
     """
     rest, eliminated = eliminate([c for c in constraints if not c.is_zero()], variables)
-    avoided = [_entered(a, eliminated) for a in avoid]
+    avoided = [_substitute_found(a, eliminated) for a in avoid]
     if any(c.is_constant() for c in rest) or any(a.is_zero() for a in avoided):
         return
     gone = {v for v, _ in eliminated}
@@ -57,7 +57,7 @@ def _completions(constraints: list[fmpq_mpoly], variables: Sequence[int]) -> Ite
     for (numbers, first, last), solved in product(ways, choices):
         free = [v for v in variables if v not in solved]
         for sequence in islice(numbers(), first, last if free else 1):
-            found = _completed(constraints, len(solved), {v: next(sequence) for v in free})
+            found = _complete(constraints, len(solved), {v: next(sequence) for v in free})
             yield from islice(found, 1)
             others.append(found)
     yield from chain.from_iterable(others)
@@ -88,7 +88,9 @@ def eliminate(
         constraints = [c for c in substituted if not c.is_zero()]
 
 
-def _entered(polynomial: fmpq_mpoly, eliminated: Sequence[tuple[int, fmpq_mpoly]]) -> fmpq_mpoly:
+def _substitute_found(
+    polynomial: fmpq_mpoly, eliminated: Sequence[tuple[int, fmpq_mpoly]]
+) -> fmpq_mpoly:
     """A polynomial with what was found for the eliminated variables."""
     context = polynomial.context()
     for variable, expression in eliminated:
@@ -115,14 +117,14 @@ def _choices(constraints: list[fmpq_mpoly], variables: Sequence[int]) -> Iterato
     occurring = [{v: int(c.degrees()[v]) for v in variables if c.degrees()[v]} for c in constraints]
     shared = {v: sum(v in degrees for degrees in occurring) for v in variables}
     usable = [{v for v, degree in degrees.items() if degree <= 2} for degrees in occurring]
-    if not _matched(usable):
+    if not _has_matching(usable):
         usable = [{*degrees} for degrees in occurring]
 
     def extend(chosen: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
         if len(chosen) == len(constraints):
             yield chosen
             return
-        if not _matched([one.difference(chosen) for one in usable[len(chosen) :]]):
+        if not _has_matching([one.difference(chosen) for one in usable[len(chosen) :]]):
             return
         degrees = occurring[len(chosen)]
         own = usable[len(chosen)].difference(chosen)
@@ -132,7 +134,7 @@ def _choices(constraints: list[fmpq_mpoly], variables: Sequence[int]) -> Iterato
     return extend(())
 
 
-def _matched(sets: Sequence[set[int]]) -> bool:
+def _has_matching(sets: Sequence[set[int]]) -> bool:
     """Whether an element can be chosen from each set, all of them different."""
     owner: dict[int, int] = {}
 
@@ -147,7 +149,7 @@ def _matched(sets: Sequence[set[int]]) -> bool:
     return all(place(k, set()) for k in range(len(sets)))
 
 
-def _completed(
+def _complete(
     constraints: list[fmpq_mpoly], unknowns: int, values: Assignment
 ) -> Iterator[Assignment]:
     """The values with those of the unknown variables, which are solved for one after another."""
@@ -159,7 +161,7 @@ def _completed(
     linear = [c for c in left if c.total_degree() == 1]
     for found in [_solve_linear(linear)] if single is None else _solve_one(single):
         if found:
-            yield from _completed(left, unknowns - len(found), {**values, **found})
+            yield from _complete(left, unknowns - len(found), {**values, **found})
 
 
 def _solve_one(polynomial: fmpq_mpoly) -> Iterator[Assignment]:

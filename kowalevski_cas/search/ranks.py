@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from kowalevski_cas.algebra.numbers import independent, rank
 from kowalevski_cas.algebra.present import formula_rows
-from kowalevski_cas.problem.differentials import chosen, differentials, minors
+from kowalevski_cas.problem.differentials import differentials, functions_for_differentials, minors
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Evidence, Minors
 from kowalevski_cas.problem.examine import law
@@ -20,7 +20,11 @@ class RankFinder(PointFinder):
 
     def independent(self, goal: Rank, at: Evaluation) -> At | None:
         """A point where all differentials are independent, if they are as many as claimed."""
-        return self._independent(goal, at) if len(chosen(goal, at)) == goal.rank else None
+        return (
+            self._independent(goal, at)
+            if len(functions_for_differentials(goal, at)) == goal.rank
+            else None
+        )
 
     def dependent(self, goal: Rank) -> Evidence | None:
         """A point where another number is independent, or minors that vanish on what is given.
@@ -29,7 +33,7 @@ class RankFinder(PointFinder):
         functions; it is looked for if they are independent at a point.
         """
         at = self.of(goal.space)
-        functions = chosen(goal, at)
+        functions = functions_for_differentials(goal, at)
         if len(functions) != goal.rank:
             return self._independent(goal, at)
         given = replace(goal, functions=(), rank=len(functions) - len(goal.functions))
@@ -42,7 +46,10 @@ class RankFinder(PointFinder):
         return Minors(formula_rows(rows) or ((),) * len(found))
 
     def _independent(self, goal: Rank, at: Evaluation) -> At | None:
-        rows, known = differentials(chosen(goal, at), at), at.differences(goal.given)
+        rows, known = (
+            differentials(functions_for_differentials(goal, at), at),
+            at.differences(goal.given),
+        )
 
         def are_independent(values: Values) -> bool:
             return independent([[values(entry) for entry in row] for row in rows])

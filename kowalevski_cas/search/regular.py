@@ -8,9 +8,9 @@ from kowalevski_cas.algebra.linear import inverse
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.evidence import Shown
+from kowalevski_cas.problem.evidence import Entailment
 from kowalevski_cas.problem.goals import Follows
-from kowalevski_cas.search.in_turn import Step, shown, steps_to
+from kowalevski_cas.search.proof_steps import ProofStep, entailment, steps_to
 
 Matrix = list[list[Element]]
 
@@ -24,7 +24,7 @@ def regular(
     functions: Sequence[Formula],
     multipliers: Sequence[str],
     conditions: Sequence[Element],
-) -> Shown | None:
+) -> Entailment | None:
     """A proof that multipliers vanish one after another, and a point of the set, where they do.
 
     They are those of the differentials of ``functions``. It may divide by what the set itself does,
@@ -33,15 +33,17 @@ def regular(
     known = at.differences(goal.given)
     (targets,) = map(at.differences, goal.conclusions)
     sparse = _sparse([at.scalar(function) for function in functions], at)
-    generators = [_changed(element, sparse, multipliers, at) for element in known]
+    generators = [_replace_multiplier(element, sparse, multipliers, at) for element in known]
     found = steps_to(targets, generators, at.ring.divisors_of(known), conditions, multipliers)
     if found is None:
         return None
     back, zero = inverse(sparse), at.ring.zero
     steps = []
     for step in found[0]:
-        element, *row = (_changed(e, back, multipliers, at) for e in (step.element, *step.row))
-        steps.append(Step(element, row))
+        element, *row = (
+            _replace_multiplier(e, back, multipliers, at) for e in (step.element, *step.row)
+        )
+        steps.append(ProofStep(element, row))
     rows = [
         [
             sum((sparse[j][k] * row[n] for j, row in enumerate(found[1])), zero)
@@ -49,10 +51,10 @@ def regular(
         ]
         for k in range(len(multipliers))
     ]
-    return shown(goal, steps, rows, [*known, *targets], at)
+    return entailment(goal, steps, rows, [*known, *targets], at)
 
 
-def _changed(
+def _replace_multiplier(
     element: Element, matrix: Matrix, multipliers: Sequence[str], at: Evaluation
 ) -> Element:
     """An element with the k-th multiplier replaced by the sum of the j-th times entry j, k."""

@@ -26,7 +26,7 @@ from kowalevski_cas.problem.polynomial_fields import (
     weight_of,
 )
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.search.groebner import reduced_basis, remainder
+from kowalevski_cas.search.groebner import reduced_groebner_basis, remainder
 from kowalevski_cas.search.integrals import Span
 
 CONSTANTS = 2
@@ -48,13 +48,13 @@ def integrals_on(at: Evaluation, relations: Sequence[Element], degree: int) -> I
         Meaningless: the set is not seen to be invariant, or roots stand somewhere.
         TooLarge: there are too many monomials.
     """
-    search = _Search(PolynomialField(at), relations)
+    search = _RestrictedSearch(PolynomialField(at), relations)
     for size in range(1, degree + 1):
         for terms in search.of_degree(size):
             yield search.field.element(terms)
 
 
-class _Search:
+class _RestrictedSearch:
     """Integrals found so far on a set."""
 
     def __init__(self, field: PolynomialField, relations: Sequence[Element]) -> None:
@@ -64,7 +64,7 @@ class _Search:
         given = [one for one in whole if one]
         if not given:
             raise Meaningless("the relations hold everywhere")
-        self.basis = reduced_basis(given)
+        self.basis = reduced_groebner_basis(given)
         if any(one.is_constant() for one in self.basis):
             raise Meaningless("the relations hold nowhere")
         self.leads = [tuple(map(int, one.monomial(0))) for one in self.basis]
@@ -87,7 +87,7 @@ class _Search:
             rates = [terms_of(remainder(self._rate(e), self.basis)) for e in group]
             found = ({e: v for e, v in zip(group, w, strict=True) if v} for w in kernel(rates))
             for terms in sorted(found, key=lambda one: (max(map(sum, one)), len(one))):
-                if span.extended(residues(terms, self.values)):
+                if span.extend(residues(terms, self.values)):
                     self.known.append(polynomial_of(self.context, primitive(terms)))
                     yield terms_of(self.known[-1])
                     span = self._span(degree)
@@ -111,7 +111,7 @@ class _Search:
         found, waiting = Span(), [(self.context.constant(1), 0, 0)]
         while waiting:
             left, size, first = waiting.pop()
-            found.extended(residues(terms_of(left), self.values))
+            found.extend(residues(terms_of(left), self.values))
             for k in range(first, len(self.known)):
                 if size + sizes[k] <= degree:
                     product = remainder(left * self.known[k], self.basis)

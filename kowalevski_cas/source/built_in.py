@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from kowalevski_cas.source.conditionals import UNDECIDED
 from kowalevski_cas.source.mouth import Mouth
 from kowalevski_cas.source.parameters import FALSE, NO_VALUE, TRUE
-from kowalevski_cas.source.tex import Token, stripped
+from kowalevski_cas.source.tex import TypedToken, strip
 
 Choice = Callable[[Mouth], "bool | None"]
 
@@ -22,12 +22,12 @@ _LAYOUT = frozenset(
 
 
 def _boolean(mouth: Mouth) -> bool | None:
-    flag = [token.text for token in stripped(mouth.argument())]
+    flag = [token.text for token in strip(mouth.argument())]
     return True if flag == [TRUE] else False if flag == [FALSE] else None
 
 
 def _missing(mouth: Mouth) -> bool:
-    return [token.text for token in stripped(mouth.argument())] == [NO_VALUE]
+    return [token.text for token in strip(mouth.argument())] == [NO_VALUE]
 
 
 def _there(mouth: Mouth) -> bool:
@@ -39,7 +39,7 @@ def _empty(mouth: Mouth) -> bool:
 
 
 def _blank(mouth: Mouth) -> bool:
-    return not stripped(mouth.argument())
+    return not strip(mouth.argument())
 
 
 def _equal(mouth: Mouth) -> bool:
@@ -55,10 +55,12 @@ def _untold(number: int) -> Choice:
     return choose
 
 
-def _choose(choice: Choice, yes: bool = True, no: bool = True) -> Callable[[Mouth], list[Token]]:
+def _choose(
+    choice: Choice, yes: bool = True, no: bool = True
+) -> Callable[[Mouth], list[TypedToken]]:
     """What a choice leaves of what follows it, where there is something for each answer."""
 
-    def read(mouth: Mouth) -> list[Token]:
+    def read(mouth: Mouth) -> list[TypedToken]:
         value = choice(mouth)
         first = mouth.argument() if yes else []
         second = mouth.argument() if no else []
@@ -67,44 +69,44 @@ def _choose(choice: Choice, yes: bool = True, no: bool = True) -> Callable[[Mout
     return read
 
 
-def undecided(*alternatives: Sequence[Token]) -> list[Token]:
+def undecided(*alternatives: Sequence[TypedToken]) -> list[TypedToken]:
     """All that may stand there."""
-    at = next((tokens[0] for tokens in alternatives if tokens), Token(""))
+    at = next((tokens[0] for tokens in alternatives if tokens), TypedToken(""))
     inside = [token for tokens in alternatives for token in tokens]
-    begin, end = (Token(text, at.start, at.start) for text in (UNDECIDED, r"\fi"))
+    begin, end = (TypedToken(text, at.start, at.start) for text in (UNDECIDED, r"\fi"))
     return [begin, *inside, end]
 
 
-def _next(mouth: Mouth) -> list[Token]:
+def _next(mouth: Mouth) -> list[TypedToken]:
     """One of two, by the character that comes next."""
     (wanted,), yes, no = mouth.argument()[:1], mouth.argument(), mouth.argument()
     return yes if mouth.peek() == wanted.text else no
 
 
-def _star(mouth: Mouth) -> list[Token]:
+def _star(mouth: Mouth) -> list[TypedToken]:
     """One of two, by whether a star comes next, which is taken then."""
     yes, no = mouth.argument(), mouth.argument()
     return yes if mouth.skips("*") else no
 
 
-def _styles(mouth: Mouth) -> list[Token]:
+def _styles(mouth: Mouth) -> list[TypedToken]:
     """What is printed in each style of formulas, if it is the same but for its layout."""
     four = [mouth.argument() for _ in range(4)]
     kinds = {tuple(t.text for t in tokens if t.text not in _LAYOUT) for tokens in four}
     return four[1] if len(kinds) == 1 else undecided(*four)
 
 
-def _kept(number: int, place: int | None) -> Callable[[Mouth], list[Token]]:
+def _kept(number: int, place: int | None) -> Callable[[Mouth], list[TypedToken]]:
     """One of some arguments, or none of them."""
 
-    def read(mouth: Mouth) -> list[Token]:
+    def read(mouth: Mouth) -> list[TypedToken]:
         found = [mouth.argument() for _ in range(number)]
         return [] if place is None else found[place]
 
     return read
 
 
-BUILT_IN: dict[str, Callable[[Mouth], list[Token]]] = {
+BUILT_IN: dict[str, Callable[[Mouth], list[TypedToken]]] = {
     r"\@ifnextchar": _next,
     r"\@ifstar": _star,
     r"\mathchoice": _styles,

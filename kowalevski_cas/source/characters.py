@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from kowalevski_cas.source.mouth import Mouth
-from kowalevski_cas.source.tex import Token
+from kowalevski_cas.source.tex import TypedToken
 
 _CODE = re.compile(r"`(\\?.)\s*=?\s*(\\active|\"[0-9A-Fa-f]+|\d+)")
 _ACTIVE = frozenset({r"\active", "13", '"8000'})
@@ -18,7 +18,7 @@ def change_code(command: str, mouth: Mouth) -> bool:
 
     A sign may become active, or what it usually is; the sign @ may become a letter.
     """
-    taken: list[Token] = []
+    taken: list[TypedToken] = []
     while len(taken) < 12 and (token := mouth.character()) is not None:
         taken.append(token)
         if token.text.isspace() and len(taken) > 3:

@@ -6,7 +6,7 @@ import re
 
 from kowalevski_cas.source.meanings import Flag, Macro, Meanings
 from kowalevski_cas.source.mouth import Mouth
-from kowalevski_cas.source.tex import Token, is_command, is_word
+from kowalevski_cas.source.tex import TypedToken, is_command, is_word
 
 _PRIMITIVE = frozenset(
     rf"\if{name}"
@@ -96,7 +96,7 @@ class Conditionals:
             return True if known else None
         return None
 
-    def _token(self) -> Token | None:
+    def _token(self) -> TypedToken | None:
         """The next token, of a blank one blank; not one behind a control word."""
         token = self.mouth.character()
         if token is not None and token.text.isspace() and token.literal:
@@ -122,7 +122,7 @@ class Conditionals:
         return same
 
     def _compared(self) -> bool | None:
-        taken: list[Token] = []
+        taken: list[TypedToken] = []
         while len(taken) < 20 and (token := self.mouth.character()) is not None:
             taken.append(token)
             if not re.fullmatch(r"[-\d<>=]|\s+", token.text):

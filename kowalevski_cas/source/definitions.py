@@ -16,15 +16,15 @@ from kowalevski_cas.source.meanings import (
     Alias,
     Environment,
     Flag,
+    FlagSetter,
     Macro,
     Meaning,
     Meanings,
-    Setter,
     Unclear,
 )
 from kowalevski_cas.source.mouth import Malformed, Mouth
 from kowalevski_cas.source.parameters import Parameter, delimited, specified
-from kowalevski_cas.source.tex import Token, is_command, is_word, stripped, typed
+from kowalevski_cas.source.tex import TypedToken, is_command, is_word, source_of_tokens, strip
 
 DEEPEST = 30
 """Macros within macros in a body that is written out at once."""
@@ -39,7 +39,7 @@ def environment(name: str) -> str:
     return f"environment {name}"
 
 
-def _texts(tokens: Sequence[Token]) -> tuple[str, ...]:
+def _texts(tokens: Sequence[TypedToken]) -> tuple[str, ...]:
     return tuple(token.text for token in tokens)
 
 
@@ -75,7 +75,7 @@ class Definer:
             for name in names.split()
         }
 
-    def run(self, token: Token) -> bool:
+    def run(self, token: TypedToken) -> bool:
         """Read the definition that a token begins; whether it begins one."""
         command = self.commands.get(token.text)
         if command is None:
@@ -152,7 +152,7 @@ class Definer:
         number = self.mouth.bracketed("[", "]")
         if number is None:
             return ()
-        text = typed(number).strip()
+        text = source_of_tokens(number).strip()
         if not (text.isdigit() and len(text) == 1):
             raise Malformed("how many arguments?")
         found = [Parameter("m")] * int(text)
@@ -201,7 +201,7 @@ class Definer:
         return tuple(found)
 
     def _named(self, command: str) -> None:
-        name = "\\" + typed(self.mouth.braced()).strip()
+        name = "\\" + source_of_tokens(self.mouth.braced()).strip()
         self.checked("renew", name, self._delimited)
 
     def _let(self, command: str) -> None:
@@ -226,7 +226,7 @@ class Definer:
         """A command of xparse."""
 
         def read() -> Macro:
-            parameters = specified(stripped(self.mouth.argument()))
+            parameters = specified(strip(self.mouth.argument()))
             return Macro(parameters, _texts(self.mouth.argument()))
 
         self.checked(command, self.target(), read)
@@ -235,7 +235,7 @@ class Definer:
         def read() -> Macro:
             plain = not command.endswith("X")
             number = None if plain else self.mouth.bracketed("[", "]")
-            count = 1 if plain else int(typed(number or []).strip() or 0)
+            count = 1 if plain else int(source_of_tokens(number or []).strip() or 0)
             left, right = _texts(self.mouth.argument()), _texts(self.mouth.argument())
             body = ("#1",) if plain else _texts(self.mouth.argument())
             moved = (f"#{int(t[1:]) + 2}" if re.fullmatch("#[1-7]", t) else t for t in body)
@@ -246,7 +246,7 @@ class Definer:
 
     def _environment(self, command: str) -> None:
         self.mouth.skips("*")
-        name = typed(self.mouth.braced()).strip()
+        name = source_of_tokens(self.mouth.braced()).strip()
 
         def read() -> Environment:
             parameters = self._parameters()
@@ -257,10 +257,10 @@ class Definer:
 
     def _documented(self, command: str) -> None:
         """An environment of xparse."""
-        name = typed(self.mouth.braced()).strip()
+        name = source_of_tokens(self.mouth.braced()).strip()
 
         def read() -> Environment:
-            parameters = specified(stripped(self.mouth.argument()))
+            parameters = specified(strip(self.mouth.argument()))
             begin, end = _texts(self.mouth.argument()), _texts(self.mouth.argument())
             if any(text.startswith("#") for text in end):
                 raise Malformed("arguments at the end of an environment")
@@ -273,7 +273,7 @@ class Definer:
         self.define(name, Flag(False))
         for value in (True, False):
             setter = f"\\{name[3:]}{'true' if value else 'false'}"
-            self.define(setter, Setter(name, value))
+            self.define(setter, FlagSetter(name, value))
 
     def _unclear(self, command: str) -> None:
         name = self.target()

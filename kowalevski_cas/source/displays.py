@@ -43,7 +43,7 @@ _COLUMNS = re.compile(r"\s*\{\s*\d+\s*\}")
 
 
 @dataclass(frozen=True)
-class Typed:
+class TypedFormula:
     """A formula as the author typed it, with its interval in the text."""
 
     tex: str
@@ -59,7 +59,7 @@ class Typed:
     """What the author says of it to this program."""
 
 
-def find_formulas(text: str, start: int = 0) -> Iterator[Typed]:
+def find_formulas(text: str, start: int = 0) -> Iterator[TypedFormula]:
     """All formulas of a text from an offset on, in their order.
 
     Where too many have no end, the rest is not looked at.
@@ -107,21 +107,21 @@ def _closing(text: str, at: int, group: str, partner: str) -> tuple[int, int] | 
     return None
 
 
-def _broken(text: str, start: int, inside: int, kind: str) -> Typed:
+def _broken(text: str, start: int, inside: int, kind: str) -> TypedFormula:
     head = text[inside : inside + 60].partition("\n\n")[0]
     end, trouble = inside + len(head), f"{kind} is never closed"
-    return Typed(head, start, end, kind, (), kind in _INLINE, trouble)
+    return TypedFormula(head, start, end, kind, (), kind in _INLINE, trouble)
 
 
 def _labels(tex: str) -> tuple[str, ...]:
     return tuple(label.strip() for label in _LABEL.findall(tex))
 
 
-def _rows(text: str, start: int, end: int, kind: str) -> Iterator[Typed]:
+def _rows(text: str, start: int, end: int, kind: str) -> Iterator[TypedFormula]:
     """The formulas of an environment: one, or one for each number."""
     tex = text[start:end]
     if kind not in ROWS:
-        yield Typed(tex, start, end, kind, _labels(tex), kind in _INLINE)
+        yield TypedFormula(tex, start, end, kind, _labels(tex), kind in _INLINE)
         return
     first = 0
     for last, following in _row_ends(tex):
@@ -129,7 +129,7 @@ def _rows(text: str, start: int, end: int, kind: str) -> Iterator[Typed]:
         if _UNNUMBERED.search(row) and following < len(tex):
             continue
         if row.strip(" \t\r\n&"):
-            yield Typed(row, start + first, start + last, kind, _labels(row))
+            yield TypedFormula(row, start + first, start + last, kind, _labels(row))
         first = following
 
 

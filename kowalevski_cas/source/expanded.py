@@ -6,7 +6,7 @@ from bisect import bisect_left, bisect_right
 from dataclasses import dataclass, field
 
 from kowalevski_cas.source.parameters import NO_VALUE
-from kowalevski_cas.source.tex import Token, is_word
+from kowalevski_cas.source.tex import TypedToken, is_word
 
 MOST_NOTES = 20
 """Things that are not understood, after which no more are told."""
@@ -71,7 +71,7 @@ class Expanded:
         return ""
 
 
-class Output:
+class ExpandedOutput:
     """The text as it is written, piece by piece."""
 
     def __init__(self) -> None:
@@ -86,7 +86,7 @@ class Output:
         """What was written last."""
         return self.out[-1] if self.out else ""
 
-    def emit(self, token: Token, why: str = "") -> None:
+    def emit(self, token: TypedToken, why: str = "") -> None:
         """Write a token; ``why`` it cannot be told what it means, if so."""
         text, begin = token.text, self.size
         if text[:1].isalpha() and is_word(self.last):

@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import islice
 
 from kowalevski_cas.source.comments import commented, find_comments
-from kowalevski_cas.source.displays import Typed, find_formulas
+from kowalevski_cas.source.displays import TypedFormula, find_formulas
 from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.macros import expand
 from kowalevski_cas.source.text import Source, SourceError
@@ -21,7 +21,7 @@ _BIBLIOGRAPHY = re.compile(
 )
 
 
-def typed_formulas(source: Source) -> tuple[Expanded, list[Typed]]:
+def typed_formulas(source: Source) -> tuple[Expanded, list[TypedFormula]]:
     """A source with its macros written out, and the formulas in it with the comments on them."""
     expanded = expand(source)
     formulas = find_formulas(expanded.text, expanded.body)
@@ -37,7 +37,9 @@ def typed_formulas(source: Source) -> tuple[Expanded, list[Typed]]:
     return expanded, found
 
 
-def _of_the_paper(formulas: Iterable[Typed], source: Source, expanded: Expanded) -> Iterator[Typed]:
+def _of_the_paper(
+    formulas: Iterable[TypedFormula], source: Source, expanded: Expanded
+) -> Iterator[TypedFormula]:
     """The formulas that are the paper's own: not those of its styles, nor of what it cites."""
     cited = [match.span() for match in _BIBLIOGRAPHY.finditer(expanded.text)]
     for formula in formulas:
@@ -46,7 +48,7 @@ def _of_the_paper(formulas: Iterable[Typed], source: Source, expanded: Expanded)
             yield formula
 
 
-def _interval(expanded: Expanded, formula: Typed) -> tuple[int, int]:
+def _interval(expanded: Expanded, formula: TypedFormula) -> tuple[int, int]:
     """The interval in the file of a formula, from what it prints first."""
     start = formula.start + len(formula.tex) - len(formula.tex.lstrip())
     return expanded.origin(start, max(start + 1, formula.end))

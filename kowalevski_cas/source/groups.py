@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from kowalevski_cas.source.definitions import EVERYTHING
-from kowalevski_cas.source.expanded import Output
+from kowalevski_cas.source.expanded import ExpandedOutput
 from kowalevski_cas.source.meanings import Meanings, Unclear
 from kowalevski_cas.source.mouth import Mouth
-from kowalevski_cas.source.tex import Token
+from kowalevski_cas.source.tex import TypedToken
 
 _MATHEMATICS = frozenset(
     "equation displaymath eqnarray align alignat flalign gather multline dmath math".split()
@@ -20,14 +20,14 @@ class Groups:
     """The groups that tokens open and close as they are written."""
 
     def __init__(
-        self, mouth: Mouth, meanings: Meanings, output: Output, notes: list[tuple[int, str]]
+        self, mouth: Mouth, meanings: Meanings, output: ExpandedOutput, notes: list[tuple[int, str]]
     ) -> None:
         self.mouth, self.meanings, self.output, self.notes = mouth, meanings, output, notes
         self.lost = -1
         """Where in the text nothing can be told any more, to the end of a group."""
         self.why = ""
 
-    def sign(self, token: Token) -> None:
+    def sign(self, token: TypedToken) -> None:
         """Write a token; it may begin or end a group."""
         text = token.text
         if text in _CLOSING:

@@ -11,7 +11,7 @@ from kowalevski_cas.notation.cursor import BOLD, Cursor, is_known
 from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
-from kowalevski_cas.source.displays import Typed
+from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.formulas import typed_formulas
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.source.tokens import scanned
@@ -54,7 +54,7 @@ def listing(source: Source) -> tuple[list[Listed], list[tuple[int, str]]]:
     return found, [(source.line(offset), words) for offset, words in notes]
 
 
-def _read(formula: Typed, vocabularies: Iterable[Vocabulary]) -> tuple[int, str]:
+def _read(formula: TypedFormula, vocabularies: Iterable[Vocabulary]) -> tuple[int, str]:
     """How many statements can be read in one of the vocabularies, or why none can."""
     troubles = [formula.trouble] if formula.trouble else []
     for vocabulary in () if troubles else vocabularies:
@@ -67,7 +67,7 @@ def _read(formula: Typed, vocabularies: Iterable[Vocabulary]) -> tuple[int, str]
     return 0, troubles[0]
 
 
-def guessed(formulas: Iterable[Typed], capitals: int = MATRIX) -> Vocabulary:
+def guessed(formulas: Iterable[TypedFormula], capitals: int = MATRIX) -> Vocabulary:
     """The names in some formulas, and what they may be.
 
     Bold letters are vectors, and bold capitals have a rank that is given; a letter with names in

@@ -11,20 +11,20 @@ from kowalevski_cas.source.built_in import BUILT_IN
 from kowalevski_cas.source.conditionals import Conditionals
 from kowalevski_cas.source.definitions import Definer, environment
 from kowalevski_cas.source.displays import DISPLAYS
-from kowalevski_cas.source.expanded import Expanded, Output
+from kowalevski_cas.source.expanded import Expanded, ExpandedOutput
 from kowalevski_cas.source.groups import Groups
 from kowalevski_cas.source.meanings import (
     Alias,
     Environment,
     Flag,
+    FlagSetter,
     Macro,
     Meanings,
-    Setter,
     Unclear,
 )
 from kowalevski_cas.source.mouth import Malformed, Mouth
 from kowalevski_cas.source.packages import Files
-from kowalevski_cas.source.tex import Token, is_word, stripped, typed
+from kowalevski_cas.source.tex import TypedToken, is_word, source_of_tokens, strip
 from kowalevski_cas.source.text import Part, Source, SourceError
 
 MOST_CALLS = 5_000
@@ -37,10 +37,10 @@ LONGEST = 8_000_000
 
 def expand(source: Source) -> Expanded:
     """The visible text of a source with the author's macros written out."""
-    return _Writer(source).run()
+    return _Expander(source).run()
 
 
-class _Writer:
+class _Expander:
     """The state of writing out: what is written, and from where it came."""
 
     def __init__(self, source: Source) -> None:
@@ -51,16 +51,16 @@ class _Writer:
         self.conditionals = Conditionals(self.mouth, self.meanings)
         self.notes = self.definer.notes
         self.body = 0
-        self.output = Output()
+        self.output = ExpandedOutput()
         self.spans: list[tuple[str, int, str]] = []
         """Open environments that cannot be told, where they begin, and why."""
         self.files = Files(self.mouth, self.definer, self.conditionals)
         self.groups = Groups(self.mouth, self.meanings, self.output, self.notes)
         self.in_style = False
-        self.begun = Token("")
+        self.begun = TypedToken("")
         self.mark = (0, 0, 0)
         self.calls = self.call_tokens = self.tokens = 0
-        self.commands: dict[str, Callable[[Token], None]] = {
+        self.commands: dict[str, Callable[[TypedToken], None]] = {
             r"\begin": self.begin,
             r"\end": self.end,
             r"\else": lambda _: self.conditionals.otherwise(),
@@ -110,7 +110,7 @@ class _Writer:
         self.groups.found()
         return self.output.expanded(self.body, self.notes)
 
-    def next(self, parts: list[Part]) -> Token | None:
+    def next(self, parts: list[Part]) -> TypedToken | None:
         """The next token; where a style begins, the sign @ becomes a letter, to its end."""
         while parts and self.mouth.at >= parts[0].start:
             part = parts.pop(0)
@@ -118,13 +118,13 @@ class _Writer:
                 self.mouth.at_is_letter = self.in_style = part.style
         return self.mouth.plain() or self.mouth.take()
 
-    def note(self, token: Token, words: str) -> None:
+    def note(self, token: TypedToken, words: str) -> None:
         """Say something about a place of the file."""
         self.notes.append((token.start, words))
 
     # -- one token ------------------------------------------------------------------
 
-    def one(self, token: Token) -> None:
+    def one(self, token: TypedToken) -> None:
         """Execute a token, or write it."""
         text = token.text
         if text[0] != "\\" and text not in self.mouth.active:
@@ -140,12 +140,12 @@ class _Writer:
             self.command(token._replace(text=meaning.text, literal=False))
         elif isinstance(meaning, Unclear):
             self.output.emit(token, meaning.why)
-        elif isinstance(meaning, Setter):
+        elif isinstance(meaning, FlagSetter):
             self.definer.define(meaning.flag, Flag(meaning.value))
         elif isinstance(meaning, Flag):
             self.conditionals.start(text, self.output.size, self.groups.mathematics)
 
-    def command(self, token: Token) -> None:
+    def command(self, token: TypedToken) -> None:
         """Execute what TeX and LaTeX provide, as far as it is known here; or write it."""
         text = token.text
         if text in self.commands:
@@ -159,7 +159,7 @@ class _Writer:
         else:
             self.groups.sign(token)
 
-    def call(self, token: Token, macro: Macro) -> None:
+    def call(self, token: TypedToken, macro: Macro) -> None:
         """A macro comes next as what it stands for."""
         self.calls += 1
         begin = self.mouth.last
@@ -171,7 +171,7 @@ class _Writer:
         body = macro.written(arguments, token.start, end)
         self.put(token, body)
 
-    def put(self, token: Token, tokens: Sequence[Token]) -> None:
+    def put(self, token: TypedToken, tokens: Sequence[TypedToken]) -> None:
         """These tokens come next, in the place of one that they are written for."""
         self.call_tokens += len(tokens)
         self.tokens += len(tokens)
@@ -179,7 +179,7 @@ class _Writer:
             raise SourceError(f"{self.source.path}: its macros write out too much text")
         self.mouth.put_back(tokens)
 
-    def give_up(self, token: Token) -> None:
+    def give_up(self, token: TypedToken) -> None:
         """Leave a macro of the text alone that would be written out without an end."""
         begun = self.begun
         while self.mouth.waiting and not self.mouth.waiting[-1].literal:
@@ -194,9 +194,9 @@ class _Writer:
 
     # -- environments ---------------------------------------------------------------
 
-    def begin(self, token: Token) -> None:
+    def begin(self, token: TypedToken) -> None:
         """An environment begins."""
-        name = typed(self.mouth.braced()).strip()
+        name = source_of_tokens(self.mouth.braced()).strip()
         end = max(token.end, self.mouth.last)
         meaning = self.meanings.get(environment(name))
         if isinstance(meaning, Environment):
@@ -213,14 +213,14 @@ class _Writer:
             for tokens in reversed(self.files.later):
                 self.put(token, tokens)
 
-    def end(self, token: Token) -> None:
+    def end(self, token: TypedToken) -> None:
         """An environment ends."""
-        name = typed(self.mouth.braced()).strip()
+        name = source_of_tokens(self.mouth.braced()).strip()
         end = max(token.end, self.mouth.last)
         meaning = self.meanings.get(environment(name))
         if isinstance(meaning, Environment):
             body = meaning.end.written((), token.start, end)
-            self.put(token, [*body, Token(r"\endgroup", token.start, end)])
+            self.put(token, [*body, TypedToken(r"\endgroup", token.start, end)])
             return
         self.ended(name)
         self.output.write(rf"\end{{{name}}}", token.start, end)
@@ -234,21 +234,21 @@ class _Writer:
 
     # -- commands -------------------------------------------------------------------
 
-    def fi(self, token: Token) -> None:
+    def fi(self, token: TypedToken) -> None:
         """A conditional ends."""
         begin = self.conditionals.open.pop() if self.conditionals.open else None
         if begin is not None:
             self.output.lose(begin, "it stands in a conditional, which is not executed")
 
-    def open_group(self, token: Token) -> None:
+    def open_group(self, token: TypedToken) -> None:
         """A group begins that prints no brace."""
         self.meanings.open(r"\begingroup")
 
-    def close_group(self, token: Token) -> None:
+    def close_group(self, token: TypedToken) -> None:
         """A group ends that prints no brace."""
         self.groups.close(r"\begingroup")
 
-    def kern(self, token: Token) -> None:
+    def kern(self, token: TypedToken) -> None:
         """A length by name prints nothing."""
         self.mouth.skips("-")
         if is_word(self.mouth.peek()):
@@ -260,7 +260,7 @@ class _Writer:
         """The sign @ is a letter from here on, or is none."""
         self.mouth.at_is_letter = value
 
-    def skip_code(self, token: Token) -> None:
+    def skip_code(self, token: TypedToken) -> None:
         r"""What stands up to ``\ExplSyntaxOff`` is no LaTeX; what it defines cannot be told."""
         defining = False
         while (one := self.mouth.take()) is not None and one.text != r"\ExplSyntaxOff":
@@ -271,7 +271,7 @@ class _Writer:
             elif one.text in self.definer.commands or one.text in (r"\cs", r"\tl"):
                 defining = one.text in self.definer.commands
 
-    def expand_after(self, token: Token) -> None:
+    def expand_after(self, token: TypedToken) -> None:
         """The token after the next one is expanded once, before the next one is looked at."""
         first = self.mouth.character()
         second = self.mouth.character()
@@ -288,14 +288,14 @@ class _Writer:
             self.mouth.put_back([second])
         self.mouth.put_back([first])
 
-    def by_name(self, token: Token) -> None:
+    def by_name(self, token: TypedToken) -> None:
         r"""The name that stands up to ``\endcsname``."""
-        tokens = stripped(self.mouth.until([r"\endcsname"]))
+        tokens = strip(self.mouth.until([r"\endcsname"]))
         if any(one.text[0] in "\\{}#" for one in tokens):
             self.mouth.put_back(tokens)
             raise Malformed("this name cannot be told")
         name = "\\" + "".join(one.text for one in tokens)
-        self.mouth.put_back([Token(name, token.start, max(token.end, self.mouth.last))])
+        self.mouth.put_back([TypedToken(name, token.start, max(token.end, self.mouth.last))])
 
 
 def void(_: object) -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from kowalevski_cas.source.mouth import Malformed, Mouth
 from kowalevski_cas.source.parameters import Parameter
-from kowalevski_cas.source.tex import Token, is_command
+from kowalevski_cas.source.tex import TypedToken, is_command
 
 
 @dataclass(frozen=True)
@@ -17,33 +17,35 @@ class Macro:
     parameters: tuple[Parameter, ...]
     body: tuple[str, ...]
 
-    def arguments(self, mouth: Mouth) -> list[list[Token]]:
+    def arguments(self, mouth: Mouth) -> list[list[TypedToken]]:
         """The arguments that come next; if they are not as expected, they are put back."""
-        found: list[list[Token]] = []
+        found: list[list[TypedToken]] = []
         for parameter in self.parameters:
             try:
                 argument = parameter.take(mouth)
             except Malformed:
                 for taken in reversed(found):
-                    mouth.put_back([Token("{"), *taken, Token("}")])
+                    mouth.put_back([TypedToken("{"), *taken, TypedToken("}")])
                 raise
             if parameter.kind != "=":
                 found.append(argument)
         return found
 
-    def written(self, arguments: Sequence[Sequence[Token]], start: int, end: int) -> list[Token]:
+    def written(
+        self, arguments: Sequence[Sequence[TypedToken]], start: int, end: int
+    ) -> list[TypedToken]:
         """The body with the arguments in their places, all of it from one interval of the file."""
-        found: list[Token] = []
+        found: list[TypedToken] = []
         for text in self.body:
             if text[0] != "#" or len(text) == 1:
-                found.append(Token(text, start, end))
+                found.append(TypedToken(text, start, end))
             elif (hashes := text.count("#")) % 2 and text[-1].isdigit():
                 number = int(text[-1])
-                found += [Token("#" * (hashes // 2), start, end)] if hashes > 1 else []
+                found += [TypedToken("#" * (hashes // 2), start, end)] if hashes > 1 else []
                 if number <= len(arguments):
-                    found += [Token(one.text, start, end) for one in arguments[number - 1]]
+                    found += [TypedToken(one.text, start, end) for one in arguments[number - 1]]
             else:
-                found.append(Token("#" * (hashes // 2) + text[hashes:], start, end))
+                found.append(TypedToken("#" * (hashes // 2) + text[hashes:], start, end))
         return found
 
 
@@ -62,7 +64,7 @@ class Flag:
 
 
 @dataclass(frozen=True)
-class Setter:
+class FlagSetter:
     """A name that sets a flag."""
 
     flag: str
@@ -86,7 +88,7 @@ class Environment:
     end: Macro
 
 
-Meaning = Macro | Alias | Flag | Setter | Unclear | Environment
+Meaning = Macro | Alias | Flag | FlagSetter | Unclear | Environment
 
 
 @dataclass

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from kowalevski_cas.source.tex import (
     PARAGRAPH,
-    Token,
+    TypedToken,
     bare,
     characters,
     is_word,
@@ -31,17 +31,17 @@ class Mouth:
     def __init__(self, text: str, at: int = 0) -> None:
         self.text = text
         self.at = at
-        self.waiting: list[Token] = []
+        self.waiting: list[TypedToken] = []
         self.active = ""
         """Characters that may have a meaning as if they were macros."""
         self.at_is_letter = False
         self.last = at
         """The end of the interval of the file that has been taken."""
         self.patience = PATIENCE
-        self.blanks: list[Token] = []
+        self.blanks: list[TypedToken] = []
         """The blanks before the last visible character."""
 
-    def take(self) -> Token | None:
+    def take(self) -> TypedToken | None:
         """The next token; ``None`` at the end."""
         if self.waiting:
             token = self.waiting.pop()
@@ -49,29 +49,29 @@ class Mouth:
             match = pattern(self.active, self.at_is_letter).match(self.text, self.at)
             if match is None:
                 return None
-            token = Token(match[0], self.at, match.end(), True)
+            token = TypedToken(match[0], self.at, match.end(), True)
             self.at = match.end()
         if token.end > self.last:
             self.last = token.end
         return token
 
-    def plain(self) -> Token | None:
+    def plain(self) -> TypedToken | None:
         """All that comes next and means nothing but itself; ``None`` if there is nothing such."""
         match = None if self.waiting else ordinary(self.active).match(self.text, self.at)
         if match is None:
             return None
-        token = Token(match[0], self.at, match.end(), True)
+        token = TypedToken(match[0], self.at, match.end(), True)
         self.at = self.last = match.end()
         return token
 
-    def put_back(self, tokens: Iterable[Token]) -> None:
+    def put_back(self, tokens: Iterable[TypedToken]) -> None:
         """These tokens come next."""
         found = [*tokens]
         if found and found[0].literal:
             self.last = min(self.last, found[0].start)
         self.waiting.extend(reversed(found))
 
-    def character(self) -> Token | None:
+    def character(self) -> TypedToken | None:
         """The next token; of a run, only its first character."""
         token = self.take()
         if token is None or len(token.text) == 1 or token.text[0] in "\\#$":
@@ -82,7 +82,7 @@ class Mouth:
         self.put_back(rest)
         return first
 
-    def visible(self) -> Token | None:
+    def visible(self) -> TypedToken | None:
         """The next character that is no blank; a blank line is none."""
         self.blanks = []
         while (token := self.character()) is not None and token.text.isspace():
@@ -91,7 +91,7 @@ class Mouth:
             self.blanks.append(token)
         return token
 
-    def unread(self, token: Token | None) -> None:
+    def unread(self, token: TypedToken | None) -> None:
         """The last visible character comes next, with the blanks before it."""
         self.put_back([*self.blanks, *([token] if token is not None else [])])
 
@@ -111,7 +111,7 @@ class Mouth:
 
     # -- arguments ------------------------------------------------------------------
 
-    def group(self, opened: Token) -> list[Token]:
+    def group(self, opened: TypedToken) -> list[TypedToken]:
         """The tokens up to the brace that closes; the opening one is taken already."""
         found, depth = [opened], 1
         while depth:
@@ -122,13 +122,13 @@ class Mouth:
             found.append(token)
         return normal(found[1:-1])
 
-    def malformed(self, taken: Sequence[Token | None], why: str) -> Malformed:
+    def malformed(self, taken: Sequence[TypedToken | None], why: str) -> Malformed:
         """What is to be raised where the end of an argument is missing; the tokens come again."""
         self.patience = max(0, self.patience - len(taken))
         self.put_back(token for token in taken if token is not None)
         return Malformed(why)
 
-    def argument(self) -> list[Token]:
+    def argument(self) -> list[TypedToken]:
         """A group without its braces, or a single token."""
         token = self.visible()
         if token is None or token.text == "}" or token.text.isspace():
@@ -136,15 +136,15 @@ class Mouth:
             raise Malformed("an argument is missing")
         return self.group(token) if token.text == "{" else [token]
 
-    def braced(self) -> list[Token]:
+    def braced(self) -> list[TypedToken]:
         """A group, which has to be there."""
         if self.peek() != "{":
             raise Malformed("an argument in braces is missing")
         return self.argument()
 
-    def until(self, delimiter: Sequence[str]) -> list[Token]:
+    def until(self, delimiter: Sequence[str]) -> list[TypedToken]:
         """The tokens before a delimiter that stands outside of braces, without it."""
-        found: list[Token] = []
+        found: list[TypedToken] = []
         depth = 0
         size = len(delimiter)
         while True:
@@ -161,11 +161,11 @@ class Mouth:
             if depth == 0 and [one.text for one in found[-size:]] == [*delimiter]:
                 return bare(normal(found[:-size]))
 
-    def bracketed(self, opening: str, closing: str) -> list[Token] | None:
+    def bracketed(self, opening: str, closing: str) -> list[TypedToken] | None:
         """An optional argument between its brackets; ``None`` if there is none."""
         if not self.skips(opening):
             return None
-        found: list[Token] = []
+        found: list[TypedToken] = []
         depth = brackets = 0
         while True:
             token = self.character()

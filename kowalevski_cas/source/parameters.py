@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from kowalevski_cas.source.mouth import Malformed, Mouth
-from kowalevski_cas.source.tex import Token
+from kowalevski_cas.source.tex import TypedToken
 
 NO_VALUE = r"\-NoValue-"
 TRUE, FALSE = r"\BooleanTrue", r"\BooleanFalse"
@@ -25,7 +25,7 @@ class Parameter:
     tokens: tuple[str, ...] = ()
     default: tuple[str, ...] = (NO_VALUE,)
 
-    def take(self, mouth: Mouth) -> list[Token]:
+    def take(self, mouth: Mouth) -> list[TypedToken]:
         """The argument."""
         if self.kind == "m":
             return mouth.argument()
@@ -33,9 +33,9 @@ class Parameter:
             return mouth.until(self.tokens)
         if self.kind == "o":
             found = mouth.bracketed(*self.tokens)
-            return [Token(text) for text in self.default] if found is None else found
+            return [TypedToken(text) for text in self.default] if found is None else found
         if self.kind == "s":
-            return [Token(TRUE if mouth.skips(self.tokens[0]) else FALSE)]
+            return [TypedToken(TRUE if mouth.skips(self.tokens[0]) else FALSE)]
         for text in self.tokens:
             token = mouth.character()
             if token is None or (token.text != text and not (token.text.isspace() and text == " ")):
@@ -67,7 +67,7 @@ def delimited(printed: Sequence[str]) -> tuple[Parameter, ...]:
     return tuple(found)
 
 
-def specified(tokens: Sequence[Token]) -> tuple[Parameter, ...]:
+def specified(tokens: Sequence[TypedToken]) -> tuple[Parameter, ...]:
     """The parameters that a specification of xparse names."""
     rest = [token.text for token in tokens if token.text != " "]
     found: list[Parameter] = []

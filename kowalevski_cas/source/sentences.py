@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from kowalevski_cas.source.displays import Typed
+from kowalevski_cas.source.displays import TypedFormula
 
 _WORD = re.compile(
     r"\\label\s*\{[^{}]*\}"
@@ -30,7 +30,7 @@ class Word:
 
 
 def sentence_words(
-    text: str, start: int, formulas: Iterable[Typed], called: Callable[[Typed], str]
+    text: str, start: int, formulas: Iterable[TypedFormula], called: Callable[[TypedFormula], str]
 ) -> list[Word]:
     """The words of a text from an offset on, with its formulas as ``called``."""
     found: list[Word] = []

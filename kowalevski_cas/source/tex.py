@@ -14,7 +14,7 @@ from typing import NamedTuple
 PARAGRAPH = re.compile(r"\n[ \t\r]*\n")
 
 
-class Token(NamedTuple):
+class TypedToken(NamedTuple):
     """What is typed, and the interval of the file that it stands for."""
 
     text: str
@@ -53,9 +53,9 @@ def ordinary(active: str) -> re.Pattern[str]:
     return re.compile(rf"[^\\{{}}$#{re.escape(active)}]+")
 
 
-def normal(tokens: Iterable[Token]) -> list[Token]:
+def normal(tokens: Iterable[TypedToken]) -> list[TypedToken]:
     """The tokens one character each, with single blanks, and none behind control words."""
-    found: list[Token] = []
+    found: list[TypedToken] = []
     for token in tokens:
         if token.text.isspace():
             if not found or not (is_word(found[-1].text) or found[-1].text == " "):
@@ -69,16 +69,16 @@ def normal(tokens: Iterable[Token]) -> list[Token]:
     return found
 
 
-def characters(token: Token) -> Iterator[Token]:
+def characters(token: TypedToken) -> Iterator[TypedToken]:
     """The characters of a run, each where it stands."""
     for place, character in enumerate(token.text):
         if token.literal:
-            yield Token(character, token.start + place, token.start + place + 1, True)
+            yield TypedToken(character, token.start + place, token.start + place + 1, True)
         else:
             yield token._replace(text=character)
 
 
-def typed(tokens: Sequence[Token]) -> str:
+def source_of_tokens(tokens: Sequence[TypedToken]) -> str:
     """What one would type for some tokens."""
     pieces: list[str] = []
     for token in tokens:
@@ -88,7 +88,7 @@ def typed(tokens: Sequence[Token]) -> str:
     return "".join(pieces)
 
 
-def stripped(tokens: Sequence[Token]) -> list[Token]:
+def strip(tokens: Sequence[TypedToken]) -> list[TypedToken]:
     """The tokens without blanks around them, and without braces around all of them."""
     found = list(tokens)
     while found and found[0].text.isspace():
@@ -98,7 +98,7 @@ def stripped(tokens: Sequence[Token]) -> list[Token]:
     return bare(found)
 
 
-def bare(tokens: Sequence[Token]) -> list[Token]:
+def bare(tokens: Sequence[TypedToken]) -> list[TypedToken]:
     """The tokens without a pair of braces around all of them."""
     if len(tokens) < 2 or tokens[0].text != "{" or tokens[-1].text != "}":
         return list(tokens)

@@ -32,10 +32,10 @@ from kowalevski_cas.notation.errors import name_of_rate
 from kowalevski_cas.notation.open import OpenParser, independent, words_that_move
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
-from kowalevski_cas.paper.names import BRACKET, head, is_bold, summed
+from kowalevski_cas.paper.names import BRACKET, head, is_bold, summation_indices
 from kowalevski_cas.paper.plain import half_power
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.summation import written_out
+from kowalevski_cas.paper.summation import expand_sum
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.refused import (
@@ -83,7 +83,9 @@ def moving_by(display: Display, name: str, vectors: Vectors, declared: Names = (
     laws = tuple(place for place, formula in formulas.items() if _is_law(formula))
     others = [place for place in formulas if place not in laws]
     heads_of = [head(one) for place in others for one in (*place.heads.names, *place.heads.squares)]
-    defined = {one for f, given in heads_of for one in (f, *given, *summed(given))} - {*moving}
+    defined = {one for f, given in heads_of for one in (f, *given, *summation_indices(given))} - {
+        *moving
+    }
     nodes = (node for formula in formulas.values() for node in formula.nodes())
     names = [node.name for node in nodes if isinstance(node, Name)]
     check_marks(formulas.values())
@@ -148,7 +150,7 @@ def _read(display: Display, words: Vocabulary) -> dict[Printed, Formula]:
     """The statements of a display, where any letter is a name; sums are written out."""
 
     def written(formula: Formula) -> Formula:
-        formula = written_out(formula) if isinstance(formula, Summation) else formula
+        formula = expand_sum(formula) if isinstance(formula, Summation) else formula
         return formula.map_children(written)
 
     found = read_display(display.tex, words, OpenParser)

@@ -30,7 +30,7 @@ from kowalevski_cas.system.equations import (
 from kowalevski_cas.system.refused import check_constant, names_of
 from kowalevski_cas.system.solved import solve_for_constant
 from kowalevski_cas.system.symbols import latex_of
-from kowalevski_cas.verify.found import Finding
+from kowalevski_cas.verify.finding import Finding
 from kowalevski_cas.verify.outcome import Verdict, in_latex
 
 Tex = Any

@@ -39,7 +39,7 @@ from kowalevski_cas.processes import each
 from kowalevski_cas.questions import collect, forecast, question
 from kowalevski_cas.system.answers import Function, SystemClaim
 from kowalevski_cas.system.field import Field, Tex, Texs, several
-from kowalevski_cas.verify.found import Finding
+from kowalevski_cas.verify.finding import Finding
 
 
 class System(Field):

@@ -30,10 +30,10 @@ from kowalevski_cas.notation.edits import changes_subject
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.verify.corrections import passes, stated, unlikeliness
-from kowalevski_cas.verify.mender import Mender
+from kowalevski_cas.verify.corrections import passes, statement_of, unlikeliness
+from kowalevski_cas.verify.corrector import Corrector
 from kowalevski_cas.verify.outcome import Correction, Verdict
-from kowalevski_cas.verify.relations import Relation, relations, supposes
+from kowalevski_cas.verify.relations import ConstantRelation, relations, supposes
 from kowalevski_cas.verify.statement import Statement
 from kowalevski_cas.verify.vacuous import says_something, stands_still
 
@@ -70,13 +70,13 @@ class Repair(NamedTuple):
     """An edit of a printed formula, or a relation of constants, and the claims that it mends."""
 
     suspect: Suspect
-    change: Edit | Relation
+    change: Edit | ConstantRelation
     place: Printed
     mends: tuple[Claim, ...]
 
     def of(self, claim: Claim, texts: Texts) -> Neighbour:
         """What a claim says with the repair."""
-        if isinstance(self.change, Relation):
+        if isinstance(self.change, ConstantRelation):
             return self.change.neighbour(claim, texts)
         return claim.edited(texts, self.place, self.change)
 
@@ -89,7 +89,7 @@ Repairs = dict[str, tuple[Correction, ...]]
 class Blame:
     """The search for what makes claims fail, in a run that has come to its end."""
 
-    mender: Mender
+    mender: Corrector
     verdicts: Mapping[str, Verdict]
     corrected: Collection[str] = ()
     """The claims that have a correction already."""
@@ -198,7 +198,7 @@ class Blame:
 
     def _changes(
         self, failing: Sequence[Claim], least: int
-    ) -> Iterator[tuple[Suspect, Edit | Relation, Printed, list[Claim]]]:
+    ) -> Iterator[tuple[Suspect, Edit | ConstantRelation, Printed, list[Claim]]]:
         """What may mend so many claims, and the claims that it changes; the likeliest first."""
         for claim in failing:
             for relation in relations(self._statement(claim)):
@@ -265,7 +265,7 @@ class Blame:
 
     def _breaks(self, repair: Repair) -> bool:
         """Whether a repair makes false what is true."""
-        if isinstance(repair.change, Relation):
+        if isinstance(repair.change, ConstantRelation):
             return False
         about = (c for c in self.mender.derivation.claims if repair.place in c.reads())
         return any(self._holds(c) and self._passes(repair, c) is False for c in about)
@@ -293,10 +293,10 @@ class Blame:
         on = self.mender.on(claim)
         neighbour = repair.of(claim, on.texts)
         try:
-            statement = stated(neighbour, on)
+            statement = statement_of(neighbour, on)
             if not says_something(neighbour, statement, self._statement(claim)):
                 return None
-            proved = self.mender.proposed(neighbour, statement)
+            proved = self.mender.correction_of(neighbour, statement)
             return proved and proved._replace(others=self._others(repair))
         except (NotationError, Meaningless, ZeroDivisionError):
             return None

@@ -47,7 +47,7 @@ class Stored:
     @cached_property
     def beside(self) -> Data:
         """What it has beside a problem and evidence, which are large, and seldom read again."""
-        return _beside(self.data)
+        return _heading_of(self.data)
 
     @property
     def data(self) -> Data:
@@ -78,7 +78,7 @@ class Stored:
         Raises :class:`FormatError` if the evidence cannot be read.
         """
         data = self.data
-        self.beside = _beside(data)
+        self.beside = _heading_of(data)
         if data.get("digest") != statement.digest:
             return None
         try:
@@ -98,7 +98,7 @@ class Stored:
         return [Stored(self.path, one) for one in entries if one.get("condition") == condition]
 
 
-def _beside(data: Data) -> Data:
+def _heading_of(data: Data) -> Data:
     return {key: data.get(key) for key in ("digest", "failures")}
 
 
@@ -140,15 +140,18 @@ def certificate(
     Raises :class:`FormatError` if something has no place in it.
     """
     failing = [
-        {"condition": encode(condition), **_stated(failure.statement, *_evidence(*failure))}
+        {
+            "condition": encode(condition),
+            **_problem_with_evidence(failure.statement, *_evidence(*failure)),
+        }
         for condition, failure in failures.items()
         if failure is not None
     ]
     shown = _evidence(statement, verdicts, accepted)
-    return written(statement, *shown, failing if failures else None)
+    return certificate_text(statement, *shown, failing if failures else None)
 
 
-def written(
+def certificate_text(
     statement: Statement | Posed,
     sign: str,
     evidence: list[Data],
@@ -157,10 +160,10 @@ def written(
     """The text of a certificate that nobody has checked."""
     head = {"format": FORMAT, "version": VERSION, "claim": statement.name}
     more = {} if failures is None else {"failures": failures}
-    return dump({**head, **_stated(statement, sign, evidence), **more})
+    return dump({**head, **_problem_with_evidence(statement, sign, evidence), **more})
 
 
-def _stated(statement: Statement | Posed, sign: str, evidence: list[Data]) -> Data:
+def _problem_with_evidence(statement: Statement | Posed, sign: str, evidence: list[Data]) -> Data:
     """A problem with a sign and evidence."""
     problem = problem_data(statement.problem)
     return {**problem, "sign": sign, "evidence": evidence, "digest": statement.digest}
@@ -199,13 +202,13 @@ def _enter(data: Data, setting: Any, elements: list[Element]) -> None:
 
 def dump(data: Data) -> str:
     """Data as JSON, an item of a list a line."""
-    lines = [f'"{key}": {_shown(item)}' for key, item in data.items()]
+    lines = [f'"{key}": {_json_text(item)}' for key, item in data.items()]
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
-def _shown(item: Any) -> str:
+def _json_text(item: Any) -> str:
     if isinstance(item, list) and item and isinstance(item[0], dict):
-        return "[\n " + ",\n ".join(_shown(entry) for entry in item) + "\n]"
+        return "[\n " + ",\n ".join(_json_text(entry) for entry in item) + "\n]"
     if isinstance(item, dict):
         entries = (f'"{key}": {json.dumps(v, separators=(",", ":"))}' for key, v in item.items())
         return "{" + ",\n  ".join(entries) + "}"

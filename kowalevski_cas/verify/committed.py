@@ -19,12 +19,12 @@ from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.verify.bench import Bench
 from kowalevski_cas.verify.certificate import FOLDER
 from kowalevski_cas.verify.corrections import recorded_correction
 from kowalevski_cas.verify.loci import failing
 from kowalevski_cas.verify.outcome import CORRECTED, Run
 from kowalevski_cas.verify.statement import Statement
+from kowalevski_cas.verify.workbench import Workbench
 
 Record = Mapping[str, Mapping[str, object]]
 
@@ -74,10 +74,10 @@ def check_committed(
     and that is missing.
     """
     found = check_files(certificate_files(folder), Expected(derivation, record, decided))
-    for name in wanted(record):
+    for name in certificates_of(record):
         if not (folder / FOLDER / f"{name}.json").is_file():
             found.rejected[f"{name}.json"] = "it is in the record, and missing"
-    without = tuple(claim for claim in record if claim not in wanted(record))
+    without = tuple(claim for claim in record if claim not in certificates_of(record))
     return replace(found, without=without)
 
 
@@ -88,7 +88,7 @@ def statements(run: Run) -> dict[str, str]:
     return own | {f"{CORRECTED}/{claim}": one.digest for claim, one in mended if one is not None}
 
 
-def wanted(record: Record) -> list[str]:
+def certificates_of(record: Record) -> list[str]:
     """The names of the certificates that a record asks for."""
     verdicts = ("proved", "conditional", "refuted")
     decided = [claim for claim, entry in record.items() if entry.get("verdict") in verdicts]
@@ -130,9 +130,9 @@ class Expected:
     decided: Mapping[str, str] = field(default_factory=dict)
 
     @cached_property
-    def bench(self) -> Bench:
+    def bench(self) -> Workbench:
         """What is printed."""
-        return Bench(self.derivation, [])
+        return Workbench(self.derivation, [])
 
     def compare(self, name: str, certificate: checker.Certificate, corrected: bool) -> None:
         """Reject a certificate that is about something else."""

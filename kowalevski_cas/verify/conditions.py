@@ -17,7 +17,7 @@ from kowalevski_cas.problem.goals import Exists, Follows, Goal, Simple, simple
 from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.search.combinations import vanish_on
 from kowalevski_cas.search.squares import sum_of_squares
-from kowalevski_cas.verify.shown import written
+from kowalevski_cas.verify.as_printed import printed_formula
 
 Divided = tuple[Elaboration, Formula]
 """What may not vanish, and the setting in which it stands."""
@@ -41,7 +41,7 @@ def conditions_of(accepted: Accepted, legend: Mapping[Setting, Elaboration]) -> 
         stated.setdefault(setting, []).extend(goal.formulas())
     found: dict[Formula, Elaboration] = {}
     for setting, indices in divisors.items():
-        for formula in _named(sorted(indices), setting, stated[setting]):
+        for formula in _divisor_factors(sorted(indices), setting, stated[setting]):
             found.setdefault(formula, setting)
     return [(setting, formula) for formula, setting in found.items()]
 
@@ -56,7 +56,7 @@ def may_vanish(goal: Simple, elements: Sequence[Element]) -> list[Element]:
     return [divisor for divisor in found if vanish_on([one], [divisor, *known]) == [False]]
 
 
-def _named(
+def _divisor_factors(
     indices: Sequence[int], setting: Elaboration, stated: Sequence[Formula]
 ) -> list[Formula]:
     """What may vanish of divisors of a setting, beyond what it takes for granted.
@@ -96,13 +96,13 @@ def _printed(
     shares = {f: one for f, one in below().items() if wanted & one.factors.keys()}
     for formula, (element, factors) in shares.items():
         if element.parts.keys() == {0} and factors.keys() - granted == wanted:
-            return (written(formula, setting),)
+            return (printed_formula(formula, setting),)
     elements = (element for element, _ in shares.values())
     if set[Shape]().union(*(factors for _, factors in shares.values())) - granted != wanted:
         return ()
     if reduce(mul, elements).parts.keys() != {0}:
         return ()
-    return tuple(written(formula, setting) for formula in shares)
+    return tuple(printed_formula(formula, setting) for formula in shares)
 
 
 def _positive(divisor: Element, setting: Elaboration) -> Formula:

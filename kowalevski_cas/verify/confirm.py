@@ -11,7 +11,13 @@ from itertools import chain
 from kowalevski_cas import UserError
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Name
-from kowalevski_cas.paper.denominators import Shape, factors_below, factors_of, granted_by, shape_of
+from kowalevski_cas.paper.denominators import (
+    Shape,
+    factors_below,
+    factors_of,
+    granted_factors,
+    shape_of,
+)
 from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Denial
@@ -43,7 +49,10 @@ def confirm(statement: Statement, verdicts: Verdicts, accepted: Accepted, text: 
     if sign == "denied":
         return
     goals = [one for goal in statement.goals for one in simple(goal)]
-    found = _factors(accepted.divided), _factors(zip(goals, _divided(goals, theorems), strict=True))
+    found = (
+        _factors(accepted.divided),
+        _factors(zip(goals, _divisors_by_goal(goals, theorems), strict=True)),
+    )
     for space in {*found[0], *found[1]}:
         judge, other = (factors.get(space, set()) for factors in found)
         if judge != other:
@@ -100,7 +109,7 @@ def _theorems(claim: str, digest: str, sign: str, text: str) -> list[checker.The
     return found.theorems
 
 
-def _divided(
+def _divisors_by_goal(
     goals: Sequence[Simple], theorems: Iterable[checker.Theorem]
 ) -> Iterator[list[Element]]:
     """What the theorems suppose not to vanish, goal by goal, as what it is divided by."""
@@ -120,7 +129,7 @@ def _factors(divided: Divided) -> dict[Setting, set[Shape]]:
         if isinstance(goal, Along):
             continue
         at = finder_of(goal.space)
-        granted = granted_by(map(at.scalar, goal.space.nonzero)) | _of_powers(at)
+        granted = granted_factors(map(at.scalar, goal.space.nonzero)) | _of_powers(at)
         for divisor in may_vanish(goal, elements):
             for shape, factor in factors_of(divisor).items():
                 if shape not in granted:

@@ -40,7 +40,7 @@ def recorded_correction(
     with suppress(NotationError, Meaningless):
         near = _at(elsewhere, claim, on, recorded) if elsewhere else _own(claim, on, recorded)
         for neighbour in near:
-            return neighbour, stated(neighbour, on)
+            return neighbour, statement_of(neighbour, on)
     return None
 
 
@@ -70,7 +70,7 @@ def _at(elsewhere: str, claim: Claim, on: Elaborations, recorded: str) -> Iterat
             yield relation.neighbour(claim, texts)
 
 
-def stated(neighbour: Neighbour, on: Elaborations) -> Statement:
+def statement_of(neighbour: Neighbour, on: Elaborations) -> Statement:
     """What a neighbour says; raises ``NotationError`` or ``Meaningless`` if it says nothing."""
     return Statement(neighbour.claim, on.under(neighbour.texts))
 
@@ -80,7 +80,7 @@ def corrections(printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:
     near = printed.claim.neighbours(printed.on.texts)
     meant = [one for one in near if one.edit is None or not changes_subject(one.edit)]
     for neighbour in true_ones(sorted(meant, key=_likelihood), printed.on):
-        statement = stated(neighbour, printed.on)
+        statement = statement_of(neighbour, printed.on)
         if says_something(neighbour, statement, printed):
             yield neighbour, statement
 
@@ -105,9 +105,9 @@ def true_ones(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Nei
     Their identities are screened at points modulo primes; what passes is decided in full, with
     FLINT.
     """
-    for neighbour in _screened(neighbours, on):
+    for neighbour in _screen_neighbours(neighbours, on):
         try:
-            if stated(neighbour, on).holds():
+            if statement_of(neighbour, on).holds():
                 yield neighbour
         except (NotationError, Meaningless, ZeroDivisionError):
             continue
@@ -118,7 +118,7 @@ def printed_of(neighbour: Neighbour) -> tuple[Formula, ...]:
     return neighbour.claim.formulas(neighbour.texts)
 
 
-def _screened(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Neighbour]:
+def _screen_neighbours(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Neighbour]:
     """The neighbours that pass the screen."""
     stages: dict[object, Sampled] = {}
     decided = 0

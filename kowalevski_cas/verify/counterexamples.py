@@ -29,25 +29,25 @@ from kowalevski_cas.paper.claims import (
 )
 from kowalevski_cas.paper.claims.forms import ZERO
 from kowalevski_cas.problem.collect import collect_sides
-from kowalevski_cas.problem.differentials import chosen
+from kowalevski_cas.problem.differentials import functions_for_differentials
 from kowalevski_cas.problem.evidence import (
     At,
     Denial,
+    Entailment,
     Evidence,
     Minors,
     Regardless,
     Roots,
-    Shown,
     Solutions,
 )
 from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
-from kowalevski_cas.problem.place import Place, number_formula
+from kowalevski_cas.problem.place import PointEvaluation, number_formula
 from kowalevski_cas.problem.space import Setting
+from kowalevski_cas.verify.as_printed import point, printed_formula, printed_name, signed_product
 from kowalevski_cas.verify.loci import circle_of
-from kowalevski_cas.verify.outcome import Counterexample, Point, Value
-from kowalevski_cas.verify.shown import named, point, scaled, written
+from kowalevski_cas.verify.outcome import Counterexample, PrintedPoint, Value
 from kowalevski_cas.verify.statement import Statement
 
 SHORT = 160
@@ -79,7 +79,7 @@ def against(
         return None
     place = accepted.places[-1]
     if isinstance(goal, Rank):
-        own = len(place.at.setting.variables) - len(chosen(goal, place.at))
+        own = len(place.at.setting.variables) - len(functions_for_differentials(goal, place.at))
         claimed = len(place.at.setting.variables) - goal.rank
         words = f"by the rank at this point the dimension is {own}, not {claimed}"
         return Counterexample(_at(statement, place), Number(own), Number(claimed), words)
@@ -92,16 +92,18 @@ def against(
     return None
 
 
-def _at(statement: Statement, place: Place) -> Point:
+def _at(statement: Statement, place: PointEvaluation) -> PrintedPoint:
     return point(place.point.values, statement.legend[place.at.setting])
 
 
-def _words(statement: Statement, goal: Goal, place: Place, values: tuple[str, str]) -> str:
+def _words(
+    statement: Statement, goal: Goal, place: PointEvaluation, values: tuple[str, str]
+) -> str:
     """What fails at a point, if not what is printed; ``values`` are the two sides there."""
     assert isinstance(goal, Follows)
     own, other = values
     setting = statement.legend[place.at.setting]
-    left, right = (written(side, setting) for side in _failing(goal, place))
+    left, right = (printed_formula(side, setting) for side in _failing(goal, place))
     order = 0
     while isinstance(left, Derivative):
         left, order = left.argument, order + 1
@@ -130,7 +132,7 @@ def _words(statement: Statement, goal: Goal, place: Place, values: tuple[str, st
     return f"{words}, though the hypotheses hold" if goal.given else words
 
 
-def _failing(goal: Follows, place: Place) -> tuple[Formula, Formula]:
+def _failing(goal: Follows, place: PointEvaluation) -> tuple[Formula, Formula]:
     """The first equation of the last conclusion that does not hold at a point."""
     return next(
         sides for sides in goal.conclusions[-1] if not place.vanish(place.at.differences((sides,)))
@@ -140,13 +142,13 @@ def _failing(goal: Follows, place: Place) -> tuple[Formula, Formula]:
 def why(claim: Claim, goal: Goal, evidence: Evidence) -> str:
     """Why a goal of a claim is denied, where no two values say so."""
     match goal, evidence:
-        case Fails(conclusions=()), Shown():
+        case Fails(conclusions=()), Entailment():
             return "no real point is such that the function has this value"
-        case Fails(), Shown() if isinstance(claim, FirstIntegral):
+        case Fails(), Entailment() if isinstance(claim, FirstIntegral):
             return "the function is constant by itself"
-        case Fails(), Shown() if isinstance(claim, LaxPair):
+        case Fails(), Entailment() if isinstance(claim, LaxPair):
             return "all invariants of the matrix are constant by themselves: it gives no integral"
-        case Fails(), Shown():
+        case Fails(), Entailment():
             return "what is said to fail somewhere holds everywhere"
         case Follows(conclusions=()), At():
             return "there is a real point where none is said to be"
@@ -167,7 +169,7 @@ def _is_constant(function: Formula, setting: Setting) -> bool:
 
 
 def _regardless(
-    statement: Statement, goal: Exists, evidence: Regardless, place: Place
+    statement: Statement, goal: Exists, evidence: Regardless, place: PointEvaluation
 ) -> Counterexample | None:
     """What is left of an equation at a point where all bound names drop out."""
     one = goal.goals[evidence.goal]
@@ -190,7 +192,7 @@ def _solutions(statement: Statement, goal: Count, accepted: Accepted) -> Counter
     first = accepted.places[0]
     setting = statement.legend[first.at.setting]
     values: dict[Formula, Value] = {
-        named(name, setting): value
+        printed_name(name, setting): value
         for name, value in first.point.values.items()
         if name not in goal.names
     }
@@ -208,15 +210,15 @@ def _solutions(statement: Statement, goal: Count, accepted: Accepted) -> Counter
             entries = tuple(own.get(name, ZERO) for name in names)
             if any(entry != ZERO for entry in entries):
                 values[Name(vector if circle else f"{vector}_{number}")] = Vector(entries)
-    return Counterexample(Point(values), shown, Number(goal.number), words)
+    return Counterexample(PrintedPoint(values), shown, Number(goal.number), words)
 
 
-def _on_circle(one: Place, other: Place) -> dict[str, Formula]:
+def _on_circle(one: PointEvaluation, other: PointEvaluation) -> dict[str, Formula]:
     """The points p cos φ + q sin φ."""
     angle = Name(r"\varphi")
     waves = [Application(function, (angle,)) for function in (r"\cos", r"\sin")]
     found = {}
     for name, value in one.point.values.items():
         pair = zip((value, other.point.values.get(name, ZERO)), waves, strict=True)
-        found[name] = total(scaled(factor, wave) for factor, wave in pair if factor != ZERO)
+        found[name] = total(signed_product(factor, wave) for factor, wave in pair if factor != ZERO)
     return found

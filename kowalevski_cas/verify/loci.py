@@ -15,12 +15,12 @@ from kowalevski_cas.paper.claims.forms import minus, rate, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.problem.accept import Judge
-from kowalevski_cas.problem.differentials import chosen, differentials
+from kowalevski_cas.problem.differentials import differentials, functions_for_differentials
 from kowalevski_cas.problem.evidence import Denial, Point
 from kowalevski_cas.problem.examine import Unproved, law
 from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
-from kowalevski_cas.problem.place import Misplaced, Place
+from kowalevski_cas.problem.place import Misplaced, PointEvaluation
 from kowalevski_cas.problem.space import Equation, all_names
 from kowalevski_cas.problem.trees import FormatError, Tree, encode
 from kowalevski_cas.search.combinations import vanish_on
@@ -57,7 +57,7 @@ def failure_on(
     for goal in _candidates(statement, setting, locus) if known != [] else ():
         one = Statement(statement.claim, statement.on, (goal,))
         if known is None:
-            verdicts = _found(one.goals[0], condition)
+            verdicts = _evidence_at_locus(one.goals[0], condition)
         else:
             verdicts = next((v for entry in known if (v := entry.verdicts(one))), None)
         if verdicts is None:
@@ -78,7 +78,7 @@ def failure_on(
     return None
 
 
-def _found(goal: Goal, condition: Formula) -> Verdicts | None:
+def _evidence_at_locus(goal: Goal, condition: Formula) -> Verdicts | None:
     """Evidence that a goal fails, or is denied, where a condition is violated."""
     from kowalevski_cas.search.find import Finder  # most evidence is read
     from kowalevski_cas.search.levels import more_solutions
@@ -165,7 +165,9 @@ def say_nothing_on(setting: Elaboration, given: tuple[Equation, ...], locus: Loc
     return all(vanish_on(at.differences(given), there))
 
 
-def circle_of(goal: Count, places: Sequence[Place]) -> tuple[Place, Place] | None:
+def circle_of(
+    goal: Count, places: Sequence[PointEvaluation]
+) -> tuple[PointEvaluation, PointEvaluation] | None:
     """Two solutions p and q such that p cos φ + q sin φ is one for every φ.
 
     There an equation of degree d is a trigonometric polynomial of degree d: it vanishes
@@ -181,14 +183,14 @@ def circle_of(goal: Count, places: Sequence[Place]) -> tuple[Place, Place] | Non
     return None
 
 
-def _between(one: Place, other: Place, t: int, goal: Count) -> Place:
+def _between(one: PointEvaluation, other: PointEvaluation, t: int, goal: Count) -> PointEvaluation:
     """The point p cos φ + q sin φ for tan φ/2 = t; the constants are those of p."""
     cosine, sine = (fraction_formula(Fraction(n, 1 + t * t)) for n in (1 - t * t, 2 * t))
     values = dict(one.point.values)
     for name in goal.names:
         pair = values.get(name, Number(0)), other.point.values.get(name, Number(0))
         values[name] = Sum((Product((cosine, pair[0])), Product((sine, pair[1]))))
-    return Place(one.at, Point(values))
+    return PointEvaluation(one.at, Point(values))
 
 
 def drop_on(goal: Rank, locus: tuple[Equation, ...]) -> tuple[int, Point] | None:
@@ -196,7 +198,7 @@ def drop_on(goal: Rank, locus: tuple[Equation, ...]) -> tuple[int, Point] | None
     at = finder_of(goal.space)
     finder = PointFinder(finder_of)
     known = [*at.differences(goal.given), *at.differences(locus)]
-    rows = differentials(chosen(goal, at), at)
+    rows = differentials(functions_for_differentials(goal, at), at)
     found: list[int] = []
 
     def good(candidate: Candidate) -> bool:

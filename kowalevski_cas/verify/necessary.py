@@ -15,12 +15,12 @@ from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.goals import Fails, Rank
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.verify.as_printed import point
 from kowalevski_cas.verify.certificate import Stored, Supported
 from kowalevski_cas.verify.conditions import Divided, conditions_of, implies
 from kowalevski_cas.verify.counterexamples import MANY, against
 from kowalevski_cas.verify.loci import drop_on, failure_on, rank_on, say_nothing_on
 from kowalevski_cas.verify.outcome import Condition, Counterexample
-from kowalevski_cas.verify.shown import point
 from kowalevski_cas.verify.statement import Statement
 
 
@@ -52,13 +52,15 @@ def _lacking(
     statement: Statement, accepted: Accepted
 ) -> Iterator[tuple[Elaboration, Formula, Locus | None]]:
     """What may not vanish, each with the declared locus where it does, if there is one."""
-    for setting, formula in _needed(statement, conditions_of(accepted, statement.legend)):
+    for setting, formula in _independent_conditions(
+        statement, conditions_of(accepted, statement.legend)
+    ):
         loci = setting.scene.loci
         own = (x for x in loci if setting.texts.expression(x.condition) == formula)
         yield setting, formula, next(own, None)
 
 
-def _needed(statement: Statement, conditions: list[Divided]) -> list[Divided]:
+def _independent_conditions(statement: Statement, conditions: list[Divided]) -> list[Divided]:
     """Conditions without those that say the same on the claim's own scene, or follow there."""
     own = statement.on(statement.claim.scene)
     kept: dict[object, Divided] = {}

@@ -50,7 +50,7 @@ WORST = (
 )  # fmt: skip
 
 
-class Point(NamedTuple):
+class PrintedPoint(NamedTuple):
     """A point: names, printed roots and levels, each with its value (rationals, i, roots)."""
 
     values: dict[Formula, Value]
@@ -66,7 +66,7 @@ class Counterexample(NamedTuple):
     when they are not the two sides of the equation that is claimed.
     """
 
-    point: Point
+    point: PrintedPoint
     left: Value
     right: Value
     words: str = ""
@@ -90,7 +90,7 @@ class Condition(NamedTuple):
     witness: Counterexample | None = None
 
 
-class Step(NamedTuple):
+class ReportedStep(NamedTuple):
     """One step that the program took, for the report: a sentence and what is displayed.
 
     With a ``point``, the sentence is about this point; what it speaks of and is ``withheld``,
@@ -99,7 +99,7 @@ class Step(NamedTuple):
 
     words: str
     formulas: tuple[Formula, ...] = ()
-    point: Point | None = None
+    point: PrintedPoint | None = None
     withheld: bool = False
 
 
@@ -156,7 +156,7 @@ class Outcome(NamedTuple):
     words: str
     verdict: Verdict
     conditions: tuple[Condition, ...] = ()
-    steps: tuple[Step, ...] = ()
+    steps: tuple[ReportedStep, ...] = ()
     counterexample: Counterexample | None = None
     correction: Correction | None = None
     alternatives: tuple[Correction, ...] = ()

@@ -96,14 +96,16 @@ def differences(
             continue
         for key, value in now.items():
             if _unordered(then.get(key)) != _unordered(value):
-                result.append(Difference(claim, _shown(key, then.get(key)), _shown(key, value)))
+                result.append(
+                    Difference(claim, _words_for(key, then.get(key)), _words_for(key, value))
+                )
     if whole:
         gone = [claim for claim in record if claim not in found]
         result += [Difference(c, str(record[c].get("verdict")), "not a claim") for c in gone]
     return result
 
 
-def unexpected(run: Run, expected: Mapping[str, str]) -> list[Difference]:
+def unexpected_verdicts(run: Run, expected: Mapping[str, str]) -> list[Difference]:
     """Where outcomes are others than the author expects: that all is true, unless he says so."""
     return [
         Difference(o.claim, expected.get(o.claim, "that it is true"), str(o.verdict))
@@ -124,7 +126,7 @@ def contradictions(run: Run, record: Mapping[str, Mapping[str, object]]) -> list
     return result
 
 
-def _shown(key: str, value: object) -> str:
+def _words_for(key: str, value: object) -> str:
     if isinstance(value, list):
         value = ", ".join(map(str, value)) or "none"
     return str(value) if key == "verdict" else f"{key} {value if value is not None else 'none'}"

@@ -29,7 +29,7 @@ from kowalevski_cas.verify.statement import Statement
 
 
 @dataclass(frozen=True)
-class Relation:
+class ConstantRelation:
     """A relation that gives a constant of a scene by the others."""
 
     constant: str
@@ -64,7 +64,7 @@ def supposes(scene: Scene, derivation: Derivation) -> bool:
     return not constants.isdisjoint(scene.definitions)
 
 
-def relations(statement: Statement) -> Iterator[Relation]:
+def relations(statement: Statement) -> Iterator[ConstantRelation]:
     """The relations of constants by which all identities of a statement hold.
 
     Each is linear in one constant, and has two terms at least: that a constant vanishes leaves
@@ -92,7 +92,7 @@ def _factors(space: Elaboration, polynomials: list[fmpq_mpoly]) -> Iterator[fmpq
         yield from (factor for factor, _ in common.factor()[1] if len(factor) > 1)
 
 
-def _solved(space: Elaboration, factor: fmpq_mpoly, scene: Scene) -> Iterator[Relation]:
+def _solved(space: Elaboration, factor: fmpq_mpoly, scene: Scene) -> Iterator[ConstantRelation]:
     """The relation that a polynomial vanishes, solved for a constant in which it is linear."""
     ring = space.finder.ring
     names = ring.polynomials.generators
@@ -103,5 +103,5 @@ def _solved(space: Elaboration, factor: fmpq_mpoly, scene: Scene) -> Iterator[Re
         rest = Element(ring, {0: factor - linear * ring.polynomials.generator(place)}, {})
         value = rest * Element(ring, {0: -linear}, {}).inverse()
         shown = formula_of(value, space.texts.vocabulary)
-        yield Relation(names[place], Equation((Name(names[place]), shown), ("=",)), scene)
+        yield ConstantRelation(names[place], Equation((Name(names[place]), shown), ("=",)), scene)
         return

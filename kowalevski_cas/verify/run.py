@@ -22,13 +22,13 @@ from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
-from kowalevski_cas.verify.bench import Decided
 from kowalevski_cas.verify.blame import Blame, Repairs
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.confirm import Disagreement, receive
-from kowalevski_cas.verify.mender import Mender
+from kowalevski_cas.verify.corrector import Corrector
 from kowalevski_cas.verify.outcome import CORRECTED, Correction, Outcome, Run, Screened, Verdict
 from kowalevski_cas.verify.statement import Statement
+from kowalevski_cas.verify.workbench import Decided
 
 FALSE_AS_READ = "false as it was read"
 """The words for a claim that fails, and that may have been meant otherwise."""
@@ -48,7 +48,7 @@ LEAST = 0.5
 """Seconds for a correction, however little the refutation has left."""
 
 
-def shared(
+def run_together(
     sessions: Sequence[Session], only: Sequence[str] = (), progress: Progress = lambda *_: None
 ) -> list[Run]:
     """The runs of sessions; processes share the claims of all of them.
@@ -83,7 +83,7 @@ def _corrected(session: Session, outcomes: Sequence[Outcome]) -> list[Outcome]:
     return [new if new is old else receive(new) for old, new in pairs]
 
 
-class Session(Mender):
+class Session(Corrector):
     """A run: each claim is decided once, and what it rests on before it."""
 
     patience: float | None = None
@@ -108,7 +108,7 @@ class Session(Mender):
         if self.timeout is None or watched():
             found = [self.outcome(claim) for claim in self.chosen(only)]
             return self.result(self.with_corrections(found, map))
-        (run,) = shared([self], only)
+        (run,) = run_together([self], only)
         return run
 
     def result(self, outcomes: Sequence[Outcome]) -> Run:
@@ -146,7 +146,7 @@ class Session(Mender):
             missing = [id for id in found.corrected if not self.stands(id)]
             decided = found.verdict is Verdict.REFUTED or found.verdict.likely
             if decided and missing:
-                unread = self.unread(
+                unread = self.outcome_without_evidence(
                     claim, self.on(claim), Verdict.UNDECIDED, f"rests on {', '.join(missing)}"
                 )
                 self.found[claim.id] = unread._replace(
@@ -181,18 +181,18 @@ class Session(Mender):
                 return self.with_acceptance(claim, self._corrected(claim, on))
         except TimeoutError as error:
             late = str(error) or f"not decided within {self.timeout:g} s"
-            return self.unread(claim, on, Verdict.TIMEOUT, late)
+            return self.outcome_without_evidence(claim, on, Verdict.TIMEOUT, late)
         except (
             NotationError, Meaningless, FormatError, ProcessDied, Unproved, Disagreement
         ) as error:  # fmt: skip
-            return self.unread(claim, on, Verdict.ERROR, str(error))
+            return self.outcome_without_evidence(claim, on, Verdict.ERROR, str(error))
         except (Exception, SystemExit) as error:
             return self._broken(claim, error)
 
     def _broken(self, claim: Claim, error: BaseException) -> Outcome:
         """The outcome for a claim where something goes wrong that nobody has thought of."""
         said = f"it cannot be computed ({type(error).__name__}: {error})"
-        outcome = self.unread(claim, self.on(claim), Verdict.ERROR, said)
+        outcome = self.outcome_without_evidence(claim, self.on(claim), Verdict.ERROR, said)
         return outcome._replace(stack=format_exc(limit=-FRAMES))
 
     def _corrected(self, claim: Claim, on: Elaborations) -> Outcome:

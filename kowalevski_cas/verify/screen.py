@@ -9,7 +9,7 @@ from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Name
 from kowalevski_cas.paper.generators import decides
-from kowalevski_cas.problem.differentials import chosen, differentials
+from kowalevski_cas.problem.differentials import differentials, functions_for_differentials
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Found
 from kowalevski_cas.problem.finder import finder_of
@@ -26,7 +26,7 @@ from kowalevski_cas.problem.goals import (
 from kowalevski_cas.problem.sampled import Sampled
 from kowalevski_cas.problem.space import Meaningless, Setting
 from kowalevski_cas.search.follows import alternatives
-from kowalevski_cas.verify.outcome import Counterexample, Point, Screened, Value, Verdict
+from kowalevski_cas.verify.outcome import Counterexample, PrintedPoint, Screened, Value, Verdict
 from kowalevski_cas.verify.statement import Statement, Verdicts
 
 Stages = dict[Setting, Sampled]
@@ -70,7 +70,7 @@ def screen(
 def _refuted(answer: Answer) -> Screened:
     values: dict[object, Value] = {Name(n): v for n, v in answer.point.items() if n}
     words = f"{answer.words}: {answer.left} and {answer.right}"
-    found = Counterexample(Point(values), answer.left, answer.right, words)  # type: ignore[arg-type] # numbers, no formulas
+    found = Counterexample(PrintedPoint(values), answer.left, answer.right, words)  # type: ignore[arg-type] # numbers, no formulas
     return Screened(Verdict.REFUTED, answer.words, found)
 
 
@@ -131,7 +131,9 @@ def _question(goal: Follows | Rank, at: Evaluation) -> Question:
     given = _programs(at.differences(goal.given))
     match goal:
         case Rank():
-            rows = [_programs(row) for row in differentials(chosen(goal, at), at)]
+            rows = [
+                _programs(row) for row in differentials(functions_for_differentials(goal, at), at)
+            ]
             return Question(at.programs, given=given, rows=rows, rank=goal.rank)
         case Fails():
             return Question(at.programs, given=given, somewhere=_programs(alternatives(goal, at)))

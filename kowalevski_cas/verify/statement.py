@@ -16,7 +16,7 @@ from kowalevski_cas.problem.codec import digest
 from kowalevski_cas.problem.evidence import At, Denial, Evidence
 from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Follows, Goal, Problem, simple
-from kowalevski_cas.problem.prune import pruned
+from kowalevski_cas.problem.prune import prune
 from kowalevski_cas.problem.space import Meaningless, Setting, Space
 
 Verdicts = tuple[Evidence, ...] | Denial
@@ -43,7 +43,7 @@ class Statement:
         if not self.claimed:  # all of them would hold
             raise Meaningless(f"{claim.id} states nothing")
         check_hypotheses(self.claimed)
-        self.problem = pruned(self.claimed)
+        self.problem = prune(self.claimed)
         self.goals = self.problem.goals
         for setting in self.legend.values():
             _ = setting.finder  # a scene that contradicts itself is refused
@@ -84,7 +84,7 @@ class Statement:
             used = dict.fromkeys([*named, *moving])
             found |= used
             for place in own | used:
-                found |= dict.fromkeys(setting.written_out(place))
+                found |= dict.fromkeys(setting.inlined_places(place))
         return tuple(found)
 
     def search(self) -> Verdicts | None:

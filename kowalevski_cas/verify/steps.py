@@ -26,11 +26,27 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.paper.claims import Claim, Dimension
 from kowalevski_cas.paper.claims.forms import ONE, ZERO
 from kowalevski_cas.paper.elaborate import Elaboration
-from kowalevski_cas.problem.evidence import At, Denial, Evidence, Found, Proof, Roots, Row, Shown
+from kowalevski_cas.problem.evidence import (
+    At,
+    Denial,
+    Entailment,
+    Evidence,
+    Found,
+    Proof,
+    Roots,
+    Row,
+)
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.verify.outcome import Step
-from kowalevski_cas.verify.shown import flat_product, point, scaled, shown, size, written
+from kowalevski_cas.verify.as_printed import (
+    element_formula,
+    flat_product,
+    point,
+    printed_formula,
+    signed_product,
+    size,
+)
+from kowalevski_cas.verify.outcome import ReportedStep
 from kowalevski_cas.verify.statement import Statement, Verdicts
 
 LONGEST = 24
@@ -40,10 +56,10 @@ MOST = 12
 """How many products a combination has at most, for it to be shown."""
 
 
-_VANISHES: Final = Step("The derivative along the vector field vanishes identically.")
+_VANISHES: Final = ReportedStep("The derivative along the vector field vanishes identically.")
 
 
-def steps(statement: Statement, verdicts: Verdicts) -> tuple[Step, ...]:
+def steps(statement: Statement, verdicts: Verdicts) -> tuple[ReportedStep, ...]:
     """The steps that the program took; formulas of which the same is said stand together."""
     if isinstance(verdicts, Denial):
         goal = statement.goals[verdicts.goal]
@@ -53,29 +69,29 @@ def steps(statement: Statement, verdicts: Verdicts) -> tuple[Step, ...]:
         told = [s for goal, evidence in both for s in _steps(statement, goal, evidence)]
         follows = all(isinstance(goal, Follows) for goal in statement.goals)
         told = told or [_identical(statement)] * follows
-    merged: dict[Step, dict[Formula, None]] = {}
+    merged: dict[ReportedStep, dict[Formula, None]] = {}
     for step in told:
         merged.setdefault(step._replace(formulas=()), {}).update(dict.fromkeys(step.formulas))
     return tuple(step._replace(formulas=tuple(formulas)) for step, formulas in merged.items())
 
 
-def _identical(statement: Statement) -> Step:
+def _identical(statement: Statement) -> ReportedStep:
     """That everything vanishes identically: two sides, if the claim is an equation."""
     own = statement.claim.printed
     formula = None if own is None else statement.on.texts.formula(own)
     if isinstance(formula, Relation) and Unwritten() not in formula.nodes():
-        return Step("The two sides agree identically.")
-    return Step("The equations that say so hold identically.")
+        return ReportedStep("The two sides agree identically.")
+    return ReportedStep("The equations that say so hold identically.")
 
 
-def _steps(statement: Statement, goal: Goal, evidence: Evidence) -> Iterator[Step]:
+def _steps(statement: Statement, goal: Goal, evidence: Evidence) -> Iterator[ReportedStep]:
     claim, legend = statement.claim, statement.legend
     match goal, evidence:
         case Exists(), Found():
             yield from _found(goal, evidence, statement)
         case Fails(), _:
             return
-        case Follows(), Shown(proof, _):
+        case Follows(), Entailment(proof, _):
             yield from _derivatives(goal, statement)
             yield from _proof(claim, goal, proof, legend[goal.space])
         case Rank(), At():
@@ -87,9 +103,9 @@ def _steps(statement: Statement, goal: Goal, evidence: Evidence) -> Iterator[Ste
 # -- derivatives ---------------------------------------------------------------------
 
 
-def _derivatives(goal: Follows, statement: Statement) -> Iterator[Step]:
+def _derivatives(goal: Follows, statement: Statement) -> Iterator[ReportedStep]:
     """The derivatives that the program generated for left sides."""
-    told: list[Step] = []
+    told: list[ReportedStep] = []
     for left, _ in goal.conclusions[0] if goal.conclusions else ():
         match left:
             case (Derivative() as rate) | Product((Number(), Derivative() as rate)):
@@ -97,7 +113,7 @@ def _derivatives(goal: Follows, statement: Statement) -> Iterator[Step]:
     yield from [step for step in told if step != _VANISHES] or told[:1]
 
 
-def _derivative(formula: Derivative, setting: Elaboration) -> Iterator[Step]:
+def _derivative(formula: Derivative, setting: Elaboration) -> Iterator[ReportedStep]:
     try:
         values = setting.finder.components(formula)
     except Meaningless:
@@ -105,18 +121,22 @@ def _derivative(formula: Derivative, setting: Elaboration) -> Iterator[Step]:
     if all(value.is_zero for value in values):
         yield _VANISHES
     elif (terms := size(values)) > LONGEST:
-        yield Step(f"The derivative along the vector field, as generated, has {terms} terms.")
+        yield ReportedStep(
+            f"The derivative along the vector field, as generated, has {terms} terms."
+        )
     else:
-        parts = tuple(shown(value, setting) for value in values)
+        parts = tuple(element_formula(value, setting) for value in values)
         right = parts[0] if len(parts) == 1 else Vector(parts)
         words = "The derivative along the vector field, as generated:"
-        yield Step(words, (equal(written(formula, setting), right),))
+        yield ReportedStep(words, (equal(printed_formula(formula, setting), right),))
 
 
 # -- proofs --------------------------------------------------------------------------
 
 
-def _proof(claim: Claim, goal: Follows, proof: Proof, setting: Elaboration) -> Iterator[Step]:
+def _proof(
+    claim: Claim, goal: Follows, proof: Proof, setting: Elaboration
+) -> Iterator[ReportedStep]:
     """The combination that division found, or the cases."""
     if isinstance(claim, Dimension):
         yield _independent(proof, setting)
@@ -126,13 +146,13 @@ def _proof(claim: Claim, goal: Follows, proof: Proof, setting: Elaboration) -> I
         yield _combination(goal, proof, setting)
 
 
-def _independent(proof: Proof, setting: Elaboration) -> Step:
+def _independent(proof: Proof, setting: Elaboration) -> ReportedStep:
     """At all points of the set, by how many identities."""
     rows = [*_rows(proof)]
     terms = size(setting.finder.scalar(entry) for row in rows for entry in row)
     words = "At every point of the set that the hypotheses admit the differentials are independent"
     words += f", by {len(rows)} identities whose coefficients have {terms} terms"
-    return Step(words, withheld=True)
+    return ReportedStep(words, withheld=True)
 
 
 def _rows(proof: Proof) -> Iterator[Row]:
@@ -142,13 +162,15 @@ def _rows(proof: Proof) -> Iterator[Row]:
         yield from _rows(case)
 
 
-def _cases(proof: Proof, setting: Elaboration) -> Step:
+def _cases(proof: Proof, setting: Elaboration) -> ReportedStep:
     groups = [[setting.finder.scalar(entry) for entry in group] for group in proof.product]
     words = "From what is given it follows that a product vanishes; it is shown case by case"
     if size(element for group in groups for element in group) > LONGEST:
-        return Step(f"{words}, for each of its factors", withheld=True)
-    factors = [_squares([shown(element, setting) for element in group]) for group in groups]
-    return Step(f"{words}, for each factor:", (equal(flat_product(factors), ZERO),))
+        return ReportedStep(f"{words}, for each of its factors", withheld=True)
+    factors = [
+        _squares([element_formula(element, setting) for element in group]) for group in groups
+    ]
+    return ReportedStep(f"{words}, for each factor:", (equal(flat_product(factors), ZERO),))
 
 
 def _squares(group: Sequence[Formula]) -> Formula:
@@ -156,7 +178,7 @@ def _squares(group: Sequence[Formula]) -> Formula:
     return group[0] if len(group) == 1 else total(Power(one, Number(2)) for one in group)
 
 
-def _combination(goal: Follows, proof: Proof, setting: Elaboration) -> Step:
+def _combination(goal: Follows, proof: Proof, setting: Elaboration) -> ReportedStep:
     rows = [[setting.finder.scalar(entry) for entry in row] for row in proof.rows]
     terms = size(entry for row in rows for entry in row)
     one = len(goal.conclusions) == 1
@@ -165,12 +187,12 @@ def _combination(goal: Follows, proof: Proof, setting: Elaboration) -> Step:
     words = f"{what[0].upper()}{what[1:]}" if one else f"One of the alternatives holds: {what}"
     products = sum(not entry.is_zero for row in rows for entry in row)
     if terms > LONGEST or products > MOST:
-        return Step(f"{words}; its coefficients have {terms} terms", withheld=True)
+        return ReportedStep(f"{words}; its coefficients have {terms} terms", withheld=True)
     choices = product(*(_differences(one, setting) for one in goal.conclusions))
     lefts = [power(left, proof.power) for left in map(flat_product, choices)]
     known = _differences(goal.given, setting)
     sums = [_sum(row, known, setting) for row in rows]
-    return Step(f"{words}:", tuple(map(equal, lefts, sums)))
+    return ReportedStep(f"{words}:", tuple(map(equal, lefts, sums)))
 
 
 def _differences(
@@ -181,9 +203,9 @@ def _differences(
     for sides in equations:
         parts = setting.finder.differences((sides,))
         if len(parts) == 1:
-            found.append(written(_minus(*sides), setting))
+            found.append(printed_formula(_minus(*sides), setting))
         else:
-            found += [shown(part, setting) for part in parts]
+            found += [element_formula(part, setting) for part in parts]
     return found
 
 
@@ -194,7 +216,7 @@ def _minus(left: Formula, right: Formula) -> Formula:
 
 def _sum(row: Sequence[Element], known: Sequence[Formula], setting: Elaboration) -> Formula:
     return total(
-        scaled(shown(entry, setting), one)
+        signed_product(element_formula(entry, setting), one)
         for entry, one in zip(row, known, strict=True)
         if not entry.is_zero
     )
@@ -203,11 +225,11 @@ def _sum(row: Sequence[Element], known: Sequence[Formula], setting: Elaboration)
 # -- what is found -------------------------------------------------------------------
 
 
-def _found(goal: Exists, evidence: Found, statement: Statement) -> Iterator[Step]:
+def _found(goal: Exists, evidence: Found, statement: Statement) -> Iterator[ReportedStep]:
     """The numbers that were found; and the equations that are linear in bound names."""
     if goal.numbers:
         equations = tuple(equal(Name(name), evidence.values[name]) for name in goal.numbers)
-        yield Step("The numbers that the program found:", equations)
+        yield ReportedStep("The numbers that the program found:", equations)
     for one in goal.goals:
         if not isinstance(one, Follows):
             continue
@@ -231,24 +253,26 @@ def _linear(formula: Formula, bound: Sequence[str]) -> list[tuple[str, Formula]]
 
 def _bound(
     left: Formula, terms: Sequence[tuple[str, Formula]], evidence: Found, setting: Elaboration
-) -> Step:
+) -> ReportedStep:
     values = [setting.finder.scalar(evidence.values[name]) for name, _ in terms]
     what = "derivatives" if isinstance(left, Derivative) else "functions"
     if (many := size(values)) > LONGEST:
         one = f"The {what[:-1]} of one" if what == "derivatives" else "One function"
         words = "is a linear combination of the relations whose coefficients have"
-        return Step(f"{one} {words} {many} terms", withheld=True)
+        return ReportedStep(f"{one} {words} {many} terms", withheld=True)
     words = f"The {what} are linear combinations of the relations"
-    right = _sum(values, [written(one, setting) for _, one in terms], setting)
-    return Step(f"{words}:", (equal(written(left, setting), right),))
+    right = _sum(values, [printed_formula(one, setting) for _, one in terms], setting)
+    return ReportedStep(f"{words}:", (equal(printed_formula(left, setting), right),))
 
 
-def _rank(claim: Claim, goal: Rank, evidence: At, setting: Elaboration) -> Step:
+def _rank(claim: Claim, goal: Rank, evidence: At, setting: Elaboration) -> ReportedStep:
     count = len(goal.space.variables)
     where = point(evidence.point.values, setting)
     if len(goal.functions) == 1 and not isinstance(claim, Dimension):
         others = " is independent of those of the hypotheses" if goal.given else " does not vanish"
-        return Step(f"the differential{others}, so the function is not constant.", point=where)
+        return ReportedStep(
+            f"the differential{others}, so the function is not constant.", point=where
+        )
     words = (
         f"{goal.rank} differentials are independent in the space of dimension {count}, so that "
         f"near this point the common level is a manifold of dimension {count - goal.rank}"
@@ -256,16 +280,18 @@ def _rank(claim: Claim, goal: Rank, evidence: At, setting: Elaboration) -> Step:
     words += (
         "." if goal.given else ", and hence they are independent on a dense subset of the space."
     )
-    return Step(words, point=where)
+    return ReportedStep(words, point=where)
 
 
-def _roots(found: Roots, setting: Elaboration) -> Step:
+def _roots(found: Roots, setting: Elaboration) -> ReportedStep:
     at, root = setting.finder, Name(found.root)
-    coefficients = [shown(at.scalar(entry), setting) for entry in found.eliminant]
+    coefficients = [element_formula(at.scalar(entry), setting) for entry in found.eliminant]
     powers = [ONE, root, *(Power(root, Number(k)) for k in range(2, len(coefficients) + 1))]
-    terms = [scaled(c, p) for c, p in zip(coefficients, powers[:-1], strict=True) if c != ZERO]
+    terms = [
+        signed_product(c, p) for c, p in zip(coefficients, powers[:-1], strict=True) if c != ZERO
+    ]
     equation = total([powers[-1], *reversed(terms)])
-    return Step(
+    return ReportedStep(
         "The solutions are given by the roots of one equation, all real and distinct:",
         (equal(root, found.form), equal(equation, ZERO)),
     )

@@ -11,13 +11,13 @@ from kowalevski_cas.export import Inexpressible
 from kowalevski_cas.limits import time_limit
 from kowalevski_cas.problem.checker import Rejected
 from kowalevski_cas.problem.codec import evidence_data
-from kowalevski_cas.problem.evidence import Shown
+from kowalevski_cas.problem.evidence import Entailment
 from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Problem
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
 from kowalevski_cas.search.place import PointFinder
-from kowalevski_cas.verify.certificate import written
+from kowalevski_cas.verify.certificate import certificate_text
 from study.labelled import Labelled, identities
 from study.step import Measured
 
@@ -75,5 +75,5 @@ def certificate(one: Labelled) -> str:
     for goal in identities(Problem(statement.goals)):
         at = finder_of(goal.space)
         sides = [side for pair in at.pairs(goal.conclusions[0]) for side in pair]
-        evidence.append(evidence_data(Shown(point=points.point(at, divided=sides))))
-    return written(statement, "holds", evidence)
+        evidence.append(evidence_data(Entailment(point=points.point(at, divided=sides))))
+    return certificate_text(statement, "holds", evidence)

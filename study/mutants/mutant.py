@@ -9,7 +9,7 @@ from functools import lru_cache
 from random import Random
 
 from kowalevski_cas.audit.audit import Audit
-from kowalevski_cas.audit.places import Place
+from kowalevski_cas.audit.places import Correspondence
 from kowalevski_cas.notation import (
     Formula,
     NotationError,
@@ -20,7 +20,7 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.source.displays import Typed
+from kowalevski_cas.source.displays import TypedFormula
 
 PATIENCE = 10
 """How often a token is drawn in vain before no other mutant is looked for."""
@@ -54,8 +54,8 @@ class Mutant:
 class Site:
     """A token of a formula that can be changed."""
 
-    place: Place
-    typed: Typed
+    place: Correspondence
+    typed: TypedFormula
     tokens: list[Token]
     at: int
 

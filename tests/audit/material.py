@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from kowalevski_cas.audit.audit import Audit, audit
-from kowalevski_cas.audit.patch import mended
+from kowalevski_cas.audit.patch import repair_source
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.library import find, load
 from kowalevski_cas.processes import each
@@ -63,7 +63,7 @@ def audited() -> Audit:
 @cache
 def patched() -> str:
     """The source with its misprints mended."""
-    return mended(audited()).text
+    return repair_source(audited()).text
 
 
 @cache

@@ -3,7 +3,7 @@
 import pytest
 
 from kowalevski_cas.audit.audit import audit
-from kowalevski_cas.audit.patch import mended
+from kowalevski_cas.audit.patch import repair_source
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.paper.derivation import Derivation, Section
@@ -105,7 +105,7 @@ def test_a_changed_definition_is_the_cause(old, new, cause, false):
     for claim, known in base().outcomes.items():  # the same problem is not decided again
         outcome = found.outcomes[claim]
         assert outcome is known or outcome.digest != known.digest or not known.verdict.green
-    patched = mended(found).text
+    patched = repair_source(found).text
     if r"\bs" in old:
         assert old in patched, "macros of the author stay"
     assert not any(f.wrong for f in audit(Source("paper.tex", patched), base()).formulas)
@@ -189,7 +189,7 @@ def test_a_misprint_in_a_definition_of_the_derivation_is_the_cause():
     assert energy.breaks == ("rate", "value")
     assert "x^2 + y^2" in energy.message
     assert all(outcome.correction is None for outcome in found.outcomes.values())
-    mended_text = mended(found).text
+    mended_text = repair_source(found).text
     assert r"\frac{1}{2}(x^2+y^2)" in mended_text.replace(" ", "")
     again = audit(Source("mended.tex", mended_text), run)
     assert not any(formula.wrong for formula in again.formulas)

@@ -6,7 +6,7 @@ import subprocess
 import pytest
 
 from kowalevski_cas.audit.audit import audit
-from kowalevski_cas.audit.patch import mended, patch
+from kowalevski_cas.audit.patch import patch, repair_source
 from kowalevski_cas.source.text import Source
 from tests.audit.material import audited, audited_again, base, changed, patched, source, watched
 
@@ -42,7 +42,7 @@ def test_a_patch_changes_as_little_as_it_can():
 )
 @watched
 def test_what_was_changed_is_mended(old, new):
-    assert wrong(mended(changed(old, new)).text) == []
+    assert wrong(repair_source(changed(old, new)).text) == []
 
 
 def test_the_diff_applies(tmp_path):
@@ -62,6 +62,6 @@ def test_no_misprint_no_patch():
 
 def test_line_ends_of_another_system_stay():
     text = source().text.replace("\n", "\r\n")
-    found = mended(audit(Source("paper.tex", text), base())).text
+    found = repair_source(audit(Source("paper.tex", text), base())).text
     assert found.count("\n") == found.count("\r\n")
     assert found.replace("\r\n", "\n") == patched()

@@ -74,7 +74,7 @@ def cli(capsys):
 @pytest.fixture
 def decided(monkeypatch, run):
     """The first paper is decided once for all tests."""
-    monkeypatch.setattr("kowalevski_cas.cli.session.shared", lambda *_: [run])
+    monkeypatch.setattr("kowalevski_cas.cli.session.run_together", lambda *_: [run])
 
 
 def process(*arguments, **options):
@@ -443,7 +443,7 @@ def test_an_interrupt_leaves_the_record_as_it_was(cli, write, monkeypatch):
     def interrupted(*_, **__):
         raise KeyboardInterrupt
 
-    for place in ("kowalevski_cas.cli.session.shared", "os.replace", "os.chmod"):
+    for place in ("kowalevski_cas.cli.session.run_together", "os.replace", "os.chmod"):
         with monkeypatch.context() as patch:
             patch.setattr(place, interrupted)
             code, _, err = cli("record", folder)

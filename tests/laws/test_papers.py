@@ -109,7 +109,7 @@ def changes_of_scenes(name, many):
         found = [edit for edit in printed if len(edit.path) > 1]  # no side of its own: a head
         if not found:
             continue
-        texts = on.texts.edited(place, choose.choice(found))
+        texts = on.texts.with_edit(place, choose.choice(found))
         try:
             other = Statement(claim, on.under(texts))
         except (NotationError, Meaningless, ZeroDivisionError, ValueError):

@@ -6,7 +6,7 @@ from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem import checker
 from kowalevski_cas.questions import question
-from kowalevski_cas.verify.found import with_findings
+from kowalevski_cas.verify.finding import with_findings
 from kowalevski_cas.verify.run import Session
 from study.published import PUBLISHED
 from tests.sample import sampled

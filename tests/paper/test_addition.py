@@ -15,7 +15,7 @@ from kowalevski_cas.problem.evidence import At
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Along
-from kowalevski_cas.problem.prune import pruned
+from kowalevski_cas.problem.prune import prune
 from kowalevski_cas.search.find import Finder
 from tests.sample import sampled
 
@@ -24,7 +24,7 @@ SIGNS = [(True, False), (False, False), (False, True)]
 
 def certificate(goal, evidence):
     """The text of a certificate of one goal, which nobody has checked."""
-    problem = pruned([goal])
+    problem = prune([goal])
     head = {"format": "kowalevski-cas certificate", "version": 2, "claim": "theorem"}
     sign = "holds" if isinstance(evidence, At) else "denied"
     entry = evidence_data(evidence) | ({} if sign == "holds" else {"goal": 0})

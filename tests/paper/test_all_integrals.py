@@ -5,7 +5,7 @@ import pytest
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.paper.claims import AllDarboux, AllIntegrals
 from kowalevski_cas.problem import checker
-from kowalevski_cas.verify.found import Finding, with_findings
+from kowalevski_cas.verify.finding import Finding, with_findings
 from kowalevski_cas.verify.run import Session
 from tests.laws.systems import EULER, LORENZ, SPECIAL_LORENZ, TODA, VOLTERRA
 from tests.sample import sampled

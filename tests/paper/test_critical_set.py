@@ -12,7 +12,7 @@ from kowalevski_cas.library import load
 from kowalevski_cas.notation import Name, edits, to_latex
 from kowalevski_cas.paper.claims import CriticalSet
 from kowalevski_cas.problem.accept import Judge
-from kowalevski_cas.problem.evidence import Denial, Proof, Shown
+from kowalevski_cas.problem.evidence import Denial, Entailment, Proof
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.verify.outcome import Verdict
@@ -139,7 +139,7 @@ def test_another_function_moves_on_the_set(session, claim, words) -> None:
     [edit, *_] = [
         e for e in edits(texts.statement(claim.printed), texts.vocabulary) if e.words == words
     ]
-    one = statement(session, claim, texts.edited(claim.printed, edit))
+    one = statement(session, claim, texts.with_edit(claim.printed, edit))
     denial = one.search()
     assert isinstance(denial, Denial)
     Judge(finder_of).denies(one.goals[denial.goal], denial.evidence)
@@ -154,7 +154,7 @@ def test_wrong_steps_prove_nothing(session) -> None:
     one = statement(session, ON_ZERO_LEVEL)
     shown = session._evidence(one, "corrected/critical-set")
     converse = shown[1]
-    assert isinstance(converse, Shown) and converse.proof.cases
+    assert isinstance(converse, Entailment) and converse.proof.cases
     Judge(finder_of).holds(one.goals[1], converse)
     proof = converse.proof
     (step,), (rest,) = proof.product, proof.cases

@@ -17,7 +17,7 @@ from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evidence import Denial, Roots
 from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.verify.counterexamples import counterexample
-from kowalevski_cas.verify.outcome import Counterexample, Point, Verdict
+from kowalevski_cas.verify.outcome import Counterexample, PrintedPoint, Verdict
 from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement
 from tests.paper.small import Motion
@@ -87,7 +87,7 @@ def at_angle(found: Counterexample, t: Fraction) -> Counterexample:
         return formula
 
     values = {name: v.map_children(value) for name, v in found.point.values.items()}
-    return found._replace(point=Point(values))
+    return found._replace(point=PrintedPoint(values))
 
 
 def test_on_the_exceptional_locus_there_is_a_circle(outcome) -> None:

@@ -32,7 +32,7 @@ def test_an_unreadable_display_is_named(texts):
 
 def test_an_edit_changes_one_statement_and_not_the_texts(texts):
     edit = next(edits(texts.statement(ROWS[2]), WORDS))
-    edited = texts.edited(ROWS[2], edit)
+    edited = texts.with_edit(ROWS[2], edit)
     assert edited.formula(ROWS[2]) == edit.formula != texts.formula(ROWS[2])
     assert edited.formula(ROWS[1]) == texts.formula(ROWS[1])
     assert edited.changes(frozenset({ROWS[2]})) and not edited.changes(frozenset({ROWS[1]}))

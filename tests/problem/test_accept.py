@@ -15,6 +15,7 @@ from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.codec import evidence_data, problem_data
 from kowalevski_cas.problem.evidence import (
     At,
+    Entailment,
     Factor,
     Found,
     Further,
@@ -23,7 +24,6 @@ from kowalevski_cas.problem.evidence import (
     Proof,
     Regardless,
     Roots,
-    Shown,
     Solutions,
 )
 from kowalevski_cas.problem.examine import Unproved
@@ -37,7 +37,7 @@ from kowalevski_cas.problem.goals import (
     Rank,
     identity,
 )  # fmt: skip
-from kowalevski_cas.problem.space import Adjoined, Let, Motion, Raised, Space
+from kowalevski_cas.problem.space import Adjoined, EquationOfMotion, Let, Raised, Space
 from kowalevski_cas.problem.trees import decode
 
 from .judges import judge
@@ -89,7 +89,7 @@ def test_a_printed_root_is_not_negative_at_a_point(parts, name):
     size = sum(part * one**0.5 for part, one in zip(parts, (1, 2, 3, 6), strict=True))
     space = Space(("x",), steps=(Adjoined(name, Name("x")),))
     found = Point({"x": decode(["^", value, 2]), name: decode(value)})
-    goal, evidence = follows(["x", ["^", name, 2]], space=space), Shown(Proof(), found)
+    goal, evidence = follows(["x", ["^", name, 2]], space=space), Entailment(Proof(), found)
     if name == "r" or size > -1e-9:
         accepted(goal, evidence)
         checker.check(certificate(goal, evidence))
@@ -124,7 +124,10 @@ def test_a_point_is_none_of_a_statement_if_anything_vanishes_by_which_it_is_divi
     """However deep it stands, and for either root; the judge has it so, and the checker."""
     space = Space(("x", "y"), steps=(Adjoined("r", Name("x")),))
     place = {"x": x, "y": y, "r": {0: 0, 1: 1, 4: -2}[x]}
-    goal, evidence = follows(["r", "r"], [tree, tree], space=space), Shown(Proof(), at(**place))
+    goal, evidence = (
+        follows(["r", "r"], [tree, tree], space=space),
+        Entailment(Proof(), at(**place)),
+    )
     try:
         number(tree, place), number(tree, {**place, "r": -place["r"]})
     except ZeroDivisionError:
@@ -155,38 +158,38 @@ I = Adjoined("i", decode(minus(1)))  # noqa: E741
 COMPLEX = Space(("x", "y"), steps=(I,))
 SQUARE, SUM = ["^", "x", 2], plus(["^", "x", 2], ["^", "y", 2])
 ORIGIN = at(x=0, y=0)
-IDENTICALLY = Shown(Proof(), at(x=1, y=2))
+IDENTICALLY = Entailment(Proof(), at(x=1, y=2))
 """The two sides are equal, and there is a point."""
 
 
 class TestHypotheses:
     def test_one_equals_zero(self):
         goal = follows(["x", 0], given=[[1, 0]])
-        rejected(goal, Shown(Proof((row("x"),)), ORIGIN), "not where it should be")
+        rejected(goal, Entailment(Proof((row("x"),)), ORIGIN), "not where it should be")
 
     def test_no_point(self):
         none = "no real point is known that satisfies the hypotheses"
-        rejected(follows(["x", 0], given=[["x", 0]]), Shown(Proof((row(1),))), none)
-        rejected(follows(["x", "x"]), Shown(), none)
-        rejected(Follows(XY, (), equations([1, 0])), Shown(Proof((row(1),))), none)
+        rejected(follows(["x", 0], given=[["x", 0]]), Entailment(Proof((row(1),))), none)
+        rejected(follows(["x", "x"]), Entailment(), none)
+        rejected(Follows(XY, (), equations([1, 0])), Entailment(Proof((row(1),))), none)
 
     def test_a_condition_that_vanishes_wherever_the_hypotheses_hold(self):
         goal, proof = follows(["y", 0], given=[["x", 0]]), Proof((row(["/", "y", "x"]),))
         for x in (0, 1):
-            rejected(goal, Shown(proof, at(x=x, y=0)), "not where|divided by")
+            rejected(goal, Entailment(proof, at(x=x, y=0)), "not where|divided by")
 
     def test_hypotheses_that_hold_at_no_real_point(self):
         goal = follows(["y", 0], given=[[plus(SQUARE, 1), 0], ["y", 0]], space=COMPLEX)
-        rejected(goal, Shown(Proof((row(0, 1),)), at(x="i", y=0, i="i")), "not real")
+        rejected(goal, Entailment(Proof((row(0, 1),)), at(x="i", y=0, i="i")), "not real")
         goal = replace(goal, space=XY)
-        rejected(goal, Shown(Proof((row(0, 1),)), at(x="i", y=0)), "not real")
+        rejected(goal, Entailment(Proof((row(0, 1),)), at(x="i", y=0)), "not real")
 
     def test_emptiness_by_what_vanishes_on_the_set(self):
         empty = Follows(XY, (), equations(["x", 0]))
         proof = Proof((row(["/", 1, "x"]),))
-        rejected(empty, Shown(proof, at(x=1, y=0)), "may be zero")
+        rejected(empty, Entailment(proof, at(x=1, y=0)), "may be zero")
         granted = replace(empty, space=Space(("x", "y"), nonzero=row("x")))
-        accepted(granted, Shown(proof, at(x=1, y=0)))
+        accepted(granted, Entailment(proof, at(x=1, y=0)))
 
     def test_emptiness_in_a_setting_that_is_empty(self):
         """Where no r is the root of -1 - x², no r is 5; but that says nothing of 5."""
@@ -195,19 +198,19 @@ class TestHypotheses:
         empty = Follows(space, (), equations([["^", "r", 2], plus(minus(SQUARE), 4)]))
         proof = Proof((row(["/", -1, 5]),))
         for r in (1, "i", ["*", -1, "i"]):
-            rejected(empty, Shown(proof, at(x=0, r=r)), "no root|not a root|not real")
-        rejected(empty, Shown(proof, at(x=0)), "leaves a value out|not real|not where")
+            rejected(empty, Entailment(proof, at(x=0, r=r)), "no root|not a root|not real")
+        rejected(empty, Entailment(proof, at(x=0)), "leaves a value out|not real|not where")
 
     def test_emptiness_with_a_point_of_the_set(self):
         empty = Follows(XY, (), equations(["x", 0]))
-        rejected(empty, Shown(Proof((row(1),)), ORIGIN), "not equal")
+        rejected(empty, Entailment(Proof((row(1),)), ORIGIN), "not equal")
         denied = At(at(x=0, y=5))
         accepted(empty, denied, sign=False)
         denial_rejected(empty, At(at(x=1, y=5)), "not where")
 
     def test_nothing_stated(self):
         for goal in (Follows(XY, ((),)), Follows(XY, ((), equations(["x", 0])))):
-            rejected(goal, Shown(), "nothing is stated")
+            rejected(goal, Entailment(), "nothing is stated")
         accepted(follows(["x", "x"]), IDENTICALLY)
 
 
@@ -216,7 +219,7 @@ class TestProofs:
     ROWS = (row(1, 1), row(0, 1))
 
     def test_honest_rows(self):
-        assert accepted(self.GOAL, Shown(Proof(self.ROWS), ORIGIN)) == []
+        assert accepted(self.GOAL, Entailment(Proof(self.ROWS), ORIGIN)) == []
 
     @pytest.mark.parametrize("k", range(2))
     @pytest.mark.parametrize("j", range(2))
@@ -224,7 +227,7 @@ class TestProofs:
     def test_a_number_changed(self, k, j, entry):
         rows = [list(one) for one in self.ROWS]
         rows[k][j] = decode(entry)
-        rejected(self.GOAL, Shown(Proof(tuple(map(tuple, rows))), ORIGIN), "not equal")
+        rejected(self.GOAL, Entailment(Proof(tuple(map(tuple, rows))), ORIGIN), "not equal")
 
     @pytest.mark.parametrize(
         "rows",
@@ -232,25 +235,25 @@ class TestProofs:
          (row(1, 1), ()), (ROWS[1], ROWS[0])],
     )  # fmt: skip
     def test_rows_of_another_shape(self, rows):
-        rejected(self.GOAL, Shown(Proof(rows), ORIGIN), "row|not equal")
+        rejected(self.GOAL, Entailment(Proof(rows), ORIGIN), "row|not equal")
 
     @pytest.mark.parametrize("rows", [None, 5, "xy", (5,), ((5, 6), (7, 8)), ((None, None),) * 2])
     def test_rows_that_are_none(self, rows):
-        unproved(self.GOAL, Shown(Proof(rows), ORIGIN))
+        unproved(self.GOAL, Entailment(Proof(rows), ORIGIN))
 
     @pytest.mark.parametrize("power", [0, -1, 17, 10**9, None, "x"])
     def test_a_power_of_the_goal_that_is_none(self, power):
-        unproved(self.GOAL, Shown(Proof(self.ROWS, power=power), ORIGIN))
+        unproved(self.GOAL, Entailment(Proof(self.ROWS, power=power), ORIGIN))
 
     def test_a_power_of_the_goal_vanishes_with_it(self):
         goal = follows(["x", 0], given=[[SQUARE, 0]])
-        accepted(goal, Shown(Proof((row(1),), power=2), ORIGIN))
-        rejected(goal, Shown(Proof((row(1),), power=3), ORIGIN), "not equal")
+        accepted(goal, Entailment(Proof((row(1),), power=2), ORIGIN))
+        rejected(goal, Entailment(Proof((row(1),), power=3), ORIGIN), "not equal")
 
     def test_a_name_that_is_not_there(self):
         for tree in ("z", ["D", "x"], ["conj", "z"], ["sqrt", "x"], ["/", 1, 0], ["^", "x", "y"]):
             entry = decode(tree) if tree != ["^", "x", "y"] else None
-            unproved(self.GOAL, Shown(Proof(((entry, entry), row(0, 1))), ORIGIN))
+            unproved(self.GOAL, Entailment(Proof(((entry, entry), row(0, 1))), ORIGIN))
 
     @pytest.mark.parametrize(
         "evidence",
@@ -260,7 +263,7 @@ class TestProofs:
         unproved(self.GOAL, evidence, "no evidence")
 
     def test_what_shows_is_no_denial_and_the_reverse(self):
-        denial_rejected(self.GOAL, Shown(Proof(self.ROWS), ORIGIN), "no evidence")
+        denial_rejected(self.GOAL, Entailment(Proof(self.ROWS), ORIGIN), "no evidence")
         denial_rejected(self.GOAL, At(ORIGIN), "hold at the point")
 
 
@@ -270,21 +273,23 @@ class TestCases:
     PROOF = Proof((row(1),), (row("x", "y"),), (CASE,))
 
     def test_a_sum_of_squares_vanishes_with_each(self):
-        accepted(self.GOAL, Shown(self.PROOF, ORIGIN))
+        accepted(self.GOAL, Entailment(self.PROOF, ORIGIN))
 
     @pytest.mark.parametrize("groups", [((),), (row("x", "y"), ()), ((), row("x", "y"))])
     def test_a_case_that_supposes_nothing(self, groups):
         proof = Proof((row(1),), groups, (self.CASE,) * len(groups))
-        rejected(self.GOAL, Shown(proof, ORIGIN), "each supposes something")
+        rejected(self.GOAL, Entailment(proof, ORIGIN), "each supposes something")
 
     def test_but_not_for_complex_names(self):
         goal = replace(self.GOAL, space=Space(("x", "y"), conjugates=(("x", "y"),)))
-        rejected(goal, Shown(self.PROOF, ORIGIN), "real names")
+        rejected(goal, Entailment(self.PROOF, ORIGIN), "real names")
         goal = replace(self.GOAL, space=COMPLEX)
-        rejected(goal, Shown(self.PROOF, at(x=0, y=0, i="i")), "real names")
+        rejected(goal, Entailment(self.PROOF, at(x=0, y=0, i="i")), "real names")
         space = Space(("x", "y"), steps=(Adjoined("j", decode(-4)),))
         point = at(x=0, y=0, j=["*", 2, "i"])
-        rejected(replace(self.GOAL, space=space), Shown(self.PROOF, point), "not real|real names")
+        rejected(
+            replace(self.GOAL, space=space), Entailment(self.PROOF, point), "not real|real names"
+        )
 
     STEPS = Proof((row(0, 1),), (row("y"),), (Proof((row(1, 0, minus(1)), row(0, 0, 1))),))
     """From x + y = 0 and y = 0 first y = 0 follows, then x = 0."""
@@ -293,25 +298,25 @@ class TestCases:
     def test_a_product_of_one_formula_is_a_step(self, space):
         given = [[plus("x", "y"), 0], ["y", 0]]
         goal = follows(["x", 0], ["y", 0], given=given, space=space)
-        accepted(goal, Shown(self.STEPS, ORIGIN))
+        accepted(goal, Entailment(self.STEPS, ORIGIN))
         for wrong in (
             self.STEPS._replace(rows=(row(1, 0),)),
             self.STEPS._replace(product=(row(1),)),
         ):
-            rejected(goal, Shown(wrong, ORIGIN), "not equal")
+            rejected(goal, Entailment(wrong, ORIGIN), "not equal")
         goal = follows(["x", 0], ["y", 1], given=given, space=space)
-        rejected(goal, Shown(self.STEPS, ORIGIN), "not equal")
+        rejected(goal, Entailment(self.STEPS, ORIGIN), "not equal")
 
     def test_one_factor_vanishes_for_complex_names_too(self):
         goal = follows([["*", "x", "y"], 0], given=[[["*", SQUARE, "y"], 0]], space=COMPLEX)
         cases = Proof((row(0, "y"),)), Proof((row(0, "x"),))
         proof = Proof((row("y"),), (row("x"), row("y")), cases, 2)
-        accepted(goal, Shown(proof, at(x=0, y=0, i="i")))
-        rejected(goal, Shown(proof._replace(power=1), at(x=0, y=0, i="i")), "not equal")
+        accepted(goal, Entailment(proof, at(x=0, y=0, i="i")))
+        rejected(goal, Entailment(proof._replace(power=1), at(x=0, y=0, i="i")), "not equal")
 
     def test_a_difference_of_squares_is_none(self):
         goal = replace(self.GOAL, given=equations([SQUARE, ["^", "y", 2]]))
-        rejected(goal, Shown(self.PROOF, ORIGIN), "not equal")
+        rejected(goal, Entailment(self.PROOF, ORIGIN), "not equal")
 
     def test_a_case_left_out(self):
         goal = follows(["x", 0], given=[[["*", "x", "y"], 0]])
@@ -323,18 +328,18 @@ class TestCases:
             ((row("x"), row("y")), ()),
             ((row("x"), ()), (one, one)),
         ):
-            rejected(goal, Shown(Proof((row(1),), groups, cases), ORIGIN))
+            rejected(goal, Entailment(Proof((row(1),), groups, cases), ORIGIN))
 
     def test_a_case_that_is_not_proved(self):
         wrong = Proof((row(0, 1, 0), row(0, 1, 0)))
-        rejected(self.GOAL, Shown(self.PROOF._replace(cases=(wrong,)), ORIGIN), "not equal")
+        rejected(self.GOAL, Entailment(self.PROOF._replace(cases=(wrong,)), ORIGIN), "not equal")
 
     def test_a_case_by_what_vanishes_in_it(self):
         goal = follows(["y", 0], given=[[["*", "x", "y"], 0]])
         by_x = Proof((row(0, ["/", "y", "x"]),))
         proof = Proof((row(1),), (row("x"), row("y")), (by_x, Proof((row(0, 1),))))
-        assert accepted(goal, Shown(proof, at(x=1, y=0)))  # for x other than zero
-        rejected(goal, Shown(proof, ORIGIN), "divided by")
+        assert accepted(goal, Entailment(proof, at(x=1, y=0)))  # for x other than zero
+        rejected(goal, Entailment(proof, ORIGIN), "divided by")
 
 
 class TestPoints:
@@ -419,7 +424,7 @@ class TestPoints:
 class TestFails:
     def test_what_follows_for_most_points_may_fail_at_others(self):
         goal = Fails(XY, (equations(["y", 0]),), equations([["*", "x", "y"], 0]))
-        by_x = Shown(Proof((row(["/", 1, "x"]),)), at(x=1, y=0))
+        by_x = Entailment(Proof((row(["/", 1, "x"]),)), at(x=1, y=0))
         denial_rejected(goal, by_x, "may be zero")
         accepted(goal, At(at(x=0, y=1)))
         rejected(goal, At(at(x=1, y=0)), "hold at the point")
@@ -427,7 +432,7 @@ class TestFails:
 
     def test_printed_divisors_do_not_count(self):
         goal = Fails(XY, (equations([["/", "y", "x"], 0]),), equations(["y", 0]))
-        accepted(goal, Shown(Proof((row(["/", 1, "x"]),)), at(x=1, y=0)), sign=False)
+        accepted(goal, Entailment(Proof((row(["/", 1, "x"]),)), at(x=1, y=0)), sign=False)
 
 
 class TestRank:
@@ -455,7 +460,7 @@ class TestRank:
 
 
 class TestExists:
-    SPACE = Space(("x", "y"), field=(Motion(("x", "y"), decode(["vector", 1, 1]), decode(["vector", "y", minus("x")])),))  # fmt: skip
+    SPACE = Space(("x", "y"), field=(EquationOfMotion(("x", "y"), decode(["vector", 1, 1]), decode(["vector", "y", minus("x")])),))  # fmt: skip
 
     def exists(self, *sides, expressions=("M",), numbers=(), space=None):
         return Exists((identity(space or self.SPACE, *equations(*sides)),), expressions, numbers)
@@ -494,7 +499,7 @@ class TestExists:
             ("M",),
         )  # fmt: skip
         values = {"M": decode(["/", "y", "x"])}
-        inner = (IDENTICALLY, Shown(Proof(), at(x=0, y=1)))
+        inner = (IDENTICALLY, Entailment(Proof(), at(x=0, y=1)))
         rejected(goal, Found(values, inner), "not where|divided by")
 
     def test_a_denial_at_a_pole(self):
@@ -662,12 +667,12 @@ class TestCount:
 
 class TestMotion:
     def test_a_gap_in_the_field(self):
-        space = Space(("x", "y"), field=(Motion(("x",), decode(1), decode("y")),))
+        space = Space(("x", "y"), field=(EquationOfMotion(("x",), decode(1), decode("y")),))
         rejected(follows([["D", "y"], 0], space=space), IDENTICALLY, "no equation of motion")
         rejected(follows([["D", "y"], 0]), IDENTICALLY, ".")
 
     def test_a_definition_that_moves_otherwise(self):
-        rows = (Motion(("x", "z"), decode(["vector", 1, 1]), decode(["vector", 1, 1])),)
+        rows = (EquationOfMotion(("x", "z"), decode(["vector", 1, 1]), decode(["vector", 1, 1])),)
         space = Space(("x",), steps=(Let("z", decode(0)),), field=rows)
         rejected(follows([["D", "x"], 1], space=space), IDENTICALLY, "does not move")
 
@@ -680,7 +685,7 @@ class TestMotion:
 
 class TestKernel:
     MOTION = (
-        Motion(
+        EquationOfMotion(
             ("x", "y"), decode(["vector", 1, 1]), decode(["vector", ["*", "a", "y"], minus("x")])
         ),
     )
@@ -716,7 +721,10 @@ class TestKernel:
 
     @pytest.mark.parametrize("coefficient", ["a", 2**61 - 1])
     def test_degrees_are_those_for_almost_all_constants(self, coefficient):
-        field = (Motion(("x",), decode(1), decode(0)), Motion(("y",), decode(1), decode(1)))
+        field = (
+            EquationOfMotion(("x",), decode(1), decode(0)),
+            EquationOfMotion(("y",), decode(1), decode(1)),
+        )
         still = Space(("x", "y"), ("a",), field=field)
         higher = row(plus("x", ["*", coefficient, ["^", "x", 2]]))
         goal = Kernel(still, decode(0), row(1), higher, (1, 1), 1)

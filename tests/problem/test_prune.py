@@ -37,7 +37,7 @@ def test_every_edit_of_a_formula_changes_the_digest(derivation, id):
     before, changed = Statement(claim, on).digest, 0
     for edit in edits(on.texts.statement(claim.printed), on.texts.vocabulary):
         try:
-            after = Statement(claim, on.under(on.texts.edited(claim.printed, edit))).digest
+            after = Statement(claim, on.under(on.texts.with_edit(claim.printed, edit))).digest
         except (Meaningless, NotationError):
             continue
         member = edit.statement.formula.members[edit.path[0]] if edit.path else None

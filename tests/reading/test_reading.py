@@ -3,7 +3,7 @@
 import pytest
 
 from kowalevski_cas.audit.audited import OPEN
-from kowalevski_cas.audit.reading import ReadingSession, assumed, audit_reading, unchecked
+from kowalevski_cas.audit.reading import ReadingSession, assumptions_of, audit_reading, unchecked
 from kowalevski_cas.reading import ASSUMPTION, CLAIM, DEFINITION, LAW, read
 from kowalevski_cas.source.files import decode
 from kowalevski_cas.verify.outcome import Verdict
@@ -95,7 +95,7 @@ def test_every_statement_has_a_role_with_its_reason_and_the_counts_add_up():
 def test_names_that_nothing_explains_stand_among_what_is_assumed():
     text = TOP + r"The integral is \[bp^2-aq^2+\mu=h .\]"
     found = audit_reading(ReadingSession(reading(text), timeout=5))
-    assert any("mu" in one.words and one.claims for one in assumed(found))
+    assert any("mu" in one.words and one.claims for one in assumptions_of(found))
 
 
 def test_definitions_on_which_no_verdict_rests_are_told():

@@ -12,15 +12,15 @@ from kowalevski_cas.notation import Edit, Formula, NotationError, Vocabulary, re
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.report.contents import Contents
 from kowalevski_cas.report.document import Document
-from kowalevski_cas.report.places import ClaimGroup, Item, Row, Section, number_items
+from kowalevski_cas.report.places import ClaimGroup, PaperSection, ReportItem, Row, number_items
 from kowalevski_cas.verify.outcome import (
     Condition,
     Correction,
     Counterexample,
     Outcome,
-    Point,
+    PrintedPoint,
+    ReportedStep,
     Run,
-    Step,
     Verdict,
 )
 from tests.notation import paper
@@ -55,16 +55,16 @@ def condition(tex: str, words: str, witness: Counterexample | None = None) -> Co
     return Condition(formula, words, witness)
 
 
-def point(values: dict[str, str]) -> Point:
-    return Point({read(name)[0]: value(tex) for name, tex in values.items()})
+def point(values: dict[str, str]) -> PrintedPoint:
+    return PrintedPoint({read(name)[0]: value(tex) for name, tex in values.items()})
 
 
-def counterexample(at: Point, left: str, right: str, words: str = "") -> Counterexample:
+def counterexample(at: PrintedPoint, left: str, right: str, words: str = "") -> Counterexample:
     return Counterexample(at, value(left), value(right), words)
 
 
-def step(words: str, tex: str = "") -> Step:
-    return Step(words, read(tex))
+def step(words: str, tex: str = "") -> ReportedStep:
+    return ReportedStep(words, read(tex))
 
 
 def correction(
@@ -538,7 +538,7 @@ def run(*chosen: Outcome) -> Run:
     )
 
 
-def in_order(run: Run) -> tuple[Section, ...]:
+def in_order(run: Run) -> tuple[PaperSection, ...]:
     """The claims by section; what is called ``eq10.3`` is a row of the display (10)."""
     found = []
     for number, title in run.sections:
@@ -548,10 +548,10 @@ def in_order(run: Run) -> tuple[Section, ...]:
             rows = tuple(map(Row.of, ones))
             label = f"({name[2:]})" if re.fullmatch(r"eq\d+", name) else ""
             items.append(
-                Item(rows, (ClaimGroup(rows),), label, display=name if rows[0].source else "")
+                ReportItem(rows, (ClaimGroup(rows),), label, display=name if rows[0].source else "")
             )
         if outcomes:
-            found.append(Section(number, title, number_items(number, items)))
+            found.append(PaperSection(number, title, number_items(number, items)))
     return tuple(found)
 
 

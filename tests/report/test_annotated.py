@@ -8,7 +8,7 @@ import pytest
 from kowalevski_cas.audit.audit import audit
 from kowalevski_cas.cli import main
 from kowalevski_cas.report.annotated import annotate
-from kowalevski_cas.report.document import Claim, Display, Document, Heading, Link, Paragraph
+from kowalevski_cas.report.document import Document, Equations, Heading, Judgement, Link, Paragraph
 from kowalevski_cas.report.html import render_html
 from kowalevski_cas.source.files import decode
 from kowalevski_cas.source.text import Source
@@ -57,7 +57,7 @@ def test_a_formula_of_the_author_is_judged_as_he_types_it() -> None:
     assert "claim.eq6" in {p.target for p in parts(document.blocks[:12]) if isinstance(p, Link)}
     (claim,) = [p for p in parts(document.blocks) if getattr(p, "anchor", "") == "claim.eq6"]
     assert claim.verdict is Verdict.REFUTED
-    assert any(isinstance(p, Display) and p.wrong for p in parts(claim))
+    assert any(isinstance(p, Equations) and p.wrong for p in parts(claim))
 
 
 def test_a_formula_that_is_missing_is_not_passed_over() -> None:
@@ -92,7 +92,7 @@ def test_the_command_writes_the_page(
 def test_a_definition_that_spoils_what_rests_on_it_is_named() -> None:
     run = misprinted(r"E=\frac{1}{2}(x^2-y^2)")
     document = annotate(audit(synthetic(run.derivation), run))
-    told = [b for b in document.blocks if isinstance(b, Claim) and b.verdict is Verdict.ERROR]
+    told = [b for b in document.blocks if isinstance(b, Judgement) and b.verdict is Verdict.ERROR]
     assert [said(b.label) for b in told] == ["energy"]
     assert said(told[0].head).startswith("Suspect. ")
     blamed = [part.target for part in parts(told[0].head) if isinstance(part, Link)]

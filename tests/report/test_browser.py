@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from kowalevski_cas.report.document import Display, Graph
+from kowalevski_cas.report.document import Equations, Graph
 from kowalevski_cas.report.graph import Drawing
 from kowalevski_cas.report.html import render_html
 from kowalevski_cas.report.marks import MARKS
@@ -128,7 +128,7 @@ SIGNS = (
 def test_signs_are_as_large_as_what_they_cover(tmp_path: Path) -> None:
     """Bars, radicals, lines of fractions and brackets: to a tenth; primes stay at their letter."""
     page = tmp_path / "page.html"
-    shown = tuple(Display(read(tex)) for tex in SIGNS)
+    shown = tuple(Equations(read(tex)) for tex in SIGNS)
     assert all(display.formulas for display in shown)
     page.write_text(render_html(document()._replace(blocks=shown)), encoding="utf-8")
     with Browser(tmp_path / "user") as browser:

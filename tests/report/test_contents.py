@@ -13,11 +13,11 @@ from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.report.compare import without_marks
 from kowalevski_cas.report.contents import Contents
 from kowalevski_cas.report.document import (
-    Claim,
-    Display,
     Document,
+    Equations,
     Graph,
     Heading,
+    Judgement,
     Link,
     Paragraph,
     Sign,
@@ -26,7 +26,7 @@ from kowalevski_cas.report.document import (
 from kowalevski_cas.report.latex import render_latex
 from kowalevski_cas.report.typst import render_typst
 from kowalevski_cas.report.witnesses import Witness
-from kowalevski_cas.verify.outcome import Outcome, Step, Verdict
+from kowalevski_cas.verify.outcome import Outcome, ReportedStep, Verdict
 from tests.report.fixtures import (
     C,
     P,
@@ -79,7 +79,7 @@ class TestPlaces:
     def test_every_claim_stands_in_one_place_with_its_sign(self, either: Document) -> None:
         signs: dict[str, list[Verdict | None]] = {}
         for part in parts(either.blocks):
-            if isinstance(part, Claim | Display) and part.anchor.startswith("claim."):
+            if isinstance(part, Judgement | Equations) and part.anchor.startswith("claim."):
                 signs.setdefault(part.anchor, []).append(part.verdict)
         assert signs == {f"claim.{o.claim}": [o.verdict] for o in outcomes()}
 
@@ -100,7 +100,7 @@ class TestPlaces:
         shown = {
             without_marks(f)
             for part in parts(either.blocks)
-            if isinstance(part, Display)
+            if isinstance(part, Equations)
             for f in part.formulas
         }
         for outcome in outcomes():
@@ -115,7 +115,7 @@ class TestWrong:
         assert len(heads) == 3  # i², w₃ in four rows, and the factor in (21)
         assert "Formulas 1–4 of (10)" in said(heads[1])
         assert "Before (9)" in said(heads[0])
-        assert [p.wrong for p in parts(heads[1]) if isinstance(p, Display)] == [True, False]
+        assert [p.wrong for p in parts(heads[1]) if isinstance(p, Equations)] == [True, False]
 
     def test_the_same_words_about_two_displays_are_two_misprints(self) -> None:
         pair = [
@@ -209,15 +209,22 @@ class TestEvidence:
         rows = [
             claim(f"eq1.{k}", "1", "x=x", "", C, conditions=(one,)) for k, one in enumerate(both, 1)
         ]
-        (whole,) = (p for p in parts(under(document(*rows), "section.1")) if isinstance(p, Claim))
-        beside = [p.label for p in whole.blocks if isinstance(p, Display)]
+        (whole,) = (
+            p for p in parts(under(document(*rows), "section.1")) if isinstance(p, Judgement)
+        )
+        beside = [p.label for p in whole.blocks if isinstance(p, Equations)]
         assert said(whole.head).count("Valid for ") == shared
         assert [said(label).count("valid for ") for label in beside] == [not shared] * 2
 
     def test_words_that_rows_do_not_share_stand_beside_each(self) -> None:
         rows = [claim(f"eq1.{k}", "1", "x=x", f"row {k}", P) for k in (1, 2)]
-        (whole,) = (p for p in parts(under(document(*rows), "section.1")) if isinstance(p, Claim))
-        assert [said(p.label) for p in whole.blocks if isinstance(p, Display)] == ["row 1", "row 2"]
+        (whole,) = (
+            p for p in parts(under(document(*rows), "section.1")) if isinstance(p, Judgement)
+        )
+        assert [said(p.label) for p in whole.blocks if isinstance(p, Equations)] == [
+            "row 1",
+            "row 2",
+        ]
         assert whole.label == ("(1)",)
 
     def test_a_step_that_rows_share_is_told_once(self) -> None:
@@ -269,13 +276,13 @@ class TestEvidence:
     def test_numbers_of_equations_lead_to_them(self) -> None:
         six = claim("eq6", "1", "x=x", "", P)
         seven = claim("eq7", "1", "y=y", "by (6) and (10) of Kharlamov, not by (99)", P)
-        (told,) = (p for p in parts(document(six, seven)) if isinstance(p, Claim) and p.head)
+        (told,) = (p for p in parts(document(six, seven)) if isinstance(p, Judgement) and p.head)
         assert told.head == (
             "By ", Link("claim.eq6", ("(6)",)), " and (10) of Kharlamov, not by (99)."
         )  # fmt: skip
 
     def test_what_is_withheld_has_a_link_to_its_certificate(self) -> None:
-        long = Step("its coefficients have 152 terms", withheld=True)
+        long = ReportedStep("its coefficients have 152 terms", withheld=True)
         one = run(claim("a", "1", "x=x", "", P, steps=(long,)))
         paper, accepted = in_order(one), {"a": "0" * 64}
         link = Link("there/a.json", ("a.json",), outside=True)
@@ -306,25 +313,25 @@ class TestEvidence:
 
 class TestOnPaper:
     def test_long_formulas_stand_in_an_appendix_and_nothing_else_is_moved(self) -> None:
-        long = [p for p in parts(WHOLE.blocks) if isinstance(p, Display) and p.long]
+        long = [p for p in parts(WHOLE.blocks) if isinstance(p, Equations) and p.long]
         blocks = for_paper(WHOLE).blocks
         (start,) = (k for k, b in enumerate(blocks) if getattr(b, "anchor", "") == "appendix")
-        moved = [b for b in blocks[start:] if isinstance(b, Display)]
+        moved = [b for b in blocks[start:] if isinstance(b, Equations)]
         # one formula a display: a page can end between them
         assert [one.formulas for one in moved] == [(f,) for one in long for f in one.formulas] != []
-        assert not any(isinstance(p, Display) and p.long for p in parts(for_paper(WHOLE)))
+        assert not any(isinstance(p, Equations) and p.long for p in parts(for_paper(WHOLE)))
 
     def test_what_leads_on_to_a_display_is_a_part_of_it(self) -> None:
         one = document(claim("a", "1", "x=x", "", P, steps=(step("The derivative:", "x_1=z_1"),)))
-        (led,) = (p for p in parts(for_paper(one)) if isinstance(p, Display) and p.lead)
+        (led,) = (p for p in parts(for_paper(one)) if isinstance(p, Equations) and p.lead)
         assert led.lead == ("The derivative:",)
-        assert not any(isinstance(p, Display) and p.lead for p in parts(one))
+        assert not any(isinstance(p, Equations) and p.lead for p in parts(one))
         for written in (render_latex(one), render_typst(one)):
             assert written.count("The derivative:") == 1
 
     @pytest.mark.parametrize("many", range(4))
     def test_what_leads_on_to_several_displays_stands_above_them(self, many: int) -> None:
-        lead, shown = Paragraph(("We put:",), leads=True), (Display((Name("x"),)),) * many
+        lead, shown = Paragraph(("We put:",), leads=True), (Equations((Name("x"),)),) * many
         for behind in ((), (Paragraph(("Behind.",)),), (Heading(("2",), "two"),)):
             found = for_paper(WHOLE._replace(blocks=(lead, *shown, *behind))).blocks
             alone = (shown[0]._replace(lead=lead.text),) if many == 1 else (lead, *shown)
@@ -332,10 +339,10 @@ class TestOnPaper:
 
     def test_the_last_formula_of_a_claim_stays_with_what_is_said_of_it(self) -> None:
         kept = 0
-        for one in (p for p in parts(for_paper(WHOLE)) if isinstance(p, Claim)):
+        for one in (p for p in parts(for_paper(WHOLE)) if isinstance(p, Judgement)):
             row = *one.blocks, *one.folded
             kinds = "".join(type(block).__name__[0] for block in row)
-            leading = [k for k, b in enumerate(row) if isinstance(b, Display) and b.leads]
+            leading = [k for k, b in enumerate(row) if isinstance(b, Equations) and b.leads]
             assert leading == [kinds.find("DP")] * ("DP" in kinds)
             kept += len(leading)
         assert kept > 5

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kowalevski_cas.report.contents import Contents
-from kowalevski_cas.report.document import Display, Document, Link
+from kowalevski_cas.report.document import Document, Equations, Link
 from kowalevski_cas.report.latex import render_latex
 from kowalevski_cas.report.typst import render_typst
 from kowalevski_cas.verify.outcome import Outcome
@@ -26,7 +26,7 @@ def test_each_misprint_stands_there_as_printed_and_as_meant() -> None:
     whole = run(*outcomes())
     slips = Contents(whole, in_order(whole)).findings.slips
     assert len(slips) > 1
-    assert sum(isinstance(block, Display) for block in page.blocks) == 2 * len(slips)
+    assert sum(isinstance(block, Equations) for block in page.blocks) == 2 * len(slips)
     assert said(page.blocks).count("Because ") >= len(slips)
 
 

@@ -4,7 +4,7 @@ import pytest
 
 from kowalevski_cas.library import available, load
 from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.report.places import ClaimName, Section, names, sections
+from kowalevski_cas.report.places import ClaimName, PaperSection, names, sections
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
 from tests.sample import sampled
 
@@ -21,7 +21,7 @@ def undecided(derivation: Derivation) -> Run:
 
 
 @pytest.fixture(scope="module")
-def kharlamov() -> tuple[Section, ...]:
+def kharlamov() -> tuple[PaperSection, ...]:
     derivation = load("kharlamov2002")
     return sections(undecided(derivation), derivation, derivation.texts())
 
@@ -41,13 +41,13 @@ def test_every_claim_and_every_display_stands_once(name: str) -> None:
             assert statement.formula in shown
 
 
-def test_displays_keep_their_order(kharlamov: tuple[Section, ...]) -> None:
+def test_displays_keep_their_order(kharlamov: tuple[PaperSection, ...]) -> None:
     labels = [item.label for section in kharlamov for item in section.items]
     numbers = [int(label.strip("()")) for label in labels if label]
     assert numbers == sorted(numbers) == list(range(1, 23))
 
 
-def test_a_claim_about_a_display_stands_at_it(kharlamov: tuple[Section, ...]) -> None:
+def test_a_claim_about_a_display_stands_at_it(kharlamov: tuple[PaperSection, ...]) -> None:
     items = {item.label: item for section in kharlamov for item in section.items}
     assert [o.claim for o in items["(7)"].outcomes] == ["eq7"]
     (conjugate,) = items["(13)"].stated
@@ -61,7 +61,7 @@ def test_a_claim_about_a_display_stands_at_it(kharlamov: tuple[Section, ...]) ->
 
 
 def test_a_claim_is_called_by_the_number_of_the_paper_or_by_one_of_the_report(
-    kharlamov: tuple[Section, ...],
+    kharlamov: tuple[PaperSection, ...],
 ) -> None:
     called = names(kharlamov)
     assert called["eq14"] == ClaimName("(14)")
@@ -81,18 +81,20 @@ def test_claims_have_names_of_their_own(name: str) -> None:
     assert len({(name.number, name.place) for name in called.values()}) == len(called)
 
 
-def test_a_claim_about_no_display_follows_what_it_mentions(kharlamov: tuple[Section, ...]) -> None:
+def test_a_claim_about_no_display_follows_what_it_mentions(
+    kharlamov: tuple[PaperSection, ...],
+) -> None:
     first = [item.label or "".join(o.claim for o in item.outcomes) for item in kharlamov[0].items]
     assert first.index("(8)") < first.index("M4-independence")
     assert first.index("(7)") < first.index("M4-dimension") < first.index("(8)")
 
 
-def test_what_nobody_claims_has_a_role(kharlamov: tuple[Section, ...]) -> None:
+def test_what_nobody_claims_has_a_role(kharlamov: tuple[PaperSection, ...]) -> None:
     items = {item.label: item for section in kharlamov for item in section.items}
     assert items["(2)"].role == "vector field" and items["(11)"].role == "definition"
 
 
-def test_what_the_paper_does_not_print_has_a_source(kharlamov: tuple[Section, ...]) -> None:
+def test_what_the_paper_does_not_print_has_a_source(kharlamov: tuple[PaperSection, ...]) -> None:
     items = {item.display: item for section in kharlamov for item in section.items}
     assert items["over-M4"].source == "the relations (7) solved for two variables"
     assert items["eq7"].source == ""

@@ -13,8 +13,8 @@ from kowalevski_cas.notation import Name
 from kowalevski_cas.report.document import (
     Block,
     Code,
-    Display,
     Emphasis,
+    Equations,
     Heading,
     Items,
     Link,
@@ -25,7 +25,7 @@ from kowalevski_cas.report.prose import ProseError, read_article
 from tests.report.test_contents import parts, said
 
 INLINE = [FormulaBlocks((Name(f"x_{k}"),), inline=True) for k in range(3)]
-SHOWN = [FormulaBlocks((), (Display((Name(f"y_{k}"),)),)) for k in range(3)]
+SHOWN = [FormulaBlocks((), (Equations((Name(f"y_{k}"),)),)) for k in range(3)]
 PLACED = [*INLINE, *SHOWN]
 X, Y = (chr(FIRST + k) for k in (0, 3))
 
@@ -45,7 +45,7 @@ def test_a_display_stands_between_what_is_before_and_behind_it() -> None:
 
 
 def test_blocks_of_an_inline_formula_follow_its_paragraph() -> None:
-    told = Display((Name("z"),))
+    told = Equations((Name("z"),))
     placed = [FormulaBlocks((Name("x"),), (told,), inline=True)]
     first, second, third = read_article(f"With {X} we go.\n\nOn.", placed, {})
     assert second is told and said(third) == "On."

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.paper.derivation import Derivation, Section
-from kowalevski_cas.report.document import Claim, Paragraph
+from kowalevski_cas.report.document import Judgement, Paragraph
 from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.results import main_results
 from kowalevski_cas.report.sentences import Phrases
@@ -58,7 +58,7 @@ def test_several_results_are_told_apart() -> None:
 def test_conditions_are_named() -> None:
     needs = claim("a", "1", "x=x", "it is so", C, conditions=(condition("x", ""),))
     (_, block) = main_results(Phrases(WORDS, {}), [needs], ["a"], ())
-    assert isinstance(block, Claim) and "where" in said(block.head)
+    assert isinstance(block, Judgement) and "where" in said(block.head)
 
 
 @given(st.lists(st.booleans(), min_size=1, max_size=4))

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.problem.place import Place
+from kowalevski_cas.problem.place import PointEvaluation
 from kowalevski_cas.search.closure import closures
 from kowalevski_cas.search.follows import rows_of
 from tests.laws.systems import (
@@ -34,7 +34,7 @@ def closed(space, tex, order=4):
     for one in found:
         total = sum((c * f for c, f in zip(one.row, one.chain, strict=True)), at.ring.zero)
         assert (at.derivative(one.chain[-1]) - total).is_zero
-        there = Place(at, one.point)
+        there = PointEvaluation(at, one.point)
         assert there.vanish(one.chain) and there.defines(one.row)
         assert all(at.derivative(integral).is_zero for integral in one.integrals())
     return found

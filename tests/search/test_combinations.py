@@ -53,7 +53,7 @@ def test_nothing_is_a_combination_of_nothing():
 
 def divided(target, generators):
     """The row with the least condition, which is checked to combine the target."""
-    row = Combinations([target], generators).divided(target)
+    row = Combinations([target], generators).division_row(target)
     if row is not None:
         total = sum((a * b for a, b in zip(row, generators, strict=True)), AT.ring.zero)
         assert (total - target).is_zero

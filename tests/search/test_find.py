@@ -18,7 +18,7 @@ from kowalevski_cas.problem.goals import Exists, identity
 from kowalevski_cas.problem.space import Space
 from kowalevski_cas.search.cofactors import cofactors, pseudo_divide
 from kowalevski_cas.search.levels import value
-from kowalevski_cas.search.numbers import solved_numbers
+from kowalevski_cas.search.numbers import solve_for_numbers
 from kowalevski_cas.search.place import PointFinder
 from kowalevski_cas.search.points import constant, points
 from kowalevski_cas.search.squares import sum_of_squares
@@ -146,11 +146,13 @@ def test_numbers_for_which_an_identity_holds_are_found(a, b):
     sides = Power(Sum((p_x, q_y)), Number(2)), Power(Sum((a_x, b_y)), Number(2))
     space = Space(("x", "y"))
     finder = PointFinder(lambda space: Evaluation(space, load("flint")))
-    found = solved_numbers(Exists((identity(space, sides),), numbers=("p", "q")), finder)
+    found = solve_for_numbers(Exists((identity(space, sides),), numbers=("p", "q")), finder)
     shown = tuple(map(fraction_formula, (a, b))), tuple(map(fraction_formula, (-a, -b)))
     assert found is not None and tuple(found.values()) in shown
     other = Product((Number(2), sides[1]))
-    none = solved_numbers(Exists((identity(space, (sides[0], other)),), numbers=("p", "q")), finder)
+    none = solve_for_numbers(
+        Exists((identity(space, (sides[0], other)),), numbers=("p", "q")), finder
+    )
     assert (none is None) == (a != 0 or b != 0)  # 2 is no square
 
 

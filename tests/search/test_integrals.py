@@ -18,7 +18,7 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Point
 from kowalevski_cas.problem.goals import Kernel
 from kowalevski_cas.problem.polynomial_fields import PolynomialField, monomials
-from kowalevski_cas.problem.space import Meaningless, Motion, Space
+from kowalevski_cas.problem.space import EquationOfMotion, Meaningless, Space
 from kowalevski_cas.problem.trees import decode
 from kowalevski_cas.search.integrals import first_integrals
 from tests.laws.systems import (
@@ -124,7 +124,8 @@ def tree(polynomial):
 def test_as_many_as_the_rank_over_the_rational_numbers_leaves(components, degree):
     """All integrals are found, and with one less the certificate is refused."""
     field = tuple(
-        Motion((n,), Number(1), tree(c)) for n, c in zip(VARIABLES, components, strict=True)
+        EquationOfMotion((n,), Number(1), tree(c))
+        for n, c in zip(VARIABLES, components, strict=True)
     )
     space = Space(VARIABLES, field=field)
     at = Evaluation(space, load("flint"))

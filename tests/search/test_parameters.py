@@ -8,7 +8,7 @@ from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.search.parameters import Ansatz, cofactor_monomials
+from kowalevski_cas.search.parameters import DarbouxAnsatz, cofactor_monomials
 from tests.laws.systems import EULER, HENON_HEILES, KEPLER, LORENZ, LOTKA_VOLTERRA, identity
 
 
@@ -23,7 +23,7 @@ def found(system, tex, unknown=""):
     size = len(cofactor_monomials(space_of(system).finder))
     letters = [rf"\kappa_{k}" for k in range(size)]
     space = space_of(system, *unknown, *letters)
-    ansatz = Ansatz(space.finder, space.finder.scalar(space.formula(tex)), letters)
+    ansatz = DarbouxAnsatz(space.finder, space.finder.scalar(space.formula(tex)), letters)
     shown = {}
     for case in ansatz.cases():
         equations = frozenset(

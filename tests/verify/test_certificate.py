@@ -11,7 +11,7 @@ from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.library import find, load
 from kowalevski_cas.problem import checker
-from kowalevski_cas.problem.evidence import Proof, Shown
+from kowalevski_cas.problem.evidence import Entailment, Proof
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.trees import FormatError
@@ -230,7 +230,7 @@ def test_cofactors_may_not_be_divided_by_what_vanishes_on_the_set(derivation):
     session = Session(derivation, ["flint"])
     statement = Statement(claim, session.on(claim))
     (shown,) = statement.search()
-    assert isinstance(shown, Shown)
+    assert isinstance(shown, Entailment)
     space = statement.goals[0].space
     known = finder_of(space).differences(statement.goals[0].given)
     (target, *_) = finder_of(space).differences(statement.goals[0].conclusions[0])

@@ -15,10 +15,10 @@ from kowalevski_cas.problem import checker
 from kowalevski_cas.verify.committed import (
     Expected,
     certificate_files,
+    certificates_of,
     check_committed,
     check_files,
     statements,
-    wanted,
 )
 from kowalevski_cas.verify.record import load_record
 from tests.problem.oracle import is_true
@@ -76,7 +76,7 @@ def test_all_are_accepted(many):
 @pytest.mark.parametrize("name", available())
 def test_every_recorded_claim_has_one(name):
     record, files = load_record(find(name)), certificate_files(find(name))
-    assert len(wanted(record)) == len(files) and {*record} <= {*wanted(record)}
+    assert len(certificates_of(record)) == len(files) and {*record} <= {*certificates_of(record)}
     for path in files:
         if path.parent.name != "corrected":
             digest = json.loads(path.read_text(encoding="utf-8"))["digest"]

@@ -2,7 +2,7 @@
 
 import pytest
 
-from kowalevski_cas.verify.run import Session, shared
+from kowalevski_cas.verify.run import Session, run_together
 from kowalevski_cas.verify.statement import Statement
 
 
@@ -43,6 +43,6 @@ def test_foundations(session, id, some, none):
 def test_only_decides_and_reports_the_claim_alone(derivation, certificates):
     seen = []
     alone = Session(derivation, ["flint"], certificates=certificates)
-    (run,) = shared([alone], ["eq10.5"], lambda *told: seen.append(told))
+    (run,) = run_together([alone], ["eq10.5"], lambda *told: seen.append(told))
     assert [o.claim for o in run.outcomes] == ["eq10.5"]
     assert seen == [("eq10.5", 0, 1)]

@@ -11,11 +11,11 @@ from kowalevski_cas.library import available, find, load
 from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.paper.derivation import Derivation, Section
 from kowalevski_cas.problem.examine import Accepted
-from kowalevski_cas.verify.bench import Decided
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.record import differences, load_record
-from kowalevski_cas.verify.run import FRAMES, Session, shared
+from kowalevski_cas.verify.run import FRAMES, Session, run_together
+from kowalevski_cas.verify.workbench import Decided
 from tests.paper.small import Oscillator, decide, derivation, verdicts
 from tests.sample import sampled
 
@@ -194,6 +194,6 @@ def test_what_rests_on_another_derivation_asks_the_run_of_that_one_and_no_namesa
     section.identity("eq2", "K=x^2-v^2", on=on, says="")
     above = Derivation("above", "", "", "", (section,), rests_on=(below,))
     known = Unsure(below if own else namesake, ["flint"])
-    (outcome,) = shared([known, Session(above, ["flint"])], ["eq2"])[1].outcomes
+    (outcome,) = run_together([known, Session(above, ["flint"])], ["eq2"])[1].outcomes
     assert outcome.corrected == ("below/t",)
     assert outcome.verdict == ("undecided" if own else "proved")

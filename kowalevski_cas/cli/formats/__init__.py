@@ -13,10 +13,10 @@ from kowalevski_cas.algebra import POINTS
 from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, DISAGREEMENT, UNDECIDED, USAGE
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Texts
-from kowalevski_cas.report.places import Section, sections
+from kowalevski_cas.report.places import PaperSection, sections
 from kowalevski_cas.verify.outcome import Run, Verdict
+from kowalevski_cas.verify.outcome_writer import disagreement
 from kowalevski_cas.verify.record import Difference
-from kowalevski_cas.verify.teller import disagreement
 
 FORMATS, OF_AUDITS = ("pretty", "json", "junit", "github"), ("pretty", "json", "sarif", "github")
 """The formats that are chosen by name; ``-v`` chooses :mod:`.verbose`."""
@@ -37,7 +37,7 @@ class ComparedRun:
     recorded: bool = True
 
     @cached_property
-    def paper(self) -> tuple[Section, ...]:
+    def paper(self) -> tuple[PaperSection, ...]:
         """The outcomes in the order of the paper."""
         return sections(self.run, self.derivation, self.texts)
 

@@ -113,7 +113,7 @@ def _assumed(audit: Audit) -> dict[str, Any]:
     """What a source that is its own derivation takes for granted."""
     if audit.reading is None:
         return {}
-    from kowalevski_cas.audit.reading import assumed
+    from kowalevski_cas.audit.reading import assumptions_of
 
     return {
         "assumed": [
@@ -123,7 +123,7 @@ def _assumed(audit: Audit) -> dict[str, Any]:
                 "id": one.place.place if one.place else None,
                 "claims": list(one.claims),
             }
-            for one in assumed(audit)
+            for one in assumptions_of(audit)
         ]
     }
 

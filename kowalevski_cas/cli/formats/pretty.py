@@ -12,7 +12,7 @@ from kowalevski_cas.cli import plain
 from kowalevski_cas.cli.formats import ComparedRun
 from kowalevski_cas.library import MEND
 from kowalevski_cas.notation import Formula
-from kowalevski_cas.report.document import Block, Display, Paragraph
+from kowalevski_cas.report.document import Block, Equations, Paragraph
 from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.places import names
 from kowalevski_cas.report.results import main_results
@@ -203,12 +203,12 @@ class AuditText:
         yield from plain.wrap(plain.text((*said, ".")))
         shown: list[Block] = []
         if printed or source:
-            shown.append(Display(printed, source, Verdict.REFUTED))
+            shown.append(Equations(printed, source, Verdict.REFUTED))
         if correction is not None:
-            shown.append(Display(correction.formulas, verdict=correction.verdict))
+            shown.append(Equations(correction.formulas, verdict=correction.verdict))
         for one in filter(None, others):
             shown.append(Paragraph(("Or: ", *self.phrases.words(one.words), ".")))
-            shown.append(Display(one.formulas, verdict=one.verdict))
+            shown.append(Equations(one.formulas, verdict=one.verdict))
         if against is not None and self.evidence:
             shown.append(Paragraph(self.phrases.values(against)))
         yield from plain.lines(shown, 2)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from kowalevski_cas.audit.audited import OPEN
 from kowalevski_cas.audit.reading import unchecked
 from kowalevski_cas.cli import plain
-from kowalevski_cas.report.document import Display, Paragraph
+from kowalevski_cas.report.document import Equations, Paragraph
 from kowalevski_cas.report.sentences import Phrases
 from kowalevski_cas.verify.outcome import Verdict
 
@@ -67,9 +67,9 @@ def _obeyed(audit: Audit) -> Iterator[str]:
 
 
 def _assumed(audit: Audit, phrases: Phrases) -> Iterator[str]:
-    from kowalevski_cas.audit.reading import assumed
+    from kowalevski_cas.audit.reading import assumptions_of
 
-    listed = [one for one in assumed(audit) if one.claims]
+    listed = [one for one in assumptions_of(audit) if one.claims]
     if listed:
         yield from ("", "What is assumed")
     for one in listed:
@@ -87,7 +87,7 @@ def _undecided(audit: Audit, phrases: Phrases) -> Iterator[str]:
     for formula in unclear:
         yield from plain.wrap(f"{_where(audit, formula)}: {formula.message}")
         if formula.formula is not None:
-            yield from plain.lines([Display((formula.formula,), formula.tex)], 2)
+            yield from plain.lines([Equations((formula.formula,), formula.tex)], 2)
         if formula.counterexample is not None:
             yield from plain.lines([Paragraph(phrases.values(formula.counterexample))], 2)
 

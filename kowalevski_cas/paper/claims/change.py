@@ -94,7 +94,7 @@ class Unit(Claim):
         if edit is None:
             raise Meaningless(f"the square of a unit is expected at {self.own.place}")
         if texts.formula(self.own) != edit.formula:
-            return texts.edited(self.own, edit)
+            return texts.with_edit(self.own, edit)
         return replace(texts, edits={p: f for p, f in texts.edits.items() if p != self.own})
 
     def _holds(self, row: Printed, on: Elaborations) -> bool:

@@ -36,7 +36,7 @@ class Neighbour(NamedTuple):
         """The texts under which the claim says what the neighbour does."""
         if self.edit is None or self.printed is None:
             return self.base
-        return self.base.edited(self.printed, self.edit)
+        return self.base.with_edit(self.printed, self.edit)
 
 
 @dataclass_transform(eq_default=False, frozen_default=True, field_specifiers=(field,))

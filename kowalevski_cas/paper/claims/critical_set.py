@@ -44,7 +44,7 @@ class CriticalSet(Claim):
     def search(self, goals: Sequence[Goal]) -> Mapping[int, Evidence]:
         """That both directions hold off the loci, or a point there where one fails."""
         from kowalevski_cas.search.follows import FollowsFinder
-        from kowalevski_cas.search.in_turn import in_turn
+        from kowalevski_cas.search.proof_steps import in_turn
 
         finder, found = FollowsFinder(finder_of), dict[int, Evidence]()
         for place, goal in enumerate(goals[:2]):

@@ -16,7 +16,7 @@ from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.components import parts
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.logarithms import derived, has_logarithm, roots
+from kowalevski_cas.paper.logarithms import derivative_of, has_logarithm, roots
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.space import Equation, Meaningless
@@ -86,7 +86,7 @@ class FirstIntegral(Claim):
             ) from None
 
         def vanishing(by: Callable[[Formula], Formula]) -> Equation:
-            return vanishes(space.plain(derived(printed[0], by, space)))
+            return vanishes(space.plain(derivative_of(printed[0], by, space)))
 
         mark = "dot" if self.scene.time == "t" else "prime"
         yield Follows(space, ((vanishing(lambda one: Derivative(one, mark)),),), ())

@@ -19,7 +19,7 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.paper.components import parts
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.matrices import Rows, alike, is_matrix, sizes
+from kowalevski_cas.paper.matrices import Rows, as_matrices, is_matrix, sizes
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.problem.space import Equation, Meaningless
@@ -56,7 +56,7 @@ def chain(on: Elaborations, space: Elaboration, printed: Printed) -> list[Equati
     """
     relation = on.texts.relation(printed)
     if any(is_matrix(member, space) for member in relation.members):
-        return [*entries(alike(relation.members, space, only_zero=True))]
+        return [*entries(as_matrices(relation.members, space, only_zero=True))]
     found = sides(members(relation), space)
     equations = list(pairwise(found))
     if isinstance(relation.members[-1], Constant):

@@ -9,7 +9,7 @@ from kowalevski_cas.notation import Formula
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import equations, matrix, minus, names_in, rate
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.matrices import Rows, applied
+from kowalevski_cas.paper.matrices import Rows, matrix_times_column
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Exists, Follows, Goal
 from kowalevski_cas.problem.space import Meaningless
@@ -37,7 +37,7 @@ class InvariantRelations(Claim):
     def moves_by(self, cofactors: Rows, on: Elaborations) -> tuple[Follows, Follows]:
         """The goals that the functions move by this matrix, and that it is regular on the set."""
         functions = self.functions(on)
-        right = applied(cofactors, functions)
+        right = matrix_times_column(cofactors, functions)
         rows = ((rate(f), side) for f, side in zip(functions, right, strict=True))
         moves = Follows(on(self.scene), (tuple(rows),), (), self.main)
         given = equations(on, on(self.scene), self.relations)

@@ -18,7 +18,7 @@ from kowalevski_cas.paper.claims.forms import (
 )
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.matrices import Rows, applied, diagonal, product
+from kowalevski_cas.paper.matrices import Rows, diagonal, matrix_times_column, product
 from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.problem.goals import Exists, Follows, Goal, identity
 
@@ -42,7 +42,7 @@ class Limit(Claim):
         space = on(self.scene)
         special = equations(on, space, self.special.relations)
         general = [minus(sides) for sides in equations(on, space, self.general.relations)]
-        through = applied(t, [minus(sides) for sides in special])
+        through = matrix_times_column(t, [minus(sides) for sides in special])
         inverse = tuple(entries((product(t, s), diagonal([ONE] * size))))
         same = map(vanishes, self._rest(on, m, n, t))
         goals = (

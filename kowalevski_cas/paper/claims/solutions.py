@@ -13,7 +13,7 @@ from kowalevski_cas.paper.families import Generators, Kind, kind_of, template
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Along, Goal
 from kowalevski_cas.problem.prune import Reach
-from kowalevski_cas.problem.space import Meaningless, Motion, Space
+from kowalevski_cas.problem.space import EquationOfMotion, Meaningless, Space
 
 
 class EqualSolutions(Claim):
@@ -85,7 +85,8 @@ def _along(
             nonzero=tuple(f for f in space.nonzero if f.names() <= reach.names),
             steps=tuple(step for step in reach.steps if step.name not in names.values()),
             field=tuple(
-                Motion((name,), Number(1), space.plain(rate)) for name, rate in field.items()
+                EquationOfMotion((name,), Number(1), space.plain(rate))
+                for name, rate in field.items()
             ),
         ),
         tuple(initial.items()),

@@ -10,7 +10,7 @@ from kowalevski_cas.notation import Name, Number
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.goals import Follows
 from kowalevski_cas.problem.space import Space
-from kowalevski_cas.search.in_turn import in_turn
+from kowalevski_cas.search.proof_steps import in_turn
 from tests.problem.test_accept import accepted, rejected
 
 NAMES = ("x", "y", "p", "q")

@@ -15,15 +15,15 @@ from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
-from kowalevski_cas.verify.bench import Decided
 from kowalevski_cas.verify.corrections import corrections, printed_of, recorded_correction
 from kowalevski_cas.verify.outcome import CORRECTED, Correction, Outcome, Verdict
+from kowalevski_cas.verify.outcome_writer import OutcomeWriter
 from kowalevski_cas.verify.statement import Statement
-from kowalevski_cas.verify.teller import Teller
 from kowalevski_cas.verify.vacuous import says_something
+from kowalevski_cas.verify.workbench import Decided
 
 
-class Mender(Teller):
+class Corrector(OutcomeWriter):
     """Corrections of claims, and their acceptance."""
 
     def known_corrections(self, printed: Statement) -> Sequence[Correction]:
@@ -35,7 +35,7 @@ class Mender(Teller):
         return islice(self._proposed(self._near(printed)), most)
 
     def _proposed(self, candidates: Iterable[tuple[Neighbour, Statement]]) -> Iterator[Correction]:
-        found = (self.proposed(*candidate) for candidate in candidates)
+        found = (self.correction_of(*candidate) for candidate in candidates)
         return (one for one in found if one is not None)
 
     def _known(self, printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:
@@ -83,7 +83,7 @@ class Mender(Teller):
         except (NotationError, Meaningless, ZeroDivisionError):
             return False
 
-    def proposed(self, neighbour: Neighbour, statement: Statement) -> Correction | None:
+    def correction_of(self, neighbour: Neighbour, statement: Statement) -> Correction | None:
         """A neighbour as a correction, if what it says is proved."""
         name = f"{CORRECTED}/{statement.claim.id}"
         decided = self.anew(statement, name, lambda: self._proved(statement, name))

@@ -11,7 +11,7 @@ from kowalevski_cas.paper.plain import Plain
 from kowalevski_cas.paper.texts import Printed
 
 
-class WrittenOut:
+class InlinedDefinitions:
     """The places of the functions, brackets, matrices and values of roots that a place prints.
 
     Those that stand in their definitions are among them.

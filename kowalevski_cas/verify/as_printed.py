@@ -28,22 +28,24 @@ from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.roots import rationals
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import MARK
-from kowalevski_cas.verify.outcome import Point
+from kowalevski_cas.verify.outcome import PrintedPoint
 
 
-def shown(element: Element, setting: Elaboration) -> Formula:
+def element_formula(element: Element, setting: Elaboration) -> Formula:
     """An element in the names of its setting, in factors."""
     return product_of(element, setting.texts.vocabulary)
 
 
-def named(name: str, setting: Elaboration) -> Formula:
+def printed_name(name: str, setting: Elaboration) -> Formula:
     """A name as the paper prints it."""
     return setting.texts.expression(name)
 
 
-def point(values: Mapping[str, Formula], setting: Elaboration) -> Point:
+def point(values: Mapping[str, Formula], setting: Elaboration) -> PrintedPoint:
     """A point of a setting, with the values of exponential functions for those of their roots."""
-    return Point(dict(_value(named(name, setting), _one_root(v)) for name, v in values.items()))
+    return PrintedPoint(
+        dict(_value(printed_name(name, setting), _one_root(v)) for name, v in values.items())
+    )
 
 
 def _value(name: Formula, value: Formula) -> tuple[Formula, Formula]:
@@ -75,24 +77,24 @@ def flat_product(factors: Sequence[Formula]) -> Formula:
     return times(*flat)
 
 
-def scaled(coefficient: Formula, factor: Formula) -> Formula:
+def signed_product(coefficient: Formula, factor: Formula) -> Formula:
     """A product with the sign before it."""
     if isinstance(coefficient, Negative):
-        return Negative(scaled(coefficient.argument, factor))
+        return Negative(signed_product(coefficient.argument, factor))
     return flat_product([coefficient, factor])
 
 
-def written(formula: Formula, setting: Elaboration) -> Formula:
+def printed_formula(formula: Formula, setting: Elaboration) -> Formula:
     """A formula of a statement, with its derivatives by the time of its setting.
 
     A dot stands on a name only, and only for the time t.
     """
     if isinstance(formula, Name):
-        return _read(formula, setting.texts.vocabulary)
+        return _printed_step(formula, setting.texts.vocabulary)
     if isinstance(formula, Derivative) and formula.mark == MARK:
-        time, argument = setting.scene.time, written(formula.argument, setting)
+        time, argument = setting.scene.time, printed_formula(formula.argument, setting)
         return Derivative(argument, MARK if time == "t" and isinstance(argument, Name) else time)
-    match shown := formula.map_children(lambda child: written(child, setting)):
+    match shown := formula.map_children(lambda child: printed_formula(child, setting)):
         case Power(base, Number(exponent)):
             return power_formula(base, exponent)
         case Quotient(above, Number(1)):
@@ -100,7 +102,7 @@ def written(formula: Formula, setting: Elaboration) -> Formula:
     return shown
 
 
-def _read(name: Name, vocabulary: Vocabulary) -> Formula:
+def _printed_step(name: Name, vocabulary: Vocabulary) -> Formula:
     """A name of a step, such as a power, as the paper prints it."""
     try:
         return name_formula(name.name, vocabulary)

@@ -8,7 +8,6 @@ from kowalevski_cas.notation import Formula
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.evidence import Denial
-from kowalevski_cas.verify.bench import Bench, Decided
 from kowalevski_cas.verify.certificate import Supported, certificate
 from kowalevski_cas.verify.confirm import Disagreement, confirm
 from kowalevski_cas.verify.counterexamples import counterexample, why
@@ -18,11 +17,12 @@ from kowalevski_cas.verify.outcome import (
     Condition,
     Counterexample,
     Outcome,
+    ReportedStep,
     Screened,
-    Step,
     Verdict,
 )
 from kowalevski_cas.verify.statement import Statement
+from kowalevski_cas.verify.workbench import Decided, Workbench
 
 
 def disagreement(verdicts: Mapping[str, Verdict]) -> bool:
@@ -31,7 +31,7 @@ def disagreement(verdicts: Mapping[str, Verdict]) -> bool:
     return len(green) > 1
 
 
-class Teller(Bench):
+class OutcomeWriter(Workbench):
     """Outcomes of claims that are decided, and of those that are not."""
 
     def _outcome(self, statement: Statement, found: Mapping[str, Decided | Screened]) -> Outcome:
@@ -46,8 +46,10 @@ class Teller(Bench):
             open_ones = [one for one in found.values() if one.verdict not in answered]
             if open_ones:
                 verdict, message = open_ones[0].verdict, open_ones[0].message
-        outcome = self.unread(statement.claim, statement.on, verdict, message, statement)
-        outcome = outcome._replace(verdicts=verdicts, corrected=self.corrected(statement))
+        outcome = self.outcome_without_evidence(
+            statement.claim, statement.on, verdict, message, statement
+        )
+        outcome = outcome._replace(verdicts=verdicts, corrected=self.corrections_used(statement))
         if isinstance(first, Screened):
             return outcome._replace(
                 counterexample=first.counterexample, chance=first.chance, radius=first.radius
@@ -81,7 +83,7 @@ class Teller(Bench):
                 denied = statement.goals[decided.verdicts.goal]
                 message = why(statement.claim, denied, decided.verdicts.evidence)
                 outcome = outcome._replace(message=message)
-        told: tuple[Step, ...] = ()
+        told: tuple[ReportedStep, ...] = ()
         if self.explain and decided.verdicts is not None:
             from kowalevski_cas.verify.steps import steps  # a verdict needs none
 
@@ -108,7 +110,7 @@ class Teller(Bench):
         confirm(statement, verdicts, accepted, text)
         return needed, text
 
-    def unread(
+    def outcome_without_evidence(
         self,
         claim: Claim,
         on: Elaborations,
@@ -144,7 +146,7 @@ class Teller(Bench):
             ours=claim.ours,
         )
 
-    def corrected(self, statement: Statement) -> tuple[str, ...]:
+    def corrections_used(self, statement: Statement) -> tuple[str, ...]:
         """The claims whose accepted corrections a statement rests on.
 
         Those of another derivation come first, after its name and a slash.

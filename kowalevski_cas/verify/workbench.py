@@ -40,7 +40,7 @@ class Decided(NamedTuple):
     message: str = ""
 
 
-class Bench:
+class Workbench:
     """Texts, the settings of scenes, and their evaluations, each made once.
 
     Args:
