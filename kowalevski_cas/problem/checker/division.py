@@ -31,9 +31,8 @@ def quotient(element: Element, divisor: Element) -> Element | None:
     ring.spend(1 + (len(element.terms) + len(divisor.terms) >> 2))
     guard, first, last = ring.guard, max(divisor.terms), min(divisor.terms)
     degrees, own = (reduce(ring.larger, one.terms, 0) for one in (element, divisor))
-    if (
-        element.terms and (degrees | guard) - own & guard != guard
-    ):  # in each generator those of a quotient add up
+    # in each generator the degrees of a quotient and of its divisor add up
+    if element.terms and (degrees | guard) - own & guard != guard:
         return None
     rest, out, bits = dict(element.terms), Terms(), element.bits
     while rest:
