@@ -343,7 +343,7 @@ class TestOnPaper:
             row = *one.blocks, *one.folded
             kinds = "".join(type(block).__name__[0] for block in row)
             leading = [k for k, b in enumerate(row) if isinstance(b, Equations) and b.leads]
-            assert leading == [kinds.find("DP")] * ("DP" in kinds)
+            assert leading == [kinds.find("EP")] * ("EP" in kinds)
             kept += len(leading)
         assert kept > 5
 
