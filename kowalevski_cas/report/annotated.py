@@ -9,6 +9,7 @@ from typing import Final
 
 from kowalevski_cas import __version__
 from kowalevski_cas.audit.audit import Audit
+from kowalevski_cas.audit.reading import assumptions_of
 from kowalevski_cas.notation import Formula, NotationError, Vocabulary, read_display
 from kowalevski_cas.paper.texts import Display as Printed
 from kowalevski_cas.report.contents import Contents
@@ -94,7 +95,7 @@ class _Annotated:
         if lost:
             blocks.append(Heading(("Not found in this text",), "lost"))
             blocks += [block for item in lost for block in self.contents.passages.item(item)]
-        head = [*self.contents.verdict(), Heading(("The paper",), "paper")]
+        head = [*self.contents.verdict(), *self._assumed(), Heading(("The paper",), "paper")]
         shown = (*head, *blocks, *self.contents.trust(), *self.contents.graph())
         by: Text = (
             f"The source {source.path.rpartition('/')[2]} with a verdict beside every formula, by "
@@ -105,6 +106,18 @@ class _Annotated:
         name = run.title if run.author or not printed else printed[1]
         title = f"“{name}”, verified formula by formula"
         return Document(title, title, ((run.author, "."), by) if run.author else (by,), shown)
+
+    def _assumed(self) -> Iterator[Block]:
+        """What a source that is its own derivation takes for granted, and what rests on each."""
+        if self.audit.reading is None:
+            return
+        used = [one for one in assumptions_of(self.audit) if one.claims]
+        if used:
+            yield Heading(("What is assumed",), "assumed", 2)
+        for one in used:
+            phrases = self.contents.phrases
+            words = phrases.words(f"{one.words}; on it rest ")
+            yield Paragraph((*words, *phrases.links(one.claims), "."))
 
     # -- formulas -------------------------------------------------------------------
 

@@ -6,7 +6,9 @@ from pathlib import Path
 import pytest
 
 from kowalevski_cas.audit.audit import audit
+from kowalevski_cas.audit.reading import ReadingSession, audit_reading
 from kowalevski_cas.cli import main
+from kowalevski_cas.reading import read
 from kowalevski_cas.report.annotated import annotate
 from kowalevski_cas.report.document import Document, Equations, Heading, Judgement, Link, Paragraph
 from kowalevski_cas.report.html import render_html
@@ -97,3 +99,16 @@ def test_a_definition_that_spoils_what_rests_on_it_is_named() -> None:
     assert said(told[0].head).startswith("Suspect. ")
     blamed = [part.target for part in parts(told[0].head) if isinstance(part, Link)]
     assert "claim.rate" in blamed and "claim.value" in blamed
+
+
+def test_a_source_that_is_its_own_derivation_says_first_what_it_assumes() -> None:
+    text = (
+        r"\begin{document}The motion is $$\dot p=aqr,\quad \dot q=brp,\quad \dot r=cpq.$$ "
+        r"Suppose that $a=-b$. Then $p^2+q^2$ is constant.\end{document}"
+    )
+    document = annotate(
+        audit_reading(ReadingSession(read(decode("paper.tex", text.encode())), timeout=20))
+    )
+    places = {b.anchor: k for k, b in enumerate(document.blocks) if isinstance(b, Heading)}
+    told = document.blocks[places["assumed"] + 1]
+    assert places["assumed"] < places["paper"] and "; on it rest " in said(told)
