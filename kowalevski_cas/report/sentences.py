@@ -82,8 +82,12 @@ def runs(numbers: Iterable[int]) -> str:
 
 
 def capital(text: str) -> str:
-    """The text with a capital at its beginning."""
-    return text[:1].upper() + text[1:]
+    """The text with a capital at its beginning, unless it begins with an address.
+
+    >>> capital("a line"), capital("https://dlmf.nist.gov/22.2")
+    ('A line', 'https://dlmf.nist.gov/22.2')
+    """
+    return text if text.startswith(("http://", "https://")) else text[:1].upper() + text[1:]
 
 
 def capitalise(text: Text) -> Text:
