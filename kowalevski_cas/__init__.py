@@ -1,7 +1,10 @@
 """Printed derivations of mathematical mechanics, read, proved or refuted."""
 
 from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from kowalevski_cas.system import System, display
 
 __version__ = "0.1.0"
 

@@ -22,6 +22,9 @@ ROOMS = (
 """The rooms from the bottom to the top: each imports those before it."""
 
 
+FRONT = {(LIBRARY, "system")}
+"""What the package offers under its own name: types see it, and Python when it is asked for."""
+
 LIBRARIES = {"flint", "symengine", "sympy", "numpy", "scipy", "matplotlib", "typst"}
 
 NEEDED = {
@@ -122,8 +125,8 @@ def room(module):
 
 
 def upward(imports):
-    """The rooms that import one which is not before them."""
-    pairs = {(room(a), room(b)) for a, found in imports.items() for b in found}
+    """The rooms that import one which is not before them; the front door names what it opens."""
+    pairs = {(room(a), room(b)) for a, found in imports.items() for b in found} - FRONT
     return {f"{a} -> {b}" for a, b in pairs if a != b and ROOMS.index(a) < ROOMS.index(b)}
 
 
