@@ -1,4 +1,4 @@
-"""The long description of a release: the README, whose pictures and pages are found from elsewhere."""
+"""The long description of a release: the README, whose pictures are found from elsewhere."""
 
 import re
 from pathlib import Path

@@ -22,7 +22,7 @@ from kowalevski_cas.reading.uncovered import Uncovered, sentences
 from kowalevski_cas.reading.uncovered import formulas as uncovered_formulas
 from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.formulas import typed_formulas
-from kowalevski_cas.source.text import Source
+from kowalevski_cas.source.text import Region, Source
 from kowalevski_cas.source.tokens import likeness, words
 from kowalevski_cas.verify.outcome import Outcome, Verdict, in_latex
 
@@ -43,8 +43,8 @@ class Audit:
     session: AuthorSession
     notes: list[tuple[int, str]]
     """Lines, and what is to be said about them."""
-    lines: dict[str, int]
-    """The lines of the sentences that claims quote, by the ids of the claims."""
+    sentences: dict[str, Region]
+    """Where the sentences stand that claims quote, by the ids of the claims."""
     seconds: float = 0.0
     reading: Reading | None = None
     """The reading, if the source is its own derivation."""
@@ -150,12 +150,12 @@ def audit(source: Source, base: AuditSession) -> Audit:
     found = [formula for place in places for formula in describe.formulas(place)]
     found += describe.new(typed, places)
     prose = Prose(expanded.text, expanded.body, typed)
-    stated = sentences(prose, source, expanded, quotations.intervals())
+    stated = sentences(prose, source, expanded, [*quotations.intervals().values()])
     known = [place.typed for place in places if place.typed is not None]
     uncovered = [one for *_, one in stated]
     uncovered += uncovered_formulas(typed, known, source, expanded)
     return Audit(
-        source, expanded, places, found, session, notes, quotations.lines(),
+        source, expanded, places, found, session, notes, quotations.regions(),
         perf_counter() - start, uncovered=sorted(uncovered),
     )  # fmt: skip
 

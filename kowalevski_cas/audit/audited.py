@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.source.text import Region
 from kowalevski_cas.verify.outcome import Condition, Correction, Counterexample, Verdict
 
 GIVEN = "given"
@@ -31,8 +32,7 @@ class Audited:
 
     id: str
     label: str
-    line: int
-    column: int
+    region: Region
     tex: str
     role: str
     verdict: str
@@ -58,6 +58,11 @@ class Audited:
     def name(self) -> str:
         """Its place in the derivation, or its id if it has none."""
         return self.id if self.place is None else self.place.place
+
+    @property
+    def line(self) -> int:
+        """The line in its file at which it begins; 0 if it is not in the source."""
+        return self.region.line
 
     @property
     def wrong(self) -> bool:

@@ -12,7 +12,7 @@ from kowalevski_cas.notation import Formula, NotationError, split_display, to_la
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.expanded import Expanded
-from kowalevski_cas.source.text import Source
+from kowalevski_cas.source.text import Region, Source
 from kowalevski_cas.verify.outcome import WORST
 
 
@@ -44,7 +44,8 @@ class Describer:
         if typed is None:
             label = "" if display.inline else display.id
             yield Audited(
-                display.id, label, 0, 0, display.tex.strip(), self._role(display),
+                display.id, label, Region(self.source.path), display.tex.strip(),
+                self._role(display),
                 MISSING, claims=tuple(self._claims(display)), message=self.refused[display],
             )  # fmt: skip
             return
@@ -81,7 +82,7 @@ class Describer:
         for formula in typed:
             if not formula.inline and id(formula) not in known:
                 whole = (0, len(formula.tex))
-                name = "".join(formula.labels[:1]) or f"line {self._position(formula, *whole)[0]}"
+                name = "".join(formula.labels[:1]) or f"line {self._region(formula, *whole).line}"
                 yield self._audited(name, formula, whole, None, NEW, "the derivation has none")
 
     def _audited(
@@ -93,18 +94,19 @@ class Describer:
         verdict: str,
         message: str,
     ) -> Audited:
-        line, column = self._position(typed, *interval)
         start, end = self.expanded.origin(*(typed.start + offset for offset in interval))
         tex = self.source.text[start:end].strip()
         role = self._role(display) if display else "none"
         label = typed.labels[0] if typed.labels else ""
-        return Audited(id, label, line, column, tex, role, verdict, message=message)
+        region = self._region(typed, *interval)
+        return Audited(id, label, region, tex, role, verdict, message=message)
 
-    def _position(self, typed: TypedFormula, start: int, end: int) -> tuple[int, int]:
-        while start < end and typed.tex[start].isspace():
-            start += 1
-        at = self.expanded.origin(typed.start + start, typed.start + start + 1)[0]
-        return self.source.line(at), self.source.column(at)
+    def _region(self, typed: TypedFormula, start: int, end: int) -> Region:
+        """Where in its file a part of a formula stands, without the spaces around it."""
+        tex = typed.tex[start:end]
+        last = typed.start + start + len(tex.rstrip())
+        first = min(last, typed.start + start + len(tex) - len(tex.lstrip()))
+        return self.source.region(*self.expanded.origin(first, last))
 
     def _role(self, display: Display) -> str:
         return self.roles.at(display[1].place).name

@@ -28,22 +28,27 @@ def repair_source(found: Audit) -> Source:
 
 def _once(audit: Audit) -> Source:
     """The source with those misprints mended that one audit finds."""
-    replacements: dict[tuple[int, int], str] = {}
-    end_of_line = "\r\n" if "\r\n" in audit.source.text else "\n"
+    edits: dict[tuple[int, int], str] = {}
     for place in audit.places:
-        if place.typed is None:
-            continue
-        wanted = wanted_tex(audit, place)
-        if wanted is None:
-            continue
-        for start, end, typed in _minimal(audit, place.typed.tex, wanted):
-            first, last = place.typed.start + start, place.typed.start + end
-            interval = audit.expanded.origin(first, last)
-            if start == end:  # behind what printed the character before
-                behind = audit.expanded.origin(first - 1, first)[1] if first else 0
-                interval = behind, behind
-            replacements[interval] = typed.replace("\r", "").replace("\n", end_of_line)
-    return audit.source.edited(replacements)
+        edits |= repairs(audit, place)
+    return audit.source.edited(edits)
+
+
+def repairs(audit: Audit, place: Correspondence) -> dict[tuple[int, int], str]:
+    """The intervals of the source in which a display is to be mended, with what belongs there."""
+    wanted = wanted_tex(audit, place)
+    if place.typed is None or wanted is None:
+        return {}
+    found: dict[tuple[int, int], str] = {}
+    end_of_line = "\r\n" if "\r\n" in audit.source.text else "\n"
+    for start, end, typed in _minimal(audit, place.typed.tex, wanted):
+        first, last = place.typed.start + start, place.typed.start + end
+        interval = audit.expanded.origin(first, last)
+        if start == end:  # behind what printed the character before
+            behind = audit.expanded.origin(first - 1, first)[1] if first else 0
+            interval = behind, behind
+        found[interval] = typed.replace("\r", "").replace("\n", end_of_line)
+    return found
 
 
 def wanted_tex(audit: Audit, place: Correspondence) -> str | None:

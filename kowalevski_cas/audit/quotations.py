@@ -17,7 +17,7 @@ from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.source.displays import TypedFormula, find_formulas
 from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.sentences import STOP, Word, sentence_words
-from kowalevski_cas.source.text import Source
+from kowalevski_cas.source.text import Region, Source
 from kowalevski_cas.source.tokens import words
 
 ALIKE = 0.4
@@ -56,20 +56,23 @@ class Quotations:
         quoted = (claim for claim in self.derivation.claims if claim.sentence)
         return {claim: self.place(claim.sentence) for claim in quoted}
 
-    def intervals(self) -> list[tuple[int, int]]:
-        """The intervals of the text at which sentences stand that claims quote."""
+    def intervals(self) -> dict[str, tuple[int, int]]:
+        """The intervals of the text at which sentences stand that claims quote, by their ids."""
         firsts = {id(word): place for place, word in enumerate(self.words)}
-        found = []
+        found = {}
         for claim, word in self.found.items():
             if word is not None:
                 first = firsts[id(word)]
                 last = self.words[first + len(self.split(claim.sentence)) - 1]
-                found.append((word.start, last.end))
+                found[claim.id] = word.start, last.end
         return found
 
-    def lines(self) -> dict[str, int]:
-        """The lines of the sentences that are found, by the ids of claims."""
-        return {claim.id: self.line(word) for claim, word in self.found.items() if word}
+    def regions(self) -> dict[str, Region]:
+        """Where the sentences stand that are found, by the ids of claims."""
+        return {
+            id: self.source.region(*self.expanded.origin(*interval))
+            for id, interval in self.intervals().items()
+        }
 
     def differing(self) -> dict[str, str]:
         """What is to be said of claims of which the source has not the sentence."""

@@ -35,6 +35,7 @@ from kowalevski_cas.files import write
 from kowalevski_cas.library import available
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.reading import CLAIM, read
+from kowalevski_cas.schema import head
 from kowalevski_cas.source.difference import difference
 from kowalevski_cas.source.files import read_source
 from kowalevski_cas.source.listing import listing
@@ -244,6 +245,7 @@ def _list(source: Source, format: str) -> int:
     found, notes = listing(source)
     if format == "json":
         value = {
+            **head("listing"),
             "formulas": [asdict(formula) for formula in found],
             "notes": [{"line": line, "words": words} for line, words in notes],
             "files": [*source.files],

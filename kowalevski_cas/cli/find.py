@@ -24,6 +24,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pool import Pool
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.questions import QUESTIONS, collect, forecast, question
+from kowalevski_cas.schema import head
 from kowalevski_cas.verify.finding import Finding, with_findings
 from kowalevski_cas.verify.outcome import Outcome, Run
 from kowalevski_cas.verify.run import Session
@@ -103,7 +104,9 @@ def run(arguments: argparse.Namespace) -> int:
         write(file, read(file) + answer.claims)
     outcomes = answer.run.outcomes
     if arguments.format == "json":
-        print(json.dumps([*map(_data, answer.findings, outcomes)], indent=1))
+        found = {**head("find"), "findings": [*map(_data, answer.findings, outcomes)]}
+        found["unfinished"] = answer.unfinished or None
+        print(json.dumps(found, indent=1, ensure_ascii=False))
     else:
         verbose = arguments.format == "verbose"
         for finding, outcome in zip(answer.findings, outcomes, strict=True):

@@ -9,6 +9,7 @@ from io import BytesIO
 import numpy as np
 
 from kowalevski_cas.motion.result import Trajectory
+from kowalevski_cas.schema import head
 
 TOLD = ("invariants", "critical_sets", "regime")
 """What is said of a motion besides its states."""
@@ -25,7 +26,8 @@ def as_json(result: Trajectory) -> bytes:
             entry["radius"] = radius
     states = ",\n".join(map(json.dumps, entries))
     told = [f"{json.dumps(n)}: {json.dumps(getattr(result, n), indent=1)}" for n in TOLD]
-    return ",\n".join([f'{{"states": [\n{states}\n]', *told]).encode() + b"\n}\n"
+    begin = json.dumps(head("motion"))[:-1]
+    return ",\n".join([f'{begin}, "states": [\n{states}\n]', *told]).encode() + b"\n}\n"
 
 
 def as_csv(result: Trajectory) -> bytes:

@@ -22,6 +22,7 @@ from kowalevski_cas.motion.formulas import source
 from kowalevski_cas.motion.pictures import ON_N4, PICTURES, load
 from kowalevski_cas.pictures import save, style
 from kowalevski_cas.report.figures import LIST
+from kowalevski_cas.schema import head
 
 EXAMPLE = ("1.2", "0.7", "-1.2", "0.3")
 """The constants a, b, m, ℓ of the motion that is drawn if none is given."""
@@ -80,7 +81,8 @@ def _figures() -> str:
         picture = load(name)
         entry = {"name": name, "caption": picture.caption}
         listed.setdefault(source(picture.about).name, []).append(entry)
-    return json.dumps(listed, indent=1, ensure_ascii=False) + "\n"
+    value = {**head("figures"), "derivations": listed}
+    return json.dumps(value, indent=1, ensure_ascii=False) + "\n"
 
 
 def _draw(name: str, motion: Motion | MotionO4, folder: Path) -> None:

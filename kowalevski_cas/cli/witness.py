@@ -42,5 +42,5 @@ def run(arguments: argparse.Namespace) -> int:
             print(f"{claim}: not confirmed: {reason}", file=sys.stderr)
             code = REJECTED
         said = f"{len(testimony.confirmed)} of {len(certificates)} certificates"
-        print(f"{derivation.name}: {said} confirmed by {testimony.version}")
+        print(f"{derivation.name}: {said} confirmed by {testimony.program_version}")
     return code

@@ -6,12 +6,13 @@ import json
 import os
 import subprocess
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from kowalevski_cas.export.format import Export, Format
 from kowalevski_cas.processes import each
+from kowalevski_cas.schema import head
 from kowalevski_cas.tools import MissingTool, Tool
 
 JOBS = 2
@@ -30,13 +31,14 @@ class Testimony:
     """
 
     program: str
-    version: str
+    program_version: str
     confirmed: dict[str, str]
     failed: dict[str, str]
 
     def text(self) -> str:
         """The testimony as JSON."""
-        return json.dumps(asdict(self), indent=1, ensure_ascii=False) + "\n"
+        value = {**head("testimony"), **asdict(self)}
+        return json.dumps(value, indent=1, ensure_ascii=False) + "\n"
 
 
 def version(tool: Tool) -> str:
@@ -83,7 +85,7 @@ def testify(
             code, output = answer([*call, *format.arguments(folder / file)], folder)
             if code:
                 reason = f"{file}: {_last(output)}"
-                return Testimony(name, testimony.version, {}, dict.fromkeys(export.texts, reason))
+                return replace(testimony, failed=dict.fromkeys(export.texts, reason))
         answers = each(read, list(export.texts), JOBS)
         for done, (claim, reason) in enumerate(zip(export.texts, answers, strict=True)):
             progress(claim, done, len(export.texts))

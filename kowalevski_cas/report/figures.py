@@ -2,7 +2,8 @@
 
 A folder below that of the reports has a list of them, ``figures.json``::
 
-    {"kharlamov2002": [{"name": "torus", "caption": "A torus."}]}
+    {"format": "kowalevski-cas figures", "version": 1,
+     "derivations": {"kharlamov2002": [{"name": "torus", "caption": "A torus."}]}}
 
 and each picture as ``torus.png``.
 """
@@ -45,7 +46,7 @@ def figures_of(folder: Path, derivation: str) -> tuple[FigureFile, ...]:
     for file in sorted(folder.glob(f"*/{LIST}")):
         try:
             content = read_json(file)
-            entries = content.get(derivation, ())
+            entries = content["derivations"].get(derivation, ())
             listed = [(str(entry["name"]), str(entry["caption"])) for entry in entries]
         except (OSError, ValueError, KeyError, TypeError, AttributeError):
             continue

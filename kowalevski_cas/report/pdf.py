@@ -29,6 +29,7 @@ from kowalevski_cas.report.latex import render_latex
 from kowalevski_cas.report.places import PaperSection
 from kowalevski_cas.report.typst import render_typst
 from kowalevski_cas.report.witnesses import Witness, programs
+from kowalevski_cas.schema import head
 from kowalevski_cas.verify.outcome import Outcome, Run
 
 _SECONDS: Final = 120
@@ -95,6 +96,7 @@ def facts(run: Run, certified: Mapping[str, str], programs: Sequence[Witness]) -
         }
 
     content = {
+        **head("facts"),
         "derivation": run.derivation,
         "digest": run.digest,
         "versions": {**run.versions, **{program.name: program.version for program in programs}},

@@ -3,7 +3,7 @@
 A program that read the certificates left in the folder of the reports what it confirmed, as
 ``witnesses/kharlamov2002/rocq.json``::
 
-    {"program": "rocq", "version": "…", "confirmed": {"eq15": "<digest>"}, "failed": {}}
+    {"program": "rocq", "program_version": "…", "confirmed": {"eq15": "<digest>"}, "failed": {}}
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ def programs(folder: Path, derivation: str, certified: Mapping[str, str]) -> tup
             content: dict[str, Any] = read_json(file)
             confirmed = dict(content["confirmed"]).items()
             claims = frozenset(c for c, digest in confirmed if certified.get(c) == digest)
-            name, version = str(content["program"]), str(content["version"])
+            name, version = str(content["program"]), str(content["program_version"])
         except (OSError, ValueError, KeyError, TypeError):
             continue
         if claims:

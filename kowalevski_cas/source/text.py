@@ -11,6 +11,7 @@ from bisect import bisect_right
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import NamedTuple
 
 from kowalevski_cas import UserError
 
@@ -34,6 +35,19 @@ _PRINTING = re.compile(r"[^\r\n]")
 
 class SourceError(UserError, ValueError):
     """A file that cannot be read as TeX; the message names the file and the reason."""
+
+
+class Region(NamedTuple):
+    """A stretch of a file, in lines and columns counted from 1; the end is behind its last sign.
+
+    Without columns it is the whole line; without a line, the file.
+    """
+
+    path: str
+    line: int = 0
+    column: int = 0
+    end_line: int = 0
+    end_column: int = 0
 
 
 @dataclass(frozen=True)
@@ -90,8 +104,12 @@ class Source:
         return [part.start for part in self.parts]
 
     @cached_property
-    def _lines(self) -> list[int]:
-        return [0, *(match.end() for match in re.finditer("\n", self.text))]
+    def _lines(self) -> dict[str, list[int]]:
+        """Where in each file its lines begin."""
+        return {
+            path: [0, *(match.end() for match in re.finditer("\n", text))]
+            for path, text in self.files.items()
+        }
 
     def part(self, offset: int) -> Part:
         """The part of the text in which an offset stands."""
@@ -99,20 +117,25 @@ class Source:
 
     def line(self, offset: int) -> int:
         """The number of the line of its file in which an offset stands, counted from 1."""
-        part = self.part(offset)
-        return 1 + sum(
-            bisect_right(self._lines, end) - bisect_right(self._lines, start)
-            for start, end in self._before(part, offset)
-        )
-
-    def _before(self, part: Part, offset: int) -> list[tuple[int, int]]:
-        """The intervals of the text that stand before an offset in its file."""
-        stretches = {p.first: p for p in self.parts if p.path == part.path and p.first < part.first}
-        return [*((p.start, p.end) for p in stretches.values()), (part.start, offset)]
+        return self._position(self.part(offset), offset)[0]
 
     def column(self, offset: int) -> int:
         """The column at an offset, counted from 1."""
-        return offset - max(self.text.rfind("\n", 0, offset) + 1, self.part(offset).start) + 1
+        return self._position(self.part(offset), offset)[1]
+
+    def region(self, start: int, end: int) -> Region:
+        """Where an interval stands, as far as it stands in one file."""
+        part = self.part(start)
+        inside = max(start, min(end, part.end))
+        return Region(part.path, *self._position(part, start), *self._position(part, inside))
+
+    def _position(self, part: Part, offset: int) -> tuple[int, int]:
+        """The line and the column of an offset in a part, or at its end."""
+        stretches = {p.first: p for p in self.parts if p.path == part.path and p.first < part.first}
+        at = sum(p.end - p.start for p in stretches.values()) + offset - part.start
+        starts = self._lines[part.path]
+        line = bisect_right(starts, at)
+        return line, at - starts[line - 1] + 1
 
     def place(self, offset: int) -> str:
         """The file and the line at an offset."""

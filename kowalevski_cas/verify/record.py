@@ -10,6 +10,7 @@ from typing import NamedTuple
 from kowalevski_cas import UserError
 from kowalevski_cas.files import read_json
 from kowalevski_cas.notation import to_latex
+from kowalevski_cas.schema import head
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict, as_recorded
 
 FILE = "record.json"
@@ -50,7 +51,8 @@ def dump_record(run: Run, recorded: Mapping[str, Mapping[str, object]]) -> str:
         for outcome in run.outcomes
         if outcome not in open_ones(run) or outcome.claim in recorded
     }
-    return _text({"derivation": run.derivation, "digest": run.digest, "claims": claims})
+    about = {"derivation": run.derivation, "digest": run.digest}
+    return _text({**head("record"), **about, "claims": claims})
 
 
 def open_ones(run: Run) -> list[Outcome]:

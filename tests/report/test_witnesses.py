@@ -15,7 +15,7 @@ DIGESTS = {"eq6": "6" * 64, "eq7": "7" * 64}
 def says(folder, name, **content):
     place = folder / "witnesses" / "kharlamov2002"
     place.mkdir(parents=True, exist_ok=True)
-    said = {"program": name, "version": f"{name} 1.0", "confirmed": DIGESTS, "failed": {}}
+    said = {"program": name, "program_version": f"{name} 1.0", "confirmed": DIGESTS, "failed": {}}
     (place / f"{name}.json").write_text(json.dumps(said | content))
 
 

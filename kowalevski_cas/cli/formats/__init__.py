@@ -18,7 +18,8 @@ from kowalevski_cas.verify.outcome import Run, Verdict
 from kowalevski_cas.verify.outcome_writer import disagreement
 from kowalevski_cas.verify.record import Difference
 
-FORMATS, OF_AUDITS = ("pretty", "json", "junit", "github"), ("pretty", "json", "sarif", "github")
+FORMATS = ("pretty", "json", "junit", "sarif", "github")
+OF_AUDITS = ("pretty", "json", "sarif", "github")
 """The formats that are chosen by name; ``-v`` chooses :mod:`.verbose`."""
 
 

@@ -9,6 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.cli.formats import ComparedRun
 from kowalevski_cas.notation import to_latex
+from kowalevski_cas.schema import head
+from kowalevski_cas.source.text import Region
+from kowalevski_cas.verify.diagnostic import Diagnostic
 from kowalevski_cas.verify.outcome import (
     Condition,
     Correction,
@@ -29,6 +32,7 @@ def render(results: Sequence[ComparedRun]) -> str:
     differences = [d for r in results for d in r.differences]
     counts = Counter(str(o.verdict) for _, o in outcomes)
     value = {
+        **head("verify"),
         "claims": [_claim(derivation, outcome) for derivation, outcome in outcomes],
         "summary": {
             "claims": len(outcomes),
@@ -87,11 +91,15 @@ def _evidence(found: Outcome | Audited) -> dict[str, Any]:
 
 
 def audited(audit: Audit) -> str:
-    """All formulas, the statements in words, and a summary."""
+    """All formulas, the statements in words, what is to be looked at, and a summary."""
+    from kowalevski_cas.audit.diagnostics import diagnostics
+
     value = {
+        **head("audit"),
         **_assumed(audit),
-        "formulas": [_formula(formula) for formula in audit.formulas],
+        "formulas": [_formula(audit, formula) for formula in audit.formulas],
         "statements": [_statement(audit, outcome) for outcome in audit.statements],
+        "diagnostics": [*map(_diagnostic, diagnostics(audit))],
         "uncovered": [one._asdict() for one in audit.uncovered],
         "summary": {
             "source": audit.source.path,
@@ -128,18 +136,38 @@ def _assumed(audit: Audit) -> dict[str, Any]:
     }
 
 
-def _formula(formula: Audited) -> dict[str, Any]:
+def _diagnostic(one: Diagnostic) -> dict[str, Any]:
+    return {
+        "rule": one.rule,
+        "level": one.level,
+        "id": one.id,
+        "message": one.message,
+        **_region(one.region),
+        "fixes": [{**_region(fix.region), "text": fix.text} for fix in one.fixes],
+        "fingerprint": one.fingerprint,
+    }
+
+
+def _region(region: Region) -> dict[str, Any]:
+    """A region; what does not stand in the file has no line."""
+    names = ("file", "line", "column", "end_line", "end_column")
+    return {name: value or None for name, value in zip(names, region, strict=True)}
+
+
+def _formula(audit: Audit, formula: Audited) -> dict[str, Any]:
     return {
         "id": formula.id,
         "label": formula.label or None,
-        "line": formula.line,
-        "column": formula.column,
+        **_region(formula.region),
         "role": formula.role,
         "reason": formula.reason or None,
         "on": list(formula.on),
         "tex": formula.tex,
         "verdict": formula.verdict,
         "claims": list(formula.claims),
+        "digests": {
+            id: audit.outcomes[id].digest for id in formula.claims if audit.outcomes[id].certificate
+        },
         **_evidence(formula),
         "causes": list(formula.causes),
         "breaks": list(formula.breaks),
@@ -152,7 +180,7 @@ def _statement(audit: Audit, outcome: Outcome) -> dict[str, Any]:
     return {
         "id": outcome.claim,
         "words": outcome.words,
-        "line": audit.lines.get(outcome.claim),
+        **_region(audit.sentences.get(outcome.claim, Region(audit.source.path))),
         "verdict": str(outcome.verdict),
         **_evidence(outcome),
         "causes": [cause.place for cause in causes],

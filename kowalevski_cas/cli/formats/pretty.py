@@ -160,7 +160,7 @@ class AuditText:
         ):
             verb = "are" if others else "is"
             why = "; ".join(audit.said(first))
-            place = ":".join(map(str, filter(None, (audit.source.path, first.line))))
+            place = ":".join(map(str, filter(None, first.region[:2])))
             shown = ", ".join(ids) if audit.reading is None else audit.called(first)
             place = f"{place}: {shown} {verb} {first.verdict}"
             printed = () if first.formula is None else (first.formula,)
@@ -173,8 +173,8 @@ class AuditText:
 
     def _false(self, outcome: Outcome) -> Iterator[str]:
         audit = self.audit
-        line = audit.lines.get(outcome.claim)
-        place = f"{audit.source.path}:{line}: " if line else ""
+        region = audit.sentences.get(outcome.claim)
+        place = f"{region.path}:{region.line}: " if region else ""
         why = ""
         if causes := audit.session.causes.get(outcome.claim, ()):
             named = ", ".join(audit.located(cause.place) for cause in causes)

@@ -102,5 +102,5 @@ def _open(audit: Audit) -> Iterator[str]:
 
 
 def _where(audit: Audit, formula: Audited) -> str:
-    place = f"{audit.source.path}:{formula.line}"
+    place = f"{formula.region.path}:{formula.line}"
     return f"{place}: ({formula.label})" if formula.label else place

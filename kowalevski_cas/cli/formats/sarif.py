@@ -1,68 +1,124 @@
-"""An audit as SARIF 2.1.0, for code scanning."""
+"""Results and audits as SARIF 2.1.0, for code scanning and editors."""
 
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable, Sequence
+from itertools import groupby
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
+from urllib.parse import quote
 
 from kowalevski_cas import __version__
-from kowalevski_cas.audit.audit import Audit
+from kowalevski_cas.cli.formats import ComparedRun
+from kowalevski_cas.cli.formats.diagnostics import diagnostics
+from kowalevski_cas.cli.project import url
+from kowalevski_cas.source.text import Region
+from kowalevski_cas.verify.diagnostic import RULES, Diagnostic, Replacement
 
-RULES = {
-    "refuted": "The formula, or the statement, is false at an exact point.",
-    "suspect": "A changed definition makes other formulas false.",
-    "error": "The formula has no meaning where it stands.",
-    "unreadable": "The formula cannot be read.",
-    "missing": "A formula that the derivation needs is not in the source.",
-    "undecided": "The formula was neither proved nor refuted.",
-    "timeout": "The formula was not decided in time.",
-    "moved": "The formula stands elsewhere than in the derivation.",
-}
-WARNINGS = ("undecided", "timeout", "moved")
+if TYPE_CHECKING:
+    from kowalevski_cas.audit.audit import Audit
+
+SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
+FINGERPRINT = "kowalevskiCas/v1"
+"""What the fingerprints are called; another number if they are computed otherwise."""
+
+
+def render(results: Sequence[ComparedRun]) -> str:
+    """A result for each difference from the record, and for each refuted claim."""
+    return log(one for result in results for one in diagnostics(result))
 
 
 def audited(audit: Audit) -> str:
-    """One run, a result for each formula or statement that an author has to look at."""
-    results = []
-    for formula in audit.formulas:
-        rule = formula.verdict if formula.verdict in RULES else "moved" if formula.moved else ""
-        if not rule:
-            continue
-        message = f"{formula.id}: {audit.explained(formula) or RULES[rule]}"
-        results.append(_result(audit, rule, message, formula.line, formula.column))
-    for outcome in audit.false:
-        message = f"{outcome.claim}: {outcome.words}"
-        results.append(_result(audit, "refuted", message, audit.lines.get(outcome.claim, 1), 1))
+    """A result for each formula or statement that an author has to look at."""
+    from kowalevski_cas.audit.diagnostics import diagnostics
+
+    return log(diagnostics(audit))
+
+
+def log(found: Iterable[Diagnostic]) -> str:
+    """One run with these results."""
+    driver = {
+        "name": "kowalevski-cas",
+        "semanticVersion": __version__,
+        "rules": [_rule(rule, words) for rule, words in RULES.items()],
+    }
+    if about := url("Repository"):
+        driver["informationUri"] = about
     value = {
-        "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
+        "$schema": SCHEMA,
         "version": "2.1.0",
         "runs": [
             {
-                "tool": {
-                    "driver": {
-                        "name": "kowalevski-cas",
-                        "version": __version__,
-                        "rules": [
-                            {"id": rule, "shortDescription": {"text": words}}
-                            for rule, words in RULES.items()
-                        ],
-                    }
-                },
+                "tool": {"driver": driver},
                 "columnKind": "unicodeCodePoints",
-                "results": results,
+                "results": [*map(_result, found)],
             }
         ],
     }
     return json.dumps(value, indent=2, ensure_ascii=False) + "\n"
 
 
-def _result(audit: Audit, rule: str, message: str, line: int, column: int) -> dict[str, Any]:
-    region = {"startLine": max(1, line), "startColumn": max(1, column)}
-    location = {"uri": Path(audit.source.path).as_posix()}
-    return {
-        "ruleId": rule,
-        "level": "warning" if rule in WARNINGS else "error",
-        "message": {"text": message},
-        "locations": [{"physicalLocation": {"artifactLocation": location, "region": region}}],
+def _rule(rule: str, words: str) -> dict[str, Any]:
+    found: dict[str, Any] = {
+        "id": rule,
+        "shortDescription": {"text": words},
+        "help": {"text": f"{words} The page of the documentation on formats says more."},
     }
+    if pages := url("Documentation"):
+        found["helpUri"] = f"{pages}/formats/#{rule}"
+    return found
+
+
+def _result(one: Diagnostic) -> dict[str, Any]:
+    result = {
+        "ruleId": one.rule,
+        "ruleIndex": [*RULES].index(one.rule),
+        "level": one.level,
+        "message": {"text": f"{one.id}: {one.message}"},
+        "locations": [{"physicalLocation": _place(one.region)}],
+        "partialFingerprints": {FINGERPRINT: one.fingerprint},
+    }
+    if one.fixes:
+        result["fixes"] = [
+            {
+                "description": {"text": f"mend {one.id}"},
+                "artifactChanges": [
+                    {
+                        "artifactLocation": _artifact(path),
+                        "replacements": [*map(_replacement, replacements)],
+                    }
+                    for path, replacements in groupby(one.fixes, lambda fix: fix.region.path)
+                ],
+            }
+        ]
+    return result
+
+
+def _replacement(fix: Replacement) -> dict[str, Any]:
+    return {"deletedRegion": _region(fix.region), "insertedContent": {"text": fix.text}}
+
+
+def _place(region: Region) -> dict[str, Any]:
+    place: dict[str, Any] = {"artifactLocation": _artifact(region.path)}
+    if region.line:
+        place["region"] = _region(region)
+    return place
+
+
+def _region(region: Region) -> dict[str, int]:
+    found = {"startLine": region.line}
+    if region.column:
+        found |= {
+            "startColumn": region.column,
+            "endLine": region.end_line,
+            "endColumn": region.end_column,
+        }
+    return found
+
+
+def _artifact(path: str) -> dict[str, str]:
+    """A file by its path from here, as a review wants it; elsewhere by its whole path."""
+    here, file = Path.cwd(), Path(path).absolute()
+    inside = file.is_relative_to(here)
+    return {"uri": quote(file.relative_to(here).as_posix()) if inside else file.as_uri()}

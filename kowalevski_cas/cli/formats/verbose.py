@@ -87,7 +87,8 @@ def _statements(told: AuditText) -> Iterator[str]:
         yield from ("", "Statements in words")
     width = max((len(statement.claim) for statement in audit.statements), default=0)
     for outcome in audit.statements:
-        line = f"{audit.lines.get(outcome.claim, '-'):>5}  {outcome.claim:<{width}}"
+        region = audit.sentences.get(outcome.claim)
+        line = f"{region.line if region else '-':>5}  {outcome.claim:<{width}}"
         words = f"{outcome.words}: {outcome.message}" if outcome.message else outcome.words
         head = f"{_sign(str(outcome.verdict), line)} {outcome.verdict:<11} "
         yield from plain.wrap(plain.text(told.phrases.words(words)), head, 8)

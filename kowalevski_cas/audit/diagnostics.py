@@ -1,0 +1,72 @@
+"""What an author has to look at in a paper, each at its place."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from hashlib import sha256
+
+from kowalevski_cas.audit.audit import Audit
+from kowalevski_cas.audit.audited import OPEN, Audited
+from kowalevski_cas.audit.patch import repairs
+from kowalevski_cas.reading import CLAIM
+from kowalevski_cas.source.text import Region
+from kowalevski_cas.source.tokens import words
+from kowalevski_cas.verify.diagnostic import ERROR, NOTE, RULES, WARNING, Diagnostic, Replacement
+from kowalevski_cas.verify.outcome import Outcome, Verdict
+
+
+def diagnostics(audit: Audit) -> list[Diagnostic]:
+    """All that an author has to look at, formulas first, and what is not judged."""
+    fixes = _fixes(audit)
+    found = [_of_formula(audit, one, fixes.get(id(one), ())) for one in audit.formulas]
+    found += [_of_statement(audit, one) for one in audit.statements if not one.verdict.green]
+    return [*_identified(one for one in found if one is not None)]
+
+
+def _of_formula(
+    audit: Audit, formula: Audited, fixes: tuple[Replacement, ...]
+) -> tuple[Diagnostic, str] | None:
+    message, rule, level = audit.explained(formula), formula.verdict, WARNING
+    if formula.wrong:
+        level = ERROR
+    elif formula.moved:
+        rule = "moved"
+    elif rule == OPEN and formula.role == CLAIM:
+        level = NOTE
+    elif rule not in (Verdict.UNDECIDED, Verdict.TIMEOUT):
+        return None
+    message = f"{rule}; {message}" if message else f"{rule}. {RULES[rule]}"
+    told = Diagnostic(rule, level, formula.id, message, formula.region, fixes)
+    return told, " ".join(words(formula.tex))
+
+
+def _of_statement(audit: Audit, outcome: Outcome) -> tuple[Diagnostic, str]:
+    region = audit.sentences.get(outcome.claim, Region(audit.source.path))
+    level = ERROR if outcome in audit.false else WARNING
+    message = f"{outcome.verdict}; {outcome.message or outcome.words}"
+    told = Diagnostic(str(outcome.verdict), level, outcome.claim, message, region)
+    return told, outcome.claim
+
+
+def _identified(found: Iterable[tuple[Diagnostic, str]]) -> Iterator[Diagnostic]:
+    """The diagnostics with fingerprints; of several that are alike each has its own."""
+    seen = Counter[tuple[str, str]]()
+    for one, about in found:
+        seen[one.rule, about] += 1
+        text = "\n".join((one.rule, about, str(seen[one.rule, about])))
+        yield one._replace(fingerprint=sha256(text.encode()).hexdigest()[:32])
+
+
+def _fixes(audit: Audit) -> dict[int, tuple[Replacement, ...]]:
+    """What mends a display, by the first of its formulas that is wrong."""
+    found: dict[int, tuple[Replacement, ...]] = {}
+    for place in audit.places:
+        wrong = (f for f in audit.formulas if f.wrong and f.place)
+        first = next((f for f in wrong if f.place and f.place.display == place.display), None)
+        if first is not None:
+            edits = sorted(repairs(audit, place).items())
+            found[id(first)] = tuple(
+                Replacement(audit.source.region(*interval), text) for interval, text in edits
+            )
+    return found
