@@ -65,6 +65,10 @@ CUES: dict[str, str] = {
     "derived": r"""
         \b(?:we|one)\s+(?:have|has|finds?|gets?|obtains?) becom\w+ takes?\s+the\s+form reduc\w+
         получ\w+ имеем прим\w+\s+вид привод\w+""",
+    "place": r"""
+        \bnear\b in\s+the\s+(?:\w+\s+)?(?:cases?|ones?)\b \bcases?\s+\( neighbou?rhood
+        \bat\s+(?:this|these|that|those|such)\b вблизи окрестност\w+
+        в\s+(?:\w+\s+)?случа(?:е|ях)\b""",
     "on it": r"""
         \bon\s+(?:it|this|them|these|that)\b \bthere\b на\s+н[её][мй]?\b на\s+них""",
     "level": r"""

@@ -160,8 +160,10 @@ def _is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
         return False
     others = item.names - {function, *arguments}
     new = bool(others) and not any(map(known.is_known, others))
+    first = known.seen.get(function)
     return (
-        function not in known.seen
+        first is None
+        or (known.roles[first].name == LAW and first.sentence == item.sentence)
         or bool(cue("where", item.lead))
         or (new and not item.typed.inline)
     )

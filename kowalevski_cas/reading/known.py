@@ -65,7 +65,7 @@ class Known:
     def times(self) -> frozenset[str]:
         """The names of times: of x and s only where something is derived by them."""
         marks = frozenset().union(*(item.marks for item in self.items))
-        return ({"t", r"\tau"} | marks) & self.paper.words.times
+        return (frozenset({"t", r"\tau"}) | marks) & self.paper.words.times
 
     @cached_property
     def later(self) -> dict[str, list[SourceStatement]]:

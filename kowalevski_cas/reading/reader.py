@@ -20,7 +20,7 @@ from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
 from kowalevski_cas.reading.comments import read_comments
 from kowalevski_cas.reading.conventions import enter_conventions
-from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.doubts import doubt_of
 from kowalevski_cas.reading.grammar import wrong
 from kowalevski_cas.reading.known import CLAIM, CONVENTION, StatementRole
 from kowalevski_cas.reading.ladder import Rung
@@ -157,29 +157,10 @@ class _DerivationReader:
             message = self.troubles.get(item, "") if choice is None else choice.message
             return JudgedStatement(item, role, message=message)
         rung = self.candidates[item][choice.place]
-        given = any(one.given for one in self.candidates[item])
-        sure = not (given or rung.constants or cue("on it", item.words))
-        sure = sure and self._is_plain(rung, item)
-        sure = sure and not any(one.title == "abstract" for one in item.sections)
-        known = self.parts.of(item)
-        fixed = (member for member in item.members if not known.varying(member.names()))
-        doubtful = role.kind == "identity" and not item.derives and any(fixed)
-        rate = role.kind == "integral" or item.derives
-        doubt = None if (sure and rate) or role.kind == SAID else Doubt.UNLESS_MENDED
-        doubt = Doubt.ALWAYS if doubtful else doubt
+        doubt = doubt_of(item, rung, self.candidates[item], self.parts)
         return JudgedStatement(
             item, role, rung.claim, rung.on, rung.constants, doubt, choice.message
         )
-
-    def _is_plain(self, rung: Rung, item: SourceStatement) -> bool:
-        """Whether a claim stands on the only law of its variables, which rests on no other one."""
-        rows = {*rung.claim.scene.field} if isinstance(rung.claim.scene.field, tuple) else set()
-        laws = self.parts.of(item).laws
-        law = next((one for one in laws if {r.printed for r in one.rows} == rows), None)
-        if law is None or law.base is not None or not self.parts.is_sure(item, rung.claim.scene):
-            return False
-        others = (one for one in laws if one is not law)
-        return not any({*one.variables} & {*law.variables} for one in others)
 
     def _id(self, item: SourceStatement) -> str:
         beside = [one for one in self.paper.items if one.typed is item.typed]

@@ -147,7 +147,7 @@ class Stage:
             new = {*one.items} - {*law.rows}
             if one.restates is law and max(item.order for item in new) < at.order:
                 special = {*known.special(one)}
-                if (special and not special <= supposed) or new & cited:
+                if special and (not special <= supposed or new & cited):
                     return one
         return law
 

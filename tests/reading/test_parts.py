@@ -102,3 +102,31 @@ def test_e_is_a_number_where_it_is_only_raised():
     assert verdicts(text) == {r"H=\dot q^2+2e^q": Verdict.PROVED}
     charge = r"\section{A} The motion is $$\ddot q=-eEq.$$ The energy $$H=\dot q^2+eEq^2$$ is an integral."
     assert {*verdicts(charge).values()} == {Verdict.PROVED}
+
+
+def test_a_name_in_a_law_may_be_defined_in_its_sentence():
+    law = r"\section{A} The equations are $$\ddot x=-\frac{x}{\rho^3},\quad \ddot y=-\frac{y}{\rho^3},\quad \rho^2=x^2+y^2.$$ "
+    found = verdicts(law + r"The integral is $$h=\dot x^2+\dot y^2-\frac2\rho.$$")
+    assert {*found.values()} <= {Verdict.PROVED, Verdict.CONDITIONAL} and found
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"On the plane $x=y$ one finds",
+        r"Near the origin",
+        r"In the second case we have",
+        r"В этом случае имеем",
+    ],
+)
+def test_what_is_said_of_a_place_or_a_case_is_not_red(words):
+    first = r"\section{A} The motion is $$\dot x=y^2,\quad \dot y=yx.$$ "
+    assert Verdict.REFUTED not in verdicts(first + words + r" $\dot x=x^2$.").values()
+    assert Verdict.REFUTED in verdicts(first + r"Hence $\dot x=x^2$.").values()
+
+
+def test_what_is_given_by_no_definition_that_was_read_is_no_constant():
+    """Two equations give u and v together; nobody solves them for one."""
+    first = r"\section{A} The motion is $$\dot x=y,\quad \dot y=-x.$$ "
+    pair = r"We introduce $$x=u+v,\quad y^2=uv.$$ Then $$\frac{d(uv)}{dt}=-2xy.$$"
+    assert Verdict.REFUTED not in verdicts(first + pair).values()
