@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from kowalevski_cas.notation.errors import letter_and_index
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, LAW, Known
@@ -13,6 +12,9 @@ from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement
+
+_INDEXED = re.compile(r"_\{?[ijk]\b")
+_NUMBERED = re.compile(r"_\{?\d")
 
 
 def doubt_of(
@@ -55,6 +57,9 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
             return True
         if one.sentence == item.sentence and set_there:
             return True
+        if one.sentence == item.sentence and one.members and cue("suppose", one.lead):
+            if not {*(role.names if role else ())} & {*rung.claim.scene.definitions}:
+                return True
         proved = item.theorem is not None and one.theorem == item.theorem
         apart = item.entry is not None and one.entry is not None and one.entry != item.entry
         if proved and not apart and role is not None and role.name == ASSUMPTION and one.members:
@@ -65,22 +70,19 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
 def _implied(rung: Rung, known: Known) -> Iterator[str]:
     """The names that are no constants, though nothing was read that says what they are.
 
-    They stand with what moves in an equation that is not solved for them, are members of a family
-    of which one is printed with a letter for an index, or are named by what says something else.
+    They stand with what moves in an equation that is not solved for them, have numbers for indices
+    where the law has letters for them, or are named by what says something else.
     """
-    families = {
-        letter_and_index(name)[0]
-        for item in known.items
-        for name in item.names
-        if re.search(r"_\{?[ijk]\b", name)
-    }
+    mentions = {name for law in known.laws for name in law.mentions}
+    families = any(_INDEXED.search(name) for name in mentions)
     for name in rung.claim.scene.constants:
         seen = known.seen.get(name)
         role = known.roles[seen] if seen is not None else None
-        if role is not None and seen is not None and role.name == CLAIM:
-            if role.kind == "identity" and known.varying(seen.names) and name not in role.names:
+        if role is not None and seen is not None and role.name in (CLAIM, ASSUMPTION):
+            told = role.kind == "identity" or role.kind.startswith("set")
+            if told and known.varying(seen.names) and name not in role.names:
                 yield name
-        if letter_and_index(name)[0] in families or _is_lost(name, known):
+        if (families and _NUMBERED.search(name)) or _is_lost(name, known):
             yield name
 
 

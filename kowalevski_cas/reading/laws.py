@@ -106,7 +106,7 @@ class _LawFinder:
 
     def _defines(self, item: SourceStatement) -> bool:
         """Whether a statement gives a name an expression, and is neither a row nor of one."""
-        if not item.bare or item in self.rows or all(isinstance(m, Name) for m in item.members):
+        if not item.bare or item in self.rows:
             return False
         if any(isinstance(member, Number) for member in item.members):
             return False
@@ -143,6 +143,8 @@ class _LawFinder:
             return None
         if part[0].first.marks.isdisjoint(item.marks):  # derivatives by another time
             return None
+        if any(self._relates(one, item, moving) for one in self.paper.items):
+            return None
         law = self.grown(item, moving, self.undefined(since))
         if law is not None:
             law.base = part[-1]
@@ -163,7 +165,8 @@ class _LawFinder:
         begins = apart[0].start if apart else item.sentence[0]
         end = apart[0].end if apart else item.section.end
         rows = [row for row in self.undefined(begins) if begins <= row.typed.start < end]
-        law = self.grown(item, (), rows) if item in rows else None
+        beside = {row for row in self.rows if row.typed is item.typed}
+        law = self.grown(item, (), rows) if beside <= {*rows} else None
         if law is None:
             return None
         old = {name for one in part for name in one.variables}
@@ -178,6 +181,14 @@ class _LawFinder:
             return None
         law.begins = begins
         return law
+
+    def _relates(self, one: SourceStatement, row: SourceStatement, moving: Collection[str]) -> bool:
+        """Whether an equation before a row gives what the row derives by what moves already."""
+        if one.order >= row.order or not one.members or one in self.rows:
+            return False
+        return bool({*row.rates} & one.names - {*moving}) and bool(
+            {*self.names.scalars(one.names)} & {*moving}
+        )
 
     def is_defined(self, row: SourceStatement, since: int) -> bool:
         """Whether a name that a row derives is defined before, from an offset on, or beside it."""
