@@ -10,7 +10,7 @@ from kowalevski_cas.notation import Formula, to_plain
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.generators import decides
+from kowalevski_cas.paper.independence import decides
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evaluate import Evaluation

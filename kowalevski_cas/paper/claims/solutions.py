@@ -69,9 +69,10 @@ def _along(
     field: dict[str, Formula] = {}
     for group in groups:
         initial |= _beginning(group.kind, group.names)
-        field |= {n: rate for n, rate in _rates(group, space).items() if n in group.moving}
+        moving = {*group.moving} & initial.keys()
+        field |= {n: rate for n, rate in _rates(group, space).items() if n in moving}
     initial |= _beginning(kind, names)
-    field |= kind.rates(names)
+    field |= {n: rate for n, rate in kind.rates(names).items() if n in initial}
     moving = {*initial}
     for name in kind.names(Name(space.scene.time)).values():
         reach.names.discard(name)
