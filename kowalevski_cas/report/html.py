@@ -221,7 +221,7 @@ class HtmlWriter(Writer):
                 for k, version in enumerate(block.versions)
             )
         parts = "\n".join(map(self._version, block.versions))
-        head = f"<p><strong>Try other numbers</strong> {choice}</p>"
+        head = f"<p><strong>Try other numbers{self.text(block.of)}</strong> {choice}</p>"
         button = '<p><button type="button">Back to the point above</button></p>'
         return f'<form class="trial" hidden>{head}\n{parts}\n{button}</form>'
 
