@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from functools import partial
+from math import prod
 
 from kowalevski_cas.notation import (
     Application,
@@ -163,9 +164,18 @@ def decides(goal: Goal) -> bool:
         if isinstance(one.space, Meaning) and one.space.transcendental.groups:
             reach = Reach(one.space)
             reach.goal(one)
-            if not one.space.transcendental.independent(reach.names):
+            is_square = partial(_is_square, one.space)
+            if not one.space.transcendental.independent(reach.names, is_square):
                 return False
     return True
+
+
+def _is_square(setting: Meaning, root: Formula) -> bool:
+    """Whether what a root is taken of may be a square."""
+    square = setting.finder.scalar(root) ** 2
+    below = prod(square.ring.divisors[k] ** e for k, e in square.denominator.items())
+    parts = {mask: part * below for mask, part in square.parts.items()}
+    return parts.keys() != {0} or all(e % 2 == 0 for _, e in parts[0].factor()[1])
 
 
 def check_hypotheses(goals: Iterable[Goal]) -> None:

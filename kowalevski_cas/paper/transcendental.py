@@ -18,7 +18,7 @@ from functools import cached_property
 from math import lcm
 from typing import NamedTuple
 
-from kowalevski_cas.notation import Application, Formula, Name, Number, times, to_latex, total
+from kowalevski_cas.notation import Application, Formula, Name, Number, Root, times, to_latex, total
 from kowalevski_cas.notation.functions import FAMILY_OF, MEANING, Family
 from kowalevski_cas.paper.arguments import (
     Combination,
@@ -124,21 +124,36 @@ class Transcendental:
                 found.update(group.names.values(), group.argument.names(), below)
         return frozenset(found)
 
-    def independent(self, names: Container[str]) -> bool:
+    def independent(self, names: Container[str], is_square: Callable[[Formula], bool]) -> bool:
         """Whether the generators in some names are known to obey no equations but their own.
 
         It is not of functions with two moduli, nor with one that may be 0 or 1, where they are
-        others, nor where an argument has a root to a power, or a
-        sum below a line: arguments that look unlike may then have to do with one another.
+        others, nor of arguments that may have to do with one another.
         """
         groups = [g for g in self.groups if any(name in names for name in g.names.values())]
         kinds = {group.kind for group in groups if group.kind.parameters}
-        parts = [part for group in groups for part in group.monomial]
-        odd = any(e < 0 and not isinstance(f, Name) for f, e in parts)
-        odd |= any(isinstance(f, Name) and f.name in self.adjoined and e * e > 1 for f, e in parts)
         if any(self._may_degenerate(one) for kind in kinds for one in kind.parameters):
             return False
-        return len(kinds) < 2 and not (odd and len(groups) > 1)
+        return len(kinds) < 2 and (len(groups) < 2 or self._unrelated(groups, is_square))
+
+    def _unrelated(self, groups: list[Generators], is_square: Callable[[Formula], bool]) -> bool:
+        """Whether no argument is a sum of multiples of the others; products of names are none.
+
+        Roots may be each other's multiples, and that of a square is none. Over a sum stand terms
+        that may cancel.
+        """
+        parts = [part for group in groups for part in group.monomial]
+        odd = [(f, e) for f, e in parts if self._is_root(f) or not isinstance(f, Name)]
+        inner = {one for f, _ in odd for one in f.nodes() if one == f or self._is_root(one)}
+        if len(inner) > 1 or len({exponent for _, exponent in odd}) > 1:
+            return False
+        if any(map(self._is_root, inner)):
+            return all(e * e == 1 for _, e in odd) and not any(map(is_square, inner))
+        return len(odd) < 2
+
+    def _is_root(self, formula: Formula) -> bool:
+        """Whether a formula is a root, as printed or by its name."""
+        return isinstance(formula, Root) or getattr(formula, "name", "") in self.adjoined
 
     def _may_degenerate(self, modulus: Formula) -> bool:
         """Whether a modulus is 0, 1 or -1, or has a root in it that may be."""

@@ -385,3 +385,29 @@ def test_the_pendulum_of_a_textbook(tex, verdict):
     scene = Scene(constants=("k", r"\omega")).defining(closed)
     [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
     assert str(outcome.verdict) == verdict
+
+
+ARGUMENTS = [
+    (r"\sqrt{\frac{g}{l}}t", r"\omega t", "undecided"),  # one of two roots, and the other
+    (r"\sqrt{a}\sqrt{b}t", r"\sqrt{ab}t", "undecided"),
+    (r"(a+1)t", "ct", "undecided"),  # the root of a square
+    (r"\frac{t}{a+b}", r"\frac{2t}{2a+2b}", "undecided"),
+    (r"\frac{a^2-b^2}{a-b}t", "at+bt", "undecided"),
+    (r"\omega t", "at", "refuted"),
+    (r"\sqrt{a}t", "at", "refuted"),
+    (r"\frac{t}{a+b}", "at", "refuted"),
+]
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize("function", [r"\cos", r"\exp"])
+@pytest.mark.parametrize(("left", "right", "verdict"), sampled(ARGUMENTS, 4))
+def test_arguments_that_may_be_one_are_not_taken_for_two(function, left, right, verdict):
+    section = Section("1", "")
+    scene = Scene(constants=("a", "b", "g", "l"))
+    scene = scene.solving(r"\omega", section.display("omega", r"\omega^2=\frac{g}{l}")[1])
+    scene = scene.solving("c", section.display("c", "c^2=a^2+2a+1")[1])
+    scene = scene.adjoining(*(one for one in (r"\sqrt{\frac{g}{l}}", r"\sqrt{a}", r"\sqrt{b}", r"\sqrt{ab}") if one in left + right))  # fmt: skip
+    tex = f"{function}({left})={function}({right})"
+    [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
+    assert str(outcome.verdict) == verdict
