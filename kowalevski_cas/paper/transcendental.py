@@ -193,8 +193,11 @@ class Transcendental:
 
     @cached_property
     def together(self) -> tuple[tuple[str, ...], ...]:
-        """The generators at each argument."""
-        return tuple(tuple(group.names.values()) for group in self.groups)
+        """The generators at each argument, without those that are integrals of them."""
+        return tuple(
+            tuple(name for letter, name in group.names.items() if letter in group.kind.family.rates)
+            for group in self.groups
+        )
 
     def knows(self, formulas: Iterable[Formula], free: Iterable[str]) -> bool:
         """Whether formulas with such names outside of functions bring in nothing new."""
