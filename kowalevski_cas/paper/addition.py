@@ -7,7 +7,6 @@ of :math:`u+v` are those of u. So do their expressions by the functions of u and
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 from functools import cache
 
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Sum
@@ -40,7 +39,7 @@ def addition_theorems(goals: Iterable[Goal]) -> Iterator[Along]:
 @cache
 def theorem(family: Family, added: bool, alone: bool) -> Along:
     r"""The functions of a family at :math:`u+v`, or :math:`u-v`; those of v ``alone``, or of -v."""
-    kind = Kind(replace(family, integrals={}), tuple(map(Name, family.parameters)))
+    kind = Kind(family, tuple(map(Name, family.parameters)))
     first, second = (Generators(kind, ((letter, 1),), 1) for letter in (U, V))
     signed: Formula = V if added else Negative(V)
     names = kind.names(signed if alone else Sum((U, signed)))

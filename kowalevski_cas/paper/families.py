@@ -45,14 +45,14 @@ class Kind(NamedTuple):
         own = dict(zip(self.family.parameters, self.parameters, strict=True))
         return substitute(template(tex), {**own, **values})
 
-    def names(self, argument: Formula) -> dict[str, str]:
-        """The names of the generators at an argument."""
+    def names(self, argument: Formula, integrals: bool = False) -> dict[str, str]:
+        """The names of the generators at an argument, perhaps with those of their integrals."""
         if self.family.argument > 1:
             return {"e": rf"\mathrm{{e}}^{{{_over(argument, self.family.argument)}}}"}
         tex = ",".join(map(to_latex, (argument, *self.parameters)))
         whole = tex if isinstance(argument, Name | Quotient) and not self.parameters else f"({tex})"
         words = {one: canonical(name.split()[0]) for name, one in self.family.functions.items()}
-        letters = {**self.family.rates, **self.family.integrals}
+        letters = [*self.family.rates, *(self.family.integrals if integrals else ())]
         return {
             g: f"{words[g].rstrip(PRIME)}{{{PRIME * (PRIME in words[g])}{whole}}}" for g in letters
         }
@@ -62,8 +62,8 @@ class Kind(NamedTuple):
         below = Number(over * self.family.argument)
         values = {letter: Name(name) for letter, name in names.items()}
         found = {}
-        for letter, tex in {**self.family.rates, **self.family.integrals}.items():
-            rate = self.formula(tex, values)
+        for letter in names:
+            rate = self.formula({**self.family.rates, **self.family.integrals}[letter], values)
             found[names[letter]] = rate if below == ONE else Quotient(rate, below)
         return found
 
@@ -132,6 +132,8 @@ class Generators(NamedTuple):
     kind: Kind
     monomial: Monomial
     over: int
+    integrals: bool = False
+    """Whether those are among them that are integrals of the others."""
 
     @property
     def argument(self) -> Formula:
@@ -141,7 +143,7 @@ class Generators(NamedTuple):
     @property
     def names(self) -> dict[str, str]:
         """Their names, by their letters in the family."""
-        return self.kind.names(self.argument)
+        return self.kind.names(self.argument, self.integrals)
 
     @property
     def values(self) -> dict[str, Formula]:

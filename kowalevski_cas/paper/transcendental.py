@@ -50,7 +50,7 @@ from kowalevski_cas.paper.families import (
 )
 from kowalevski_cas.problem.space import Adjoined, Meaningless
 
-ONE, PI = Number(1), r"\pi"
+PI = r"\pi"
 
 
 class Derived(NamedTuple):
@@ -80,6 +80,7 @@ class Transcendental:
         self.variables, self.constants = (*variables, *([time] if time else [])), tuple(constants)
         known = {*self.variables, *constants}
         found: dict[tuple[Kind, Monomial], int] = {}
+        integrals = set[tuple[Kind, Monomial]]()
         for application in self._applications(formulas):
             kind, argument = kind_of(application), self._argument(application)
             if not known.issuperset(n for monomial in argument for n in names_in(monomial)):
@@ -94,7 +95,9 @@ class Transcendental:
                     own, real, over = self._real(kind, monomial) or (kind, monomial, 1)
                     over *= factor.denominator
                     found[own, real] = lcm(found.get((own, real), 1), over)
-        self.groups = tuple(Generators(*key, over) for key, over in found.items())
+                    if MEANING[application.function] in kind.family.integrals:
+                        integrals.add((own, real))
+        self.groups = tuple(Generators(*key, n, key in integrals) for key, n in found.items())
         self.derived: dict[str, Derived] = {}
 
     def _real(self, kind: Kind, monomial: Monomial) -> tuple[Kind, Monomial, int] | None:
@@ -110,7 +113,7 @@ class Transcendental:
     def _degenerate(self, application: Application) -> Formula | None:
         """What a function is for a special modulus; ``None`` for any other one."""
         kind = kind_of(application)
-        numbers = [combination(self.expanded(one)) for one in kind.parameters]
+        numbers = (combination(self.expanded(one)) for one in kind.parameters)
         special = tuple(sum(terms.values()) for terms in numbers if not any(terms))
         values = kind.family.degenerate.get(special)  # type: ignore[arg-type] # 1 is Fraction(1)
         if values is None:
@@ -193,11 +196,8 @@ class Transcendental:
 
     @cached_property
     def together(self) -> tuple[tuple[str, ...], ...]:
-        """The generators at each argument, without those that are integrals of them."""
-        return tuple(
-            tuple(name for letter, name in group.names.items() if letter in group.kind.family.rates)
-            for group in self.groups
-        )
+        """The generators at each argument."""
+        return tuple(tuple(group.names.values()) for group in self.groups)
 
     def knows(self, formulas: Iterable[Formula], free: Iterable[str]) -> bool:
         """Whether formulas with such names outside of functions bring in nothing new."""
@@ -205,13 +205,17 @@ class Transcendental:
         if not self.free.issuperset(beside & {*free}):
             return False
         known = {(g.kind, g.monomial): g.over for g in self.groups}
+        integrals = {(g.kind, g.monomial) for g in self.groups if g.integrals}
         for application in self._applications(formulas):
             kind = kind_of(application)
             for monomial, factor in self._argument(application).items():
                 own, real, over = self._real(kind, monomial) or (kind, monomial, 1)
-                if monomial and known.get((own, real), 0) % (over * factor.denominator):
-                    return False
                 if monomial and (own, real) not in known:
+                    return False
+                if monomial and known[own, real] % (over * factor.denominator):
+                    return False
+                integral = MEANING[application.function] in kind.family.integrals
+                if integral and (own, real) not in integrals:
                     return False
         return True
 
@@ -274,7 +278,6 @@ class Transcendental:
         if not kind.family.sum:
             raise Meaningless(f"no addition theorem is known at {to_latex(group.argument)}")
         names = kind.names(total(multiple(group.argument, n) for group, n in multiples))
-        names = {letter: name for letter, name in names.items() if letter in kind.family.sum}
         if not {*names.values()} <= self.derived.keys():
             added, rest = count > 0, count - 1 if count > 0 else count + 1
             alone = not before and not rest

@@ -72,7 +72,7 @@ def _along(
         moving = {*group.moving} & initial.keys()
         field |= {n: rate for n, rate in _rates(group, space).items() if n in moving}
     initial |= _beginning(kind, names)
-    field |= {n: rate for n, rate in kind.rates(names).items() if n in initial}
+    field |= kind.rates(names)
     moving = {*initial}
     for name in kind.names(Name(space.scene.time)).values():
         reach.names.discard(name)
