@@ -89,7 +89,7 @@ class Corrector(OutcomeWriter):
         decided = self.anew(statement, name, lambda: self._proved(statement, name))
         if decided is None:
             return None
-        needed, text = self.certified(decided, name)
+        needed, text, divided = self.certified(decided, name)
         place, edit = neighbour.printed, neighbour.edit
         formulas, blamed = printed_of(neighbour), tuple[Formula, ...]()
         if place is not None and edit is None:  # a relation of constants, which is not printed
@@ -99,7 +99,7 @@ class Corrector(OutcomeWriter):
         verdict = Verdict.CONDITIONAL if needed else Verdict.PROVED
         return Correction(
             formulas, neighbour.words, verdict, needed, statement.digest, place, edit,
-            certificate=text, blamed=blamed,
+            certificate=text, divided=divided, blamed=blamed,
         )  # fmt: skip
 
     def _proved(self, statement: Statement, name: str) -> Decided | None:

@@ -9,13 +9,14 @@ from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.verify.certificate import Supported, certificate
-from kowalevski_cas.verify.confirm import Disagreement, confirm
+from kowalevski_cas.verify.confirm import Disagreement, Issued, confirm, divisors_by_goal
 from kowalevski_cas.verify.counterexamples import counterexample, why
 from kowalevski_cas.verify.necessary import conditions
 from kowalevski_cas.verify.outcome import (
     DECIDED,
     Condition,
     Counterexample,
+    Divided,
     Outcome,
     ReportedStep,
     Screened,
@@ -61,8 +62,8 @@ class OutcomeWriter(Workbench):
         if outcome.verdict in DECIDED:
             if self.arithmetics[0] != "flint":
                 decided = self._judged(statement, decided.verdicts, "flint")
-            needed, text = self.certified(decided, statement.claim.id)
-            outcome = outcome._replace(certificate=text)
+            needed, text, divided = self.certified(decided, statement.claim.id)
+            outcome = outcome._replace(certificate=text, divided=divided)
             if outcome.verdict is Verdict.PROVED:
                 outcome = outcome._replace(message=statement.claim.remark(statement.on))
             if needed:
@@ -92,10 +93,11 @@ class OutcomeWriter(Workbench):
             counterexample=against, steps=told, rests_on=self.rests_on(statement)
         )
 
-    def certified(self, decided: Decided, name: str) -> tuple[tuple[Condition, ...], str]:
-        """The conditions of what FLINT accepts, and the certificate, which the checker accepts.
+    def certified(self, decided: Decided, name: str) -> tuple[tuple[Condition, ...], str, Divided]:
+        """The conditions of what FLINT accepts, its certificate, and what FLINT divides by.
 
-        ``name`` is that of its file.
+        ``name`` is that of the file. The checker has accepted it, if it is this process that has
+        to have it checked.
 
         Raises :class:`Disagreement` if the checker rejects it, or has other conditions.
         """
@@ -107,8 +109,14 @@ class OutcomeWriter(Workbench):
         if not isinstance(verdicts, Denial):
             needed, failing = conditions(statement, accepted, self.stored.get(name))
         text = certificate(statement, verdicts, accepted, failing)
-        confirm(statement, verdicts, accepted, text)
-        return needed, text
+        sign: str = "denied"
+        divided: Divided = ()
+        if not isinstance(verdicts, Denial):
+            sign, divided = "holds", divisors_by_goal(accepted)
+        if self.checks:
+            issued = Issued(statement.claim.id, statement.digest, sign, text, divided)
+            confirm(issued, goals=statement.goals)
+        return needed, text, divided
 
     def outcome_without_evidence(
         self,

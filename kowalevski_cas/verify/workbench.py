@@ -88,6 +88,8 @@ class Workbench:
             known = base.established
             for place in base.accepted:
                 self.read_elsewhere[place] = f"{name}/{known.get(place, place.place)}"
+        self.checks = True
+        """Whether certificates are checked here; else whoever receives them has that done."""
         self.found: dict[str, Outcome] = {}
         """What is said about the claims that are decided."""
 
