@@ -108,7 +108,7 @@ class ReadingSession(AuditSession):
 
     def _units(self) -> Iterator[tuple[Printed, Edit]]:
         """The printed squares of the imaginary unit that are not -1, each with what makes it so."""
-        for item in self.reading.known.units:
+        for item in self.reading.parts.known[0].units:
             place = item.printed
             right = Relation((Power(Name("i"), Number(2)), Negative(Number(1))), ("=",))
             if self.texts.formula(place) != right:
@@ -177,7 +177,7 @@ def audit_reading(session: ReadingSession) -> Audit:
 
 def uncovered(reading: Reading) -> list[Uncovered]:
     """The sentences that claim something, and by which no claim is made that is judged."""
-    paper, said = reading.paper, reading.known.said
+    paper, said = reading.paper, reading.parts.said
     judged = [f for f in (*reading.formulas, *reading.statements) if f.claim is not None]
     kinds = {(f.item.sentence, f.role.kind) for f in judged}
     stated = sentences(paper.prose, paper.source, paper.expanded, said.skipped(paper.prose))

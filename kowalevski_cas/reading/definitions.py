@@ -44,7 +44,7 @@ def unit(item: SourceStatement, known: Known) -> StatementRole | None:
     match item.members:
         case (Power(Name("i"), Number(2)), Number() | Negative(Number())):
             return StatementRole(NOTATION, "says what the imaginary unit is", "unit", ("i",))
-        case (Name(name), right) if name in known.paper.times and "t" in right.names():
+        case (Name(name), right) if name in known.times and "t" in right.names():
             return StatementRole(DEFINITION, f"gives another time {name}", "clock")
     return None
 
@@ -153,15 +153,17 @@ def _is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
     ):
         unclear = any(not known.is_explained(n) for one in found for n in one.names)
         return unclear and all(known.is_explained(n) for n in item.names)
-    if known.moves(function) or function in known.paper.times:
+    if known.moves(function) or function in known.times:
         return False
     alone = (Name(function), Power(Name(function), Number(2)))
     if any(function in m.names() for m in item.members if m not in alone) and not arguments:
         return False
     others = item.names - {function, *arguments}
     new = bool(others) and not any(map(known.is_known, others))
+    first = known.seen.get(function)
     return (
-        function not in known.seen
+        first is None
+        or (known.roles[first].name == LAW and first.sentence == item.sentence)
         or bool(cue("where", item.lead))
         or (new and not item.typed.inline)
     )

@@ -12,7 +12,7 @@ from kowalevski_cas.notation import Derivative, Formula, Name, NotationError, Re
 from kowalevski_cas.notation.cursor import BOLD
 from kowalevski_cas.notation.layout import StatementTokens
 from kowalevski_cas.notation.layout import statements as placed
-from kowalevski_cas.notation.open import OpenParser
+from kowalevski_cas.notation.open import OpenParser, is_exponential
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.reading.cues import cue
@@ -22,6 +22,7 @@ from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.formulas import typed_formulas
 from kowalevski_cas.source.listing import guessed
 from kowalevski_cas.source.text import Source
+from kowalevski_cas.source.tokens import scanned
 
 LONGEST_ID = 32
 """The signs of a formula by which it is called if it has no label."""
@@ -95,6 +96,12 @@ class SourceStatement:
         )
 
     @cached_property
+    def marks(self) -> frozenset[str]:
+        """How derivatives are printed here: with dots, with primes, by a variable."""
+        nodes = self.formula.nodes() if self.formula is not None else ()
+        return frozenset(node.mark for node in nodes if isinstance(node, Derivative))
+
+    @cached_property
     def bare(self) -> tuple[str, ...]:
         """The members that are bare names."""
         return tuple(one.name for one in self.members if isinstance(one, Name))
@@ -124,12 +131,14 @@ class SourcePaper:
         )
 
     @cached_property
-    def times(self) -> frozenset[str]:
-        """The names of times: of x and s only where something is derived by them."""
-        formulas = (item.formula for item in self.items if item.formula is not None)
-        nodes = (node for formula in formulas for node in formula.nodes())
-        marks = {node.mark for node in nodes if isinstance(node, Derivative)}
-        return frozenset({"t", r"\tau"} | marks) & self.words.times
+    def maps(self) -> frozenset[SourceStatement]:
+        """The statements with primes in a section that speaks of a map: they are images."""
+        words = self.prose.between
+        return frozenset(
+            item
+            for item in self.items
+            if "prime" in item.marks and cue("map", words(item.section.start, item.sentence[1]))
+        )
 
     @cached_property
     def labels(self) -> dict[str, list[SourceStatement]]:
@@ -204,7 +213,9 @@ def _id(formula: TypedFormula, ids: Counter[str]) -> str:
 def _vocabulary(formulas: Sequence[TypedFormula]) -> Vocabulary:
     """The names of a paper; bold capitals are matrices or vectors, as more formulas can be read."""
     guesses = [guessed(formulas, capitals) for capitals in (VECTOR, MATRIX)]
-    guesses = [replace(one, scalars=one.scalars - {"d"}) for one in guesses]
+    euler = all(is_exponential(scanned(one.tex)) for one in formulas if "e" in one.tex)
+    other = {"d", "e"} if euler else {"d"}
+    guesses = [replace(one, scalars=one.scalars - other) for one in guesses]
     if guesses[0] == guesses[1]:
         return guesses[0]
     bold = [one for one in formulas if any(font[1:-1] in one.tex for font in (*BOLD, r"\bf "))]
