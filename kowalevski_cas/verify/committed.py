@@ -21,10 +21,10 @@ from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.certificate import FOLDER
 from kowalevski_cas.verify.corrections import recorded_correction
+from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.loci import failing
 from kowalevski_cas.verify.outcome import CORRECTED, Run
 from kowalevski_cas.verify.statement import Statement
-from kowalevski_cas.verify.workbench import Workbench
 
 Record = Mapping[str, Mapping[str, object]]
 
@@ -130,9 +130,9 @@ class Expected:
     decided: Mapping[str, str] = field(default_factory=dict)
 
     @cached_property
-    def bench(self) -> Workbench:
+    def interpretation(self) -> Interpretation:
         """What is printed."""
-        return Workbench(self.derivation, [])
+        return Interpretation(self.derivation)
 
     def compare(self, name: str, certificate: checker.Certificate, corrected: bool) -> None:
         """Reject a certificate that is about something else."""
@@ -167,7 +167,7 @@ class Expected:
         if claim is None:
             return None
         with suppress(NotationError, Meaningless):  # what says nothing has no certificate
-            on = self.bench.on(claim)
+            on = self.interpretation.on(claim)
             if not corrected:
                 return Statement(claim, on)
             entry = self.record[id]

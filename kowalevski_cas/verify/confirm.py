@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from math import inf
 from time import perf_counter
 from typing import NamedTuple
@@ -40,6 +41,25 @@ LATE = "there is no time left for the checker"
 
 LOOK = 5_000
 """Steps of the checker between two looks at the clock."""
+
+
+_received = False
+
+
+@contextmanager
+def receiving() -> Iterator[None]:
+    """Processes that begin here have no certificates checked: what they say is received here."""
+    global _received
+    before, _received = _received, True
+    try:
+        yield
+    finally:
+        _received = before
+
+
+def is_received() -> bool:
+    """Whether what is said in this process is received by another one."""
+    return _received
 
 
 class Disagreement(UserError, ValueError):
@@ -106,7 +126,7 @@ def need_certificates(outcome: Outcome, until: float = inf, known: Outcome | Non
         if one in accepted:
             continue
         try:
-            confirm(one, until)
+            confirm(one, until=until)
         except Disagreement as error:
             said = f"{outcome.claim}: what another process says of it is not accepted here: {error}"
             raise Disagreement(said) from None
@@ -138,7 +158,7 @@ class Watch(checker.Budget):
             super().end()
 
 
-def confirm(issued: Issued, until: float = inf, goals: Sequence[Goal] = ()) -> None:
+def confirm(issued: Issued, goals: Sequence[Goal] = (), until: float = inf) -> None:
     """Have the checker accept a certificate with the conditions under which the judge did.
 
     ``goals`` are those of the problem, if they are at hand.
