@@ -24,8 +24,8 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pool import Pool
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.questions import QUESTIONS, collect, forecast, question
-from kowalevski_cas.verify.finding import Finding, with_findings
 from kowalevski_cas.verify.confirm import need_certificates, receiving
+from kowalevski_cas.verify.finding import Finding, with_findings
 from kowalevski_cas.verify.outcome import Outcome, Run
 from kowalevski_cas.verify.run import Session
 
