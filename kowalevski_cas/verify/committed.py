@@ -65,7 +65,7 @@ def check_committed(
     record: Record,
     decided: Mapping[str, str] = MappingProxyType({}),
 ) -> Checked:
-    """Check the certificates in the folder of a derivation.
+    """Check the certificates in the folder of a derivation, in the order of the record.
 
     ``decided`` are the :func:`statements` that a run has just written from the print.
 
@@ -73,7 +73,9 @@ def check_committed(
     record has another statement of the claim, or another sign; so is one that the record asks for
     and that is missing.
     """
-    found = check_files(certificate_files(folder), Expected(derivation, record, decided))
+    places = {claim: place for place, claim in enumerate(record)}
+    files = sorted(certificate_files(folder), key=lambda path: places.get(path.stem, len(places)))
+    found = check_files(files, Expected(derivation, record, decided))
     for name in certificates_of(record):
         if not (folder / FOLDER / f"{name}.json").is_file():
             found.rejected[f"{name}.json"] = "it is in the record, and missing"

@@ -106,7 +106,7 @@ class Corrector:
         decided = self._archive.anew(statement, name, lambda: self._proved(statement, name))
         if decided is None:
             return None
-        needed, text = certify(decided, self._archive.certificates.get(name))
+        needed, text, divided = certify(decided, self._archive.certificates.get(name))
         place, edit = neighbour.printed, neighbour.edit
         formulas, blamed = printed_of(neighbour), tuple[Formula, ...]()
         if place is not None and edit is None:  # a relation of constants, which is not printed
@@ -116,7 +116,7 @@ class Corrector:
         verdict = Verdict.CONDITIONAL if needed else Verdict.PROVED
         return Correction(
             formulas, neighbour.words, verdict, needed, statement.digest, place, edit,
-            certificate=text, blamed=blamed,
+            certificate=text, divided=divided, blamed=blamed,
         )  # fmt: skip
 
     def _proved(self, statement: Statement, name: str) -> Decided | None:

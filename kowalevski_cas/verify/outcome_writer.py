@@ -74,8 +74,8 @@ class OutcomeWriter:
             if self._arithmetics.names[0] != "flint":
                 decided = self._arithmetics.judge(statement, decided.verdicts, "flint")
             stored = self._archive.certificates.get(statement.claim.id)
-            needed, text = certify(decided, stored)
-            outcome = outcome._replace(certificate=text)
+            needed, text, divided = certify(decided, stored)
+            outcome = outcome._replace(certificate=text, divided=divided)
             if outcome.verdict is Verdict.PROVED:
                 outcome = outcome._replace(message=statement.claim.remark(statement.on))
             if needed:

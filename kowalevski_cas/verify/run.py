@@ -17,7 +17,7 @@ from kowalevski_cas.processes import each
 from kowalevski_cas.verify.archive import Archive
 from kowalevski_cas.verify.arithmetics import Arithmetics
 from kowalevski_cas.verify.certificate import Stored, load_certificates
-from kowalevski_cas.verify.confirm import receive
+from kowalevski_cas.verify.confirm import is_received, receive, receiving
 from kowalevski_cas.verify.decider import Decider
 from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
@@ -62,7 +62,9 @@ def decide_together(
     def heard(claim: str, _: int) -> None:
         progress(claim, next(begun), len(tasks))
 
-    received = map(receive, each(decided, range(len(tasks)), heard=heard))
+    with receiving():
+        outcomes = enumerate(each(decided, range(len(tasks)), heard=heard))
+        received = iter([receive(one, tasks[k][0].decider.timeout) for k, one in outcomes])
     return [[next(received) for _ in claims] for _, claims in chosen]
 
 
@@ -70,9 +72,10 @@ def correct_together(
     session: Session, outcomes: Sequence[Outcome], blame: Blame | None = None
 ) -> list[Outcome]:
     """The outcomes with corrections that other processes find, and are received from them."""
-    found = session.with_corrections(outcomes, each, blame)
+    with receiving():
+        found = session.with_corrections(outcomes, each, blame)
     pairs = zip(outcomes, found, strict=True)
-    return [new if new is old else receive(new) for old, new in pairs]
+    return [new if new is old else receive(new, known=old) for old, new in pairs]
 
 
 class Session:
@@ -208,7 +211,10 @@ class Session:
             limit = self.decider.timeout
             self.elsewhere[name] = Session(derivation, ["flint"], certificates=kept, timeout=limit)
         session = self.elsewhere[name] if name else self
-        return session.decider.corrector.confirms(claim, session.outcome(claim))
+        outcome = session.outcome(claim)
+        return session.decider.corrector.confirms(
+            claim, receive(outcome) if is_received() else outcome
+        )
 
     def with_corrections(
         self, outcomes: Sequence[Outcome], work: Work, blame: Blame | None = None

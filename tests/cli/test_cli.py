@@ -474,10 +474,10 @@ def test_an_interrupt_between_two_files_leaves_all(cli, write, monkeypatch):
 def test_what_the_checker_rejects_is_not_recorded(cli, write, monkeypatch):
     check = checker.check
 
-    def strict(text):
+    def strict(text, *more):
         if json.loads(text)["claim"] == "energy":
             raise checker.Rejected("something is wrong with it")
-        return check(text)
+        return check(text, *more)
 
     monkeypatch.setattr(checker, "check", strict)
     folder = write(TRUE + WRONG)

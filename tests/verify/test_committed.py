@@ -447,3 +447,13 @@ def test_thousands_of_changes(capsys):
             f"\n{1500 * len(through)} certificates that were changed; true all the same: {through}"
         )
     assert max(through.values()) < 500
+
+
+def test_certificates_come_in_the_order_of_the_record():
+    folder = find("kharlamov2002")
+    record = load_record(folder)
+    found = [
+        name.rpartition("/")[2]
+        for name in check_committed(folder, load("kharlamov2002"), record).accepted
+    ]
+    assert list(dict.fromkeys(found)) == [claim for claim in record if claim in found]
