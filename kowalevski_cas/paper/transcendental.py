@@ -18,16 +18,7 @@ from functools import cached_property
 from math import lcm
 from typing import NamedTuple
 
-from kowalevski_cas.notation import (
-    Application,
-    Formula,
-    Name,
-    Number,
-    substitute,
-    times,
-    to_latex,
-    total,
-)
+from kowalevski_cas.notation import Application, Formula, Name, substitute, times, to_latex, total
 from kowalevski_cas.notation.functions import FAMILY_OF, MEANING, Family
 from kowalevski_cas.paper.arguments import (
     Combination,
