@@ -136,7 +136,7 @@ def verdict(name, neighbour):
     session = Session(CHAPTERS[name], ["flint"], timeout=20)
     try:
         statement = Statement(neighbour.claim, session.on(neighbour.claim, neighbour.texts))
-        return str(session._decided(statement, 0.0).verdict)
+        return str(session.decider.outcome(statement, 0.0).verdict)
     except (Meaningless, NotationError, Unproved, StopIteration):
         return "error"  # nothing is proved, of a claim that is none of the derivation
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.verify.outcome import Verdict
@@ -45,6 +45,9 @@ class Emphasis(NamedTuple):
     text: Text
     strong: bool = False
 
+
+APPENDIX: Final = "appendix"
+"""The anchor of the appendix, which paper sets in small letters."""
 
 Inline = str | Formula | Code | Sign | Link | Emphasis
 Text = tuple[Inline, ...]
@@ -147,11 +150,12 @@ class TrialVersion(NamedTuple):
 class Trial(NamedTuple):
     """A counterexample that a page computes anew when its reader changes a number.
 
-    There is nothing of it on paper. The first version is what is printed.
+    There is nothing of it on paper. The first version is what is printed; ``of`` says which of
+    several formulas it is about.
     """
 
-    claim: str
     versions: tuple[TrialVersion, ...]
+    of: Text = ()
 
 
 Block = Heading | Paragraph | Equations | Judgement | Items | Table | Graph | Figure | Trial
@@ -212,7 +216,7 @@ def for_paper(document: Document) -> Document:
             yield before
 
     blocks = tuple(_led(stays(document.blocks)))
-    appendix = (Heading(("Appendix: long formulas",), "appendix"), *moved) if moved else ()
+    appendix = (Heading(("Appendix: long formulas",), APPENDIX), *moved) if moved else ()
     return document._replace(blocks=(*blocks, *appendix))
 
 

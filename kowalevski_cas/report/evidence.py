@@ -78,11 +78,8 @@ class Evidence:
             yield Paragraph((head, " ", *self.phrases.values(one)))
         for row in self.rows:
             if trial := trial_of(row, self.phrases.vocabulary):
-                if len(self.rows) > 1:
-                    yield Paragraph(
-                        (*capitalise(self.phrases.links((row.claim,))), ":"), leads=True
-                    )
-                yield trial
+                whose: Text = (" for ", *self.phrases.links((row.claim,)))
+                yield trial._replace(of=whose if len(self.rows) > 1 else ())
 
     def _corrections(self) -> Iterator[Block]:
         """Corrections of the same kind together."""

@@ -178,6 +178,8 @@ class HtmlWriter(Writer):
         sign = self.sign(block.verdict) if block.verdict else ""
         place = f' id="{block.anchor}"' if block.anchor else ""
         label = f'<span class="label">{self.text(block.label)}</span>' if block.label else ""
+        if label and block.anchor:  # the number is the address of what it numbers
+            label = f'<a class="label" href="#{block.anchor}">{self.text(block.label)}</a>'
         head = f'<div class="head">{sign}<p>{self.text(block.head)}</p>{label}</div>'
         body = self.blocks(block.blocks)
         if block.folded:
@@ -221,7 +223,7 @@ class HtmlWriter(Writer):
                 for k, version in enumerate(block.versions)
             )
         parts = "\n".join(map(self._version, block.versions))
-        head = f"<p><strong>Try other numbers</strong> {choice}</p>"
+        head = f"<p><strong>Try other numbers{self.text(block.of)}</strong> {choice}</p>"
         button = '<p><button type="button">Back to the point above</button></p>'
         return f'<form class="trial" hidden>{head}\n{parts}\n{button}</form>'
 

@@ -47,7 +47,7 @@ def trial_of(outcome: Outcome, vocabulary: Vocabulary) -> Trial | None:
     if not found or found[0][0] != texts[0][0]:
         return None
     versions = tuple(_Writer(stated, vocabulary).version(label) for label, stated in found)
-    return Trial(outcome.claim, versions)
+    return Trial(versions)
 
 
 class _Stated(NamedTuple):

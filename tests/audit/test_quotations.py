@@ -24,7 +24,11 @@ def test_every_claim_that_no_formula_prints_quotes_the_author(name):
 
 
 def test_all_sentences_are_found_where_they_stand():
-    quoted = {claim.id: claim.sentence for claim in base().derivation.claims if claim.sentence}
+    quoted = {
+        claim.id: claim.sentence
+        for claim in base().interpretation.derivation.claims
+        if claim.sentence
+    }
     assert audited().lines.keys() == quoted.keys()
     lines = source().text.split("\n")
     for id, line in audited().lines.items():
@@ -60,7 +64,7 @@ def test_other_words_get_no_verdict_of_ours(old, new, claim):
     assert new.split()[0] in outcome.message
     assert claim not in found.lines
     others = {id for id, one in found.outcomes.items() if one is not base().outcomes[id]}
-    quoted = {c.id: c.sentence for c in base().derivation.claims}
+    quoted = {c.id: c.sentence for c in base().interpretation.derivation.claims}
     assert {quoted[id] for id in others} == {quoted[claim]}
 
 
