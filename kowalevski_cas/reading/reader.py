@@ -222,6 +222,8 @@ def chosen(found: list[Rung], on: Elaborations) -> Choice:
             pass
         if first is None or (rung.in_force and not found[first].in_force):
             first = place
+        elif not rung.given and not found[first].given and {*rung.on} > {*found[first].on}:
+            first = place  # what is supposed there is not left aside where the claim fails
     return Choice(first, "" if first is not None else message)
 
 

@@ -138,3 +138,10 @@ def test_a_case_that_a_definition_names_is_not_left_aside_for_a_red():
     claimed = r"\begin{theorem}In the case of Li $x^2+y^2$ is constant.\end{theorem}"
     assert Verdict.REFUTED not in verdicts(first + case + claimed).values()
     assert Verdict.REFUTED in verdicts(first + claimed.replace("In the case of Li", "")).values()
+
+
+def test_an_integral_is_refuted_under_what_its_theorem_supposes():
+    text = r"\section{A} The motion is $$\dot x=ay+c,\quad \dot y=-bx.$$ "
+    case = text + r"\begin{theorem}Let $a=b$ and $c=0$. Then $x^2+2y^2$ is constant.\end{theorem}"
+    assert {*verdicts(case).values()} == {Verdict.REFUTED}
+    assert {*verdicts(case.replace("2y^2", "y^2")).values()} == {Verdict.PROVED}
