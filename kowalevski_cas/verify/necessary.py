@@ -19,7 +19,7 @@ from kowalevski_cas.verify.as_printed import point
 from kowalevski_cas.verify.certificate import Stored, Supported
 from kowalevski_cas.verify.conditions import Divided, conditions_of, implies
 from kowalevski_cas.verify.counterexamples import MANY, against
-from kowalevski_cas.verify.loci import drop_on, failure_on, rank_on, say_nothing_on
+from kowalevski_cas.verify.loci import failure_on, say_nothing_on
 from kowalevski_cas.verify.outcome import Condition, Counterexample
 from kowalevski_cas.verify.statement import Statement
 
@@ -98,6 +98,8 @@ def _singular(statement: Statement, known: Sequence[Formula]) -> Iterator[Condit
     goal = statement.goals[0]
     if not isinstance(statement.claim, Dimension) or not isinstance(goal, Rank):
         return
+    from kowalevski_cas.verify.singular import drop_on, rank_on  # only sets are singular
+
     setting = statement.legend[goal.space]
     for locus, own in zip(setting.scene.loci, setting.loci, strict=True):
         expression, (there, _) = setting.texts.expression(locus.condition), own
