@@ -18,7 +18,17 @@ from functools import cached_property
 from math import lcm
 from typing import NamedTuple
 
-from kowalevski_cas.notation import Application, Formula, Name, substitute, times, to_latex, total
+from kowalevski_cas.notation import (
+    Application,
+    Formula,
+    Name,
+    Number,
+    Power,
+    substitute,
+    times,
+    to_latex,
+    total,
+)
 from kowalevski_cas.notation.functions import FAMILY_OF, MEANING, Family
 from kowalevski_cas.paper.arguments import (
     Combination,
@@ -66,7 +76,9 @@ class Transcendental:
         constants: Sequence[str],
         time: str,
         expanded: Callable[[Formula], Formula],
+        printed: Iterable[tuple[Application, Formula]] = (),
     ) -> None:
+        self.printed = dict(printed)
         self.free, self.time, self.expanded = frozenset(free), time, expanded
         self.variables, self.constants = (*variables, *([time] if time else [])), tuple(constants)
         known = {*self.variables, *constants}
@@ -245,13 +257,33 @@ class Transcendental:
         return Imaginary(kind, found, found.over // over)
 
     def _values(self, group: Generators | Imaginary) -> dict[str, Formula]:
-        """The generators at an argument; at a part of π they are known."""
+        """The generators at an argument; some are known at a part of π, or where it is printed."""
         angles = group.kind.family.angles
+        if isinstance(group, Generators) and (values := self._printed(group)):
+            if group.over > 1 or values.keys() != group.kind.family.rates.keys():
+                raise Meaningless(f"print all values at {to_latex(group.argument)}")
+            return values
         if isinstance(group, Imaginary) or not angles or not self._is_pi(group):
             return group.values
         if group.over not in angles:
             raise Meaningless(f"the values at {to_latex(group.argument)} are not known", PI)
         return {letter: template(tex) for letter, tex in angles[group.over].items()}
+
+    def _printed(self, group: Generators) -> dict[str, Formula]:
+        """The values of generators that the scene prints at a constant."""
+        return {
+            MEANING[one.function]: value
+            for one, value in self.printed.items()
+            if kind_of(one) == group.kind and self._argument(one).keys() == {group.monomial}
+        }
+
+    @property
+    def known_squares(self) -> Iterator[tuple[Formula, Formula]]:
+        """The squares of printed values, and what they have to be."""
+        for group in self.groups:
+            values = self._printed(group)
+            for letter, tex in group.kind.family.squares.items() if values else ():
+                yield Power(values[letter], Number(2)), group.kind.formula(tex, values)
 
     def _is_pi(self, group: Generators) -> bool:
         """Whether an argument is a part of π, which moves nowhere."""

@@ -476,3 +476,33 @@ def test_arguments_that_may_be_one_are_not_taken_for_two(function, left, right, 
     tex = f"{function}({left})={function}({right})"
     [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
     assert str(outcome.verdict) == verdict
+
+
+AT_QUARTER = (
+    r"\operatorname{sn}(K,k)=1,\quad\operatorname{cn}(K,k)=0,\quad\operatorname{dn}(K,k)=k'"
+)
+QUARTERS = [
+    (AT_QUARTER, r"\operatorname{sn}(x+K,k)=\operatorname{cd}(x,k)", "conditional"),
+    (AT_QUARTER, r"\operatorname{sn}(x+2K,k)=-\operatorname{sn}(x,k)", "conditional"),
+    (AT_QUARTER, r"\operatorname{sn}(x+2K,k)=\operatorname{sn}(x,k)", "refuted"),
+    (AT_QUARTER, r"\operatorname{sn}(\frac{K}{2},k)=1", "error"),  # of a half nothing is printed
+    (AT_QUARTER.replace("=1", "=2"), r"\operatorname{sn}(x+K,k)=\operatorname{cd}(x,k)", "error"),
+    (
+        AT_QUARTER.partition(r",\quad\operatorname{dn}")[0],
+        r"\operatorname{sn}(x+K,k)=\operatorname{cd}(x,k)",
+        "error",
+    ),
+    (AT_QUARTER.replace("(K", "(x"), r"\operatorname{sn}(x+K,k)=1", "error"),
+]
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize(("values", "tex", "verdict"), sampled(QUARTERS, 4))
+def test_values_that_are_printed_at_a_constant(values, tex, verdict):
+    """All of one family there, which obey its relations; nothing is known of other arguments."""
+    section = Section("1", "")
+    moduli = section.display("moduli", "k^2+k'^2=1")
+    scene = Scene(variables=("x",), constants=("k", "K")).solving("k'", moduli[1])
+    scene = scene.taking(section.display("values", values))
+    [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
+    assert str(outcome.verdict) == verdict
