@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from functools import partial
-from math import prod
 
 from kowalevski_cas.notation import (
     Application,
@@ -18,6 +17,7 @@ from kowalevski_cas.notation import (
     Quotient,
     times,
 )
+from kowalevski_cas.notation.functions import MEANING
 from kowalevski_cas.paper.arguments import Monomial, product_of, single_name
 from kowalevski_cas.paper.differentiate import derivative
 from kowalevski_cas.paper.families import outside
@@ -48,7 +48,23 @@ def functions_of(setting: Meaning) -> Transcendental:
     unit = ("i",) if scene.unit is not None and _is_imaginary(setting, scene.unit) else ()
     constants = (*scene.constants, *scene.undefined, *roots, *unit)
     free, expanded = free_names(setting, own), partial(_expanded, setting)
-    return Transcendental([*own, *defined], free, moving, constants, time, expanded, scene.roots)
+    return Transcendental(
+        [*own, *defined], free, moving, constants, time, expanded, _values(setting)
+    )
+
+
+def _values(setting: Meaning) -> Iterator[tuple[Application, Formula]]:
+    """The values of functions at constants that a scene prints.
+
+    Raises :class:`Meaningless` for an equation that gives no value of a generator.
+    """
+    for place in setting.scene.values:
+        left, right = setting.texts.sides(place)
+        if not isinstance(left, Application) or len(MEANING.get(left.function, "  ")) > 1:
+            raise Meaningless(f"the equation at {place.place} gives no value of such a function")
+        if not left.arguments[0].names() <= {*setting.scene.constants}:
+            raise Meaningless(f"the value at {place.place} is taken at no constant")
+        yield left, right
 
 
 def _expanded(setting: Meaning, formula: Formula, inside: tuple[str, ...] = ()) -> Formula:
@@ -152,30 +168,6 @@ def _rate(
         if one in reach.names and one not in rates:
             raise Meaningless(f"solve the equations of motion for the rate of {one}", one)
     return ONE, derivative(argument, rates, setting.step)
-
-
-def decides(goal: Goal) -> bool:
-    """Whether a point where a goal fails refutes what it says of functions.
-
-    It does not where the generators of functions may depend on each other in ways that are not
-    known here: as a point there may be none.
-    """
-    for one in simple(goal):
-        if isinstance(one.space, Meaning) and one.space.transcendental.groups:
-            reach = Reach(one.space)
-            reach.goal(one)
-            is_square = partial(_is_square, one.space)
-            if not one.space.transcendental.independent(reach.names, is_square):
-                return False
-    return True
-
-
-def _is_square(setting: Meaning, root: Formula) -> bool:
-    """Whether what a root is taken of may be a square."""
-    square = setting.finder.scalar(root) ** 2
-    below = prod(square.ring.divisors[k] ** e for k, e in square.denominator.items())
-    parts = {mask: part * below for mask, part in square.parts.items()}
-    return parts.keys() != {0} or all(e % 2 == 0 for _, e in parts[0].factor()[1])
 
 
 def check_hypotheses(goals: Iterable[Goal]) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.reading.cues import cue
@@ -32,6 +32,8 @@ def doubt_of(
     if role.kind == SAID:
         return None
     if _is_conditioned(item, rung, known) or any(_implied(rung, known)):
+        return Doubt.ALWAYS
+    if _has_case(item, rung, {one for other in candidates for one in other.on}, known):
         return Doubt.ALWAYS
     given = any(one.given for one in candidates)
     sure = not (given or rung.constants or cue("on it", item.words))
@@ -65,6 +67,24 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
         if proved and not apart and role is not None and role.name == ASSUMPTION and one.members:
             return True
     return False
+
+
+def _has_case(
+    item: SourceStatement, rung: Rung, tried: Collection[SourceStatement], known: Known
+) -> bool:
+    """Whether its section supposes something of its constants that was not tried.
+
+    Words may mean a case by its name, as one that a definition in the section says.
+    """
+    return any(
+        one.section in item.sections[1:]
+        and one.order < item.order
+        and one not in tried
+        and {*known.roles[one].names} & {*rung.claim.scene.constants}
+        and one.theorem is not None
+        and one.entry is None
+        for one in known.assumptions
+    )
 
 
 def _implied(rung: Rung, known: Known) -> Iterator[str]:

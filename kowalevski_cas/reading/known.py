@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
-from kowalevski_cas.notation import Name, Number
+from kowalevski_cas.notation import Name, NotationError, Number
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.laws import Law
@@ -76,6 +77,16 @@ class Known:
                 if not any(isinstance(member, Number) for member in item.members):
                     found.setdefault(item.bare[0], []).append(item)
         return found
+
+    @cached_property
+    def unreadable(self) -> frozenset[str]:
+        """The names that stand alone on a side of what cannot be read."""
+        found: set[str] = set()
+        for item in self.items:
+            if item.formula is None:
+                with suppress(NotationError, IndexError):
+                    found |= {called(name) for name in item.printed.heads.names}
+        return frozenset(found)
 
     def enter(self, item: SourceStatement, role: StatementRole) -> None:
         """Keep what a statement says."""

@@ -96,6 +96,11 @@ class _LawFinder:
         self.rows = [row for row in rows if not {*row.bare[:1]} - rated or self._told(row)]
         self.defining = [item for item in paper.items if self._defines(item)]
 
+    def _may_set_up(self, item: SourceStatement) -> bool:
+        """Whether a law may begin with a row: with a display, or as the words right before say."""
+        aside = any(section.title == "abstract" for section in item.sections)
+        return not item.typed.inline or bool(cue("system", item.lead) and not aside)
+
     def _told(self, item: SourceStatement) -> bool:
         return self.said.verb(item) == "law"
 
@@ -126,14 +131,14 @@ class _LawFinder:
 
     def first(self, item: SourceStatement) -> Law | None:
         """The law of a paper that has none before a row."""
-        if item.typed.inline or self.is_defined(item, self.paper.prose.start):
+        if not self._may_set_up(item) or self.is_defined(item, self.paper.prose.start):
             return None
         since = self.paper.prose.start
         return self.grown(item, (), self.undefined(since))
 
     def other(self, item: SourceStatement, part: Sequence[Law]) -> Law | None:
         """Another law beside some: of another system, or of further variables."""
-        if item.typed.inline:
+        if not self._may_set_up(item):
             return None
         if law := self.other_system(item, part):
             return law
@@ -174,6 +179,8 @@ class _LawFinder:
         deduced = cue("deduced", item.lead) and not said
         printed = {row.formula for one in part for row in one.rows}
         if named & old - rated or (deduced and rated <= old):
+            return None
+        if not said and len(law.items) == 1 and rated < old:  # what follows for one of several
             return None
         if all(row.formula in printed for row in law.items):
             return None

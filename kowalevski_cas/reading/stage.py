@@ -107,6 +107,8 @@ class Stage:
             elif by is not None:
                 definitions[name] = by
                 waiting += self._mentioned(by)
+            elif name in known.unreadable:
+                raise ValueError(f"{name} is defined by what cannot be read")
         return _Closure(law, frozenset(names), definitions)
 
     def _mentioned(self, item: SourceStatement) -> list[str]:

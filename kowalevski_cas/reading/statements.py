@@ -16,6 +16,7 @@ from kowalevski_cas.notation.open import OpenParser, is_exponential
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.numbers import numbers_of
 from kowalevski_cas.reading.text import MARK, Prose, TextSection, references
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.expanded import Expanded
@@ -26,10 +27,6 @@ from kowalevski_cas.source.tokens import scanned
 
 LONGEST_ID = 32
 """The signs of a formula by which it is called if it has no label."""
-
-
-_NUMBER = re.compile(r"\\(?:l?eqno|tag\*?)\s*\{?\s*\(?([\w.*']{1,9})\)?")
-"""The number that an author prints with a formula."""
 
 
 @dataclass(eq=False)
@@ -145,8 +142,13 @@ class SourcePaper:
         """The statements by the labels that cite them."""
         found: dict[str, list[SourceStatement]] = {}
         for item in self.items:
-            for label in (*item.typed.labels, *_NUMBER.findall(item.typed.tex)):
+            for label in item.typed.labels:
                 found.setdefault(label, []).append(item)
+        formulas = [formula for _, formula in self.displays]
+        text, start = self.expanded.text, self.prose.start
+        for typed, number in numbers_of(formulas, text, start, self.source.text):
+            if number not in found:
+                found[number] = [item for item in self.items if item.typed is typed]
         return found
 
 

@@ -78,7 +78,7 @@ class Evidence:
             yield Paragraph((head, " ", *self.phrases.values(one)))
         for row in self.rows:
             if trial := trial_of(row, self.phrases.vocabulary):
-                whose: Text = (" for ", *self.phrases.links((row.claim,)))
+                whose: Text = (" for ", *self.phrases.name((row.claim,)))
                 yield trial._replace(of=whose if len(self.rows) > 1 else ())
 
     def _corrections(self) -> Iterator[Block]:

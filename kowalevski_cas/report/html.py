@@ -223,9 +223,12 @@ class HtmlWriter(Writer):
                 for k, version in enumerate(block.versions)
             )
         parts = "\n".join(map(self._version, block.versions))
-        head = f"<p><strong>Try other numbers{self.text(block.of)}</strong> {choice}</p>"
+        opened = "" if block.of else " open"  # several would hide what is said next
+        head = f"<summary>Try other numbers{self.text(block.of)}</summary>"
+        choice = f"<p>{choice}</p>" if choice else ""
         button = '<p><button type="button">Back to the point above</button></p>'
-        return f'<form class="trial" hidden>{head}\n{parts}\n{button}</form>'
+        inner = f"<details{opened}>{head}\n{choice}\n{parts}\n{button}</details>"
+        return f'<form class="trial" hidden>{inner}</form>'
 
     def _version(self, version: TrialVersion) -> str:
         boxes = " ".join(

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from kowalevski_cas.algebra import POINTS, load, load_points
 from kowalevski_cas.notation import to_plain
-from kowalevski_cas.paper.generators import decides
+from kowalevski_cas.paper.independence import decides
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Denial

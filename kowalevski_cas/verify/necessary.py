@@ -23,6 +23,8 @@ from kowalevski_cas.verify.loci import failure_on, say_nothing_on
 from kowalevski_cas.verify.outcome import Condition, Counterexample
 from kowalevski_cas.verify.statement import Statement
 
+COMPUTED = "as computed, without a certificate"
+
 
 def conditions(
     statement: Statement, accepted: Accepted, stored: Stored | None
@@ -94,7 +96,10 @@ def _where_it_fails(
 
 
 def _singular(statement: Statement, known: Sequence[Formula]) -> Iterator[Condition]:
-    """Loci of known conditions where a set has another dimension, or is singular; with points."""
+    """Loci of known conditions where a set has another dimension, or is singular; with points.
+
+    That is computed and not certified: the words say so.
+    """
     goal = statement.goals[0]
     if not isinstance(statement.claim, Dimension) or not isinstance(goal, Rank):
         return
@@ -112,10 +117,11 @@ def _singular(statement: Statement, known: Sequence[Formula]) -> Iterator[Condit
             words = f"near this point the set has dimension {left}, not {claimed}"
             at = point(found[1].values, setting)
             against = Counterexample(at, Number(left), Number(claimed), words)
-            said = f"for {locus.words} the set has dimension {left}"
+            said = f"for {locus.words} the set has dimension {left}, {COMPUTED}"
             yield Condition(expression, said, against)
         elif dropped := drop_on(goal, there):
             words = f"only {dropped[0]} of the {goal.rank} differentials are independent"
             at = point(dropped[1].values, setting)
             against = Counterexample(at, Number(dropped[0]), Number(goal.rank), words)
-            yield Condition(expression, f"for {locus.words} the set is singular", against)
+            said = f"for {locus.words} the set is singular, {COMPUTED}"
+            yield Condition(expression, said, against)

@@ -130,3 +130,11 @@ def test_what_is_given_by_no_definition_that_was_read_is_no_constant():
     first = r"\section{A} The motion is $$\dot x=y,\quad \dot y=-x.$$ "
     pair = r"We introduce $$x=u+v,\quad y^2=uv.$$ Then $$\frac{d(uv)}{dt}=-2xy.$$"
     assert Verdict.REFUTED not in verdicts(first + pair).values()
+
+
+def test_a_case_that_a_definition_names_is_not_left_aside_for_a_red():
+    first = r"\newtheorem{defn}{Definition}\section{Case of Li} The motion is $$\dot x=ay,\quad \dot y=-bx.$$ "
+    case = r"\begin{defn}The case of Li is that in which \[a=b.\]\end{defn} "
+    claimed = r"\begin{theorem}In the case of Li $x^2+y^2$ is constant.\end{theorem}"
+    assert Verdict.REFUTED not in verdicts(first + case + claimed).values()
+    assert Verdict.REFUTED in verdicts(first + claimed.replace("In the case of Li", "")).values()
