@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections import Counter
 
+from kowalevski_cas.algebra.squares import sum_of_squares
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Product, Sum
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Adjoined, Meaningless, Space
-from kowalevski_cas.search.squares import sum_of_squares
 
 
 def validate(setting: Meaning) -> None:
