@@ -17,7 +17,6 @@ UNJUDGED = {
     "22.8.22": "a condition, with a complete integral",
     "22.8.24": "a condition, with a complete integral",
     "22.8.26": "a condition, with a complete integral",
-    "22.8.27": "rests on a complete integral",
     "4.21.34": "for all integers n",
     "4.21.35": "a product over k",
     "4.35.33": "for all integers n",
@@ -31,7 +30,8 @@ trigonometric and of hyperbolic functions. In `derivations/dlmf22` and `derivati
 restated as a formula with its number, and proved with a certificate: of the functions it is
 known what their rates are, their relations, and their values at one point, and nothing else. A row
 with ± is proved with either sign; one with a root is read as the sentence beside it says, with
-either sign of the root. *Conditional* is what holds where the denominators do not vanish.
+either sign of the root. Row 22.8.27 rests on the values at the quarter period K, which are printed
+beside it. *Conditional* is what holds where the denominators do not vanish.
 
 Beside each row stands in how many of its lines it is proved by Maple and by Mathematica, and in
 how many lines one of them calls it false at values that were tried, as LaCASt reports

@@ -20,7 +20,6 @@ VERSIONS: Final = {
     "facts": 1,
     "record": 1,
     "testimony": 1,
-    "baseline": 1,
     "certificate": 2,
 }
 """The version of each format that is written now."""

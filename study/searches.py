@@ -25,6 +25,7 @@ from sympy.polys.matrices import DomainMatrix
 
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_flint
 from kowalevski_cas.algebra.kernels import PRIME, kernel, residue
+from kowalevski_cas.algebra.polynomials import primitive
 from kowalevski_cas.limits import time_limit
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -37,7 +38,6 @@ from kowalevski_cas.problem.polynomial_fields import (
     Terms,
     derivative,
     monomials,
-    primitive,
 )
 from kowalevski_cas.processes import each
 from kowalevski_cas.search.branches import branches

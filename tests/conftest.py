@@ -89,7 +89,7 @@ def outcomes(run):
 def uncorrected():
     """No correction is looked for: what is refuted costs no more than its refutation."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(Session, "with_corrections", lambda _, outcomes, __: list(outcomes))
+        patch.setattr(Session, "with_corrections", lambda _, outcomes, *__: list(outcomes))
         yield
 
 

@@ -83,6 +83,29 @@ def test_proving_loads_nothing_that_only_shows_or_asks():
     )
 
 
+DECIDE = """
+import sys
+from kowalevski_cas.library import find, load
+from kowalevski_cas.verify.certificate import load_certificates
+from kowalevski_cas.verify.record import load_record
+from kowalevski_cas.verify.run import Session
+known = {"certificates": load_certificates(find("kharlamov2002"))}
+known["record"] = load_record(find("kharlamov2002"))
+assert Session(load("kharlamov2002"), ("flint",), **known).run().outcomes
+print(*sys.modules)
+"""
+
+SOUGHT = {"place", "points", "real"}
+"""The points where a set is singular stand in no certificate; they are sought."""
+
+
+def test_deciding_with_certificates_searches_for_no_proof():
+    loaded = modules(DECIDE)
+    searching = {name for name in loaded if name.startswith(f"{LIBRARY}.search.")}
+    assert searching <= {f"{LIBRARY}.search.{name}" for name in SOUGHT}
+    assert loaded.isdisjoint(f"{LIBRARY}.verify.{name}" for name in ("blame", "repair", "screen"))
+
+
 # -- one way -----------------------------------------------------------------------
 
 

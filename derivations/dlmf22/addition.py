@@ -153,3 +153,22 @@ section.identity(
     on=four,
     says=dlmf("22.8.21"),
 )
+
+quarter = section.lemma(
+    "quarter-22.8",
+    r"\operatorname{sn}(K,k)=1, \quad \operatorname{cn}(K,k)=0, \quad \operatorname{dn}(K,k)=k'",
+    "https://dlmf.nist.gov/22.5.T1: the values at the quarter period",
+)
+shifted = section.lemma(
+    "22.8.26", r"z_3=z_1-K, \quad z_4=z_2-K", "what follows from https://dlmf.nist.gov/22.8.E26"
+)
+by_quarters = (
+    replace(on, variables=("z_1", "z_2")).having(constants=("K",)).taking(quarter).defining(shifted)
+)
+
+section.identity(
+    "22.8.27",
+    r"\operatorname{dn}(z_1,k)\operatorname{dn}(z_3,k)=\operatorname{dn}(z_2,k)\operatorname{dn}(z_4,k)=k'",
+    on=by_quarters,
+    says=dlmf("22.8.27"),
+)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Collection, Mapping, Sequence
 from fractions import Fraction
+from math import gcd, lcm
 from typing import Any
 
 Polynomial = Any
@@ -71,3 +72,11 @@ class Polynomials(ABC):
     @abstractmethod
     def from_terms(self, terms: Coefficients) -> Polynomial:
         """The polynomial with these coefficients."""
+
+
+def primitive(terms: Terms) -> Terms:
+    """The polynomial times the number that makes its coefficients whole and coprime."""
+    below = lcm(*(value.denominator for value in terms.values()))
+    above = gcd(*(value.numerator * (below // value.denominator) for value in terms.values()))
+    sign = 1 if terms[max(terms)] > 0 else -1
+    return {key: value * Fraction(sign * below, above) for key, value in terms.items()}

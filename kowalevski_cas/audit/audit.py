@@ -8,12 +8,12 @@ from dataclasses import dataclass, field
 from time import perf_counter
 
 from kowalevski_cas.audit.audited import SUSPECT, Audited
-from kowalevski_cas.audit.author import AuthorSession
+from kowalevski_cas.audit.author import AuthorSession, formulas
+from kowalevski_cas.audit.causes import AuditBase
 from kowalevski_cas.audit.describe import Describer
 from kowalevski_cas.audit.limits import excess
 from kowalevski_cas.audit.places import Correspondence, find_places
 from kowalevski_cas.audit.quotations import Quotations
-from kowalevski_cas.audit.session import AuditSession, formulas
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Display
 from kowalevski_cas.reading import Reading
@@ -128,11 +128,12 @@ def derivation_of(source: Source, derivations: Sequence[Derivation]) -> Derivati
     return found if found is not None and share(found) >= FITS else None
 
 
-def audit(source: Source, base: AuditSession) -> Audit:
+def audit(source: Source, base: AuditBase) -> Audit:
     """Decide every claim on the formulas of a source; ``base`` is the run of the derivation."""
     start = perf_counter()
+    derivation = base.decider.interpretation.derivation
     expanded, typed = typed_formulas(source)
-    places = find_places(base.derivation, typed)
+    places = find_places(derivation, typed)
     sources: dict[Display, str] = {}
     refused: dict[Display, str] = {}
     for place in places:
@@ -143,7 +144,7 @@ def audit(source: Source, base: AuditSession) -> Audit:
         elif words(place.typed.tex) != words(place.display.tex):
             reason = _excess(place.display, place.typed.tex, base)
             (refused if reason else sources)[place.display] = reason or place.typed.tex
-    quotations = Quotations(source, expanded, typed, places, base.derivation)
+    quotations = Quotations(source, expanded, typed, places, derivation)
     session = AuthorSession(base, sources, refused, quotations.differing())
     notes = [(source.line(offset), reason) for offset, reason in (*source.refused, *expanded.notes)]
     describe = Describer(source, expanded, session, refused)
@@ -160,7 +161,7 @@ def audit(source: Source, base: AuditSession) -> Audit:
     )  # fmt: skip
 
 
-def _excess(display: Display, tex: str, base: AuditSession) -> str:
+def _excess(display: Display, tex: str, base: AuditBase) -> str:
     """Why a display is not evaluated; empty if it is."""
-    read = formulas(base.texts.with_source(display, tex), display)
+    read = formulas(base.decider.interpretation.texts.with_source(display, tex), display)
     return next((reason for formula in read if (reason := excess(formula))), "")

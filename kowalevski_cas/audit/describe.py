@@ -30,11 +30,11 @@ class Describer:
         self.expanded = expanded
         self.session = session
         self.outcomes = session.outcomes
-        self.texts = session.texts
+        self.texts = session.interpretation.texts
         self.refused = refused
-        self.roles = Roles(session.derivation)
+        self.roles = Roles(session.interpretation.derivation)
         self.broken: dict[str, list[str]] = {}
-        for claim, causes in session.causes.items():
+        for claim, causes in session.causes.places.items():
             for printed in causes:
                 self.broken.setdefault(printed.place, []).append(claim)
 
@@ -133,7 +133,7 @@ class Describer:
             audited.counterexample = worst.counterexample
             audited.correction, audited.alternatives = worst.correction, worst.alternatives
             audited.message = worst.message or audited.message
-            causes = self.session.causes.get(worst.claim, ())
+            causes = self.session.causes.places.get(worst.claim, ())
             audited.causes = tuple(cause.place for cause in causes)
         self._blame(audited, printed, audited.formula, role)
 
@@ -146,13 +146,14 @@ class Describer:
         lost = idle = []
         if printed in session.changed:
             lost = undefined(role, formula)
-            idle = unused(session.derivation, session.base.texts, self.texts, printed)
+            before = session.base.decider.interpretation
+            idle = unused(before.derivation, before.texts, self.texts, printed)
         if lost:
             audited.message = f"it does not define {', '.join(lost)}"
         elif idle:
             audited.message = f"nothing depends on {', '.join(idle)} any more"
-        elif audited.breaks and printed in session.misprints:
-            mended = to_latex(session.misprints[printed].formula)
+        elif audited.breaks and printed in session.causes.misprints:
+            mended = to_latex(session.causes.misprints[printed].formula)
             audited.message = f"what rests on it is true with ${mended}$"
         if (lost or idle or audited.breaks) and audited.verdict not in WRONG:
             audited.verdict = SUSPECT

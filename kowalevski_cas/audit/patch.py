@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from kowalevski_cas.audit.audit import Audit, audit
+from kowalevski_cas.audit.author import AuthorSession
+from kowalevski_cas.audit.causes import AuditBase
 from kowalevski_cas.audit.places import Correspondence
 from kowalevski_cas.notation import NotationError, read_display
 from kowalevski_cas.source.difference import difference
@@ -61,9 +63,9 @@ def wanted_tex(audit: Audit, place: Correspondence) -> str | None:
     if not wrong:
         return None
     changed = any(printed in audit.session.changed for printed in wrong)
-    session = audit.session.base if changed else audit.session
-    texts = session.texts
-    for printed, edit in session.repairs(display):
+    session: AuditBase | AuthorSession = audit.session.base if changed else audit.session
+    texts = session.decider.interpretation.texts
+    for printed, edit in session.causes.repairs(display, session.outcomes.values()):
         # An edit before this one may have changed the source: it is read again.
         tex = replace(edit, statement=texts.statement(printed)).tex
         texts = texts.with_source(display, tex)
@@ -74,7 +76,7 @@ def _minimal(audit: Audit, tex: str, wanted: str) -> list[tuple[int, int, str]]:
     """The least to type anew; the whole formula if less would not read as what is wanted."""
     small = list(changes(tex, wanted))
     result = _replaced(tex, {(start, end): typed for start, end, typed in small})
-    vocabulary = audit.session.texts.vocabulary
+    vocabulary = audit.session.interpretation.texts.vocabulary
     try:
         found = [statement.formula for statement in read_display(result, vocabulary)]
         if found == [statement.formula for statement in read_display(wanted, vocabulary)]:

@@ -6,7 +6,7 @@ read otherwise than it was meant.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from functools import cached_property
 from time import perf_counter
@@ -15,13 +15,14 @@ from typing import NamedTuple
 from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.audited import OPEN, UNREADABLE, Audited
 from kowalevski_cas.audit.author import AuthorSession
+from kowalevski_cas.audit.causes import Causes
 from kowalevski_cas.audit.describe import Describer
 from kowalevski_cas.audit.places import Correspondence
-from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.limits import time_limit
 from kowalevski_cas.notation import Edit, Name, Negative, Number, Power, Relation, edits
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.processes import each
 from kowalevski_cas.reading import (
     ASSUMPTION,
     CLAIM,
@@ -33,22 +34,28 @@ from kowalevski_cas.reading import (
 )
 from kowalevski_cas.reading.uncovered import Uncovered, sentences
 from kowalevski_cas.verify.blame import Blame
-from kowalevski_cas.verify.outcome import Outcome, Verdict
-from kowalevski_cas.verify.run import FALSE_AS_READ, Progress, Work, run_together
+from kowalevski_cas.verify.decider import Decider
+from kowalevski_cas.verify.interpretation import Interpretation
+from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
+from kowalevski_cas.verify.run import (
+    FALSE_AS_READ,
+    Progress,
+    Session,
+    correct_together,
+    decide_together,
+)
 
 PATIENCE = 15.0
 """Seconds for what claims share, and for each that is corrected by itself."""
 NOT_JUDGED = "no goal states it yet"
 
 
-class ReadingSession(AuditSession):
+class ReadingSession:
     """A run over a reading.
 
     What another formula explains has this formula for its cause, and is decided once more with it
     as it should read.
     """
-
-    patience = PATIENCE
 
     def __init__(
         self,
@@ -58,16 +65,33 @@ class ReadingSession(AuditSession):
         timeout: float | None = None,
         heard: Progress = lambda *_: None,
     ) -> None:
-        super().__init__(reading.derivation, arithmetics, explain, timeout=timeout)
-        self.heard = heard
+        self._session = Session(
+            reading.derivation, arithmetics, explain, timeout=timeout, patience=PATIENCE
+        )
+        self._heard = heard
         self.reading = reading
+        self.causes = Causes()
         every = (*reading.formulas, *reading.statements)
         self.claiming = {f.claim.id: f for f in every if f.claim is not None}
+
+    @property
+    def decider(self) -> Decider:
+        """What decides the claims."""
+        return self._session.decider
+
+    @property
+    def interpretation(self) -> Interpretation:
+        """What the claims say."""
+        return self.decider.interpretation
+
+    def stands(self, id: str) -> bool:
+        """Whether the correction of a claim that its derivation accepts is proved."""
+        return self._session.stands(id)
 
     @cached_property
     def outcomes(self) -> dict[str, Outcome]:
         """What is said about each claim; processes share the work."""
-        (run,) = run_together([self], progress=self.heard)
+        run = self._run(self._session, self.causes)
         found = {one.claim: self._blaming(one) for one in run.outcomes}
         self._mend(found)
         return {
@@ -75,76 +99,80 @@ class ReadingSession(AuditSession):
             for id, one in found.items()
         }
 
+    def _run(self, session: Session, causes: Causes, only: Sequence[str] = ()) -> Run:
+        """The run of a session; what a wrong unit spoils is not corrected otherwise."""
+        (outcomes,) = decide_together([session], only, self._heard)
+        self._look_for_unit(session.interpretation, outcomes, causes)
+        blame = self._blame(session, outcomes, causes)
+        return session.result(correct_together(session, outcomes, blame))
+
     def _blaming(self, outcome: Outcome) -> Outcome:
         """An outcome; what mends another formula makes that the cause, and corrects none of it."""
-        one = outcome.correction
-        if one is None or not one.blamed or one.printed is None or one.edit is None:
+        if not self.causes.blame(outcome.claim, outcome.correction):
             return outcome
-        self.causes[outcome.claim] = (one.printed,)
-        self.misprints[one.printed] = one.edit
         return outcome._replace(correction=None, alternatives=())
 
     # -- the imaginary unit ------------------------------------------------------------
 
-    def with_corrections(self, outcomes: Sequence[Outcome], work: Work) -> list[Outcome]:
-        """The outcomes with corrections; what a wrong unit spoils is decided once more, later."""
-        claims = {claim.id: claim for claim in self.derivation.claims}
-        for place, edit in self._units():
+    def _look_for_unit(
+        self, interpretation: Interpretation, outcomes: Sequence[Outcome], causes: Causes
+    ) -> None:
+        """Note the edit of a wrong unit as that of a misprint, if claims become true by it."""
+        claims = {claim.id: claim for claim in interpretation.derivation.claims}
+        for place, edit in self._units(interpretation.texts):
             failing = [
                 claims[one.claim]
                 for one in outcomes
                 if one.verdict is Verdict.REFUTED and place in claims[one.claim].reads()
             ]
-            texts = self.texts.with_edit(place, edit)
+            texts = interpretation.texts.with_edit(place, edit)
 
             def holds(number: int, failing: list[Claim] = failing, texts: Texts = texts) -> bool:
-                with suppress(TimeoutError), time_limit(self.patience):
-                    return self._true(failing[number], texts)
+                with suppress(TimeoutError), time_limit(PATIENCE):
+                    return interpretation.holds(failing[number], texts)
                 return False
 
-            if sum(work(holds, range(len(failing)))) > 1:
-                self.misprints[place] = edit
-        return super().with_corrections(outcomes, work)
+            if sum(each(holds, range(len(failing)))) > 1:
+                causes.misprints[place] = edit
 
-    def _units(self) -> Iterator[tuple[Printed, Edit]]:
+    def _units(self, texts: Texts) -> Iterator[tuple[Printed, Edit]]:
         """The printed squares of the imaginary unit that are not -1, each with what makes it so."""
-        for item in self.reading.known.units:
+        for item in self.reading.parts.known[0].units:
             place = item.printed
             right = Relation((Power(Name("i"), Number(2)), Negative(Number(1))), ("=",))
-            if self.texts.formula(place) != right:
-                statement = self.texts.statement(place)
-                every = edits(statement, self.texts.vocabulary)
+            if texts.formula(place) != right:
+                every = edits(texts.statement(place), texts.vocabulary)
                 yield from ((place, edit) for edit in every if edit.formula == right)
                 return
 
-    def blame(self, outcomes: Mapping[str, Outcome]) -> Blame:
+    @staticmethod
+    def _blame(session: Session, outcomes: Sequence[Outcome], causes: Causes) -> Blame:
         """The search for what makes claims fail that stand on no misprint that is known."""
-        verdicts = {id: outcome.verdict for id, outcome in outcomes.items()}
-        waiting = {c.id for c in self.derivation.claims if c.reads() & self.misprints.keys()}
-        explained = [id for id, one in outcomes.items() if one.correction or id in waiting]
-        return Blame(self, verdicts, explained)
+        verdicts = {outcome.claim: outcome.verdict for outcome in outcomes}
+        misprints = causes.misprints.keys()
+        waiting = {c.id for c in session.derivation.claims if c.reads() & misprints}
+        explained = [o.claim for o in outcomes if o.correction or o.claim in waiting]
+        return Blame(session.decider.corrector, verdicts, explained)
 
     # -- what is mended elsewhere --------------------------------------------------------
 
     def _mend(self, found: dict[str, Outcome]) -> None:
         """Decide once more, with what is blamed as it should read, what that has not mended."""
-        mended = {place: edit.formula for place, edit in self.misprints.items()}
+        mended = {place: edit.formula for place, edit in self.causes.misprints.items()}
         rest = [
             claim.id
-            for claim in self.derivation.claims
+            for claim in self.interpretation.derivation.claims
             if self._waits(found[claim.id]) and claim.reads() & mended.keys()
         ]
         if not rest:
             return
-        again = ReadingSession(self.reading, self.arithmetics, timeout=self.timeout)
-        again.texts = self.texts.reading(mended)
-        again.elaborations = self.elaborations.apart(again.texts)
-        (run,) = run_together([again], rest, self.heard)
-        for outcome in run.outcomes:
+        texts = self.interpretation.texts.reading(mended)
+        again = self._session.under(self.interpretation.under(texts))
+        for outcome in self._run(again, Causes(), rest).outcomes:
             own = outcome.correction is not None and not outcome.correction.blamed
             late = found[outcome.claim].verdict is Verdict.TIMEOUT
             if own or (outcome.verdict.green and not late):
-                self.causes[outcome.claim] = (*mended,)
+                self.causes.places[outcome.claim] = (*mended,)
                 corrections = () if outcome.correction is None else (outcome.correction,)
                 failed = found[outcome.claim]._replace(verdict=Verdict.REFUTED, message="")
                 found[outcome.claim] = failed.corrected_by(corrections)
@@ -153,7 +181,7 @@ class ReadingSession(AuditSession):
         """Whether a claim is false as it was read, or not decided, and nothing explains it."""
         open_ones = (Verdict.REFUTED, Verdict.TIMEOUT)
         failed = outcome.verdict in open_ones or outcome.message == FALSE_AS_READ
-        return failed and outcome.correction is None and outcome.claim not in self.causes
+        return failed and outcome.correction is None and outcome.claim not in self.causes.places
 
 
 def audit_reading(session: ReadingSession) -> Audit:
@@ -177,7 +205,7 @@ def audit_reading(session: ReadingSession) -> Audit:
 
 def uncovered(reading: Reading) -> list[Uncovered]:
     """The sentences that claim something, and by which no claim is made that is judged."""
-    paper, said = reading.paper, reading.known.said
+    paper, said = reading.paper, reading.parts.said
     judged = [f for f in (*reading.formulas, *reading.statements) if f.claim is not None]
     kinds = {(f.item.sentence, f.role.kind) for f in judged}
     stated = sentences(paper.prose, paper.source, paper.expanded, said.skipped(paper.prose))

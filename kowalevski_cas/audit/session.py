@@ -7,106 +7,100 @@ claim true and nothing is claimed about it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
 from math import inf
 
+from kowalevski_cas.audit.causes import Causes
 from kowalevski_cas.limits import tell, time_limit
-from kowalevski_cas.notation import Edit, Formula, NotationError
-from kowalevski_cas.paper.claims import Claim
-from kowalevski_cas.paper.texts import Display, Printed, Texts
+from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.blame import Blame, Repairs
-from kowalevski_cas.verify.outcome import Correction, Outcome, Verdict
-from kowalevski_cas.verify.run import PROVING, Session
-from kowalevski_cas.verify.statement import Statement
+from kowalevski_cas.verify.certificate import Stored
+from kowalevski_cas.verify.decider import PROVING, Decider
+from kowalevski_cas.verify.interpretation import Interpretation
+from kowalevski_cas.verify.outcome import Outcome, Verdict
+from kowalevski_cas.verify.run import Session
 
 PATIENCE = 4.0
 """Seconds that a correction, or a misprint in a definition, is sought for."""
 
-AS_BEFORE = "as the derivation has it"
-"""The words for a correction that restores what the author has changed."""
 
+class AuditSession:
+    """A run over the texts of a derivation, in which each outcome is found once.
 
-class AuditSession(Session):
-    """A run over the texts of a derivation, in which each outcome is found once."""
+    The arguments are those of a run; ``patience`` are the seconds that a correction is sought for.
+    """
 
-    patience = PATIENCE
+    def __init__(
+        self,
+        derivation: Derivation,
+        arithmetics: Sequence[str],
+        explain: bool = False,
+        certificates: Mapping[str, Stored] | None = None,
+        timeout: float | None = None,
+        record: Mapping[str, Mapping[str, object]] | None = None,
+        patience: float = PATIENCE,
+    ) -> None:
+        self._session = Session(
+            derivation, arithmetics, explain, certificates, timeout, record=record,
+            patience=patience,
+        )  # fmt: skip
+        self.causes = Causes()
 
-    @cached_property
-    def causes(self) -> dict[str, tuple[Printed, ...]]:
-        """The places that make refuted claims false, by claim."""
-        return {}
+    @property
+    def decider(self) -> Decider:
+        """What decides the claims."""
+        return self._session.decider
 
-    @cached_property
-    def misprints(self) -> dict[Printed, Edit]:
-        """Edits of formulas about which nothing is claimed, by which claims become true."""
-        return {}
+    @property
+    def interpretation(self) -> Interpretation:
+        """What the claims say."""
+        return self.decider.interpretation
 
     @cached_property
     def outcomes(self) -> dict[str, Outcome]:
         """What is said about each claim."""
-        claims = self.derivation.claims
+        claims = self.interpretation.derivation.claims
         found: dict[str, Outcome] = {}
         for done, claim in enumerate(claims):
             tell(claim.id, done, len(claims))
-            found[claim.id] = self.outcome(claim)
-        explained = [c.id for c in claims if not self._unexplained(c, found[c.id])]
-        verdicts = {id: outcome.verdict for id, outcome in found.items()}
-        blame = Blame(self, verdicts, explained, self.patience or inf)
-        for id, corrections in self._repairs(blame).items():
-            found[id] = self._told(found[id], corrections)
-        return found
+            found[claim.id] = self._session.outcome(claim)
+        return repaired(found, unexplained(found.values(), self.causes), self.decider, self.causes)
 
-    def _repairs(self, blame: Blame) -> Repairs:
-        """The corrections that are found in time."""
-        found: Repairs = {}
-        failing = blame.open()
-        limit = PROVING * (self.patience or inf)
-        with suppress(TimeoutError, RecursionError), time_limit(limit):
-            found = blame.shared() if failing else {}
-        for claim in failing:
-            if claim.id not in found:
-                with suppress(TimeoutError, RecursionError), time_limit(limit):
-                    found[claim.id] = blame.alone(claim)
-        return found
-
-    def _told(self, outcome: Outcome, corrections: Sequence[Correction]) -> Outcome:
-        """An outcome with its corrections; one of another formula makes that the cause."""
-        for one in corrections[:1]:
-            if one.blamed and one.printed is not None and one.edit is not None:
-                self.causes[outcome.claim] = (one.printed,)
-                self.misprints[one.printed] = one.edit
-                return outcome
-        return outcome.corrected_by(corrections)
-
-    def _unexplained(self, claim: Claim, outcome: Outcome) -> bool:
-        """Whether nothing is known that would make a refuted claim true."""
-        refuted = outcome.verdict is Verdict.REFUTED
-        return refuted and outcome.correction is None and claim.id not in self.causes
-
-    def repairs(self, display: Display) -> Iterator[tuple[Printed, Edit]]:
-        """The edits that make statements of a display true."""
-        found = {**self.misprints}
-        for outcome in self.outcomes.values():
-            proposed = outcome.correction
-            if proposed is not None and proposed.printed is not None and proposed.edit is not None:
-                found[proposed.printed] = proposed.edit
-        yield from ((place, edit) for place, edit in found.items() if place.display == display)
-
-    def _true(self, claim: Claim, texts: Texts) -> bool:
-        """Whether a claim holds under other texts."""
-        try:
-            return Statement(claim, self.on(claim, texts)).holds()
-        except TimeoutError:
-            raise
-        except Exception:  # what an author types must not end the audit of the rest
-            return False
+    def stands(self, id: str) -> bool:
+        """Whether the correction of a claim that its derivation accepts is proved."""
+        return self._session.stands(id)
 
 
-def formulas(texts: Texts, display: Display) -> tuple[Formula, ...]:
-    """The statements of a display as they are read; none if it cannot be read."""
-    try:
-        return tuple(statement.formula for statement in texts.statements(display))
-    except NotationError:
-        return ()
+def unexplained(outcomes: Collection[Outcome], causes: Causes) -> set[str]:
+    """The refuted claims of which nothing is known that would make them true."""
+    refuted = (o for o in outcomes if o.verdict is Verdict.REFUTED and o.correction is None)
+    return {outcome.claim for outcome in refuted} - causes.places.keys()
+
+
+def repaired(
+    outcomes: dict[str, Outcome], failing: Collection[str], decider: Decider, causes: Causes
+) -> dict[str, Outcome]:
+    """The outcomes with corrections of claims that fail; one of another formula is the cause."""
+    found = {**outcomes}
+    verdicts = {id: outcome.verdict for id, outcome in outcomes.items()}
+    explained = [id for id in outcomes if id not in failing]
+    blame = Blame(decider.corrector, verdicts, explained, decider.patience or inf)
+    for id, corrections in _repairs(blame, PROVING * (decider.patience or inf)).items():
+        if not causes.blame(id, corrections[0] if corrections else None):
+            found[id] = found[id].corrected_by(corrections)
+    return found
+
+
+def _repairs(blame: Blame, limit: float) -> Repairs:
+    """The corrections that are found in time."""
+    found: Repairs = {}
+    failing = blame.open()
+    with suppress(TimeoutError, RecursionError), time_limit(limit):
+        found = blame.shared() if failing else {}
+    for claim in failing:
+        if claim.id not in found:
+            with suppress(TimeoutError, RecursionError), time_limit(limit):
+                found[claim.id] = blame.alone(claim)
+    return found

@@ -41,7 +41,7 @@ from kowalevski_cas.source.files import read_source
 from kowalevski_cas.source.listing import listing
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.certificate import load_certificates
-from kowalevski_cas.verify.confirm import need_certificates
+from kowalevski_cas.verify.confirm import need_certificates, receiving
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.verify.outcome_writer import disagreement
 
@@ -118,9 +118,10 @@ def run(arguments: argparse.Namespace) -> int:
     if known is None:
         _, said, note, code = _told(arguments, _read(source, arguments))
     else:
-        ((outcomes, said, note, code),) = session.map_in_processes(
-            lambda one: _told(arguments, audit(one, auditing(*known, arguments))), [source]
-        )
+        with receiving():
+            ((outcomes, said, note, code),) = session.map_in_processes(
+                lambda one: _told(arguments, audit(one, auditing(*known, arguments))), [source]
+            )
         for outcome in outcomes:
             need_certificates(outcome)
     if arguments.patch:

@@ -25,6 +25,7 @@ from kowalevski_cas.pool import Pool
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.questions import QUESTIONS, collect, forecast, question
 from kowalevski_cas.schema import head
+from kowalevski_cas.verify.confirm import need_certificates, receiving
 from kowalevski_cas.verify.finding import Finding, with_findings
 from kowalevski_cas.verify.outcome import Outcome, Run
 from kowalevski_cas.verify.run import Session
@@ -97,9 +98,12 @@ def run(arguments: argparse.Namespace) -> int:
     forecast(scene, arguments.question, getattr(arguments, "degree", 0))
     file, name = _owner(scene) if arguments.write else (None, "")
     pool = session.pool(arguments)
-    (answer,) = session.map_in_processes(
-        lambda _: _answer(derivation, scene, arguments, name, pool), [None]
-    )
+    with receiving():
+        (answer,) = session.map_in_processes(
+            lambda _: _answer(derivation, scene, arguments, name, pool), [None]
+        )
+    for outcome in answer.run.outcomes:
+        need_certificates(outcome)
     if file is not None:
         write(file, read(file) + answer.claims)
     outcomes = answer.run.outcomes

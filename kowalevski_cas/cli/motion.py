@@ -68,7 +68,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help=f"{words}. If none is named: closed where there is a closed form, else dop853",
     )
     session.add_timeout(parser, 60, "for the method")
-    parser.add_argument("--format", choices=FORMATS, default="json")
+    parser.add_argument(
+        "--format", choices=FORMATS, help="if none is named: table on a terminal, else json"
+    )
     session.add_output(parser, "write DIR/motion.FORMAT instead of printing")
 
 
@@ -104,6 +106,9 @@ def add_motion(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
+    if arguments.format is None:
+        reads = arguments.output is None and sys.stdout.isatty()
+        arguments.format = "table" if reads else "json"
     binary = arguments.format == "npz" and arguments.output is None
     if binary and sys.stdout.isatty():
         raise CommandError("npz is not for a terminal; give --output DIR, or send it to a file")

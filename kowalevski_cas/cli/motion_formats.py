@@ -30,6 +30,25 @@ def as_json(result: Trajectory) -> bytes:
     return ",\n".join([f'{begin}, "states": [\n{states}\n]', *told]).encode() + b"\n}\n"
 
 
+def as_table(result: Trajectory) -> bytes:
+    """For reading: the states to four decimals, then the constants, their drift and the regime."""
+    names = ("t", *(f"{letter}{k}" for letter in "ωαβ" for k in "₁₂₃"))
+    lines = ["".join(f"{name:>8}" for name in names)]
+    for t, row in zip(result.times.tolist(), result.rows, strict=True):
+        lines.append(f"{t:>8.6g}" + "".join(map(_decimal, row)))
+    constants = [f"{n} = {v:.6g}" for n, v in result.motion.constants.items()]
+    lines += ["", ", ".join(constants)]
+    lines.append(f"The integrals drift by at most {max(map(abs, result.drift.values())):.2g}.")
+    regime = {n: v for n, v in result.regime.items() if isinstance(v, str)}
+    lines.append(regime.pop("none", "; ".join(f"{n}: {v}" for n, v in regime.items())))
+    return "\n".join([*lines, ""]).encode()
+
+
+def _decimal(value: float) -> str:
+    """A number of eight letters, with a blank before it."""
+    return f"{value:8.4f}" if abs(value) < 10 else f" {value:7.3g}"
+
+
 def as_csv(result: Trajectory) -> bytes:
     """A table with a header: the time, the variables, the radius of a ball; floats read back."""
     radii = [[]] * len(result.times) if result.radii is None else result.radii[:, None].tolist()
@@ -52,5 +71,7 @@ def as_npz(result: Trajectory) -> bytes:
     return file.getvalue()
 
 
-FORMATS: dict[str, Callable[[Trajectory], bytes]] = {"json": as_json, "csv": as_csv, "npz": as_npz}
+FORMATS: dict[str, Callable[[Trajectory], bytes]] = {
+    "table": as_table, "json": as_json, "csv": as_csv, "npz": as_npz,
+}  # fmt: skip
 """The contents of a file in each format."""

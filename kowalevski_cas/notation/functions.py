@@ -23,10 +23,10 @@ class Family:
     ``squares``
         those generators that are either root of something.
     ``zero``
-        the values of the generators where the argument is zero.
+        the values of the generators where the argument is zero, if they have some.
     ``minus``, ``sum``
         the generators that are others at the opposite argument, and all of them at the sum of two
-        arguments, where :math:`s_1` is at the second one.
+        arguments, where :math:`s_1` is at the second one, if there is an addition theorem.
     ``parameters``
         what stands behind the argument, as the modulus.
     ``angles``
@@ -37,19 +37,28 @@ class Family:
         whether the generators take all real values that their squares allow.
     ``argument``
         the part of the argument at which the generators are taken.
+    ``imaginary``
+        the generators at i times an argument, by those of another family at it.
+    ``degenerate``
+        the generators for special parameters, by functions of the argument x.
+    ``integrals``
+        further generators, of which nothing is known but their derivatives.
     """
 
     functions: Mapping[str, str]
     rates: Mapping[str, str]
-    zero: Mapping[str, str]
-    sum: Mapping[str, str]
-    minus: Mapping[str, str]
+    zero: Mapping[str, str] = field(default_factory=dict)
+    sum: Mapping[str, str] = field(default_factory=dict)
+    minus: Mapping[str, str] = field(default_factory=dict)
     squares: Mapping[str, str] = field(default_factory=dict)
+    integrals: Mapping[str, str] = field(default_factory=dict)
     parameters: tuple[str, ...] = ()
     angles: Mapping[int, Mapping[str, str]] = field(default_factory=dict)
     nonzero: tuple[str, ...] = ()
     covers: bool = True
     argument: int = 1
+    imaginary: Mapping[str, str] = field(default_factory=dict)
+    degenerate: Mapping[tuple[int, ...], Mapping[str, str]] = field(default_factory=dict)
 
 
 CIRCULAR = Family(
@@ -73,6 +82,7 @@ CIRCULAR = Family(
         4: {"s": r"\frac{\sqrt{2}}{2}", "c": r"\frac{\sqrt{2}}{2}"},
         6: {"s": r"\frac{1}{2}", "c": r"\frac{\sqrt{3}}{2}"},
     },
+    imaginary={"s": r"\frac{i}{2}(e^2-\frac{1}{e^2})", "c": r"\frac{1}{2}(e^2+\frac{1}{e^2})"},
 )
 
 # The generator is e to half of the argument: it is real, so that its square is positive.
@@ -92,8 +102,10 @@ EXPONENTIAL = Family(
     sum={"e": "ee_1"},
     nonzero=("e",),
     argument=2,
+    imaginary={"e": "c+is"},
 )
 
+_SECH = r"\frac{1}{\cosh x}"
 _BELOW = "1-k^2s^2s_1^2"
 JACOBI = Family(
     functions={
@@ -109,9 +121,11 @@ JACOBI = Family(
         "cd": r"\frac{c}{d}",
         "ds": r"\frac{d}{s}",
         "dc": r"\frac{d}{c}",
+        "am": "a",
     },
     rates={"s": "cd", "c": "-sd", "d": "-k^2sc"},
     squares={"c": "1-s^2", "d": "1-k^2s^2"},
+    integrals={"a": "d"},
     zero={"s": "0", "c": "1", "d": "1"},
     minus={"s": "-s"},
     sum={
@@ -121,27 +135,47 @@ JACOBI = Family(
     },
     parameters=("k",),
     covers=False,
+    degenerate={
+        (0,): {"s": r"\sin x", "c": r"\cos x", "d": "1"},
+        **{(one,): {"s": r"\tanh x", "c": _SECH, "d": _SECH} for one in (1, -1)},
+    },
 )
 
-FAMILIES = (CIRCULAR, EXPONENTIAL, JACOBI)
+WEIERSTRASS = Family(
+    functions={"wp": "p", "wp'": "q"},
+    rates={"p": "q", "q": r"6p^2-\frac{1}{2}g_2"},
+    squares={"q": "4p^3-g_2p-g_3"},
+    parameters=("g_2", "g_3"),
+    covers=False,
+)
+
+FAMILIES = (CIRCULAR, EXPONENTIAL, JACOBI, WEIERSTRASS)
 
 DERIVATIVES = {
     "ln": r"\frac{1}{\sqrt{x}^2}",
+    "arcsin": r"\frac{1}{\sqrt{1-x^2}}",
+    "arccos": r"-\frac{1}{\sqrt{1-x^2}}",
     "arctan arctg": r"\frac{1}{1+x^2}",
     "arccot arcctg": r"-\frac{1}{1+x^2}",
+    "arsinh arcsinh arsh": r"\frac{1}{\sqrt{1+x^2}}",
+    "arcosh arccosh arch": r"\frac{1}{\sqrt{x-1}\sqrt{x+1}}",
     "artanh arctanh arth": r"\frac{1}{\sqrt{1-x^2}^2}",
+    "arcoth arccoth arcth": r"-\frac{1}{\sqrt{x^2-1}^2}",
 }
 """Functions of which only the derivatives are known, by their argument x.
 
 They are real where the roots in these are.
 """
 
-_OTHERS = ("log", "arcsin", "arccos", "max", "min", "det", "tr Tr")
+_OTHERS = ("log", "max", "min", "det", "tr Tr")
 _MACROS = frozenset(
     """sin cos tan cot sec csc sinh cosh tanh coth arcsin arccos arctan exp ln log max min
     det""".split()
 )
-_SHORT = frozenset("tg ctg cotg cosec sh ch th cth sech csch arctg arcctg arth".split())
+_SYMBOLS = frozenset(["wp", "wp'"])
+_SHORT = frozenset(
+    "tg ctg cotg cosec sh ch th cth sech csch arctg arcctg arsh arch arth arcth".split()
+)
 """Names that authors print as macros, though LaTeX has none."""
 
 
@@ -151,7 +185,7 @@ def canonical(word: str) -> str:
     >>> canonical("sin"), canonical("sn")
     ('\\sin', '\\mathrm{sn}')
     """
-    return rf"\{word}" if word in _MACROS else rf"\mathrm{{{word}}}"
+    return rf"\{word}" if word in _MACROS | _SYMBOLS else rf"\mathrm{{{word}}}"
 
 
 _LINES = [name.split() for family in FAMILIES for name in family.functions]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -31,7 +32,7 @@ class OpenParser(Parser):
         ]
         names = {letter + more for letter, index in found for more in ("", index)}
         names -= {"d", *vocabulary.ranks}
-        names -= {"e"} if _is_exponential(tokens) else set()
+        names -= {"e"} if is_exponential(tokens) else set()
         scalars = vocabulary.scalars | names - vocabulary.functions
         known = vocabulary.moving - vocabulary.vectors
         moving = vocabulary.moving if known else vocabulary.moving | scalars
@@ -95,7 +96,7 @@ def bold_names(tex: str) -> list[str]:
     return [*dict.fromkeys(one + index for one, index in letters if one.startswith(BOLD))]
 
 
-def _is_exponential(tokens: list[Token]) -> bool:
+def is_exponential(tokens: Sequence[Token]) -> bool:
     """Whether the letter e is raised wherever it stands, and never to a number alone."""
     behind = (
         [t.kind for t in tokens[k + 1 : k + 5]] for k, t in enumerate(tokens) if t.text == "e"

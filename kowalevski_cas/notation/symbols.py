@@ -65,6 +65,8 @@ class Symbols(Cursor):
         name = token.text + on.index
         if name == "e" and on.power is not None and "e" not in self.names:
             return self.exponential(token, on, accents)
+        if on.primes and self.applied(primed := name + "'" * on.primes):  # as that of Weierstrass
+            name, on.primes = primed, 0
         if self.applied(name):
             if on.primes or accents:
                 raise self.error(

@@ -20,11 +20,18 @@ from kowalevski_cas.notation import (
     times,
     to_latex,
 )
-from kowalevski_cas.notation.functions import CIRCULAR, EXPONENTIAL, FAMILY_OF, Family, canonical
+from kowalevski_cas.notation.functions import (
+    CIRCULAR,
+    EXPONENTIAL,
+    FAMILY_OF,
+    FUNCTIONS,
+    Family,
+    canonical,
+)
 from kowalevski_cas.paper.arguments import Monomial, product_of
 from kowalevski_cas.problem.space import Adjoined, Meaningless
 
-ONE = Number(1)
+ONE, PRIME = Number(1), "'"
 
 
 class Kind(NamedTuple):
@@ -38,22 +45,25 @@ class Kind(NamedTuple):
         own = dict(zip(self.family.parameters, self.parameters, strict=True))
         return substitute(template(tex), {**own, **values})
 
-    def names(self, argument: Formula) -> dict[str, str]:
-        """The names of the generators at an argument."""
+    def names(self, argument: Formula, integrals: bool = False) -> dict[str, str]:
+        """The names of the generators at an argument, perhaps with those of their integrals."""
         if self.family.argument > 1:
             return {"e": rf"\mathrm{{e}}^{{{_over(argument, self.family.argument)}}}"}
         tex = ",".join(map(to_latex, (argument, *self.parameters)))
         whole = tex if isinstance(argument, Name | Quotient) and not self.parameters else f"({tex})"
-        words = {one: names.split()[0] for names, one in self.family.functions.items()}
-        return {g: f"{canonical(words[g])}{{{whole}}}" for g in self.family.rates}
+        words = {one: canonical(name.split()[0]) for name, one in self.family.functions.items()}
+        letters = [*self.family.rates, *(self.family.integrals if integrals else ())]
+        return {
+            g: f"{words[g].rstrip(PRIME)}{{{PRIME * (PRIME in words[g])}{whole}}}" for g in letters
+        }
 
     def rates(self, names: Mapping[str, str], over: int = 1) -> dict[str, Formula]:
         """The derivatives of generators with some names by what their argument is, ``over`` it."""
         below = Number(over * self.family.argument)
         values = {letter: Name(name) for letter, name in names.items()}
         found = {}
-        for letter, tex in self.family.rates.items():
-            rate = self.formula(tex, values)
+        for letter in names:
+            rate = self.formula({**self.family.rates, **self.family.integrals}[letter], values)
             found[names[letter]] = rate if below == ONE else Quotient(rate, below)
         return found
 
@@ -93,15 +103,8 @@ class Imaginary(NamedTuple):
     @property
     def values(self) -> dict[str, Formula]:
         """Their values, by Euler's formulas."""
-        euler = _EULER[self.kind.family is EXPONENTIAL]
+        euler = self.kind.family.imaginary
         return {letter: self.kind.formula(tex, self.real.values) for letter, tex in euler.items()}
-
-
-_EULER = (
-    {"s": r"\frac{i}{2}(e^2-\frac{1}{e^2})", "c": r"\frac{1}{2}(e^2+\frac{1}{e^2})"},
-    {"e": "c+is"},
-)
-"""Sine and cosine by the exponential function, and that by them."""
 
 
 def real_part(kind: Kind, monomial: Monomial) -> tuple[Kind, Monomial, int] | None:
@@ -119,8 +122,8 @@ def real_part(kind: Kind, monomial: Monomial) -> tuple[Kind, Monomial, int] | No
 @cache
 def template(tex: str) -> Formula:
     """A formula of the table of functions."""
-    letters = (*"scdeki", *(f"{letter}_1" for letter in "scde"))
-    return read(tex, Vocabulary(frozenset(letters)))
+    letters = (*"acdeikpqsx", *(f"{letter}_1" for letter in "scde"), "g_2", "g_3")
+    return read(tex, Vocabulary(frozenset(letters), functions=FUNCTIONS))
 
 
 class Generators(NamedTuple):
@@ -129,6 +132,8 @@ class Generators(NamedTuple):
     kind: Kind
     monomial: Monomial
     over: int
+    integrals: bool = False
+    """Whether those are among them that are integrals of the others."""
 
     @property
     def argument(self) -> Formula:
@@ -138,7 +143,7 @@ class Generators(NamedTuple):
     @property
     def names(self) -> dict[str, str]:
         """Their names, by their letters in the family."""
-        return self.kind.names(self.argument)
+        return self.kind.names(self.argument, self.integrals)
 
     @property
     def values(self) -> dict[str, Formula]:

@@ -17,6 +17,7 @@ from kowalevski_cas.notation import (
     Quotient,
     times,
 )
+from kowalevski_cas.notation.functions import MEANING
 from kowalevski_cas.paper.arguments import Monomial, product_of, single_name
 from kowalevski_cas.paper.differentiate import derivative
 from kowalevski_cas.paper.families import outside
@@ -47,7 +48,23 @@ def functions_of(setting: Meaning) -> Transcendental:
     unit = ("i",) if scene.unit is not None and _is_imaginary(setting, scene.unit) else ()
     constants = (*scene.constants, *scene.undefined, *roots, *unit)
     free, expanded = free_names(setting, own), partial(_expanded, setting)
-    return Transcendental([*own, *defined], free, moving, constants, time, expanded, scene.roots)
+    return Transcendental(
+        [*own, *defined], free, moving, constants, time, expanded, _values(setting)
+    )
+
+
+def _values(setting: Meaning) -> Iterator[tuple[Application, Formula]]:
+    """The values of functions at constants that a scene prints.
+
+    Raises :class:`Meaningless` for an equation that gives no value of a generator.
+    """
+    for place in setting.scene.values:
+        left, right = setting.texts.sides(place)
+        if not isinstance(left, Application) or len(MEANING.get(left.function, "  ")) > 1:
+            raise Meaningless(f"the equation at {place.place} gives no value of such a function")
+        if not left.arguments[0].names() <= {*setting.scene.constants}:
+            raise Meaningless(f"the value at {place.place} is taken at no constant")
+        yield left, right
 
 
 def _expanded(setting: Meaning, formula: Formula, inside: tuple[str, ...] = ()) -> Formula:
@@ -151,21 +168,6 @@ def _rate(
         if one in reach.names and one not in rates:
             raise Meaningless(f"solve the equations of motion for the rate of {one}", one)
     return ONE, derivative(argument, rates, setting.step)
-
-
-def decides(goal: Goal) -> bool:
-    """Whether a point where a goal fails refutes what it says of functions.
-
-    It does not where the generators of functions may depend on each other in ways that are not
-    known here: as a point there may be none.
-    """
-    for one in simple(goal):
-        if isinstance(one.space, Meaning) and one.space.transcendental.groups:
-            reach = Reach(one.space)
-            reach.goal(one)
-            if not one.space.transcendental.independent(reach.names):
-                return False
-    return True
 
 
 def check_hypotheses(goals: Iterable[Goal]) -> None:

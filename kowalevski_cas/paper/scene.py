@@ -85,6 +85,9 @@ class Scene:
     ``nonzero``
         what the scene takes for granted not to vanish. ``x+r`` with a root ``r`` says nothing
         of ``x-r``, and only the norm of both excludes a denominator with one of them.
+    ``values``
+        printed equations that give all generators of a family at a constant, as those of Jacobi
+        at the quarter period.
     ``loci``
         the places at which every statement about sets is tried once more.
     """
@@ -104,6 +107,7 @@ class Scene:
     zero: tuple[Printed, ...] = ()
     conjugates: tuple[tuple[str, str], ...] = ()
     nonzero: tuple[str, ...] = ()
+    values: tuple[Printed, ...] = ()
     loci: tuple[Locus, ...] = ()
 
     def __post_init__(self) -> None:
@@ -213,6 +217,10 @@ class Scene:
         self._is_new(root, self.roots, self.definitions)
         return replace(self, roots={**self.roots, root: by})
 
+    def taking(self, *by: Display | Printed) -> Scene:
+        """The scene where printed statements give the values of functions at constants."""
+        return replace(self, values=(*self.values, *statements(*by)))
+
     def restricted(self, *by: Display | Printed) -> Scene:
         """The scene where printed equations set variables to zero."""
         zero = tuple(statements(*by))
@@ -287,7 +295,7 @@ class Scene:
         found = {
             "unit": (self.unit,),
             "definition": (self.clock, *self.definitions.values(), *by),
-            "condition": (*self.roots.values(), *self.zero),
+            "condition": (*self.roots.values(), *self.zero, *self.values),
             "vector field": () if isinstance(self.field, Change) else self.field,
         }
         yield from ((role, one) for role, places in found.items() for one in places if one)

@@ -13,12 +13,22 @@ holds for the functions, and so does it that an equation fails, for no equation 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cached_property
 from math import lcm
 from typing import NamedTuple
 
-from kowalevski_cas.notation import Application, Formula, Name, Number, times, to_latex, total
+from kowalevski_cas.notation import (
+    Application,
+    Formula,
+    Name,
+    Number,
+    Power,
+    substitute,
+    times,
+    to_latex,
+    total,
+)
 from kowalevski_cas.notation.functions import FAMILY_OF, MEANING, Family
 from kowalevski_cas.paper.arguments import (
     Combination,
@@ -41,7 +51,7 @@ from kowalevski_cas.paper.families import (
 )
 from kowalevski_cas.problem.space import Adjoined, Meaningless
 
-ONE, PI = Number(1), r"\pi"
+PI = r"\pi"
 
 
 class Derived(NamedTuple):
@@ -66,42 +76,60 @@ class Transcendental:
         constants: Sequence[str],
         time: str,
         expanded: Callable[[Formula], Formula],
-        adjoined: Iterable[str] = (),
+        printed: Iterable[tuple[Application, Formula]] = (),
     ) -> None:
-        self.adjoined = frozenset(adjoined)
-        self.free, self.time, self._expanded = frozenset(free), time, expanded
+        self.printed = dict(printed)
+        self.free, self.time, self.expanded = frozenset(free), time, expanded
         self.variables, self.constants = (*variables, *([time] if time else [])), tuple(constants)
         known = {*self.variables, *constants}
         found: dict[tuple[Kind, Monomial], int] = {}
-        for application in dict.fromkeys(one for f in formulas for one in applications(f)):
+        integrals = set[tuple[Kind, Monomial]]()
+        for application in self._applications(formulas):
             kind, argument = kind_of(application), self._argument(application)
             if not known.issuperset(n for monomial in argument for n in names_in(monomial)):
                 continue
             if not all(is_arithmetic(formula) for monomial in argument for formula, _ in monomial):
                 continue
             below = (name for one in kind.parameters for name in expanded(one).names())
-            if not {*constants}.issuperset(below) or any(map(self._degenerates, kind.parameters)):
+            if not {*constants}.issuperset(below):
                 continue  # what moves is no modulus: by it these functions are not derived
             for monomial, factor in argument.items():
                 if monomial:
                     own, real, over = self._real(kind, monomial) or (kind, monomial, 1)
                     over *= factor.denominator
                     found[own, real] = lcm(found.get((own, real), 1), over)
-        self.groups = tuple(Generators(*key, over) for key, over in found.items())
+                    if MEANING[application.function] in kind.family.integrals:
+                        integrals.add((own, real))
+        self.groups = tuple(Generators(*key, n, key in integrals) for key, n in found.items())
         self.derived: dict[str, Derived] = {}
 
     def _real(self, kind: Kind, monomial: Monomial) -> tuple[Kind, Monomial, int] | None:
         """What an imaginary argument is i times; ``None`` where i is no unit."""
         return real_part(kind, monomial) if "i" in self.constants else None
 
-    def _degenerates(self, modulus: Formula) -> bool:
-        """Whether a modulus is 0, 1 or -1, with which the functions obey more equations."""
-        numbers = combination(self._expanded(modulus))
-        return not numbers or (numbers.keys() == {()} and abs(numbers[()]) == 1)
+    def _applications(self, formulas: Iterable[Formula]) -> Iterator[Application]:
+        """The functions in formulas; in the place of degenerate ones those that they are."""
+        for application in dict.fromkeys(one for f in formulas for one in applications(f)):
+            other = self._degenerate(application)
+            yield from [application] if other is None else applications(other)
+
+    def _degenerate(self, application: Application) -> Formula | None:
+        """What a function is for a special modulus; ``None`` for any other one."""
+        kind = kind_of(application)
+        numbers = (combination(self.expanded(one)) for one in kind.parameters)
+        special = tuple(sum(terms.values()) for terms in numbers if not any(terms))
+        values = kind.family.degenerate.get(special)  # type: ignore[arg-type] # 1 is Fraction(1)
+        if values is None:
+            return None
+        tex, argument = MEANING[application.function], {"x": application.arguments[0]}
+        if not template(tex).names() <= values.keys():
+            raise Meaningless(f"{to_latex(application)} is not known for this modulus")
+        by = {letter: substitute(template(tex), argument) for letter, tex in values.items()}
+        return kind.formula(tex, by)
 
     def _argument(self, application: Application) -> Combination:
         """The argument of a function, in which no name is a defined one."""
-        return combination(self._expanded(application.arguments[0]))
+        return combination(self.expanded(application.arguments[0]))
 
     @cached_property
     def names_replaced(self) -> frozenset[str]:
@@ -123,29 +151,6 @@ class Transcendental:
                 below = (n for one in group.kind.parameters for n in one.names())
                 found.update(group.names.values(), group.argument.names(), below)
         return frozenset(found)
-
-    def independent(self, names: Container[str]) -> bool:
-        """Whether the generators in some names are known to obey no equations but their own.
-
-        It is not of functions with two moduli, nor with one that may be 0 or 1, where they are
-        others, nor where an argument has a root to a power, or a
-        sum below a line: arguments that look unlike may then have to do with one another.
-        """
-        groups = [g for g in self.groups if any(name in names for name in g.names.values())]
-        kinds = {group.kind for group in groups if group.kind.parameters}
-        parts = [part for group in groups for part in group.monomial]
-        odd = any(e < 0 and not isinstance(f, Name) for f, e in parts)
-        odd |= any(isinstance(f, Name) and f.name in self.adjoined and e * e > 1 for f, e in parts)
-        if any(self._may_degenerate(one) for kind in kinds for one in kind.parameters):
-            return False
-        return len(kinds) < 2 and not (odd and len(groups) > 1)
-
-    def _may_degenerate(self, modulus: Formula) -> bool:
-        """Whether a modulus is 0, 1 or -1, or has a root in it that may be."""
-        terms = combination(self._expanded(modulus))
-        if not any(terms):
-            return sum(terms.values()) in (0, 1, -1)
-        return not self._expanded(modulus).names().isdisjoint(self.adjoined)
 
     def __contains__(self, name: str) -> bool:
         return name in self.names_replaced
@@ -203,13 +208,17 @@ class Transcendental:
         if not self.free.issuperset(beside & {*free}):
             return False
         known = {(g.kind, g.monomial): g.over for g in self.groups}
-        for application in dict.fromkeys(one for f in formulas for one in applications(f)):
+        integrals = {(g.kind, g.monomial) for g in self.groups if g.integrals}
+        for application in self._applications(formulas):
             kind = kind_of(application)
             for monomial, factor in self._argument(application).items():
                 own, real, over = self._real(kind, monomial) or (kind, monomial, 1)
-                if monomial and known.get((own, real), 0) % (over * factor.denominator):
-                    return False
                 if monomial and (own, real) not in known:
+                    return False
+                if monomial and known[own, real] % (over * factor.denominator):
+                    return False
+                integral = MEANING[application.function] in kind.family.integrals
+                if integral and (own, real) not in integrals:
                     return False
         return True
 
@@ -222,6 +231,8 @@ class Transcendental:
         """
         if formula.function not in FAMILY_OF:
             return None
+        if (other := self._degenerate(formula)) is not None:
+            return other
         kind = kind_of(formula)
         multiples: list[tuple[Generators | Imaginary, int]] = []
         for monomial, factor in self._argument(formula).items():
@@ -232,7 +243,10 @@ class Transcendental:
                     "variables and constants of the scene, with whole coefficients or fractions"
                 )
             multiples.append((group, int(factor * group.over)))
-        return kind.formula(MEANING[formula.function], self._at(kind, multiples))
+        tex, values = MEANING[formula.function], self._at(kind, multiples)
+        if not template(tex).names() <= {*values, *kind.family.parameters}:
+            raise Meaningless(f"of {to_latex(formula)} no addition theorem is known")
+        return kind.formula(tex, values)
 
     def _group(self, kind: Kind, monomial: Monomial) -> Generators | Imaginary | None:
         """The generators of a family at a product of names."""
@@ -243,13 +257,33 @@ class Transcendental:
         return Imaginary(kind, found, found.over // over)
 
     def _values(self, group: Generators | Imaginary) -> dict[str, Formula]:
-        """The generators at an argument; at a part of π they are known."""
+        """The generators at an argument; some are known at a part of π, or where it is printed."""
         angles = group.kind.family.angles
+        if isinstance(group, Generators) and (values := self._printed(group)):
+            if group.over > 1 or values.keys() != group.kind.family.rates.keys():
+                raise Meaningless(f"print all values at {to_latex(group.argument)}")
+            return values
         if isinstance(group, Imaginary) or not angles or not self._is_pi(group):
             return group.values
         if group.over not in angles:
             raise Meaningless(f"the values at {to_latex(group.argument)} are not known", PI)
         return {letter: template(tex) for letter, tex in angles[group.over].items()}
+
+    def _printed(self, group: Generators) -> dict[str, Formula]:
+        """The values of generators that the scene prints at a constant."""
+        return {
+            MEANING[one.function]: value
+            for one, value in self.printed.items()
+            if kind_of(one) == group.kind and self._argument(one).keys() == {group.monomial}
+        }
+
+    @property
+    def known_squares(self) -> Iterator[tuple[Formula, Formula]]:
+        """The squares of printed values, and what they have to be."""
+        for group in self.groups:
+            values = self._printed(group)
+            for letter, tex in group.kind.family.squares.items() if values else ():
+                yield Power(values[letter], Number(2)), group.kind.formula(tex, values)
 
     def _is_pi(self, group: Generators) -> bool:
         """Whether an argument is a part of π, which moves nowhere."""
@@ -259,11 +293,13 @@ class Transcendental:
         self, kind: Kind, multiples: list[tuple[Generators | Imaginary, int]]
     ) -> dict[str, Formula]:
         """The generators of a family at a sum of multiples of arguments."""
-        if not multiples:
+        if not multiples and kind.family.zero:
             return {letter: template(tex) for letter, tex in kind.family.zero.items()}
         *before, (group, count) = multiples
         if not before and count == 1:
             return self._values(group)
+        if not kind.family.sum:
+            raise Meaningless(f"no addition theorem is known at {to_latex(group.argument)}")
         names = kind.names(total(multiple(group.argument, n) for group, n in multiples))
         if not {*names.values()} <= self.derived.keys():
             added, rest = count > 0, count - 1 if count > 0 else count + 1

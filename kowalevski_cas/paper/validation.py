@@ -8,18 +8,18 @@ from __future__ import annotations
 
 from collections import Counter
 
+from kowalevski_cas.algebra.squares import sum_of_squares
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Product, Sum
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Adjoined, Meaningless, Space
-from kowalevski_cas.search.squares import sum_of_squares
 
 
 def validate(setting: Meaning) -> None:
     """Raise :class:`Meaningless` for a setting in which anything or nothing could be shown."""
-    for examine in (_pairs, _clock, _roots, _assumptions, _time):
+    for examine in (_pairs, _clock, _roots, _values, _assumptions, _time):
         examine(setting)
 
 
@@ -85,6 +85,14 @@ def _roots(setting: Meaning) -> None:
         if parts.keys() == {0} and sum_of_squares(parts[0]) is not None:
             what = f"{name} is real, and its square is nowhere positive"
             raise _refuse(setting, what, "print it with $i$, or mend the radicand", name)
+
+
+def _values(setting: Meaning) -> None:
+    """Values of functions that are printed obey the relations of these functions."""
+    for square, other in setting.transcendental.known_squares:
+        if not _same(setting, setting.finder.scalar(setting.plain(square)), setting.plain(other)):
+            what = "values of functions are printed that contradict each other"
+            raise _refuse(setting, what, "mend the values")
 
 
 def _in_real_names(setting: Meaning, element: Element) -> Element:

@@ -41,6 +41,8 @@ class InitialValueProblem:
         moving = {*setting.variables, *setting.roots} - still
         if initial.keys() != moving:
             raise Misplaced("it does not begin at values of what moves")
+        if any(name.startswith(r"\sqrt") for name in moving):
+            raise Misplaced("a printed root moves, and may come to zero")
         if not all(still.issuperset(self._names(value)) for value in initial.values()):
             raise Misplaced("what is constant gives the initial values")
         self._begin(initial)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 from itertools import product
-from math import comb, gcd, lcm
+from math import comb
 from operator import mul
 
 from kowalevski_cas.algebra.tower import Element
@@ -159,14 +159,6 @@ def number_of_monomials(weights: Sequence[int], weight: int) -> int:
         for k in range(one, weight + 1):
             counts[k] += counts[k - one]
     return counts[weight]
-
-
-def primitive(terms: Terms) -> Terms:
-    """The polynomial times the number that makes its coefficients whole and coprime."""
-    below = lcm(*(value.denominator for value in terms.values()))
-    above = gcd(*(value.numerator * (below // value.denominator) for value in terms.values()))
-    sign = 1 if terms[max(terms)] > 0 else -1
-    return {key: value * Fraction(sign * below, above) for key, value in terms.items()}
 
 
 def weight_of(terms: Iterable[Exponents], weights: Sequence[int]) -> int:

@@ -9,16 +9,29 @@ from kowalevski_cas.notation import read
 from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.paper.texts import Display
 from kowalevski_cas.reading.known import CONVENTION, Known, StatementRole
+from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.source.displays import TypedFormula
 
 SOURCE = "the usual convention"
 
 
-def conventions(known: Known) -> Iterator[tuple[SourceStatement, StatementRole]]:
-    r"""What names without a definition stand for, as :math:`L=|\mathbf L|`, :math:`i^2=-1`."""
+def enter_conventions(parts: Parts) -> None:
+    """Give names their usual meaning in the parts of a paper where nothing says what they are."""
+    for place, known in enumerate(parts.known):
+        for item, role in conventions(known, f"-{place + 1}" if place else ""):
+            parts.places[item] = place
+            parts.enter(item, role)
+
+
+def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatement, StatementRole]]:
+    r"""What names without a definition stand for, as :math:`L=|\mathbf L|`, :math:`i^2=-1`.
+
+    The ids of what is said have a suffix.
+    """
     paper = known.paper
-    scalars = sorted(paper.words.scalars - paper.times)
+    names = frozenset().union(*(item.names for item in known.items))
+    scalars = sorted((paper.words.scalars & names) - known.times)
     for vector in sorted(known.names.vectors):
         letter = vector[vector.index("{") + 1 :].replace("}", "", 1)
         if letter in scalars and not known.is_defined(letter) and not known.moves(letter):
@@ -27,10 +40,11 @@ def conventions(known: Known) -> Iterator[tuple[SourceStatement, StatementRole]]
                     CONVENTION, "the length of the vector with this letter", "", (letter,)
                 )
                 name = re.sub(r"\W+", "-", letter).strip("-")
-                yield _item(known, f"length-of-{name}", f"{letter}=|{vector}|"), role
+                tex = f"{letter}=|{vector}|"
+                yield _item(known, f"length-of-{name}{suffix}", tex), role
     if "i" in scalars and not known.units and not known.moves("i"):
         yield (
-            _item(known, "unit", "i^2=-1"),
+            _item(known, f"unit{suffix}", "i^2=-1"),
             StatementRole(CONVENTION, "the imaginary unit", "unit", ("i",)),
         )
 

@@ -51,6 +51,12 @@ CUES: dict[str, str] = {
         so\s+that because\s+of by\s+virtue using \bon\s+(?:it|this|them|these)\b there\b
         under\s+(?:the|these)\s+condition taking\s+into\s+account imply lead отсюда из\s
         следовательно подстав\w+ исключ\w+ в\s+силу с\s+учётом с\s+учетом поэтому учитывая""",
+    "deduced": r"""
+        therefore hence thus consequently whence follow\w* substitut\w+ eliminat\w+ differentiat\w+
+        by\s+virtue because\s+of becom\w+ takes?\s+the\s+form turns?\s+into reduc\w+
+        \b(?:we|one)\s+(?:have|has|finds?|gets?|obtains?)
+        следовательно отсюда подстав\w+ исключ\w+ в\s+силу поэтому получ\w+ имеем прим\w+\s+вид
+        привод\w+ вытека\w+""",
     "here": r"""
         (?:\bon|\bif|\bwhen|\bfor|\bat|\bwhere|\bна|\bпри|\bесли)\s+(?:the\s+)?(?:\w+\s+){0,2}(?:§[\s,]*)*$""",
     "places": r"""
@@ -59,6 +65,10 @@ CUES: dict[str, str] = {
     "derived": r"""
         \b(?:we|one)\s+(?:have|has|finds?|gets?|obtains?) becom\w+ takes?\s+the\s+form reduc\w+
         получ\w+ имеем прим\w+\s+вид привод\w+""",
+    "place": r"""
+        \bnear\b in\s+the\s+(?:\w+\s+)?(?:cases?|ones?)\b \bcases?\s+\( neighbou?rhood
+        \bat\s+(?:this|these|that|those|such)\b вблизи окрестност\w+
+        в\s+(?:\w+\s+)?случа(?:е|ях)\b""",
     "on it": r"""
         \bon\s+(?:it|this|them|these|that)\b \bthere\b на\s+н[её][мй]?\b на\s+них""",
     "level": r"""
@@ -100,6 +110,8 @@ CUES: dict[str, str] = {
         приведенн\w+ полярн\w+""",
     "hamiltonian": r"""
         \bhamilton\w* canonical\w* гамильтон\w* каноническ\w+""",
+    "map": r"""
+        \bmaps?\b mapping\w* \bimages?\b отображени\w+""",
     "solution": r"""
         solved\s+by solutions?\b \bsolves\b direct\s+substitution решени\w+ подстанов\w+""",
     "if": r"""

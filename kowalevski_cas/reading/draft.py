@@ -48,7 +48,7 @@ def beside(reading: Reading) -> str:
 
 def comments(reading: Reading) -> Iterator[tuple[TypedFormula, list[str]]]:
     """The formulas of which something is inferred, each with the comments that say it."""
-    said = reading.known.said
+    said = reading.parts.said
     for _, group in groupby(reading.formulas, key=lambda formula: id(formula.item.typed)):
         formulas = [*group]
         typed = formulas[0].item.typed

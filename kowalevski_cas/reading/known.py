@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
-from kowalevski_cas.notation import Name, Number
+from kowalevski_cas.notation import Name, NotationError, Number
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.laws import Law
@@ -44,11 +45,12 @@ def called(name: str) -> str:
 
 @dataclass(eq=False)
 class Known:
-    """What a paper has said, as far as it has been read."""
+    """What a part of a paper has said, as far as it has been read; the roles are of all parts."""
 
     paper: SourcePaper
     names: Names
     laws: list[Law]
+    items: list[SourceStatement]
     restated: list[Law] = field(default_factory=list)
     roles: dict[SourceStatement, StatementRole] = field(default_factory=dict)
     definitions: dict[str, list[SourceStatement]] = field(default_factory=dict)
@@ -61,20 +63,35 @@ class Known:
     """What comments say of statements."""
 
     @cached_property
+    def times(self) -> frozenset[str]:
+        """The names of times: of x and s only where something is derived by them."""
+        marks = frozenset().union(*(item.marks for item in self.items))
+        return (frozenset({"t", r"\tau"}) | marks) & self.paper.words.times
+
+    @cached_property
     def later(self) -> dict[str, list[SourceStatement]]:
         """The statements that have a name alone on their left, by this name: they may define it."""
         found: dict[str, list[SourceStatement]] = {}
-        for item in self.paper.items:
+        for item in self.items:
             if item.bare and item.members[0] == Name(item.bare[0]) and not item.derives:
                 if not any(isinstance(member, Number) for member in item.members):
                     found.setdefault(item.bare[0], []).append(item)
         return found
 
+    @cached_property
+    def unreadable(self) -> frozenset[str]:
+        """The names that stand alone on a side of what cannot be read."""
+        found: set[str] = set()
+        for item in self.items:
+            if item.formula is None:
+                with suppress(NotationError, IndexError):
+                    found |= {called(name) for name in item.printed.heads.names}
+        return frozenset(found)
+
     def enter(self, item: SourceStatement, role: StatementRole) -> None:
         """Keep what a statement says."""
         self.roles[item] = role
-        for name in role.names if role.name in NAMING else ():
-            self.definitions.setdefault(called(name), []).append(item)
+        self.borrow(item, role)
         if role.name == ASSUMPTION:
             self.assumptions.append(item)
         if role.kind == "unit":
@@ -84,6 +101,12 @@ class Known:
         if item.formula is not None and (item.members or role.name == LAW):
             for name in item.names:
                 self.seen.setdefault(name, item)
+
+    def borrow(self, item: SourceStatement, role: StatementRole) -> None:
+        """Let a statement define its names."""
+        for name in role.names if role.name in NAMING else ():
+            found = self.definitions.setdefault(called(name), [])
+            found += [item] if item not in found else []
 
     # -- names ---------------------------------------------------------------------
 
@@ -128,7 +151,7 @@ class Known:
 
     def is_explained(self, name: str) -> bool:
         """Whether a law, a definition, or words say anything of a name."""
-        named = any(item.formula == Name(name) for item in self.paper.items)
+        named = any(item.formula == Name(name) for item in self.items)
         mentioned = any(name in law.mentions for law in self.laws)
         return named or mentioned or self.moves(name) or self.is_defined(name) or name in self.later
 

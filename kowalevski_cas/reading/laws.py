@@ -23,6 +23,8 @@ class Law:
     """The law of the names on its right sides, if it is another one."""
     restates: Law | None = None
     """The law of which it is printed anew, for special constants."""
+    begins: int | None = None
+    """Where the text begins that is about it alone, if it is another system than before."""
 
     @cached_property
     def variables(self) -> tuple[str, ...]:
@@ -66,13 +68,11 @@ def find_laws(paper: SourcePaper, names: Names, said: Said) -> list[Law]:
     return [*_LawFinder(paper, names, said).laws()]
 
 
-def find_restated(paper: SourcePaper, laws: Sequence[Law]) -> list[Law]:
+def find_restated(items: Sequence[SourceStatement], laws: Sequence[Law]) -> list[Law]:
     """The laws that displays print anew, row for row, with what rows of the law are left."""
     found: list[Law] = []
-    for items in {
-        id(i.typed): [o for o in paper.items if o.typed is i.typed] for i in paper.items
-    }.values():
-        rows = [item for item in items if is_row(item) and item not in paper.approximate]
+    for display in {id(i.typed): [o for o in items if o.typed is i.typed] for i in items}.values():
+        rows = [item for item in display if is_row(item)]
         if not rows or rows[0].typed.inline or any(rows[0] in law.items for law in laws):
             continue
         for law in laws:
@@ -90,78 +90,140 @@ class _LawFinder:
     """The equations with rates of a paper, and which of them belong together."""
 
     def __init__(self, paper: SourcePaper, names: Names, said: Said) -> None:
-        self.paper, self.names = paper, names
-        defined: dict[str, int] = {}
-        for item in paper.items:
-            if (
-                item.bare
-                and not item.derives
-                and not any(isinstance(m, Number) for m in item.members)
-            ):
-                defined.setdefault(item.bare[0], item.order)
-        self.rows = [
-            item
-            for item in paper.items
-            if (
-                verb == "law" and item.rates
-                if (verb := said.verb(item))
-                else is_row(item)
-                and item not in paper.approximate
-                and not any(defined.get(n, item.order) < item.order for n in item.rates)
-            )
-        ]
+        self.paper, self.names, self.said = paper, names, said
+        rows = [item for item in paper.items if self._may_be_row(item)]
+        rated = {name for row in rows for name in row.rates}
+        self.rows = [row for row in rows if not {*row.bare[:1]} - rated or self._told(row)]
+        self.defining = [item for item in paper.items if self._defines(item)]
+
+    def _may_set_up(self, item: SourceStatement) -> bool:
+        """Whether a law may begin with a row: with a display, or as the words right before say."""
+        aside = any(section.title == "abstract" for section in item.sections)
+        return not item.typed.inline or bool(cue("system", item.lead) and not aside)
+
+    def _told(self, item: SourceStatement) -> bool:
+        return self.said.verb(item) == "law"
+
+    def _may_be_row(self, item: SourceStatement) -> bool:
+        if verb := self.said.verb(item):
+            return verb == "law" and bool(item.rates)
+        return is_row(item) and item not in self.paper.approximate and item not in self.paper.maps
+
+    def _defines(self, item: SourceStatement) -> bool:
+        """Whether a statement gives a name an expression, and is neither a row nor of one."""
+        if not item.bare or item in self.rows:
+            return False
+        if any(isinstance(member, Number) for member in item.members):
+            return False
+        rated = (row for row in self.rows if row.order < item.order)
+        return not any(item.bare[0] in row.rates for row in rated if row.section is item.section)
 
     def laws(self) -> Iterator[Law]:
-        known: list[Law] = []
+        found: list[Law] = []
         for item in self.rows:
-            if item.typed.inline or any(item in law.items for law in known):
+            if any(item in law.items for law in found):
                 continue
-            moving = {name for law in known for name in law.variables}
-            new = {*self.scalars(item)} - moving
-            if known and not new and not self._another(item, known):
-                continue
-            law = self.grown(item, moving if new else set())
+            last = max((k for k, law in enumerate(found) if law.begins is not None), default=0)
+            law = self.other(item, found[last:]) if found else self.first(item)
             if law is not None:
-                if new and known:
-                    law.base = known[-1]
-                known.append(law)
+                found.append(law)
                 yield law
 
-    def _another(self, item: SourceStatement, known: Sequence[Law]) -> bool:
-        """Whether the words, or another section, set up another system in the same variables."""
-        if self._own_system(item, known[-1]):
-            return True
-        said = cue("another system", item.before) or cue("another system", item.section.title)
-        return bool(said) and item.section not in known[-1].first.sections[-1:]
+    def first(self, item: SourceStatement) -> Law | None:
+        """The law of a paper that has none before a row."""
+        if not self._may_set_up(item) or self.is_defined(item, self.paper.prose.start):
+            return None
+        since = self.paper.prose.start
+        return self.grown(item, (), self.undefined(since))
 
-    def _own_system(self, item: SourceStatement, before: Law) -> bool:
-        """Whether a display of another section is closed by itself, and follows from nothing.
+    def other(self, item: SourceStatement, part: Sequence[Law]) -> Law | None:
+        """Another law beside some: of another system, or of further variables."""
+        if not self._may_set_up(item):
+            return None
+        if law := self.other_system(item, part):
+            return law
+        since = part[0].begins or self.paper.prose.start
+        moving = {name for law in part for name in law.variables}
+        if not {*self.scalars(item)} - moving or self.is_defined(item, self.paper.prose.start):
+            return None
+        if part[0].first.marks.isdisjoint(item.marks):  # derivatives by another time
+            return None
+        if any(self._relates(one, item, moving) for one in self.paper.items):
+            return None
+        law = self.grown(item, moving, self.undefined(since))
+        if law is not None:
+            law.base = part[-1]
+        return law
 
-        What it says of the variables of an earlier law would contradict that law, or repeat it.
+    def other_system(self, item: SourceStatement, part: Sequence[Law]) -> Law | None:
+        """A set that is closed by itself, with words for it, or in another section.
+
+        In another section it follows from nothing, and is for names that are not defined by those
+        of the law before, nor rest on them.
         """
-        if item.sections[:2] == before.first.sections[:2] or len(item.sections) < 2:
+        before = part[0].first
+        said = cue("another system", item.before) or cue("another system", item.section.title)
+        apart = [one for one in item.sections if one not in before.sections]
+        new = bool(apart) and before.section not in item.sections
+        if item.refs or not (new or said):
+            return None
+        begins = apart[0].start if apart else item.sentence[0]
+        end = apart[0].end if apart else item.section.end
+        rows = [row for row in self.undefined(begins) if begins <= row.typed.start < end]
+        beside = {row for row in self.rows if row.typed is item.typed}
+        law = self.grown(item, (), rows) if beside <= {*rows} else None
+        if law is None:
+            return None
+        old = {name for one in part for name in one.variables}
+        rated, named = {*law.variables}, {*self.names.scalars(law.mentions)}
+        deduced = cue("deduced", item.lead) and not said
+        printed = {row.formula for one in part for row in one.rows}
+        if named & old - rated or (deduced and rated <= old):
+            return None
+        if not said and len(law.items) == 1 and rated < old:  # what follows for one of several
+            return None
+        if all(row.formula in printed for row in law.items):
+            return None
+        if not said and all(self.is_defined(row, self.paper.prose.start) for row in law.items):
+            return None
+        law.begins = begins
+        return law
+
+    def _relates(self, one: SourceStatement, row: SourceStatement, moving: Collection[str]) -> bool:
+        """Whether an equation before a row gives what the row derives by what moves already."""
+        if one.order >= row.order or not one.members or one in self.rows:
             return False
-        if cue("follows", item.before) or cue("derived", item.before) or item.refs:
-            return False
-        rows = [row for row in self.rows if row.typed is item.typed]
-        rated = {name for row in rows for name in self.scalars(row)}
-        named = {name for row in rows for name in self.names.scalars(row.names)}
-        printed = {row.formula for row in before.rows}
-        new = any(row.formula not in printed for row in rows)
-        return new and self.given(rows) >= len(rated) and not named & {*before.variables} - rated
+        return bool({*row.rates} & one.names - {*moving}) and bool(
+            {*self.names.scalars(one.names)} & {*moving}
+        )
+
+    def is_defined(self, row: SourceStatement, since: int) -> bool:
+        """Whether a name that a row derives is defined before, from an offset on, or beside it."""
+        before = (
+            one
+            for one in self.defining
+            if since <= one.typed.start < row.typed.start or one.sentence == row.sentence
+        )
+        return any(one.bare[0] in row.rates for one in before)
+
+    def undefined(self, since: int) -> list[SourceStatement]:
+        """The rows for names that nothing defines before them, from an offset on."""
+        return [row for row in self.rows if self._told(row) or not self.is_defined(row, since)]
 
     def scalars(self, item: SourceStatement) -> tuple[str, ...]:
         return self.names.scalars(item.rates)
 
-    def grown(self, first: SourceStatement, apart: Collection[str]) -> Law | None:
+    def grown(
+        self, first: SourceStatement, apart: Collection[str], rows: Sequence[SourceStatement]
+    ) -> Law | None:
         """A set of rows from a first one on, grown until it is closed; ``None`` if it cannot be."""
-        own = [row for row in self.rows if row.typed is first.typed]
+        own = [row for row in rows if row.typed is first.typed]
         while True:
             rated = {name for row in own for name in self.scalars(row)}
             wanted = {name for row in own for name in self.names.scalars(row.names)}
             if self.given(own) >= len(rated):  # else a rate stands on a right side only
                 wanted -= rated
-            more = self.following(own, wanted, apart)
+            more = self.following(own, wanted, apart, rows)
             if not more:
                 break
             own += more
@@ -175,17 +237,26 @@ class _LawFinder:
         return sum(len(self.names.vectors.get(_left(row), "1")) for row in rows)
 
     def following(
-        self, own: Sequence[SourceStatement], wanted: Collection[str], apart: Collection[str]
+        self,
+        own: Sequence[SourceStatement],
+        wanted: Collection[str],
+        apart: Collection[str],
+        rows: Sequence[SourceStatement],
     ) -> list[SourceStatement]:
-        """The rows that tell how what is wanted moves: of a display, or else inline."""
-        at = own[0].order
+        """The rows that tell how what is wanted moves: of a display, or else inline.
+
+        In another section they are about what moves here.
+        """
+        at = own[0]
         rated = {name for row in own for name in self.scalars(row)}
-        others = [row for row in self.rows if row not in own]
+        others = [row for row in rows if row not in own]
         found = [
             row for row in others
             if {*self.scalars(row)} & {*wanted} and not {*self.scalars(row)} & {*apart}
+            and (row.sections[:2] == at.sections[:2] or {*self.names.scalars(row.names)} & rated)
         ]  # fmt: skip
-        found.sort(key=lambda row: (row.typed.inline, row.order < at, abs(row.order - at)))
+        order = at.order
+        found.sort(key=lambda row: (row.typed.inline, row.order < order, abs(row.order - order)))
         if not found:
             return []
         whole = [row for row in others if row.typed is found[0].typed]
@@ -193,15 +264,16 @@ class _LawFinder:
 
 
 def is_row(item: SourceStatement) -> bool:
-    r"""Whether a statement may be an equation of motion: an equality, linear in rates.
+    r"""Whether a statement may be an equation of motion: an equality, linear in highest rates.
 
     What is a name on the left is a definition, unless it gives a multiple of one rate, as
     :math:`p=m\dot q`.
     """
     if len(item.members) != 2 or not item.rates:
         return False
+    highest = max(item.rates.values())
     nodes = [node for member in item.members for node in member.nodes()]
-    if any(isinstance(node, Power) and _has_rate(node.base) for node in nodes):
+    if any(isinstance(node, Power) and _order(node.base) >= highest for node in nodes):
         return False
     return not isinstance(item.members[0], Name) or _is_multiple(item.members[1])
 
@@ -212,8 +284,10 @@ def _is_multiple(formula: Formula) -> bool:
     return sum(isinstance(factor, Derivative) for factor in factors) == 1
 
 
-def _has_rate(formula: Formula) -> bool:
-    return any(isinstance(node, Derivative) for node in formula.nodes())
+def _order(formula: Formula) -> int:
+    """The highest order of a derivative in a formula; 0 if there is none."""
+    below = max(map(_order, formula.children()), default=0)
+    return below + isinstance(formula, Derivative)
 
 
 def _left(row: SourceStatement) -> str:

@@ -19,14 +19,14 @@ from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
 from kowalevski_cas.reading.comments import read_comments
-from kowalevski_cas.reading.conventions import conventions
-from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.conventions import enter_conventions
+from kowalevski_cas.reading.doubts import doubt_of
 from kowalevski_cas.reading.grammar import wrong
-from kowalevski_cas.reading.known import CLAIM, CONVENTION, Known, StatementRole
+from kowalevski_cas.reading.known import CLAIM, CONVENTION, StatementRole
 from kowalevski_cas.reading.ladder import Rung
-from kowalevski_cas.reading.laws import find_laws, find_restated
 from kowalevski_cas.reading.names import Names, vectors_of
 from kowalevski_cas.reading.obey import SAID, about, claim_id, said_rung, said_rungs
+from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.roles import role_of
 from kowalevski_cas.reading.stage import Stage
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, read_statements
@@ -59,7 +59,7 @@ class Reading:
     paper: SourcePaper
     derivation: Derivation
     formulas: tuple[JudgedStatement, ...]
-    known: Known = field(repr=False)
+    parts: Parts = field(repr=False)
     statements: tuple[JudgedStatement, ...] = ()
     """The claims that comments state and that are no formula's."""
 
@@ -71,15 +71,12 @@ Heard = Callable[[str, int, int], None]
 def read(source: Source, heard: Heard = lambda *_: None) -> Reading:
     """The derivation that a source is, by the rules of reading."""
     paper = read_statements(source)
-    names = Names(vectors_of(paper))
-    said = read_comments(paper)
-    laws = find_laws(paper, names, said)
-    known = Known(paper, names, laws, find_restated(paper, laws), said=said)
+    parts = Parts(paper, Names(vectors_of(paper)), read_comments(paper))
     for item in _in_order(paper):
-        known.enter(item, role_of(item, known))
-    for item, role in conventions(known):
-        known.enter(item, role)
-    return _DerivationReader(paper, known).reading(heard)
+        parts.cite(item)
+        parts.enter(item, role_of(item, parts.of(item)))
+    enter_conventions(parts)
+    return _DerivationReader(parts).reading(heard)
 
 
 def _in_order(paper: SourcePaper) -> list[SourceStatement]:
@@ -89,42 +86,44 @@ def _in_order(paper: SourcePaper) -> list[SourceStatement]:
 
 
 class _DerivationReader:
-    def __init__(self, paper: SourcePaper, known: Known) -> None:
-        self.paper, self.known = paper, known
-        self.stage = Stage(known)
+    def __init__(self, parts: Parts) -> None:
+        self.paper, self.parts = parts.paper, parts
+        self.stages = {known: Stage(known) for known in parts.known}
         self.candidates: dict[SourceStatement, list[Rung]] = {}
         self.troubles: dict[SourceStatement, str] = {}
 
     def reading(self, heard: Heard) -> Reading:
         """The reading, in which each statement makes the first of its claims that holds."""
-        for item, role in self.known.roles.items():
+        for item, role in self.parts.roles.items():
             if role.name == CLAIM:
                 found: list[Rung] = []
                 with self._noting(item):
-                    found.extend(said_rungs(item, self._id(item), self.stage, self.known.said))
+                    stage = self.stages[self.parts.of(item)]
+                    found.extend(said_rungs(item, self._id(item), stage, self.parts.said))
                 self.candidates[item] = found
         chosen = self._chosen(heard)
         formulas = tuple(
             self._formula(item, role, chosen.get(item))
-            for item, role in sorted(self.known.roles.items(), key=lambda pair: pair[0].order)
+            for item, role in sorted(self.parts.roles.items(), key=lambda pair: pair[0].order)
         )
         statements = tuple(self._statements())
         claims = (f.claim for f in (*formulas, *statements) if f.claim is not None)
         doubts = {f.claim.id: f.doubt for f in formulas if f.claim and f.doubt}
         derivation = replace(self._derivation(claims), doubts=doubts)
-        return Reading(self.paper, derivation, formulas, self.known, statements)
+        return Reading(self.paper, derivation, formulas, self.parts, statements)
 
     def _statements(self) -> Iterator[JudgedStatement]:
         """The claims that comments state and that are no formula's."""
         ids: Counter[str] = Counter()
-        for found in self.known.said.claims:
-            first = about(found, self.known)[0]
+        for found in self.parts.said.claims:
+            known = self.parts.about(found)
+            first = about(found, known)[0]
             name = claim_id(found, first)
             ids[name] += 1
             id = name if ids[name] == 1 else f"{name}_{ids[name]}"
             role = StatementRole(CLAIM, f"line {found.comment.line} says so", SAID)
             try:
-                rung = said_rung(found, id, self.stage)
+                rung = said_rung(found, id, self.stages[known])
             except (ValueError, Meaningless) as error:
                 raise wrong(found.comment, str(error)) from None
             yield JudgedStatement(first, role, rung.claim, rung.on, rung.constants)
@@ -158,26 +157,10 @@ class _DerivationReader:
             message = self.troubles.get(item, "") if choice is None else choice.message
             return JudgedStatement(item, role, message=message)
         rung = self.candidates[item][choice.place]
-        given = any(one.given for one in self.candidates[item])
-        sure = not (given or rung.constants or cue("on it", item.words)) and self._is_plain(rung)
-        sure = sure and not any(one.title == "abstract" for one in item.sections)
-        fixed = (member for member in item.members if not self.known.varying(member.names()))
-        doubtful = role.kind == "identity" and not item.derives and any(fixed)
-        rate = role.kind == "integral" or item.derives
-        doubt = None if (sure and rate) or role.kind == SAID else Doubt.UNLESS_MENDED
-        doubt = Doubt.ALWAYS if doubtful else doubt
+        doubt = doubt_of(item, rung, self.candidates[item], self.parts)
         return JudgedStatement(
             item, role, rung.claim, rung.on, rung.constants, doubt, choice.message
         )
-
-    def _is_plain(self, rung: Rung) -> bool:
-        """Whether a claim stands on the only law of its variables, which rests on no other one."""
-        rows = {*rung.claim.scene.field} if isinstance(rung.claim.scene.field, tuple) else set()
-        law = next((one for one in self.known.laws if {r.printed for r in one.rows} == rows), None)
-        if law is None or law.base is not None:
-            return False
-        others = (one for one in self.known.laws if one is not law)
-        return not any({*one.variables} & {*law.variables} for one in others)
 
     def _id(self, item: SourceStatement) -> str:
         beside = [one for one in self.paper.items if one.typed is item.typed]
@@ -189,7 +172,7 @@ class _DerivationReader:
         path = self.paper.source.path
         parts = self.paper.prose.sections
         sections = {str(k): Section(str(k), part.title) for k, part in enumerate(parts)}
-        unprinted = (i.printed.display for i, r in self.known.roles.items() if r.name == CONVENTION)
+        unprinted = (i.printed.display for i, r in self.parts.roles.items() if r.name == CONVENTION)
         for display in (*unprinted, *(display for display, _ in self.paper.displays)):
             sections[display.section].displays.append(display)
         own = [one for one in sections.values() if one.displays] or [*sections.values()][:1]
@@ -205,10 +188,11 @@ class _DerivationReader:
     def _names(self) -> Scene:
         """All names of the paper, so that each statement can be read."""
         words = self.paper.words
-        parts = {p for own in self.known.names.vectors.values() for p in own}
-        clocks = [name for item in self.known.clocks for name in item.bare]
-        scalars = sorted((words.scalars | parts) - {"t", "d", *clocks})
-        scene = Scene("all names", self.known.names.vectors, (), tuple(scalars))
+        vectors = self.parts.known[0].names.vectors
+        components = {part for own in vectors.values() for part in own}
+        clocks = [n for known in self.parts.known for one in known.clocks for n in one.bare]
+        scalars = sorted((words.scalars | components) - {"t", "d", *clocks})
+        scene = Scene("all names", vectors, (), tuple(scalars))
         return replace(scene, time=(*clocks, "t")[0])
 
 
@@ -238,6 +222,8 @@ def chosen(found: list[Rung], on: Elaborations) -> Choice:
             pass
         if first is None or (rung.in_force and not found[first].in_force):
             first = place
+        elif not rung.given and not found[first].given and {*rung.on} > {*found[first].on}:
+            first = place  # what is supposed there is not left aside where the claim fails
     return Choice(first, "" if first is not None else message)
 
 

@@ -8,7 +8,6 @@ from functools import cached_property
 
 from kowalevski_cas.notation import (
     Application,
-    Derivative,
     Formula,
     Modulus,
     Name,
@@ -108,6 +107,8 @@ class Stage:
             elif by is not None:
                 definitions[name] = by
                 waiting += self._mentioned(by)
+            elif name in known.unreadable:
+                raise ValueError(f"{name} is defined by what cannot be read")
         return _Closure(law, frozenset(names), definitions)
 
     def _mentioned(self, item: SourceStatement) -> list[str]:
@@ -148,7 +149,7 @@ class Stage:
             new = {*one.items} - {*law.rows}
             if one.restates is law and max(item.order for item in new) < at.order:
                 special = {*known.special(one)}
-                if (special and not special <= supposed) or new & cited:
+                if special and (not special <= supposed or new & cited):
                     return one
         return law
 
@@ -156,8 +157,8 @@ class Stage:
 
     def _has_clock(self, item: SourceStatement) -> bool:
         """Whether derivatives by another time are printed in a statement."""
-        law = {mark for one in self.known.laws for row in one.rows for mark in _marks(row)}
-        return bool(_marks(item) - {"dot", "t"} - ({"prime"} & law))
+        law = {mark for one in self.known.laws for row in one.rows for mark in row.marks}
+        return bool(item.marks - {"dot", "t"} - ({"prime"} & law))
 
     def _made(
         self,
@@ -254,12 +255,6 @@ class Stage:
                     yield to_latex(Root(base))
                 case Modulus(argument) if rank(argument, self.known.paper.words) == VECTOR:
                     yield to_latex(Root(Power(argument, Number(2))))
-
-
-def _marks(item: SourceStatement) -> set[str]:
-    """How the derivatives in a statement are printed."""
-    nodes = item.formula.nodes() if item.formula is not None else ()
-    return {node.mark for node in nodes if isinstance(node, Derivative)}
 
 
 def with_assumption(scene: Scene, item: SourceStatement, known: Known) -> Scene:

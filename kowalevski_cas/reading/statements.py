@@ -12,23 +12,21 @@ from kowalevski_cas.notation import Derivative, Formula, Name, NotationError, Re
 from kowalevski_cas.notation.cursor import BOLD
 from kowalevski_cas.notation.layout import StatementTokens
 from kowalevski_cas.notation.layout import statements as placed
-from kowalevski_cas.notation.open import OpenParser
+from kowalevski_cas.notation.open import OpenParser, is_exponential
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.numbers import numbers_of
 from kowalevski_cas.reading.text import MARK, Prose, TextSection, references
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.formulas import typed_formulas
 from kowalevski_cas.source.listing import guessed
 from kowalevski_cas.source.text import Source
+from kowalevski_cas.source.tokens import scanned
 
 LONGEST_ID = 32
 """The signs of a formula by which it is called if it has no label."""
-
-
-_NUMBER = re.compile(r"\\(?:l?eqno|tag\*?)\s*\{?\s*\(?([\w.*']{1,9})\)?")
-"""The number that an author prints with a formula."""
 
 
 @dataclass(eq=False)
@@ -95,6 +93,12 @@ class SourceStatement:
         )
 
     @cached_property
+    def marks(self) -> frozenset[str]:
+        """How derivatives are printed here: with dots, with primes, by a variable."""
+        nodes = self.formula.nodes() if self.formula is not None else ()
+        return frozenset(node.mark for node in nodes if isinstance(node, Derivative))
+
+    @cached_property
     def bare(self) -> tuple[str, ...]:
         """The members that are bare names."""
         return tuple(one.name for one in self.members if isinstance(one, Name))
@@ -124,20 +128,27 @@ class SourcePaper:
         )
 
     @cached_property
-    def times(self) -> frozenset[str]:
-        """The names of times: of x and s only where something is derived by them."""
-        formulas = (item.formula for item in self.items if item.formula is not None)
-        nodes = (node for formula in formulas for node in formula.nodes())
-        marks = {node.mark for node in nodes if isinstance(node, Derivative)}
-        return frozenset({"t", r"\tau"} | marks) & self.words.times
+    def maps(self) -> frozenset[SourceStatement]:
+        """The statements with primes in a section that speaks of a map: they are images."""
+        words = self.prose.between
+        return frozenset(
+            item
+            for item in self.items
+            if "prime" in item.marks and cue("map", words(item.section.start, item.sentence[1]))
+        )
 
     @cached_property
     def labels(self) -> dict[str, list[SourceStatement]]:
         """The statements by the labels that cite them."""
         found: dict[str, list[SourceStatement]] = {}
         for item in self.items:
-            for label in (*item.typed.labels, *_NUMBER.findall(item.typed.tex)):
+            for label in item.typed.labels:
                 found.setdefault(label, []).append(item)
+        formulas = [formula for _, formula in self.displays]
+        text, start = self.expanded.text, self.prose.start
+        for typed, number in numbers_of(formulas, text, start, self.source.text):
+            if number not in found:
+                found[number] = [item for item in self.items if item.typed is typed]
         return found
 
 
@@ -204,7 +215,9 @@ def _id(formula: TypedFormula, ids: Counter[str]) -> str:
 def _vocabulary(formulas: Sequence[TypedFormula]) -> Vocabulary:
     """The names of a paper; bold capitals are matrices or vectors, as more formulas can be read."""
     guesses = [guessed(formulas, capitals) for capitals in (VECTOR, MATRIX)]
-    guesses = [replace(one, scalars=one.scalars - {"d"}) for one in guesses]
+    euler = all(is_exponential(scanned(one.tex)) for one in formulas if "e" in one.tex)
+    other = {"d", "e"} if euler else {"d"}
+    guesses = [replace(one, scalars=one.scalars - other) for one in guesses]
     if guesses[0] == guesses[1]:
         return guesses[0]
     bold = [one for one in formulas if any(font[1:-1] in one.tex for font in (*BOLD, r"\bf "))]

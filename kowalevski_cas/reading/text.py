@@ -178,7 +178,11 @@ class Prose:
 def references(words: str) -> tuple[str, ...]:
     """The labels that some words cite."""
     found = [label.strip() for one in _REFERENCE.findall(words) for label in one.split(",")]
-    return tuple(dict.fromkeys((*found, *_PRINTED.findall(words))))
+    for number in _PRINTED.finditer(words):
+        before = words[: number.start()].rstrip(" ~\n")
+        if before and before[-1] not in ":;":  # else it counts what is listed
+            found.append(number[1])
+    return tuple(dict.fromkeys(found))
 
 
 def _blank(formula: str) -> str:

@@ -54,14 +54,15 @@ class _Annotated:
     audit: Audit
 
     def __post_init__(self) -> None:
-        audit, derivation = self.audit, self.audit.session.derivation
+        audit, session = self.audit, self.audit.session
+        derivation, texts = session.interpretation.derivation, session.interpretation.texts
         self.run = run = Run(
             derivation.name, derivation.title, derivation.author, derivation.source,
             tuple((s.number, s.title) for s in derivation.sections),
-            tuple(audit.outcomes.values()), tuple(audit.session.arithmetics), {},
-            audit.session.texts.vocabulary, derivation.edition, derivation.main,
+            tuple(audit.outcomes.values()), session.decider.arithmetics.names, {},
+            texts.vocabulary, derivation.edition, derivation.main,
         )  # fmt: skip
-        paper = sections(run, derivation, audit.session.texts)
+        paper = sections(run, derivation, texts)
         self.contents = Contents(run, paper)
         self.items: dict[str, list[ReportItem]] = {}
         self.begins: dict[str, str] = {}

@@ -199,8 +199,10 @@ class Contents:
     # -- the rest ---------------------------------------------------------------------
 
     def graph(self) -> Iterator[Block]:
-        """What rests on what."""
+        """What rests on what, where that is more than a few lines can say."""
         drawn = picture(self.run.outcomes, {o.claim: self._box(o) for o in self.run.outcomes})
+        if drawn.boxes and sum(line.tip for line in drawn.lines) < _EDGES:
+            return
         yield Heading(("What rests on what",), "section.picture")
         if not drawn.boxes:
             yield Paragraph(("Each claim was decided from the equations of motion alone.",))
@@ -250,6 +252,9 @@ class Contents:
         for name, text in _TRUST:
             yield Paragraph((Emphasis((f"{name}.",)), " ", *self.phrases.words(text)))
 
+
+_EDGES: Final = 6
+"""How many lines a picture of what rests on what has at least."""
 
 _SHORT: Final = 30
 """How many letters stand in a box behind the number at most."""

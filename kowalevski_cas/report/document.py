@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.verify.outcome import Verdict
@@ -45,6 +45,9 @@ class Emphasis(NamedTuple):
     text: Text
     strong: bool = False
 
+
+APPENDIX: Final = "appendix"
+"""The anchor of the appendix, which paper sets in small letters."""
 
 Inline = str | Formula | Code | Sign | Link | Emphasis
 Text = tuple[Inline, ...]
@@ -132,7 +135,30 @@ class Figure(NamedTuple):
     caption: Text
 
 
-Block = Heading | Paragraph | Equations | Judgement | Items | Table | Graph | Figure
+class TrialVersion(NamedTuple):
+    """A statement that fails or holds at points: its coordinates, and what has to hold there.
+
+    ``steps`` is how both sides are computed, as JSON.
+    """
+
+    label: str
+    names: tuple[tuple[str, Formula], ...]
+    hypotheses: tuple[Text, ...]
+    steps: str
+
+
+class Trial(NamedTuple):
+    """A counterexample that a page computes anew when its reader changes a number.
+
+    There is nothing of it on paper. The first version is what is printed; ``of`` says which of
+    several formulas it is about.
+    """
+
+    versions: tuple[TrialVersion, ...]
+    of: Text = ()
+
+
+Block = Heading | Paragraph | Equations | Judgement | Items | Table | Graph | Figure | Trial
 """A piece of the page."""
 
 
@@ -151,7 +177,7 @@ def anchor(text: str) -> str:
 
 
 def for_paper(document: Document) -> Document:
-    """The document for paper: no records, long displays in an appendix and a link to each.
+    """The document for paper: no records, nothing to try, long displays in an appendix with a link.
 
     What leads on to a display stands on its line, where there is room.
     """
@@ -182,13 +208,15 @@ def for_paper(document: Document) -> Document:
             if isinstance(block, Judgement):
                 inner = tuple(_led(stays(block.blocks))), tuple(_led(stays(block.folded)))
                 before = _together(block._replace(blocks=inner[0], folded=inner[1]))
-            elif isinstance(block, Paragraph) and block.kind == "record":
+            elif isinstance(block, Trial) or (
+                isinstance(block, Paragraph) and block.kind == "record"
+            ):
                 before = None
         if before is not None:
             yield before
 
     blocks = tuple(_led(stays(document.blocks)))
-    appendix = (Heading(("Appendix: long formulas",), "appendix"), *moved) if moved else ()
+    appendix = (Heading(("Appendix: long formulas",), APPENDIX), *moved) if moved else ()
     return document._replace(blocks=(*blocks, *appendix))
 
 

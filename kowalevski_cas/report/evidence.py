@@ -8,6 +8,7 @@ from kowalevski_cas.notation import Formula, Relation, to_plain
 from kowalevski_cas.report.compare import mark_differences
 from kowalevski_cas.report.document import Block, Emphasis, Equations, Paragraph, Text
 from kowalevski_cas.report.sentences import Phrases, capitalise, group_alike, list_in_words
+from kowalevski_cas.report.trial import trial_of
 from kowalevski_cas.tools import title
 from kowalevski_cas.verify.outcome import Condition, Outcome, ReportedStep
 
@@ -75,6 +76,10 @@ class Evidence:
             of = (" to ", *self.phrases.links(claims[:1])) if len(self.rows) > 1 else ()
             head = Emphasis(("Counterexample", *of, "."))
             yield Paragraph((head, " ", *self.phrases.values(one)))
+        for row in self.rows:
+            if trial := trial_of(row, self.phrases.vocabulary):
+                whose: Text = (" for ", *self.phrases.name((row.claim,)))
+                yield trial._replace(of=whose if len(self.rows) > 1 else ())
 
     def _corrections(self) -> Iterator[Block]:
         """Corrections of the same kind together."""

@@ -1,4 +1,7 @@
-"""The report as one HTML file: MathML and SVG within it, nothing to load, no script."""
+"""The report as one HTML file: MathML and SVG within it, nothing to load.
+
+A small script computes counterexamples anew; the page is whole without it.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +9,7 @@ import re
 from base64 import b64encode
 from collections.abc import Sequence
 from html import escape
+from importlib.resources import files
 from pathlib import Path
 from typing import Final
 
@@ -23,6 +27,8 @@ from kowalevski_cas.report.document import (
     Paragraph,
     Table,
     Text,
+    Trial,
+    TrialVersion,
 )
 from kowalevski_cas.report.graph.svg import svg
 from kowalevski_cas.report.marks import MARKS
@@ -100,7 +106,11 @@ class HtmlWriter(Writer):
             for block in document.blocks
             if isinstance(block, Heading) and block.level == 1
         )
-        return {**super().parts(document), "contents": "\n".join(links)}
+        found = {**super().parts(document), "contents": "\n".join(links), "script": ""}
+        if '<form class="trial"' in found["body"]:
+            code = (files(__package__) / "pages" / "trial.js").read_text(encoding="utf-8")
+            found["script"] = f"<script>\n{code}</script>"
+        return found
 
     def escape(self, text: str) -> str:
         return escape(text.replace("'", "’"))
@@ -168,6 +178,8 @@ class HtmlWriter(Writer):
         sign = self.sign(block.verdict) if block.verdict else ""
         place = f' id="{block.anchor}"' if block.anchor else ""
         label = f'<span class="label">{self.text(block.label)}</span>' if block.label else ""
+        if label and block.anchor:  # the number is the address of what it numbers
+            label = f'<a class="label" href="#{block.anchor}">{self.text(block.label)}</a>'
         head = f'<div class="head">{sign}<p>{self.text(block.head)}</p>{label}</div>'
         body = self.blocks(block.blocks)
         if block.folded:
@@ -199,4 +211,34 @@ class HtmlWriter(Writer):
         return (
             f'<figure><img alt="" src="data:image/png;base64,{image}">'
             f"<figcaption>{caption}</figcaption></figure>"
+        )
+
+    def trial(self, block: Trial) -> str:
+        """Boxes for the numbers of each version, which the script shows."""
+        choice = ""
+        if len(block.versions) > 1:
+            choice = "".join(
+                f'<label><input type="radio" name="version"{" checked" if not k else ""}> '
+                f"{version.label}</label> "
+                for k, version in enumerate(block.versions)
+            )
+        parts = "\n".join(map(self._version, block.versions))
+        opened = "" if block.of else " open"  # several would hide what is said next
+        head = f"<summary>Try other numbers{self.text(block.of)}</summary>"
+        choice = f"<p>{choice}</p>" if choice else ""
+        button = '<p><button type="button">Back to the point above</button></p>'
+        inner = f"<details{opened}>{head}\n{choice}\n{parts}\n{button}</details>"
+        return f'<form class="trial" hidden>{inner}</form>'
+
+    def _version(self, version: TrialVersion) -> str:
+        boxes = " ".join(
+            f'<label>{self.formula(shown)} = <input name="{escape(name)}" size="9" '
+            'spellcheck="false" autocomplete="off"></label>'
+            for name, shown in version.names
+        )
+        broken = "".join(f"<li hidden>{self.text(words)}</li>" for words in version.hypotheses)
+        said = '<div class="broken" hidden>No verdict, for this does not hold here:'
+        return (
+            f'<fieldset data-steps="{escape(version.steps)}" hidden><p>{boxes}</p>'
+            f"{said}<ul>{broken}</ul></div><output></output></fieldset>"
         )

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from kowalevski_cas.notation.latex import Latex
 from kowalevski_cas.report.document import (
+    APPENDIX,
     Document,
     Equations,
     Figure,
@@ -96,7 +97,8 @@ class LatexWriter(Writer):
     def heading(self, block: Heading) -> str:
         name = ("section", "subsection")[block.level - 1]
         text = self.text(block.text)
-        return f"\n\\{name}[{text}]{{{self._place(block.anchor)}{text}}}\n"
+        small = "\\small\n" * (block.anchor == APPENDIX)
+        return f"\n\\{name}[{text}]{{{self._place(block.anchor)}{text}}}\n{small}"
 
     def paragraph(self, block: Paragraph) -> str:
         stays = r"\interlinepenalty10000 " if block.leads else ""

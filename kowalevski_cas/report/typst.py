@@ -8,6 +8,7 @@ from typing import Final
 
 from kowalevski_cas.notation.typst import TYPST
 from kowalevski_cas.report.document import (
+    APPENDIX,
     Document,
     Equations,
     Figure,
@@ -86,7 +87,8 @@ class TypstWriter(Writer):
         return f"#link({target})[{self.text(link.text)}];"
 
     def heading(self, block: Heading) -> str:
-        return f"\n{'=' * block.level} {self.text(block.text)} <{block.anchor}>\n"
+        small = "#set text(0.87em)\n" * (block.anchor == APPENDIX)
+        return f"\n{'=' * block.level} {self.text(block.text)} <{block.anchor}>\n{small}"
 
     def paragraph(self, block: Paragraph) -> str:
         kind = "leads" if block.leads else block.kind or "plain"

@@ -9,7 +9,7 @@ from flint import fmpq_mpoly
 
 from kowalevski_cas.algebra.flint import coefficients, terms_of
 from kowalevski_cas.algebra.polynomials import Terms
-from kowalevski_cas.search.squares import sum_of_squares
+from kowalevski_cas.algebra.squares import sum_of_squares
 
 Solved = tuple[tuple[int, fmpq_mpoly], ...]
 

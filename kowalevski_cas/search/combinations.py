@@ -11,10 +11,11 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.flat import Flat
 from kowalevski_cas.algebra.flint import terms_of, to_flint
-from kowalevski_cas.algebra.kernels import TooLarge, kernel
+from kowalevski_cas.algebra.ideals import remainder
+from kowalevski_cas.algebra.kernels import kernel
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.search.cofactors import cofactors
-from kowalevski_cas.search.groebner import Basis, reduced_groebner_basis, remainder
+from kowalevski_cas.search.groebner import Basis
 
 POWERS = 3
 """The largest power of a unit by which a target is multiplied."""
@@ -153,22 +154,6 @@ def combinations_of(targets: Sequence[Element], generators: Sequence[Element]) -
     roots = [content for content in contents if content.parts.keys() != {0}]
     units = [*roots, *ring.divisors_of([*targets, *generators])]
     return Combinations(targets, generators, units=units)
-
-
-def vanish_on(elements: Sequence[Element], known: Sequence[Element]) -> list[bool]:
-    """Which elements are combinations of known ones, without a condition."""
-    given = [one for one in known if not one.is_zero]
-    if not elements or not given:
-        return [element.is_zero for element in elements]
-    flat = Flat(given[0].ring)
-    context = fmpq_mpoly_ctx.get(flat.context.names(), Ordering.deglex)
-    relations = (*map(flat.polynomial, given), *flat.relations())
-    try:
-        basis = reduced_groebner_basis([_in(context, one) for one in relations])
-    except TooLarge:
-        return [False] * len(elements)
-    dividends = (_in(context, flat.polynomial(element)) for element in elements)
-    return [remainder(dividend, basis).is_zero() for dividend in dividends]
 
 
 def _content(polynomial: fmpq_mpoly, places: set[int]) -> fmpq_mpoly:

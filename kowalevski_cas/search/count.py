@@ -9,6 +9,7 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_fraction
 from kowalevski_cas.algebra.hermite import hermite_minors
+from kowalevski_cas.algebra.ideals import remainder
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.present import (
     formula_in,
@@ -16,6 +17,7 @@ from kowalevski_cas.algebra.present import (
     polynomial_formula,
     power_formula,
 )
+from kowalevski_cas.algebra.squares import sum_of_squares
 from kowalevski_cas.algebra.tower import Element, Ring
 from kowalevski_cas.notation import Formula, Name, Number, times, total
 from kowalevski_cas.problem.count import eliminant_value, solved_rests
@@ -27,7 +29,6 @@ from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.combinations import cofactors_for
 from kowalevski_cas.search.cramer import cramer
 from kowalevski_cas.search.eliminants import Eliminant, eliminant
-from kowalevski_cas.search.groebner import remainder
 from kowalevski_cas.search.levels import (
     LevelEquations,
     more_solutions,
@@ -37,7 +38,6 @@ from kowalevski_cas.search.levels import (
     system_of,
 )
 from kowalevski_cas.search.place import PointFinder
-from kowalevski_cas.search.squares import sum_of_squares
 
 Split = tuple[tuple[Factor, ...], tuple[tuple[Formula, tuple[int, ...]], ...]]
 """Factors, and minors as products of them."""

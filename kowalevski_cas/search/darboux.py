@@ -18,6 +18,7 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of
 from kowalevski_cas.algebra.kernels import PRIME, TooLarge
+from kowalevski_cas.algebra.polynomials import primitive
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -28,7 +29,6 @@ from kowalevski_cas.problem.polynomial_fields import (
     Terms,
     monomials,
     number_of_monomials,
-    primitive,
 )
 from kowalevski_cas.search.branches import Branch, solve_by_cases
 from kowalevski_cas.search.integrals import Span

@@ -17,13 +17,13 @@ from operator import mul
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_flint, to_fraction
+from kowalevski_cas.algebra.ideals import reduced_groebner_basis
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.polynomial_fields import PolynomialField
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.branches import Branch, branches, maximal, solve_by_cases, without
-from kowalevski_cas.search.groebner import reduced_groebner_basis
 
 LARGEST = 6
 """The largest weight that is tried."""

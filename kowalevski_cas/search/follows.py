@@ -7,6 +7,7 @@ from functools import reduce
 from itertools import product
 from operator import mul
 
+from kowalevski_cas.algebra.ideals import vanish_on
 from kowalevski_cas.algebra.numbers import inverse_of
 from kowalevski_cas.algebra.present import formula_rows
 from kowalevski_cas.algebra.tower import Element
@@ -16,7 +17,7 @@ from kowalevski_cas.problem.examine import is_real, law, value_of
 from kowalevski_cas.problem.goals import Fails, Follows
 from kowalevski_cas.problem.place import PointEvaluation
 from kowalevski_cas.search.cofactors import cofactors
-from kowalevski_cas.search.combinations import Combinations, combinations_of, complete, vanish_on
+from kowalevski_cas.search.combinations import Combinations, combinations_of, complete
 from kowalevski_cas.search.place import Candidate, PointFinder, Values
 from kowalevski_cas.search.real_cases import proof_by_cases
 

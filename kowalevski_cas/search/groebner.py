@@ -11,19 +11,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from heapq import heapify, heappop, heappush
 from operator import sub
-from typing import Any
 
-from flint import fmpq_mpoly, fmpz_mpoly_ctx, fmpz_mpoly_vec
+from flint import fmpq_mpoly
 
-from kowalevski_cas.algebra.flint import terms_of
-from kowalevski_cas.algebra.kernels import TooLarge
-from kowalevski_cas.problem.polynomial_fields import primitive
+from kowalevski_cas.algebra.ideals import remainder
 
 LONGEST = 500_000
 """How many terms are reduced to make a basis, before it is given up."""
-
-LIMITS = (500, 10_000, 50_000)
-"""Elements, terms of one and bits of a number with which a basis is given up that nobody made."""
 
 Monomial = tuple[int, ...]
 Made = dict[int, fmpq_mpoly]
@@ -131,34 +125,6 @@ class Basis:
             self._steps += len(factor) * len(self.elements[place]) + len(rest)
             made[place] = made.get(place, self.context.constant(0)) - factor
         return rest, made
-
-
-def reduced_groebner_basis(polynomials: Sequence[fmpq_mpoly]) -> list[fmpq_mpoly]:
-    """The reduced Gröbner basis of polynomials, where nobody asks how it is made.
-
-    Raises:
-        TooLarge: there are too many elements or terms on the way, or too large numbers.
-    """
-    context = polynomials[0].context()
-    whole = fmpz_mpoly_ctx.get(context.names(), context.ordering())
-    given = (primitive(terms_of(one)) for one in polynomials if one)
-    own = [whole.from_dict({e: int(value) for e, value in terms.items()}) for terms in given]
-    answer: Any = fmpz_mpoly_vec(own, whole).buchberger_naive(LIMITS)  # its type leaves limits out
-    found, complete = answer
-    if not complete:
-        raise TooLarge("a Gröbner basis has over {} elements, {} terms or {} bits".format(*LIMITS))
-    rational = (context.from_dict(one.to_dict()) for one in found.autoreduction(groebner=True))
-    return [one / one.leading_coefficient() for one in rational]
-
-
-def remainder(polynomial: fmpq_mpoly, divisors: Sequence[fmpq_mpoly]) -> fmpq_mpoly:
-    """What is left of a polynomial when no leading monomial of a divisor divides one of it."""
-    before = None
-    while before != polynomial:
-        before = polynomial
-        for divisor in filter(None, divisors):
-            polynomial = divmod(polynomial, divisor)[1]
-    return polynomial
 
 
 def _lead(polynomial: fmpq_mpoly) -> Monomial:

@@ -8,6 +8,7 @@ from itertools import chain
 from random import Random
 
 from kowalevski_cas.algebra.kernels import PRIME, TooLarge, kernel, rank
+from kowalevski_cas.algebra.polynomials import primitive
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -19,7 +20,6 @@ from kowalevski_cas.problem.polynomial_fields import (
     derivative,
     monomials,
     number_of_monomials,
-    primitive,
     weight_of,
 )
 

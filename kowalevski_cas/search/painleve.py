@@ -18,10 +18,10 @@ from operator import mul
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from kowalevski_cas.algebra.flint import coefficients, to_flint
+from kowalevski_cas.algebra.ideals import reduced_groebner_basis, remainder
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.branches import Branch, branches, without
 from kowalevski_cas.search.exponents import Balance, LeadingPart, determinant
-from kowalevski_cas.search.groebner import reduced_groebner_basis, remainder
 
 Vector = list[fmpq_mpoly]
 

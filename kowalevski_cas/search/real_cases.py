@@ -10,11 +10,11 @@ from operator import mul
 
 from kowalevski_cas.algebra.factors import irreducible_factors
 from kowalevski_cas.algebra.present import formula_rows
+from kowalevski_cas.algebra.squares import four_squares, sum_of_squares
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evidence import Proof
 from kowalevski_cas.problem.examine import value_of
 from kowalevski_cas.search.combinations import Combinations, complete
-from kowalevski_cas.search.squares import four_squares, sum_of_squares
 
 DEPTH = 12
 """How many splits may follow one another."""

@@ -13,7 +13,9 @@ from random import Random
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_flint
+from kowalevski_cas.algebra.ideals import reduced_groebner_basis, remainder
 from kowalevski_cas.algebra.kernels import PRIME, TooLarge, kernel
+from kowalevski_cas.algebra.polynomials import primitive
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.kernel import LARGEST, residues
@@ -22,11 +24,9 @@ from kowalevski_cas.problem.polynomial_fields import (
     PolynomialField,
     Terms,
     monomials,
-    primitive,
     weight_of,
 )
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.search.groebner import reduced_groebner_basis, remainder
 from kowalevski_cas.search.integrals import Span
 
 CONSTANTS = 2

@@ -124,7 +124,7 @@ def _rows(text: str, start: int, end: int, kind: str) -> Iterator[TypedFormula]:
         yield TypedFormula(tex, start, end, kind, _labels(tex), kind in _INLINE)
         return
     first = 0
-    for last, following in _row_ends(tex):
+    for last, following in row_ends(tex):
         row = tex[first:last]
         if _UNNUMBERED.search(row) and following < len(tex):
             continue
@@ -133,7 +133,7 @@ def _rows(text: str, start: int, end: int, kind: str) -> Iterator[TypedFormula]:
         first = following
 
 
-def _row_ends(tex: str) -> Iterator[tuple[int, int]]:
+def row_ends(tex: str) -> Iterator[tuple[int, int]]:
     """The interval of each break between rows outside braces and inner environments."""
     depth = 0
     for match in _ROW.finditer(tex):

@@ -6,9 +6,9 @@ claims that edit is likeliest which mends most of them; of those that mend as ma
 claim's own formula comes before a relation of constants, this before an edit of a definition, and
 that before one of the law. A claim that fails alone has its own formula corrected, if that can be.
 
-A run asks when all its claims are decided; who has a :class:`~.mender.Mender` asks for::
+A run asks when all its claims are decided; who has a :class:`~.corrector.Corrector` asks for::
 
-    found = Blame(session, {claim: outcome.verdict, …}).corrections()
+    found = Blame(corrector, {claim: outcome.verdict, …}).corrections()
 
 the :class:`~.outcome.Correction` of each refuted claim that has one, and up to two alternatives, by
 the ids of the claims. Of a repair of another formula ``blamed`` is what is printed there, and
@@ -28,6 +28,8 @@ from typing import NamedTuple
 from kowalevski_cas.notation import Derivative, Edit, Name, NotationError, edits
 from kowalevski_cas.notation.edits import changes_subject
 from kowalevski_cas.paper.claims import Claim, Neighbour
+from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.corrections import passes, statement_of, unlikeliness
@@ -89,13 +91,20 @@ Repairs = dict[str, tuple[Correction, ...]]
 class Blame:
     """The search for what makes claims fail, in a run that has come to its end."""
 
-    mender: Corrector
+    corrector: Corrector
     verdicts: Mapping[str, Verdict]
     corrected: Collection[str] = ()
     """The claims that have a correction already."""
     seconds: float = inf
     """For the search of what claims stand on, which then has what was found so far."""
     _true: dict[str, bool] = field(default_factory=dict)
+
+    @property
+    def _derivation(self) -> Derivation:
+        return self.corrector.interpretation.derivation
+
+    def _on(self, claim: Claim) -> Elaborations:
+        return self.corrector.interpretation.on(claim)
 
     def corrections(self) -> Repairs:
         """The corrections of all claims that fail: what they share first, then one by one."""
@@ -107,7 +116,7 @@ class Blame:
 
     def open(self) -> list[Claim]:
         """The refuted claims that were asked for, and are to be corrected."""
-        claims = self.mender.derivation.claims
+        claims = self._derivation.claims
         return [claim for claim in claims if claim.id in self.verdicts and self._fails(claim)]
 
     def shared(self) -> Repairs:
@@ -124,7 +133,7 @@ class Blame:
 
     def alone(self, claim: Claim) -> tuple[Correction, ...]:
         """The corrections of one claim: of its own formula, or else of what it stands on."""
-        own = tuple(self.mender.corrected_by(Statement(claim, self.mender.on(claim)), MOST))
+        own = tuple(self.corrector.near(self.corrector.interpretation.statement(claim), MOST))
         if own:
             return own
         others = [one for one in self._failing if one is not claim]
@@ -139,15 +148,15 @@ class Blame:
 
         Those are left out of which the author expects it, and those that are corrected already.
         """
-        return [claim for claim in self.mender.derivation.claims if self._fails(claim)]
+        return [claim for claim in self._derivation.claims if self._fails(claim)]
 
     def _fails(self, claim: Claim) -> bool:
-        if self.mender.derivation.expected.get(claim.id) == Verdict.REFUTED:
+        if self._derivation.expected.get(claim.id) == Verdict.REFUTED:
             return False
         if claim.id in self.verdicts:
             refuted = self.verdicts[claim.id] is Verdict.REFUTED
             return refuted and claim.id not in self.corrected
-        on = self.mender.on(claim)
+        on = self._on(claim)
         try:
             self._statement(claim)
         except (NotationError, Meaningless):
@@ -163,9 +172,9 @@ class Blame:
 
     def _seems(self, claim: Claim) -> bool:
         """Whether a claim is true at points, or by a proof if they cannot tell."""
-        on = self.mender.on(claim)
+        on = self._on(claim)
         at_points = passes(Neighbour("", claim, on.texts), on, {})
-        return self.mender.is_true(claim) if at_points is None else at_points
+        return self.corrector.is_true(claim) if at_points is None else at_points
 
     # -- what is suspected ------------------------------------------------------------
 
@@ -183,18 +192,18 @@ class Blame:
                     found[place] = Suspect.OWN
                 elif place in roles:
                     found.setdefault(place, Suspect.LAW if law else Suspect.DEFINITION)
-        known = self.mender.derivation.claims
+        known = self._derivation.claims
         right = {place for c in known if self._holds(c) for place in c.establishes()}
         return {
             place: suspect
             for place, suspect in found.items()
             if len(standing[place]) >= least
             and place not in right
-            and place not in self.mender.accepted
+            and place not in self.corrector.interpretation.accepted
         }
 
     def _statement(self, claim: Claim) -> Statement:
-        return Statement(claim, self.mender.on(claim))
+        return self.corrector.interpretation.statement(claim)
 
     def _changes(
         self, failing: Sequence[Claim], least: int
@@ -202,14 +211,14 @@ class Blame:
         """What may mend so many claims, and the claims that it changes; the likeliest first."""
         for claim in failing:
             for relation in relations(self._statement(claim)):
-                supposed = supposes(claim.scene, self.mender.derivation)
+                supposed = supposes(claim.scene, self._derivation)
                 if not supposed and len(relation.formula.names()) == 1:
                     continue  # a number for a constant, of which the paper does not think
                 suspect = Suspect.ASSUMPTION if supposed else Suspect.RELATION
                 standing = [one for one in failing if relation.concerns(one.scene)]
                 yield suspect, relation, relation.place, standing
         suspects = self._suspects(failing, least)
-        texts = self.mender.on(failing[0]).texts
+        texts = self._on(failing[0]).texts
         names = self._names(failing, suspects, texts)
         found = [
             (suspect, edit, place, [claim for claim in failing if place in claim.reads()])
@@ -260,14 +269,14 @@ class Blame:
         return sorted(found, key=_likelihood)
 
     def _passes(self, repair: Repair, claim: Claim) -> bool | None:
-        on = self.mender.on(claim)
+        on = self._on(claim)
         return passes(repair.of(claim, on.texts), on.apart(on.texts), {})
 
     def _breaks(self, repair: Repair) -> bool:
         """Whether a repair makes false what is true."""
         if isinstance(repair.change, ConstantRelation):
             return False
-        about = (c for c in self.mender.derivation.claims if repair.place in c.reads())
+        about = (c for c in self._derivation.claims if repair.place in c.reads())
         return any(self._holds(c) and self._passes(repair, c) is False for c in about)
 
     # -- what is proved ---------------------------------------------------------------
@@ -290,13 +299,13 @@ class Blame:
 
     def _proof(self, repair: Repair, claim: Claim) -> Correction | None:
         """A claim with a repair as its correction, if it is proved and says something."""
-        on = self.mender.on(claim)
+        on = self._on(claim)
         neighbour = repair.of(claim, on.texts)
         try:
             statement = statement_of(neighbour, on)
             if not says_something(neighbour, statement, self._statement(claim)):
                 return None
-            proved = self.mender.correction_of(neighbour, statement)
+            proved = self.corrector.correction_of(neighbour, statement)
             return proved and proved._replace(others=self._others(repair))
         except (NotationError, Meaningless, ZeroDivisionError):
             return None
@@ -305,7 +314,7 @@ class Blame:
         """The true claims that stand on what a repair changes."""
         if not isinstance(repair.change, Edit):
             return ()
-        true = (c for c in self.mender.derivation.claims if self._holds(c))
+        true = (c for c in self._derivation.claims if self._holds(c))
         return tuple(c.id for c in true if repair.place in self._statement(c).stands_on)
 
     def _spoils(self, repair: Repair) -> bool:
@@ -313,14 +322,15 @@ class Blame:
         place, edit = repair.place, repair.change
         if not isinstance(edit, Edit):
             return False
-        about = [c for c in self.mender.derivation.claims if place in c.reads()]
-        if not all(self.mender.keeps(claim, place, edit) for claim in about if self._holds(claim)):
+        keeps = self.corrector.keeps
+        about = [c for c in self._derivation.claims if place in c.reads()]
+        if not all(keeps(claim, place, edit) for claim in about if self._holds(claim)):
             return True
         return any(self._stops(claim, repair) for claim in repair.mends)
 
     def _stops(self, claim: Claim, repair: Repair) -> bool:
         """Whether what moves stands still with a repair, or what is said to be constant."""
-        on = self.mender.on(claim)
+        on = self._on(claim)
         edited = repair.of(claim, on.texts)
         now = on.under(edited.texts)
         about = {

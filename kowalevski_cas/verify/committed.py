@@ -21,10 +21,10 @@ from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.certificate import FOLDER
 from kowalevski_cas.verify.corrections import recorded_correction
+from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.loci import failing
 from kowalevski_cas.verify.outcome import CORRECTED, Run
 from kowalevski_cas.verify.statement import Statement
-from kowalevski_cas.verify.workbench import Workbench
 
 Record = Mapping[str, Mapping[str, object]]
 
@@ -65,7 +65,7 @@ def check_committed(
     record: Record,
     decided: Mapping[str, str] = MappingProxyType({}),
 ) -> Checked:
-    """Check the certificates in the folder of a derivation.
+    """Check the certificates in the folder of a derivation, in the order of the record.
 
     ``decided`` are the :func:`statements` that a run has just written from the print.
 
@@ -73,7 +73,9 @@ def check_committed(
     record has another statement of the claim, or another sign; so is one that the record asks for
     and that is missing.
     """
-    found = check_files(certificate_files(folder), Expected(derivation, record, decided))
+    places = {claim: place for place, claim in enumerate(record)}
+    files = sorted(certificate_files(folder), key=lambda path: places.get(path.stem, len(places)))
+    found = check_files(files, Expected(derivation, record, decided))
     for name in certificates_of(record):
         if not (folder / FOLDER / f"{name}.json").is_file():
             found.rejected[f"{name}.json"] = "it is in the record, and missing"
@@ -130,9 +132,9 @@ class Expected:
     decided: Mapping[str, str] = field(default_factory=dict)
 
     @cached_property
-    def bench(self) -> Workbench:
+    def interpretation(self) -> Interpretation:
         """What is printed."""
-        return Workbench(self.derivation, [])
+        return Interpretation(self.derivation)
 
     def compare(self, name: str, certificate: checker.Certificate, corrected: bool) -> None:
         """Reject a certificate that is about something else."""
@@ -167,7 +169,7 @@ class Expected:
         if claim is None:
             return None
         with suppress(NotationError, Meaningless):  # what says nothing has no certificate
-            on = self.bench.on(claim)
+            on = self.interpretation.on(claim)
             if not corrected:
                 return Statement(claim, on)
             entry = self.record[id]

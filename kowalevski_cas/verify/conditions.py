@@ -6,7 +6,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache, reduce
 from operator import mul
 
+from kowalevski_cas.algebra.ideals import vanish_on
 from kowalevski_cas.algebra.present import formula_of
+from kowalevski_cas.algebra.squares import sum_of_squares
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Negative, Product, Sum
 from kowalevski_cas.paper.denominators import Divisor, Shape, shape_of
@@ -15,8 +17,6 @@ from kowalevski_cas.problem.examine import Accepted, law
 from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Exists, Follows, Goal, Simple, simple
 from kowalevski_cas.problem.space import Setting
-from kowalevski_cas.search.combinations import vanish_on
-from kowalevski_cas.search.squares import sum_of_squares
 from kowalevski_cas.verify.as_printed import printed_formula
 
 Divided = tuple[Elaboration, Formula]

@@ -5,12 +5,17 @@ It has no part in how the judge thinks. It gets the text of a certificate and no
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from itertools import chain
+import json
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from math import inf
+from time import perf_counter
+from typing import NamedTuple
 
 from kowalevski_cas import UserError
+from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Name
+from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.paper.denominators import (
     Shape,
     factors_below,
@@ -19,122 +24,190 @@ from kowalevski_cas.paper.denominators import (
     shape_of,
 )
 from kowalevski_cas.problem import checker
+from kowalevski_cas.problem.codec import read_problem
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.finder import finder_of
-from kowalevski_cas.problem.goals import Along, Simple, simple
+from kowalevski_cas.problem.goals import Along, Goal, Simple, simple
 from kowalevski_cas.problem.space import Raised, Setting
 from kowalevski_cas.problem.trees import decode
 from kowalevski_cas.verify.conditions import may_vanish
-from kowalevski_cas.verify.outcome import Outcome, Verdict
-from kowalevski_cas.verify.statement import Statement, Verdicts
+from kowalevski_cas.verify.outcome import Divided, Outcome, Verdict
 
-Divided = Iterable[tuple[Simple, Sequence[Element]]]
+LEAST = 0.5
+"""Seconds for the checker, however few the claim has left."""
+
+LATE = "there is no time left for the checker"
+
+LOOK = 5_000
+"""Steps of the checker between two looks at the clock."""
+
+
+_received = False
+
+
+@contextmanager
+def receiving() -> Iterator[None]:
+    """Processes that begin here have no certificates checked: what they say is received here."""
+    global _received
+    before, _received = _received, True
+    try:
+        yield
+    finally:
+        _received = before
+
+
+def is_received() -> bool:
+    """Whether what is said in this process is received by another one."""
+    return _received
 
 
 class Disagreement(UserError, ValueError):
     """The judge and the checker say two things of one statement; the message names both."""
 
 
-def confirm(statement: Statement, verdicts: Verdicts, accepted: Accepted, text: str) -> None:
+class Issued(NamedTuple):
+    """A certificate with what the judge says it is: a claim, a digest, a sign, its divisors."""
+
+    claim: str
+    digest: str
+    sign: str
+    text: str
+    divided: Divided
+
+
+def divisors_by_goal(accepted: Accepted) -> Divided:
+    """What the judge divides by, goal by goal, in the names of the problem."""
+    rings = ((finder_of(goal.space).ring, elements) for goal, elements in accepted.divided)
+    return tuple(tuple(map(formula_in, ring.divisors_of(e))) for ring, e in rings)
+
+
+def receive(
+    outcome: Outcome, timeout: float | None = None, known: Outcome | None = None
+) -> Outcome:
+    """An outcome that comes from elsewhere, once the checker accepts here what comes with it.
+
+    Else it is an error, or a timeout, if its seconds and those of the checker are too many. What
+    is ``known`` of it is accepted already.
+    """
+    start = perf_counter()
+    spent = sum([*outcome.seconds.values()][:1])
+    until = inf if timeout is None else start + max(timeout - spent, LEAST)
+    verdict, said = Verdict.ERROR, ""
+    try:
+        need_certificates(outcome, until, known)
+    except TimeoutError as error:
+        verdict, said = Verdict.TIMEOUT, str(error)
+    except Disagreement as error:
+        said = str(error)
+    except Exception as error:
+        said = f"{outcome.claim}: it cannot be checked ({type(error).__name__}: {error})"
+    if outcome.seconds:
+        first = next(iter(outcome.seconds))
+        seconds = {**outcome.seconds, first: spent + perf_counter() - start}
+        outcome = outcome._replace(seconds=seconds)
+    if not said:
+        return outcome
+    return outcome._replace(
+        verdict=verdict, message=said, certificate="", divided=(), conditions=(),
+        counterexample=None, correction=None, alternatives=(),
+    )  # fmt: skip
+
+
+def need_certificates(outcome: Outcome, until: float = inf, known: Outcome | None = None) -> None:
+    """Have the checker accept, here, what comes with an outcome from elsewhere, but the ``known``.
+
+    Raises:
+        Disagreement: nothing that another process says is believed.
+        TimeoutError: the checker takes longer.
+    """
+    accepted = {} if known is None else dict.fromkeys(_issued(known))
+    for one in _issued(outcome):
+        if one in accepted:
+            continue
+        try:
+            confirm(one, until=until)
+        except Disagreement as error:
+            said = f"{outcome.claim}: what another process says of it is not accepted here: {error}"
+            raise Disagreement(said) from None
+
+
+def _issued(outcome: Outcome) -> Iterator[Issued]:
+    """The certificates that have to come with an outcome."""
+    if outcome.certified:
+        sign = "denied" if outcome.verdict is Verdict.REFUTED else "holds"
+        yield Issued(outcome.claim, outcome.digest, sign, outcome.certificate, outcome.divided)
+    for one in filter(None, (outcome.correction, *outcome.alternatives)):
+        yield Issued(outcome.claim, one.digest, "holds", one.certificate, one.divided)
+
+
+class Watch(checker.Budget):
+    """The steps for a certificate, given out few at a time, until some moment."""
+
+    def __init__(self, until: float) -> None:
+        super().__init__()
+        self.until, self.rest, self.left = until, self.left, 0
+
+    def end(self) -> None:
+        """Take more of the rest, if there is time."""
+        if perf_counter() > self.until:
+            raise checker.Exhausted(LATE)
+        more = min(self.rest, LOOK - self.left)
+        self.left, self.rest = self.left + more, self.rest - more
+        if self.left < 0:
+            super().end()
+
+
+def confirm(issued: Issued, goals: Sequence[Goal] = (), until: float = inf) -> None:
     """Have the checker accept a certificate with the conditions under which the judge did.
+
+    ``goals`` are those of the problem, if they are at hand.
 
     Raises:
         Disagreement: it rejects the text, or has other conditions.
-        TimeoutError: it has come to the end of the steps that it takes.
+        TimeoutError: it has come to the end of the steps, or of the time, that it may take.
     """
-    sign = "denied" if isinstance(verdicts, Denial) else "holds"
-    theorems = _theorems(statement.claim.id, statement.digest, sign, text)
-    if sign == "denied":
-        return
-    goals = [one for goal in statement.goals for one in simple(goal)]
-    found = (
-        _factors(accepted.divided),
-        _factors(zip(goals, _divisors_by_goal(goals, theorems), strict=True)),
-    )
-    for space in {*found[0], *found[1]}:
-        judge, other = (factors.get(space, set()) for factors in found)
-        if judge != other:
-            more, whose = (judge - other, "flint") if judge - other else (other - judge, "checker")
-            raise Disagreement(
-                f"the conditions of flint and of the checker differ: {whose} has "
-                f"{len(more)} more on “{statement.legend[space].scene.name}”"
-            )
-
-
-def receive(outcome: Outcome) -> Outcome:
-    """An outcome that comes from elsewhere; an error, if it is not accepted here."""
     try:
-        need_certificates(outcome)
-    except Disagreement as error:
-        return outcome._replace(
-            verdict=Verdict.ERROR, message=str(error), certificate="", conditions=(),
-            counterexample=None, correction=None, alternatives=(),
-        )  # fmt: skip
-    return outcome
-
-
-def need_certificates(outcome: Outcome) -> None:
-    """Have the checker accept, here, what comes with an outcome from elsewhere.
-
-    Raises :class:`Disagreement`: nothing that another process says is believed.
-    """
-    due = []
-    if outcome.certified:
-        sign = "denied" if outcome.verdict is Verdict.REFUTED else "holds"
-        due.append((outcome.digest, sign, outcome.certificate))
-    for one in filter(None, (outcome.correction, *outcome.alternatives)):
-        due.append((one.digest, "holds", one.certificate))
-    try:
-        for digest, sign, text in due:
-            _theorems(outcome.claim, digest, sign, text)
-    except (Disagreement, TimeoutError) as error:
-        said = f"{outcome.claim}: what another process says of it is not accepted here: {error}"
-        raise Disagreement(said) from None
-
-
-def _theorems(claim: str, digest: str, sign: str, text: str) -> list[checker.Theorem]:
-    """What the checker says is proved by a certificate of a claim."""
-    try:
-        found = checker.check(text)
+        found = checker.check(issued.text, Watch(until))
     except checker.Exhausted as error:
         raise TimeoutError(str(error)) from None
     except checker.Rejected as error:
         raise Disagreement(
             f"flint and the checker disagree: flint accepts the evidence, the checker says: {error}"
         ) from None
-    if (found.claim, found.digest, found.sign) != (claim, digest, sign):
+    if perf_counter() > until:
+        raise TimeoutError(LATE)
+    if (found.claim, found.digest, found.sign) != (issued.claim, issued.digest, issued.sign):
         raise Disagreement("the checker reads another statement in it")
-    return found.theorems
+    theorems = [part for one in found.theorems for part in one.parts or (one,)]
+    if issued.sign == "denied" or not any([*issued.divided, *(one.divisors for one in theorems)]):
+        return
+    goals = goals or read_problem(json.loads(issued.text)).goals
+    every = [one for goal in goals for one in simple(goal)]
+    divisors = [tuple(map(decode, one.divisors)) for one in theorems]
+    judge, other = _factors(every, issued.divided), _factors(every, divisors)
+    if judge != other:
+        more, whose = (judge - other, "flint") if judge - other else (other - judge, "checker")
+        raise Disagreement(
+            "the conditions of flint and of the checker differ: "
+            f"{whose} has {len(more)} factors more in them"
+        )
 
 
-def _divisors_by_goal(
-    goals: Sequence[Simple], theorems: Iterable[checker.Theorem]
-) -> Iterator[list[Element]]:
-    """What the theorems suppose not to vanish, goal by goal, as what it is divided by."""
-    parts = chain.from_iterable(one.parts or (one,) for one in theorems)
-    for goal, theorem in zip(goals, parts, strict=True):
+def _factors(
+    goals: Sequence[Simple], divided: Sequence[Sequence[Formula]]
+) -> set[tuple[Setting, Shape]]:
+    """The irreducible factors that may not vanish, each with the space in which it stands."""
+    found = set[tuple[Setting, Shape]]()
+    for goal, divisors in zip(goals, divided, strict=True):
         if isinstance(goal, Along):  # where a side is not defined it says nothing
-            yield []
-            continue
-        scalar = finder_of(goal.space).scalar
-        yield [scalar(decode(tree)).inverse() for tree in theorem.divisors]
-
-
-def _factors(divided: Divided) -> dict[Setting, set[Shape]]:
-    """The irreducible factors that may not vanish, by the spaces in which they stand."""
-    found: dict[Setting, set[Shape]] = {}
-    for goal, elements in divided:
-        if isinstance(goal, Along):
             continue
         at = finder_of(goal.space)
         granted = granted_factors(map(at.scalar, goal.space.nonzero)) | _of_powers(at)
-        for divisor in may_vanish(goal, elements):
+        for divisor in may_vanish(goal, [at.scalar(one).inverse() for one in divisors]):
             for shape, factor in factors_of(divisor).items():
                 if shape not in granted:
-                    both = {shape, shape_of(_conjugate(factor, at))}
-                    found.setdefault(goal.space, set()).update(both)
+                    found |= {(goal.space, shape), (goal.space, shape_of(_conjugate(factor, at)))}
     return found
 
 

@@ -6,31 +6,47 @@ on a proof of the claim as it is corrected.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
 
-from kowalevski_cas.algebra import POINTS
 from kowalevski_cas.notation import Edit, Formula, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
+from kowalevski_cas.verify.archive import Archive
+from kowalevski_cas.verify.arithmetics import Arithmetics, Decided
+from kowalevski_cas.verify.certify import certify
 from kowalevski_cas.verify.corrections import corrections, printed_of, recorded_correction
+from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.outcome import CORRECTED, Correction, Outcome, Verdict
-from kowalevski_cas.verify.outcome_writer import OutcomeWriter
 from kowalevski_cas.verify.statement import Statement
 from kowalevski_cas.verify.vacuous import says_something
-from kowalevski_cas.verify.workbench import Decided
 
 
-class Corrector(OutcomeWriter):
-    """Corrections of claims, and their acceptance."""
+class Corrector:
+    """Corrections of claims, and their acceptance.
 
-    def known_corrections(self, printed: Statement) -> Sequence[Correction]:
+    ``record`` says which corrections are tried first.
+    """
+
+    def __init__(
+        self,
+        interpretation: Interpretation,
+        arithmetics: Arithmetics,
+        archive: Archive,
+        record: Mapping[str, Mapping[str, object]] | None = None,
+    ) -> None:
+        self.interpretation = interpretation
+        self._arithmetics = arithmetics
+        self._archive = archive
+        self.record = record or {}
+
+    def known(self, printed: Statement) -> Sequence[Correction]:
         """What the derivation accepts, or else is recorded, decided in every arithmetic."""
         return [*islice(self._proposed(self._known(printed)), 1)]
 
-    def corrected_by(self, printed: Statement, most: int) -> Iterator[Correction]:
+    def near(self, printed: Statement, most: int) -> Iterator[Correction]:
         """The nearest true statements, so many at most, decided in every arithmetic."""
         return islice(self._proposed(self._near(printed)), most)
 
@@ -41,9 +57,8 @@ class Corrector(OutcomeWriter):
     def _known(self, printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:
         """What the derivation accepts, and what is recorded; true, or not."""
         claim = printed.claim
-        accepted = [
-            (tex, "") for place, tex in self.derivation.accepted.items() if place == claim.printed
-        ]
+        known_by_place = self.interpretation.derivation.accepted
+        accepted = [(tex, "") for place, tex in known_by_place.items() if place == claim.printed]
         entry = self.record.get(claim.id, {})
         recorded = str(entry.get("correction") or ""), str(entry.get("mended", ""))
         for known in (*accepted, *([recorded] if recorded[0] else [])):
@@ -63,22 +78,24 @@ class Corrector(OutcomeWriter):
         place, edit = neighbour.printed, neighbour.edit
         if place is None or edit is None:
             return True
-        others = (c for c in self.derivation.claims if c is not claim and place in c.reads())
+        claims = self.interpretation.derivation.claims
+        others = (c for c in claims if c is not claim and place in c.reads())
         return all(self.keeps(other, place, edit) for other in others if self.is_true(other))
 
     def is_true(self, claim: Claim) -> bool:
         """Whether evidence is found for a claim as it is printed."""
         try:
-            return isinstance(self._evidence(Statement(claim, self.on(claim)), claim.id), tuple)
+            statement = self.interpretation.statement(claim)
+            return isinstance(self._archive.evidence(statement, claim.id), tuple)
         except (NotationError, Meaningless, FormatError):
             return False
 
     def keeps(self, claim: Claim, place: Printed, edit: Edit) -> bool:
         """Whether a claim that is true stays so under an edit, as if it says the same."""
         try:
-            edited = claim.edited(self.texts, place, edit)
-            statement = Statement(edited.claim, self.on(edited.claim, edited.texts))
-            same = statement.digest == Statement(claim, self.on(claim)).digest
+            edited = claim.edited(self.interpretation.texts, place, edit)
+            statement = self.interpretation.statement(edited.claim, edited.texts)
+            same = statement.digest == self.interpretation.statement(claim).digest
             return same or statement.holds()
         except (NotationError, Meaningless, ZeroDivisionError):
             return False
@@ -86,10 +103,10 @@ class Corrector(OutcomeWriter):
     def correction_of(self, neighbour: Neighbour, statement: Statement) -> Correction | None:
         """A neighbour as a correction, if what it says is proved."""
         name = f"{CORRECTED}/{statement.claim.id}"
-        decided = self.anew(statement, name, lambda: self._proved(statement, name))
+        decided = self._archive.anew(statement, name, lambda: self._proved(statement, name))
         if decided is None:
             return None
-        needed, text = self.certified(decided, name)
+        needed, text, divided = certify(decided, self._archive.certificates.get(name))
         place, edit = neighbour.printed, neighbour.edit
         formulas, blamed = printed_of(neighbour), tuple[Formula, ...]()
         if place is not None and edit is None:  # a relation of constants, which is not printed
@@ -99,26 +116,26 @@ class Corrector(OutcomeWriter):
         verdict = Verdict.CONDITIONAL if needed else Verdict.PROVED
         return Correction(
             formulas, neighbour.words, verdict, needed, statement.digest, place, edit,
-            certificate=text, blamed=blamed,
+            certificate=text, divided=divided, blamed=blamed,
         )  # fmt: skip
 
     def _proved(self, statement: Statement, name: str) -> Decided | None:
         """What FLINT accepts of a statement that is proved in every exact arithmetic."""
-        verdicts = self._evidence(statement, name)
-        exact = dict.fromkeys(("flint", *(a for a in self.arithmetics if a not in POINTS)))
-        decided = [self._judged(statement, verdicts, arithmetic) for arithmetic in exact]
+        verdicts = self._archive.evidence(statement, name)
+        judge, exact = self._arithmetics.judge, self._arithmetics.exact
+        decided = [judge(statement, verdicts, arithmetic) for arithmetic in exact]
         return decided[0] if all(d.verdict is Verdict.PROVED for d in decided) else None
 
     # -- acceptance ----------------------------------------------------------------
 
-    def with_acceptance(self, claim: Claim, outcome: Outcome) -> Outcome:
+    def accept(self, claim: Claim, outcome: Outcome) -> Outcome:
         """The outcome, with its correction accepted; an error if what is accepted is not proved."""
         place = claim.printed
-        if place not in self.accepted or place not in set(claim.establishes()):
+        if place not in self.interpretation.accepted or place not in set(claim.establishes()):
             return outcome
         if outcome.verdict is not Verdict.REFUTED and not outcome.verdict.likely:
             return outcome
-        if not self._confirms(claim, outcome):
+        if not self.confirms(claim, outcome):
             message = f"what the derivation accepts at {place.place} has not been proved"
             return outcome._replace(verdict=Verdict.ERROR, message=message)
         correction = outcome.correction
@@ -126,11 +143,12 @@ class Corrector(OutcomeWriter):
             return outcome
         return outcome._replace(correction=correction._replace(accepted=True))
 
-    def _confirms(self, claim: Claim, outcome: Outcome) -> bool:
+    def confirms(self, claim: Claim, outcome: Outcome) -> bool:
         """Whether an outcome shows what the derivation accepts in place of what is printed."""
-        if claim.printed not in self.accepted:
+        place, accepted = claim.printed, self.interpretation.accepted
+        if place not in accepted:
             return False
-        formulas = claim.formulas(self.texts.reading({claim.printed: self.accepted[claim.printed]}))
+        formulas = claim.formulas(self.interpretation.texts.reading({place: accepted[place]}))
         if outcome.correction is not None:
             return outcome.correction.formulas == formulas
         return outcome.verdict.likely and outcome.formulas == formulas

@@ -3,34 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from contextlib import suppress
 from fractions import Fraction
-from itertools import combinations, islice
+from itertools import combinations
 
-from kowalevski_cas.algebra.numbers import rank, rational
+from kowalevski_cas.algebra.ideals import vanish_on
 from kowalevski_cas.algebra.present import fraction_formula
-from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Number, Product, Sum
 from kowalevski_cas.paper.claims.forms import minus, rate, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.problem.accept import Judge
-from kowalevski_cas.problem.differentials import differentials, functions_for_differentials
 from kowalevski_cas.problem.evidence import Denial, Point
-from kowalevski_cas.problem.examine import Unproved, law
+from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.finder import finder_of
-from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
-from kowalevski_cas.problem.place import Misplaced, PointEvaluation
-from kowalevski_cas.problem.space import Equation, all_names
+from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal
+from kowalevski_cas.problem.place import PointEvaluation
+from kowalevski_cas.problem.space import Equation
 from kowalevski_cas.problem.trees import FormatError, Tree, encode
-from kowalevski_cas.search.combinations import vanish_on
-from kowalevski_cas.search.place import Candidate, PointFinder
-from kowalevski_cas.search.real import real_points
 from kowalevski_cas.verify.certificate import Stored, Supported
 from kowalevski_cas.verify.statement import Statement, Verdicts
-
-TRIES = 3
-"""At how many points a rank is taken."""
 
 ORDERS = 3
 """Up to which order derivatives are looked at for a motion that leaves a set."""
@@ -118,46 +109,6 @@ def _leaving(
             yield Fails(setting, ((vanishes(formula),),), (*relations, *there))
 
 
-def rank_on(goal: Rank, locus: tuple[Equation, ...]) -> tuple[int, Point] | None:
-    """The codimension of a level on a locus where an equation says nothing, and a point of it.
-
-    All equations of the set have independent differentials at the point, so that near it the set
-    is a manifold; those of the locus that hold on the whole level are no equations of the set.
-    ``None`` if all equations say something there, or no such point is found.
-    """
-    at = finder_of(goal.space)
-    there = at.differences(locus)
-    given = at.differences(goal.given)
-    gone = vanish_on(given, there)
-    if not any(gone):
-        return None
-    left = [element for element, vanishes in zip(given, gone, strict=True) if not vanishes]
-    functions = [at.scalar(f) for f in goal.functions]
-    names = all_names(goal.space)
-    avoid = [*at.granted, *at.ring.divisors_of([*functions, *left, *there])]
-    for point in islice(real_points(at, names, [*left, *there], avoid), TRIES):
-        with suppress(ZeroDivisionError, Misplaced):
-            candidate = Candidate(at, point)
-            own = [*left, *_beside(functions, there, candidate)]
-            rows = differentials([*functions, *own], at)
-            moving = [
-                [candidate(e) for e in row] for row in rows if not all(e.is_zero for e in row)
-            ]
-            if candidate.vanish(own) and rank(moving) == len(moving):
-                return len(moving), candidate.point(names)
-    return None
-
-
-def _beside(
-    functions: Sequence[Element], there: Sequence[Element], candidate: Candidate
-) -> list[Element]:
-    """What of a locus does not vanish on the whole level of functions through a point of it."""
-    values = ((f, rational(candidate(f))) for f in functions)
-    level = [f - f.ring.number(value) for f, value in values if value is not None]
-    known = vanish_on(there, level)
-    return [element for element, vanishes in zip(there, known, strict=True) if not vanishes]
-
-
 def say_nothing_on(setting: Elaboration, given: tuple[Equation, ...], locus: Locus) -> bool:
     """Whether all equations that are given follow from those of a locus."""
     at = setting.finder
@@ -191,19 +142,3 @@ def _between(one: PointEvaluation, other: PointEvaluation, t: int, goal: Count) 
         pair = values.get(name, Number(0)), other.point.values.get(name, Number(0))
         values[name] = Sum((Product((cosine, pair[0])), Product((sine, pair[1]))))
     return PointEvaluation(one.at, Point(values))
-
-
-def drop_on(goal: Rank, locus: tuple[Equation, ...]) -> tuple[int, Point] | None:
-    """A point of a set on a locus where fewer differentials are independent, and how many."""
-    at = finder_of(goal.space)
-    finder = PointFinder(finder_of)
-    known = [*at.differences(goal.given), *at.differences(locus)]
-    rows = differentials(functions_for_differentials(goal, at), at)
-    found: list[int] = []
-
-    def good(candidate: Candidate) -> bool:
-        found.append(rank([[candidate(entry) for entry in row] for row in rows]))
-        return found[-1] < goal.rank
-
-    point = finder.point(at, known, [*law(goal, at), *(e for row in rows for e in row)], good)
-    return None if point is None else (found[-1], point)

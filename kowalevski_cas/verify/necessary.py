@@ -19,9 +19,11 @@ from kowalevski_cas.verify.as_printed import point
 from kowalevski_cas.verify.certificate import Stored, Supported
 from kowalevski_cas.verify.conditions import Divided, conditions_of, implies
 from kowalevski_cas.verify.counterexamples import MANY, against
-from kowalevski_cas.verify.loci import drop_on, failure_on, rank_on, say_nothing_on
+from kowalevski_cas.verify.loci import failure_on, say_nothing_on
 from kowalevski_cas.verify.outcome import Condition, Counterexample
 from kowalevski_cas.verify.statement import Statement
+
+COMPUTED = "as computed, without a certificate"
 
 
 def conditions(
@@ -94,10 +96,15 @@ def _where_it_fails(
 
 
 def _singular(statement: Statement, known: Sequence[Formula]) -> Iterator[Condition]:
-    """Loci of known conditions where a set has another dimension, or is singular; with points."""
+    """Loci of known conditions where a set has another dimension, or is singular; with points.
+
+    That is computed and not certified: the words say so.
+    """
     goal = statement.goals[0]
     if not isinstance(statement.claim, Dimension) or not isinstance(goal, Rank):
         return
+    from kowalevski_cas.verify.singular import drop_on, rank_on  # only sets are singular
+
     setting = statement.legend[goal.space]
     for locus, own in zip(setting.scene.loci, setting.loci, strict=True):
         expression, (there, _) = setting.texts.expression(locus.condition), own
@@ -110,10 +117,11 @@ def _singular(statement: Statement, known: Sequence[Formula]) -> Iterator[Condit
             words = f"near this point the set has dimension {left}, not {claimed}"
             at = point(found[1].values, setting)
             against = Counterexample(at, Number(left), Number(claimed), words)
-            said = f"for {locus.words} the set has dimension {left}"
+            said = f"for {locus.words} the set has dimension {left}, {COMPUTED}"
             yield Condition(expression, said, against)
         elif dropped := drop_on(goal, there):
             words = f"only {dropped[0]} of the {goal.rank} differentials are independent"
             at = point(dropped[1].values, setting)
             against = Counterexample(at, Number(dropped[0]), Number(goal.rank), words)
-            yield Condition(expression, f"for {locus.words} the set is singular", against)
+            said = f"for {locus.words} the set is singular, {COMPUTED}"
+            yield Condition(expression, said, against)

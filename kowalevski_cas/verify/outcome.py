@@ -14,6 +14,9 @@ from kowalevski_cas.paper.texts import Printed
 CORRECTED = "corrected"
 """Before the names of certificates of corrections, and their folder."""
 
+Divided = tuple[tuple[Formula, ...], ...]
+"""What is divided by, goal by goal."""
+
 Value = Formula | str
 """A value at a point: exact, or what an arithmetic of points shows in place of that."""
 
@@ -108,10 +111,11 @@ class Correction(NamedTuple):
 
     ``printed`` and ``edit`` say where, if one printed formula was changed, and ``accepted``
     that the derivation reads it in place of what is printed. ``certificate`` is the text that the
-    checker has accepted. If it is no formula of the claim that is wrong, but one on which it
-    stands, ``blamed`` is what is printed there, and ``formulas`` are what should be; ``others`` are
-    the true claims that stand on it as well, and stay true. A relation of constants that is to be
-    supposed stands at a place of its own.
+    checker has accepted, and ``divided`` what the judge divides by, goal by goal. If it is no
+    formula of the claim that is wrong, but one on which it stands, ``blamed`` is what is printed
+    there, and ``formulas`` are what should be; ``others`` are the true claims that stand on it as
+    well, and stay true. A relation of constants that is to be supposed stands at a place of its
+    own.
     """
 
     formulas: tuple[Formula, ...]
@@ -123,6 +127,7 @@ class Correction(NamedTuple):
     edit: Edit | None = None
     accepted: bool = False
     certificate: str = ""
+    divided: Divided = ()
     blamed: tuple[Formula, ...] = ()
     others: tuple[str, ...] = ()
 
@@ -143,7 +148,8 @@ class Outcome(NamedTuple):
     claim suppose not to vanish, ``branches`` the equations by which they choose one of the two
     values of a printed root, ``corrected`` the claims whose accepted corrections it rests on. What
     the paper does not claim is ``ours``. ``certificate`` is the text that the checker has accepted;
-    without one nothing is proved, conditional or refuted. A ``note`` is about a stored certificate
+    without one nothing is proved, conditional or refuted; ``divided`` is what the judge divides by,
+    goal by goal, in the names of the problem. A ``note`` is about a stored certificate
     that was rejected. An error that nobody expected has the ``stack`` of the process in which it
     arose. Words have mathematics between dollars.
     """
@@ -172,6 +178,7 @@ class Outcome(NamedTuple):
     corrected: tuple[str, ...] = ()
     ours: bool = False
     certificate: str = ""
+    divided: Divided = ()
     note: str = ""
     stack: str = ""
 

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.evidence import Denial
-from kowalevski_cas.verify.certificate import Supported, certificate
-from kowalevski_cas.verify.confirm import Disagreement, confirm
+from kowalevski_cas.verify.archive import Archive
+from kowalevski_cas.verify.arithmetics import Arithmetics, Decided
+from kowalevski_cas.verify.certify import certify
 from kowalevski_cas.verify.counterexamples import counterexample, why
-from kowalevski_cas.verify.necessary import conditions
+from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.outcome import (
     DECIDED,
-    Condition,
     Counterexample,
     Outcome,
     ReportedStep,
@@ -22,7 +22,6 @@ from kowalevski_cas.verify.outcome import (
     Verdict,
 )
 from kowalevski_cas.verify.statement import Statement
-from kowalevski_cas.verify.workbench import Decided, Workbench
 
 
 def disagreement(verdicts: Mapping[str, Verdict]) -> bool:
@@ -31,11 +30,25 @@ def disagreement(verdicts: Mapping[str, Verdict]) -> bool:
     return len(green) > 1
 
 
-class OutcomeWriter(Workbench):
+class OutcomeWriter:
     """Outcomes of claims that are decided, and of those that are not."""
 
-    def _outcome(self, statement: Statement, found: Mapping[str, Decided | Screened]) -> Outcome:
-        first = found[self.arithmetics[0]]
+    def __init__(
+        self,
+        interpretation: Interpretation,
+        arithmetics: Arithmetics,
+        archive: Archive,
+        explain: bool = False,
+    ) -> None:
+        self._interpretation = interpretation
+        self._arithmetics = arithmetics
+        self._archive = archive
+        self.explain = explain
+        """Whether outcomes tell their steps."""
+
+    def outcome(self, statement: Statement, found: Mapping[str, Decided | Screened]) -> Outcome:
+        """The outcome for a statement, by what each arithmetic says."""
+        first = found[self._arithmetics.names[0]]
         verdicts = {name: one.verdict for name, one in found.items()}
         verdict, message = first.verdict, first.message
         if disagreement(verdicts):
@@ -46,10 +59,9 @@ class OutcomeWriter(Workbench):
             open_ones = [one for one in found.values() if one.verdict not in answered]
             if open_ones:
                 verdict, message = open_ones[0].verdict, open_ones[0].message
-        outcome = self.outcome_without_evidence(
-            statement.claim, statement.on, verdict, message, statement
-        )
-        outcome = outcome._replace(verdicts=verdicts, corrected=self.corrections_used(statement))
+        outcome = self.without_evidence(statement.claim, statement.on, verdict, message, statement)
+        used = self._interpretation.corrections_used(statement)
+        outcome = outcome._replace(verdicts=verdicts, corrected=used)
         if isinstance(first, Screened):
             return outcome._replace(
                 counterexample=first.counterexample, chance=first.chance, radius=first.radius
@@ -59,10 +71,11 @@ class OutcomeWriter(Workbench):
     def _explained(self, outcome: Outcome, statement: Statement, decided: Decided) -> Outcome:
         """An outcome with its conditions, its counterexample and its steps."""
         if outcome.verdict in DECIDED:
-            if self.arithmetics[0] != "flint":
-                decided = self._judged(statement, decided.verdicts, "flint")
-            needed, text = self.certified(decided, statement.claim.id)
-            outcome = outcome._replace(certificate=text)
+            if self._arithmetics.names[0] != "flint":
+                decided = self._arithmetics.judge(statement, decided.verdicts, "flint")
+            stored = self._archive.certificates.get(statement.claim.id)
+            needed, text, divided = certify(decided, stored)
+            outcome = outcome._replace(certificate=text, divided=divided)
             if outcome.verdict is Verdict.PROVED:
                 outcome = outcome._replace(message=statement.claim.remark(statement.on))
             if needed:
@@ -89,28 +102,10 @@ class OutcomeWriter(Workbench):
 
             told = steps(statement, decided.verdicts)
         return outcome._replace(
-            counterexample=against, steps=told, rests_on=self.rests_on(statement)
+            counterexample=against, steps=told, rests_on=self._interpretation.rests_on(statement)
         )
 
-    def certified(self, decided: Decided, name: str) -> tuple[tuple[Condition, ...], str]:
-        """The conditions of what FLINT accepts, and the certificate, which the checker accepts.
-
-        ``name`` is that of its file.
-
-        Raises :class:`Disagreement` if the checker rejects it, or has other conditions.
-        """
-        statement, verdicts, accepted = decided.statement, decided.verdicts, decided.accepted
-        if verdicts is None or decided.verdict not in DECIDED:
-            raise Disagreement(f"the arithmetics disagree (flint: {decided.verdict})")
-        needed: tuple[Condition, ...] = ()
-        failing: dict[Formula, Supported | None] = {}
-        if not isinstance(verdicts, Denial):
-            needed, failing = conditions(statement, accepted, self.stored.get(name))
-        text = certificate(statement, verdicts, accepted, failing)
-        confirm(statement, verdicts, accepted, text)
-        return needed, text
-
-    def outcome_without_evidence(
+    def without_evidence(
         self,
         claim: Claim,
         on: Elaborations,
@@ -132,7 +127,7 @@ class OutcomeWriter(Workbench):
         granted = dict.fromkeys(tex for scene in claim.scenes() for tex in scene.nonzero)
         return Outcome(
             claim=claim.id,
-            section=self.derivation.section_of(claim).number,
+            section=self._interpretation.derivation.section_of(claim).number,
             scene=claim.scene.name,
             formulas=formulas,
             source=r",\quad ".join(sources),
@@ -142,26 +137,18 @@ class OutcomeWriter(Workbench):
             digest="" if statement is None else statement.digest,
             granted=tuple(map(on.texts.expression, granted)),
             branches=branches,
-            verdicts={name: verdict for name in self.arithmetics},
+            verdicts={name: verdict for name in self._arithmetics.names},
             ours=claim.ours,
         )
 
-    def corrections_used(self, statement: Statement) -> tuple[str, ...]:
-        """The claims whose accepted corrections a statement rests on.
-
-        Those of another derivation come first, after its name and a slash.
-        """
-        own, used = set(statement.claim.about()), {*statement.stands_on}
-        ids = [id for place, id in self.read_elsewhere.items() if place in used]
-        ids += [
-            self.established.get(place, place.place)
-            for place in self.accepted
-            if place in used and place not in own
-        ]
-        return tuple(dict.fromkeys(ids))
-
-    def rests_on(self, statement: Statement) -> tuple[str, ...]:
-        """The claims before this one that establish the places on which it stands."""
-        ids = dict.fromkeys(self.established.get(place) for place in statement.stands_on)
-        before = self.order[statement.claim.id]
-        return tuple(i for i in ids if i is not None and self.order[i] < before)
+    def resting(self, claim: Claim, outcome: Outcome, stands: Callable[[str], bool]) -> Outcome:
+        """The outcome for a claim; it is undecided if something that it rests on is."""
+        missing = [id for id in outcome.corrected if not stands(id)]
+        decided = outcome.verdict is Verdict.REFUTED or outcome.verdict.likely
+        if not (decided and missing):
+            return outcome
+        on, why_not = self._interpretation.on(claim), f"rests on {', '.join(missing)}"
+        unread = self.without_evidence(claim, on, Verdict.UNDECIDED, why_not)
+        return unread._replace(
+            digest=outcome.digest, corrected=outcome.corrected, seconds=outcome.seconds
+        )

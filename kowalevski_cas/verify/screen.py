@@ -8,7 +8,7 @@ from kowalevski_cas.algebra.points import Answer, NoPoint, Points, Question
 from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Name
-from kowalevski_cas.paper.generators import decides
+from kowalevski_cas.paper.independence import decides
 from kowalevski_cas.problem.differentials import differentials, functions_for_differentials
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Found

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from kowalevski_cas.algebra.ideals import vanish_on
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import (
     Edit,
@@ -25,7 +26,6 @@ from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Exists, Follows, simple
-from kowalevski_cas.search.combinations import vanish_on
 from kowalevski_cas.verify.statement import Statement
 
 ALIKE = 2.5

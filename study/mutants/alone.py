@@ -105,13 +105,13 @@ class Alone:
             return LATE, lost.name
         reason = ""
         if changed.role != ASSUMPTION:  # on it an assumption says the same as any other that holds
-            base = self.base.session.base
+            base = self.base.session.base.decider.interpretation
             reason = equivalence(base, mutant.printed, mutant.before, mutant.after)
         return (EQUIVALENT, reason) if reason else (LOST, lost.name)
 
     def resting(self, changed: Audited) -> list[Audited]:
         """The formulas with green claims that read a formula, or are made of it."""
-        claims = {claim.id: claim for claim in self.base.session.derivation.claims}
+        claims = {claim.id: claim for claim in self.base.session.interpretation.derivation.claims}
         return [
             one
             for one in self.base.formulas

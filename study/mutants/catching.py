@@ -10,7 +10,8 @@ from pathlib import Path
 from time import perf_counter
 
 from kowalevski_cas.audit.audit import Audit, audit
-from kowalevski_cas.audit.session import AS_BEFORE, AuditSession
+from kowalevski_cas.audit.restoration import AS_BEFORE
+from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.library import load
 from kowalevski_cas.limits import tell, watched
 from kowalevski_cas.pool import HERE, Pool
@@ -121,7 +122,9 @@ class Measure:
         )
         reason = ""
         if not changed:
-            reason = equivalence(self.base.session, mutant.printed, mutant.before, mutant.after)
+            reason = equivalence(
+                self.base.session.interpretation, mutant.printed, mutant.before, mutant.after
+            )
         formula = next((f for f in self.base.formulas if f.place == mutant.printed), None)
         return Caught(
             mutant,
@@ -136,7 +139,7 @@ class Measure:
         )
 
     def _named(self, found: Audit, mutant: Mutant) -> bool:
-        causes = found.session.causes.values()
+        causes = found.session.causes.places.values()
         if any(mutant.printed in places for places in causes):
             return True
         verdicts = {formula.place: formula.verdict for formula in self.base.formulas}
@@ -148,7 +151,7 @@ class Measure:
 
     def _repair(self, found: Audit, mutant: Mutant) -> str:
         """What the repair of a mutated claim is, if the claim was true before."""
-        claims = self.base.session.derivation.claims
+        claims = self.base.session.interpretation.derivation.claims
         about = [c for c in claims if mutant.printed in c.establishes()]
         if not about or any(not self.base.outcomes[c.id].verdict.green for c in about):
             return ""

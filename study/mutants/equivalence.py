@@ -5,18 +5,22 @@ from __future__ import annotations
 from fractions import Fraction
 
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.notation import Constant, Formula, NotationError, Relation
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.verify.interpretation import Interpretation
 
 
-def equivalence(session: AuditSession, printed: Printed, old: Formula, new: Formula) -> str:
+def equivalence(
+    interpretation: Interpretation, printed: Printed, old: Formula, new: Formula
+) -> str:
     """Why the formulas are equivalent wherever the place is used; empty if that is not shown."""
     reasons: dict[str, None] = {}
-    claims = [claim for claim in session.derivation.claims if printed in claim.reads()]
-    settings = {session.on(claim)(scene): None for claim in claims for scene in claim.scenes()}
+    claims = [claim for claim in interpretation.derivation.claims if printed in claim.reads()]
+    settings = {
+        interpretation.on(claim)(scene): None for claim in claims for scene in claim.scenes()
+    }
     for setting in settings:
         try:
             reason = _on(setting, old, new)

@@ -75,7 +75,7 @@ def sites(audit: Audit) -> list[Site]:
 
 def sample(audit: Audit, size: int, random: Random) -> list[Mutant]:
     """Different mutants, each at a random token and one of its random changes."""
-    places, letters = sites(audit), letters_of(audit.session.texts.vocabulary)
+    places, letters = sites(audit), letters_of(audit.session.interpretation.texts.vocabulary)
     found: dict[str, Mutant] = {}
     known = idle = 0
     while len(found) < size and idle < PATIENCE * len(places):
@@ -91,7 +91,7 @@ def sample(audit: Audit, size: int, random: Random) -> list[Mutant]:
 
 def every(audit: Audit) -> Iterator[Mutant]:
     """Every mutant of every token."""
-    letters = letters_of(audit.session.texts.vocabulary)
+    letters = letters_of(audit.session.interpretation.texts.vocabulary)
     for site in sites(audit):
         for change in _changes(site.tokens, site.at, site.typed.tex, letters):
             mutant = mutate(audit, site, change)
@@ -108,7 +108,7 @@ def letters_of(vocabulary: Vocabulary) -> list[str]:
 def mutate(audit: Audit, site: Site, change: Change) -> Mutant | None:
     """The mutant, if it can be read and is another formula."""
     kind, start, end, new = change
-    typed, vocabulary = site.typed, audit.session.texts.vocabulary
+    typed, vocabulary = site.typed, audit.session.interpretation.texts.vocabulary
     offset = typed.start + start
     begin, stop = audit.expanded.origin(offset, offset + end - start)
     text = audit.source.text

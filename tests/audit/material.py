@@ -51,7 +51,7 @@ def watched(test):
 def source() -> Source:
     """The paper's source, or the derivation as an article."""
     found = sorted([*PAPERS.glob("*.tex"), *PAPERS.glob("*.txt")])
-    return read_source(found[0]) if found else synthetic(base().derivation)
+    return read_source(found[0]) if found else synthetic(base().interpretation.derivation)
 
 
 @cache

@@ -22,7 +22,8 @@ def by_id(found):
 @pytest.mark.slow
 def test_an_audit_says_what_verify_says():
     typed = {place.display.id: place.typed.tex for place in audited().places}
-    derivation, kept, record = base().derivation, base().stored, base().record
+    derivation, decider = base().interpretation.derivation, base().decider
+    kept, record = decider.archive.certificates, decider.corrector.record
     texts = derivation.texts(typed)
     run = Session(derivation, ["flint"], certificates=kept, texts=texts, record=record).run()
     said = {o.claim: (o.verdict, o.conditions, o.counterexample) for o in run.outcomes}
@@ -38,7 +39,9 @@ def test_every_claim_of_verify_is_shown_by_its_id_once_with_its_verdict():
     shown = {f.id: f.verdict for f in audited().formulas if f.id in f.claims}
     in_words = {outcome.claim: outcome.verdict for outcome in audited().statements}
     assert not shown.keys() & in_words.keys()
-    assert shown | in_words == {id: entry["verdict"] for id, entry in base().record.items()}
+    assert shown | in_words == {
+        id: entry["verdict"] for id, entry in base().decider.corrector.record.items()
+    }
     assert [outcome.claim for outcome in audited().false] == ["critical-set"]
 
 
@@ -94,7 +97,7 @@ def test_a_changed_definition_is_the_cause(old, new, cause, false):
     text = source().text
     at = text.rindex(old)
     found = audit(Source("paper.tex", text[:at] + new + text[at + len(old) :]), base())
-    causes = found.session.causes
+    causes = found.session.causes.places
     for claim in false:
         assert not found.outcomes[claim].verdict.green
         assert [printed.place for printed in causes[claim]] == [cause]
@@ -126,7 +129,7 @@ def test_a_changed_row_of_the_change_of_variables():
     row = by_id(found)["eq9.5"]
     assert row.wrong
     assert row.correction is not None
-    assert [place.place for place in found.session.causes["eq9"]] == ["eq9.5"]
+    assert [place.place for place in found.session.causes.places["eq9"]] == ["eq9.5"]
 
 
 def test_a_name_that_is_no_longer_defined():
@@ -155,10 +158,10 @@ def test_a_formula_that_would_take_too_long():
 
 @watched
 def test_nothing_of_an_audit_is_kept():
-    before = len(base().elaborations._known)
+    before = len(base().interpretation.elaborations._known)
     found = changed(r"2w'_2  = w_2 w_3  + z_2", r"2w'_2  = w_2 w_3  + z_1")
-    assert len(found.session.elaborations._known) > before
-    assert len(base().elaborations._known) == before
+    assert len(found.session.interpretation.elaborations._known) > before
+    assert len(base().interpretation.elaborations._known) == before
 
 
 def misprinted(tex: str) -> AuditSession:
@@ -176,14 +179,13 @@ def misprinted(tex: str) -> AuditSession:
         Identity("rate", scene, "the energy is constant", printed=rate[1]),
         Identity("value", scene, "the energy", printed=value[1]),
     )
-    session = AuditSession(Derivation("rotation", "A rotation", "", "", (section,)), ["flint"])
-    session.patience = 600
-    return session
+    derivation = Derivation("rotation", "A rotation", "", "", (section,))
+    return AuditSession(derivation, ["flint"], patience=600)
 
 
 def test_a_misprint_in_a_definition_of_the_derivation_is_the_cause():
     run = misprinted(r"E=\frac{1}{2}(x^2-y^2)")
-    found = audit(synthetic(run.derivation), run)
+    found = audit(synthetic(run.interpretation.derivation), run)
     energy = by_id(found)["energy"]
     assert energy.verdict == "suspect"
     assert energy.breaks == ("rate", "value")

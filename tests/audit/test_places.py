@@ -13,7 +13,7 @@ from tests.audit.material import article, base, paper_path, source
 
 
 def places(found: Source):
-    return find_places(base().derivation, typed_formulas(found)[1])
+    return find_places(base().interpretation.derivation, typed_formulas(found)[1])
 
 
 def test_the_formulas_are_those_of_the_paper():
@@ -30,7 +30,7 @@ def test_the_formulas_are_those_of_the_paper():
 
 def test_every_display_of_the_paper_has_a_place():
     formulas = typed_formulas(read_source(paper_path()))[1]
-    known = {id(place.typed) for place in find_places(base().derivation, formulas)}
+    known = {id(place.typed) for place in find_places(base().interpretation.derivation, formulas)}
     assert [f.tex for f in formulas if not f.inline and id(f) not in known] == []
 
 

@@ -24,11 +24,15 @@ def test_every_claim_that_no_formula_prints_quotes_the_author(name):
 
 
 def test_all_sentences_are_found_where_they_stand():
-    quoted = {claim.id: claim.sentence for claim in base().derivation.claims if claim.sentence}
-    assert audited().lines.keys() == quoted.keys()
+    quoted = {
+        claim.id: claim.sentence
+        for claim in base().interpretation.derivation.claims
+        if claim.sentence
+    }
+    assert audited().sentences.keys() == quoted.keys()
     lines = source().text.split("\n")
-    for id, line in audited().lines.items():
-        assert quoted[id].split()[0] in lines[line - 1]
+    for id, region in audited().sentences.items():
+        assert quoted[id].split()[0] in lines[region.line - 1]
 
 
 def reworded(old: str, new: str) -> str:
@@ -58,21 +62,21 @@ def test_other_words_get_no_verdict_of_ours(old, new, claim):
     assert outcome.verdict is Verdict.UNDECIDED
     assert outcome.message.startswith("the words differ: line ")
     assert new.split()[0] in outcome.message
-    assert claim not in found.lines
+    assert claim not in found.sentences
     others = {id for id, one in found.outcomes.items() if one is not base().outcomes[id]}
-    quoted = {c.id: c.sentence for c in base().derivation.claims}
+    quoted = {c.id: c.sentence for c in base().interpretation.derivation.claims}
     assert {quoted[id] for id in others} == {quoted[claim]}
 
 
 def test_spaces_fonts_and_line_breaks_are_no_words():
     text = reworded("there exists only four", "there\n{\\it exists}~only\\ four % points\n")
-    assert audit(Source("paper.tex", text), base()).lines.keys() == audited().lines.keys()
+    assert audit(Source("paper.tex", text), base()).sentences.keys() == audited().sentences.keys()
 
 
 @pytest.mark.slow
 def test_a_formula_in_a_sentence_is_compared_as_a_formula():
     found = changed("$A_3=1$", "$A_3=2$")
-    assert "time-unit" in found.lines
+    assert "time-unit" in found.sentences
     assert not found.outcomes["time-unit"].verdict.green
 
 

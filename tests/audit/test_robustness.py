@@ -75,8 +75,10 @@ def verdicts(change) -> tuple[dict[str, Verdict], bool]:
 @pytest.mark.parametrize("sign", [r"\ne ", "<", r"\le ", r"\approx ", r"\equiv\ne "])
 def test_no_inequality_is_proved_as_an_equality(sign):
     found, _ = verdicts(lambda text: text.replace("=", sign))
-    printed = {display.id for display in base().derivation.displays() if not display.source}
-    for claim in base().derivation.claims:
+    printed = {
+        display.id for display in base().interpretation.derivation.displays() if not display.source
+    }
+    for claim in base().interpretation.derivation.claims:
         if any(
             place.display.id in printed and "=" in place.display.tex for place in claim.places()
         ):

@@ -12,9 +12,9 @@ import pytest
 from kowalevski_cas.cli import main
 from kowalevski_cas.library import available
 from kowalevski_cas.problem import checker
+from kowalevski_cas.verify.arithmetics import Arithmetics
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.record import load_record
-from kowalevski_cas.verify.run import Session
 from tests.sample import sampled
 
 pytestmark = pytest.mark.usefixtures("here")
@@ -181,13 +181,13 @@ def test_3_timed_out(cli, write, monkeypatch):
 
 
 def test_4_the_arithmetics_disagree(cli, write, monkeypatch):
-    judged = Session._judged
+    judged = Arithmetics.judge
 
     def fickle(self, statement, verdicts, arithmetic):
         decided = judged(self, statement, verdicts, arithmetic)
         return decided._replace(verdict=Verdict.REFUTED) if arithmetic == "sympy" else decided
 
-    monkeypatch.setattr(Session, "_judged", fickle)
+    monkeypatch.setattr(Arithmetics, "judge", fickle)
     folder = write()
     code, out, _ = cli("verify", folder, "--arithmetic", "all")
     assert code == 4
@@ -242,7 +242,7 @@ def test_json_has_the_documented_form(cli, derivation, decided):
     code, out, err = cli("verify", "kharlamov2002", "--format", "json")
     assert (code, err) == (0, "")
     data = json.loads(out)
-    assert set(data) == {"claims", "summary"}
+    assert set(data) == {"format", "version", "claims", "summary"}
     for claim in data["claims"]:
         assert {"id", "section", "scene", "printed", "verdict", "conditions", "seconds", "counterexample", "correction"} <= set(claim)  # fmt: skip
         assert set(claim["seconds"]) == {"flint", "symengine", "sympy"}
@@ -474,10 +474,10 @@ def test_an_interrupt_between_two_files_leaves_all(cli, write, monkeypatch):
 def test_what_the_checker_rejects_is_not_recorded(cli, write, monkeypatch):
     check = checker.check
 
-    def strict(text):
+    def strict(text, *more):
         if json.loads(text)["claim"] == "energy":
             raise checker.Rejected("something is wrong with it")
-        return check(text)
+        return check(text, *more)
 
     monkeypatch.setattr(checker, "check", strict)
     folder = write(TRUE + WRONG)

@@ -56,7 +56,7 @@ def test_the_integrals_of_the_kowalevski_case_of_which_a_long_one_is_cut(capsys)
 def test_coefficients_in_the_constants(capsys):
     scene = ["find", "integrals", "kharlamov2002", "--scene", "general body"]
     assert main([*scene, "--format", "json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = json.loads(capsys.readouterr().out)["findings"]
     assert len(found) == 5
     assert {entry["verdict"] for entry in found} == {"proved"}
     assert r"\omega_1^2A_1" in found[3]["formulas"][0]
@@ -160,7 +160,7 @@ def test_a_large_question_is_said_to_be_large_beforehand_and_what_was_found_in_t
 @pytest.mark.slow
 def test_the_relations_of_the_paper_and_a_third_one_that_needs_no_condition(capsys):
     assert main([*CLOSURE, "complex variables", r"\theta\omega_3-Q_1", "--format", "json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = json.loads(capsys.readouterr().out)["findings"]
     assert [one["verdict"] for one in found] == ["conditional"] * 2 + ["proved"] * 4
     assert [len(one["formulas"]) for one in found] == [2, 1, 2, 3, 1, 1]
     assert "dimension 7" in found[2]["says"]
@@ -181,7 +181,7 @@ TWO_FIELDS = ["find", "exponents", "kharlamov2002", "--scene", "Kowalevski case"
 @pytest.mark.slow
 def test_kowalevski_exponents_of_two_fields(capsys):
     assert main([*TWO_FIELDS, "--format", "json"]) == 0
-    weights, *found = json.loads(capsys.readouterr().out)
+    weights, *found = json.loads(capsys.readouterr().out)["findings"]
     assert r"$\omega_3$ counts 1, $\alpha_1$ counts 2" in weights["says"]
     assert {one["verdict"] for one in (weights, *found)} == {"proved"}
     (principal,) = [one for one in found if ", principal" in one["says"]]

@@ -40,10 +40,20 @@ def states(text):
     return np.array([[*s["omega"], *s["alpha"], *s["beta"]] for s in json.loads(text)["states"]])
 
 
+def test_a_table_is_as_wide_as_a_terminal_and_says_what_json_says(cli):
+    _, table, _ = cli(*USUAL, "--format", "table")
+    head, *lines = table.splitlines()
+    assert head.split()[:2] == ["t", "ω₁"] and len(head) == 80
+    for line, state in zip(lines[:5], json.loads(cli(*USUAL)[1])["states"], strict=True):
+        row = [state["t"], *state["omega"], *state["alpha"], *state["beta"]]
+        assert len(line) == 80
+        assert [float(word) for word in line.split()] == pytest.approx(row, abs=5.1e-5)
+
+
 def test_json_has_states_invariants_and_regime(cli):
     code, out, _ = cli(*USUAL)
     result = json.loads(out)
-    assert code == 0 and list(result) == ["states", "invariants", "critical_sets", "regime"]
+    assert code == 0 and [*result][2:] == ["states", "invariants", "critical_sets", "regime"]
     assert [state["t"] for state in result["states"]] == [0, 0.5, 1, 1.5, 2]
     assert all(len(s[name]) == 3 for s in result["states"] for name in ("omega", "alpha", "beta"))
     assert result["invariants"]["h"] == -1.04675 and result["invariants"]["l"] == 0.9

@@ -21,7 +21,9 @@ def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_it_writes_the_picture_and_the_list_for_the_report(reports: Path) -> None:
     written = {path.name for path in (reports / "motion").iterdir()}
     assert written == {"rectangle.png", "figures.json"}
-    listed = json.loads((reports / "motion/figures.json").read_text(encoding="utf-8"))
+    listed = json.loads((reports / "motion/figures.json").read_text(encoding="utf-8"))[
+        "derivations"
+    ]
     named = [figure["name"] for entries in listed.values() for figure in entries]
     assert named == list(PICTURES)
     shown = [figure.place for derivation in listed for figure in figures_of(reports, derivation)]

@@ -32,7 +32,7 @@ def certificate(goal, evidence):
     return json.dumps(data | {"digest": digest(problem)})
 
 
-@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize("family", [family for family in FAMILIES if family.sum])
 @pytest.mark.parametrize(("added", "alone"), SIGNS)
 def test_addition_theorems_are_proved(family, added, alone):
     goal = theorem(family, added, alone)

@@ -152,7 +152,7 @@ def test_another_function_moves_on_the_set(session, claim, words) -> None:
 
 def test_wrong_steps_prove_nothing(session) -> None:
     one = statement(session, ON_ZERO_LEVEL)
-    shown = session._evidence(one, "corrected/critical-set")
+    shown = session.decider.archive.evidence(one, "corrected/critical-set")
     converse = shown[1]
     assert isinstance(converse, Entailment) and converse.proof.cases
     Judge(finder_of).holds(one.goals[1], converse)

@@ -131,7 +131,7 @@ def test_each_mutant_is_refuted(session, many: int | None) -> None:
 
 def test_the_eliminant_is_a_biquadratic(session) -> None:
     statement = Statement(CLAIM, session.on(CLAIM))
-    (roots,) = session._evidence(statement, "equilibria")
+    (roots,) = session.decider.archive.evidence(statement, "equilibria")
     assert isinstance(roots, Roots) and len(roots.eliminant) == 4
     at = finder_of(statement.goals[0].space)
     coefficients = [at.scalar(coefficient) for coefficient in roots.eliminant]

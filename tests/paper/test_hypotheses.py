@@ -134,7 +134,11 @@ def existing(papers):
         for claim in session.derivation.claims:
             statement = Statement(claim, session.on(claim))
             if any(isinstance(goal, Exists) for goal in statement.goals):
-                pairs = zip(statement.goals, session._evidence(statement, claim.id), strict=True)
+                pairs = zip(
+                    statement.goals,
+                    session.decider.archive.evidence(statement, claim.id),
+                    strict=True,
+                )
                 found += [(statement, g, e) for g, e in pairs if isinstance(g, Exists)]
     return found
 

@@ -134,7 +134,7 @@ def test_what_rests_on_the_accepted_correction_says_so(outcomes):
 def test_a_claim_rests_on_claims_before_it(derivation):
     session, before, rests = Session(derivation, ["flint"]), set(), {}
     for claim in derivation.claims:
-        rests[claim.id] = session.rests_on(Statement(claim, session.on(claim)))
+        rests[claim.id] = session.interpretation.rests_on(Statement(claim, session.on(claim)))
         assert set(rests[claim.id]) <= before
         before.add(claim.id)
     assert "eq9.i" in rests["eq10.1"]

@@ -20,11 +20,13 @@ from kowalevski_cas.notation import (
     Sum,
     to_latex,
 )
+from kowalevski_cas.notation.functions import JACOBI
 from kowalevski_cas.paper.claims import FirstIntegral, Identity, Implication
 from kowalevski_cas.paper.derivation import Scene, Section
 from kowalevski_cas.paper.elaborations import Elaborations
 from tests.paper.small import decide, derivation
 from tests.sample import sampled
+from tests.test_dlmf import jacobi
 
 CIRCULAR = {r"\sin", r"\cos", r"\tan", r"\cot"}
 EXPONENTIAL = {r"\exp", r"\sinh", r"\cosh"}
@@ -137,7 +139,7 @@ def test_rates_are_those_of_calculus(on, function, m, x, y, u):
         (r"\sin\sin v", "its argument has to be made of"),
         (r"v\ln v", "a logarithm, or an arc, is read with a constant factor only"),
         (r"v\arctan v", "with a constant factor only"),
-        (r"\arcsin v", r"the function \arcsin has no meaning here"),
+        (r"v\arcsin v", "with a constant factor only"),
         (r"\operatorname{sn}v", "print the modulus"),
     ],
 )
@@ -347,15 +349,78 @@ def test_of_what_is_complex_no_function_is_read():
     [
         (r"\operatorname{sn}(x,k)=\operatorname{sn}(x,-k)", "undecided"),  # true, and not seen
         (r"\operatorname{sn}(x,k)=\operatorname{sn}(x,k^2)", "undecided"),  # false
-        (r"\operatorname{dn}(x,0)=1", "error"),
-        (r"\operatorname{dn}(x,1)=\operatorname{cn}(x,1)", "error"),
+        (r"\operatorname{am}(x,0)=x", "error"),
+        (r"\operatorname{am}(2x,k)=2\operatorname{am}(x,k)", "error"),
+        (r"\wp(2x,g_2,g_3)=2\wp(x,g_2,g_3)", "error"),
     ],
 )
-def test_with_two_moduli_nothing_is_refuted_and_special_ones_are_refused(tex, verdict):
+def test_with_two_moduli_nothing_is_refuted_and_what_is_not_known_is_refused(tex, verdict):
+    assert verdict_at(tex) == verdict
+
+
+def verdict_at(tex):
+    """The verdict on an identity of functions of x, a modulus and two invariants."""
     section = Section("1", "")
-    scene = scene_of(section, r"\dot x=1", "x", "k")
+    scene = scene_of(section, r"\dot x=1", "x", "k g_2 g_3")
     [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
+    return str(outcome.verdict)
+
+
+ELLIPTIC = [
+    # where the modulus is 0 or 1 they are circular and hyperbolic
+    (r"\operatorname{dn}(x,0)=1", "proved"),
+    (r"\operatorname{sd}(2x,0)=2\sin x\cos x", "proved"),
+    (r"\operatorname{dn}(x,1)=\operatorname{cn}(x,1)", "conditional"),
+    (r"\operatorname{sn}(x,-1)=\tanh x", "conditional"),
+    (r"\operatorname{sn}(x,0)=\cos x", "refuted"),
+    (r"\operatorname{sn}(x,1)=\sinh x", "refuted"),
+    # the amplitude, of which the derivative is known
+    (r"\frac{d}{dt}\operatorname{am}(x,k)=\operatorname{dn}(x,k)", "proved"),
+    (r"\frac{d^2}{dt^2}\operatorname{am}(x,k)=-k^2\operatorname{sn}(x,k)\operatorname{cn}(x,k)", "proved"),
+    (r"\frac{d}{dt}\operatorname{am}(x,k)=\operatorname{cn}(x,k)", "refuted"),
+    # the function of Weierstrass, with its derivative and its poles
+    (r"\wp'(x,g_2,g_3)^2=4\wp^3(x,g_2,g_3)-g_2\wp(x,g_2,g_3)-g_3", "proved"),
+    (r"\frac{d^2}{dt^2}\wp(x,g_2,g_3)=6\wp^2(x,g_2,g_3)-\frac12g_2", "proved"),
+    (r"\frac{d}{dt}\frac{1}{\wp(x,g_2,g_3)}=-\frac{\wp'(x,g_2,g_3)}{\wp^2(x,g_2,g_3)}", "conditional"),
+    (r"\frac{d^2}{dt^2}\wp(x,g_2,g_3)=6\wp^2(x,g_2,g_3)+\frac12g_2", "refuted"),
+    (r"\wp'(x,g_2,g_3)^2=4\wp^3(x,g_2,g_3)-g_3\wp(x,g_2,g_3)-g_2", "refuted"),
+]  # fmt: skip
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize(("tex", "verdict"), sampled(ELLIPTIC, 6))
+def test_elliptic_functions(tex, verdict):
+    assert verdict_at(tex) == verdict
+
+
+ARCS = [
+    (r"\sqrt{1-x^2}", r"\arcsin x-y", "conditional"),
+    (r"\sqrt{1-x^2}", r"\arccos x+y", "conditional"),
+    (r"\sqrt{1-x^2}", r"\arccos x-y", "refuted"),
+    (r"\sqrt{1+x^2}", r"\operatorname{arsinh}x-y", "conditional"),
+    (r"\sqrt{1+x^2}", r"\operatorname{arcosh}x-y", "refuted"),
+    (r"1-x^2", r"\operatorname{arcoth}x-y", "conditional"),
+    (r"1-x^2", r"\operatorname{artanh}x-2y", "refuted"),
+]
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize(("rate", "tex", "verdict"), sampled(ARCS, 3))
+def test_arcs_are_known_by_their_derivatives(rate, tex, verdict):
+    section = Section("1", "")
+    scene = scene_of(section, rf"\dot x={rate},\quad\dot y=1", "x y", "")
+    scene = scene.adjoining(rate) if "sqrt" in rate else scene
+    [outcome] = decide(section, FirstIntegral("c", scene, "", printed=section.display("d", tex)[1]))
     assert str(outcome.verdict) == verdict
+
+
+@given(st.floats(0.1, 1), st.sampled_from([0, 1]))
+def test_degenerate_functions_have_the_values_of_the_series(x, modulus):
+    """A power series and doublings, which know nothing of special moduli."""
+    of = {r"\sin x": math.sin(x), r"\cos x": math.cos(x), "1": 1, r"\tanh x": math.tanh(x)}
+    of[r"\frac{1}{\cosh x}"] = 1 / math.cosh(x)
+    for letter, tex in JACOBI.degenerate[modulus,].items():
+        assert abs(jacobi(x, modulus)[letter] - of[tex]) < 1e-9
 
 
 def test_a_modulus_that_moves_is_refused():
@@ -383,5 +448,61 @@ def test_the_pendulum_of_a_textbook(tex, verdict):
     section = Section("1", "")
     closed = section.display("closed", r"x=k\operatorname{sn}(\omega t,k)")
     scene = Scene(constants=("k", r"\omega")).defining(closed)
+    [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
+    assert str(outcome.verdict) == verdict
+
+
+ARGUMENTS = [
+    (r"\sqrt{\frac{g}{l}}t", r"\omega t", "undecided"),  # one of two roots, and the other
+    (r"\sqrt{a}\sqrt{b}t", r"\sqrt{ab}t", "undecided"),
+    (r"(a+1)t", "ct", "undecided"),  # the root of a square
+    (r"\frac{t}{a+b}", r"\frac{2t}{2a+2b}", "undecided"),
+    (r"\frac{a^2-b^2}{a-b}t", "at+bt", "undecided"),
+    (r"\omega t", "at", "refuted"),
+    (r"\sqrt{a}t", "at", "refuted"),
+    (r"\frac{t}{a+b}", "at", "refuted"),
+]
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize("function", [r"\cos", r"\exp"])
+@pytest.mark.parametrize(("left", "right", "verdict"), sampled(ARGUMENTS, 4))
+def test_arguments_that_may_be_one_are_not_taken_for_two(function, left, right, verdict):
+    section = Section("1", "")
+    scene = Scene(constants=("a", "b", "g", "l"))
+    scene = scene.solving(r"\omega", section.display("omega", r"\omega^2=\frac{g}{l}")[1])
+    scene = scene.solving("c", section.display("c", "c^2=a^2+2a+1")[1])
+    scene = scene.adjoining(*(one for one in (r"\sqrt{\frac{g}{l}}", r"\sqrt{a}", r"\sqrt{b}", r"\sqrt{ab}") if one in left + right))  # fmt: skip
+    tex = f"{function}({left})={function}({right})"
+    [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
+    assert str(outcome.verdict) == verdict
+
+
+AT_QUARTER = (
+    r"\operatorname{sn}(K,k)=1,\quad\operatorname{cn}(K,k)=0,\quad\operatorname{dn}(K,k)=k'"
+)
+QUARTERS = [
+    (AT_QUARTER, r"\operatorname{sn}(x+K,k)=\operatorname{cd}(x,k)", "conditional"),
+    (AT_QUARTER, r"\operatorname{sn}(x+2K,k)=-\operatorname{sn}(x,k)", "conditional"),
+    (AT_QUARTER, r"\operatorname{sn}(x+2K,k)=\operatorname{sn}(x,k)", "refuted"),
+    (AT_QUARTER, r"\operatorname{sn}(\frac{K}{2},k)=1", "error"),  # of a half nothing is printed
+    (AT_QUARTER.replace("=1", "=2"), r"\operatorname{sn}(x+K,k)=\operatorname{cd}(x,k)", "error"),
+    (
+        AT_QUARTER.partition(r",\quad\operatorname{dn}")[0],
+        r"\operatorname{sn}(x+K,k)=\operatorname{cd}(x,k)",
+        "error",
+    ),
+    (AT_QUARTER.replace("(K", "(x"), r"\operatorname{sn}(x+K,k)=1", "error"),
+]
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize(("values", "tex", "verdict"), sampled(QUARTERS, 4))
+def test_values_that_are_printed_at_a_constant(values, tex, verdict):
+    """All of one family there, which obey its relations; nothing is known of other arguments."""
+    section = Section("1", "")
+    moduli = section.display("moduli", "k^2+k'^2=1")
+    scene = Scene(variables=("x",), constants=("k", "K")).solving("k'", moduli[1])
+    scene = scene.taking(section.display("values", values))
     [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
     assert str(outcome.verdict) == verdict

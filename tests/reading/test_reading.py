@@ -186,20 +186,21 @@ def test_each_section_may_have_a_system_of_its_own_in_the_same_letters():
     found = verdicts(text)
     assert found["x^2+y^2"] is found["x^2-y^2"] is Verdict.PROVED
     assert not found["xy+x^2"].green
-    assert reading(text).known.laws[1:]
+    assert reading(text).parts.laws[1:]
 
 
 def test_what_follows_in_another_section_is_claimed_by_the_law():
     first = r"\section{One} The motion is $$\dot x=y,\quad \dot y=-x.$$"
     second = r"\section{Two} Therefore we have $$\dot x=y,\quad \dot y=x.$$"
-    assert len(reading(first + second).known.laws) == 1
+    assert len(reading(first + second).parts.laws) == 1
 
 
-def test_what_may_be_by_another_law_of_the_same_letters_is_not_red_by_itself():
-    """Each claim may be meant by the other law: yellow, unless one edit mends it."""
+def test_what_stands_below_no_law_is_not_red_where_there_are_two():
+    """It may be meant by either law: yellow, unless one edit mends it."""
     first = r"\section{One} The motion is $$\dot x=y,\quad \dot y=-x.$$ "
     second = r"\section{Two} The motion is $$\dot x=y,\quad \dot y=x^3+x.$$ "
     claimed = r"Then $x^2y^2+x+7y^3$ is constant."
     (alone,) = verdicts(first + claimed).values()
-    assert alone is Verdict.REFUTED
-    assert Verdict.REFUTED not in verdicts(first + second + claimed).values()
+    (below,) = verdicts(first + second + claimed).values()
+    assert alone is below is Verdict.REFUTED
+    assert Verdict.REFUTED not in verdicts(first + second + r"\section{Again} " + claimed).values()

@@ -28,7 +28,7 @@ FIRST = r"\begin{equation}\label{eq6}"
 @cache
 def page(old: str = "", new: str = "") -> Document:
     """The derivation as an article, in which one piece of text is another one."""
-    text = synthetic(base().derivation).text
+    text = synthetic(base().interpretation.derivation).text
     assert old in text
     return annotate(audit(decode("paper.tex", text.replace(old, new, 1).encode()), base()))
 
@@ -40,7 +40,7 @@ def of_the_paper(document: Document) -> str:
 
 def test_every_claim_stands_in_the_text_and_every_link_ends_somewhere() -> None:
     found = Page(render_html(page()))
-    claims = {f"claim.{claim.id}" for claim in base().derivation.claims}
+    claims = {f"claim.{claim.id}" for claim in base().interpretation.derivation.claims}
     assert claims <= set(found.ids) and len(set(found.ids)) == len(found.ids)
     assert {link[1:] for link in found.links} <= set(found.ids)
 
@@ -63,7 +63,7 @@ def test_a_formula_of_the_author_is_judged_as_he_types_it() -> None:
 
 
 def test_a_formula_that_is_missing_is_not_passed_over() -> None:
-    text = synthetic(base().derivation).text
+    text = synthetic(base().interpretation.derivation).text
     start = text.index(r"\begin{equation}\label{eq22}")
     end = text.index(r"\end{equation}", start) + len(r"\end{equation}")
     document = annotate(audit(Source("paper.tex", text[:start] + text[end:]), base()))
@@ -84,7 +84,7 @@ def test_the_command_writes_the_page(
 ) -> None:
     monkeypatch.setattr("kowalevski_cas.cli.audit.auditing", lambda *_: base())
     source = tmp_path / "some paper.tex"
-    source.write_text(synthetic(base().derivation).text, encoding="utf-8")
+    source.write_text(synthetic(base().interpretation.derivation).text, encoding="utf-8")
     assert main(["audit", str(source), "--report", str(tmp_path / "out")]) == 1
     assert "some paper.html is written" in capsys.readouterr().err
     text = (tmp_path / "out" / "some paper.html").read_text(encoding="utf-8")
@@ -93,7 +93,7 @@ def test_the_command_writes_the_page(
 
 def test_a_definition_that_spoils_what_rests_on_it_is_named() -> None:
     run = misprinted(r"E=\frac{1}{2}(x^2-y^2)")
-    document = annotate(audit(synthetic(run.derivation), run))
+    document = annotate(audit(synthetic(run.interpretation.derivation), run))
     told = [b for b in document.blocks if isinstance(b, Judgement) and b.verdict is Verdict.ERROR]
     assert [said(b.label) for b in told] == ["energy"]
     assert said(told[0].head).startswith("Suspect. ")

@@ -239,9 +239,16 @@ class TestEvidence:
     @pytest.mark.parametrize("letter", ["ℓ", "𝛂", "𝐋", "x̄", "𝒜"])
     def test_a_box_has_no_letter_that_a_typewriter_has_not(self, letter: str) -> None:
         one = claim("a", "1", "", letter, P)
-        two = claim("b", "1", "", letter, P, rests_on=("a",))
-        (drawn,) = (p.picture for p in parts(document(one, two)) if isinstance(p, Graph))
-        assert [box.label for box in drawn.boxes] == ["1.1", "1.2"]
+        others = [claim(name, "1", "", letter, P, rests_on=("a",)) for name in "bcdefg"]
+        (drawn,) = (p.picture for p in parts(document(one, *others)) if isinstance(p, Graph))
+        assert {box.label for box in drawn.boxes} == {f"1.{k}" for k in range(1, 8)}
+
+    @pytest.mark.parametrize("many", [1, 5, 6, 7])
+    def test_few_lines_need_no_picture(self, many: int) -> None:
+        one = claim("a", "1", "x=x", "", P)
+        others = [claim(f"b{k}", "1", "x=x", "", P, rests_on=("a",)) for k in range(many)]
+        drawn = [p for p in parts(document(one, *others)) if isinstance(p, Graph)]
+        assert len(drawn) == (many >= 6)
 
     def test_a_box_of_the_graph_shows_what_is_stated_if_that_is_short(self) -> None:
         long = "x=1+2+3+4+5+6+7+8+9+10+11+12"
@@ -249,8 +256,11 @@ class TestEvidence:
         two = claim("two", "1", "", "$x$ is real", P, rests_on=("one",))
         three = claim("three", "1", long, "a statement of more words than there is room", P,
             rests_on=("one",))  # fmt: skip
-        (drawn,) = (p.picture for p in parts(document(one, two, three)) if isinstance(p, Graph))
-        assert [box.label for box in drawn.boxes] == ["1.1 x = x", "1.2 x is real", "1.3"]
+        more = [claim(f"m{k}", "1", long, "", P, rests_on=("one",)) for k in range(4)]
+        (drawn,) = (
+            p.picture for p in parts(document(one, two, three, *more)) if isinstance(p, Graph)
+        )
+        assert {"1.1 x = x", "1.2 x is real", "1.3"} <= {box.label for box in drawn.boxes}
 
     def test_arithmetics_that_disagree_are_named(self) -> None:
         assert "FLINT says undecided and SymPy says timeout" in said(WHOLE.blocks)

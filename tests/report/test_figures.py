@@ -29,7 +29,7 @@ def offer(
         figure = new_figure(2, 1)
         figure.subplots().plot([0, 1], heights)
         save(figure, folder, "line")
-    (folder / "figures.json").write_text(json.dumps({derivation: entries}))
+    (folder / "figures.json").write_text(json.dumps({"derivations": {derivation: entries}}))
     return folder
 
 

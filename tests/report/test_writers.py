@@ -49,14 +49,14 @@ class Page(HTMLParser):
         self.links += [found["href"] or ""] if tag == "a" else []
         self.names.add(tag)
         self.marks += [found] if "mark" in (found.get("class") or "").split() else []
-        if tag not in ("meta", "img"):
+        if tag not in ("meta", "img", "input"):
             self.open.append(tag)
 
     def handle_endtag(self, tag: str) -> None:
         assert self.open.pop() == tag
 
     def handle_data(self, data: str) -> None:
-        self.words += data if "math" not in self.open and "style" not in self.open else ""
+        self.words += "" if {"math", "style", "script"} & {*self.open} else data
 
 
 @pytest.fixture(scope="module")

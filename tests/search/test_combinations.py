@@ -4,10 +4,11 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from kowalevski_cas.algebra import load
+from kowalevski_cas.algebra.ideals import vanish_on
 from kowalevski_cas.notation import Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Space
-from kowalevski_cas.search.combinations import Combinations, vanish_on
+from kowalevski_cas.search.combinations import Combinations
 from kowalevski_cas.search.follows import rows_of
 
 NAMES = ("x", "y", "p", "q")

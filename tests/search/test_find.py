@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from kowalevski_cas.algebra import load
 from kowalevski_cas.algebra.present import fraction_formula
+from kowalevski_cas.algebra.squares import sum_of_squares
 from kowalevski_cas.notation import Name, Number, Power, Product, Quotient, Sum
 from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -21,7 +22,6 @@ from kowalevski_cas.search.levels import value
 from kowalevski_cas.search.numbers import solve_for_numbers
 from kowalevski_cas.search.place import PointFinder
 from kowalevski_cas.search.points import constant, points
-from kowalevski_cas.search.squares import sum_of_squares
 from kowalevski_cas.system import System
 from kowalevski_cas.verify.outcome import in_latex
 from tests.algebra.strategies import nonzero, simple, terms, tower

@@ -67,7 +67,7 @@ def test_what_is_not_decided_in_time_is_neither_caught_nor_missed():
 
 
 def test_the_derivation_stands_in_for_the_paper():
-    found = audit(synthetic(base().derivation), base())
+    found = audit(synthetic(base().interpretation.derivation), base())
     assert {k: o.verdict for k, o in found.outcomes.items()} == {
         k: o.verdict for k, o in base().outcomes.items()
     }

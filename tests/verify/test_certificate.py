@@ -52,7 +52,8 @@ def decided(derivation):
     claims = {claim.id: claim for claim in derivation.claims}
 
     def decided(id, stored, record=()):
-        session.stored, session.record = dict(stored), dict(record)
+        session.decider.archive.certificates = dict(stored)
+        session.decider.corrector.record = dict(record)
         return session.with_corrections([session.decide(claims[id])], map)[0]
 
     return decided
@@ -185,7 +186,10 @@ def test_evidence_twisted_in_any_way_is_told_or_a_proof_for_the_checker_too(pape
     for claim in choose.choices(derivation.claims, k=many):
         new = twisted({key: stored[claim.id].data[key] for key in ("evidence", "sign")}, choose)
         data = {**stored[claim.id].data, "evidence": None, "sign": None, **new}
-        session.stored = {**stored, claim.id: Stored(stored[claim.id].path, data)}
+        session.decider.archive.certificates = {
+            **stored,
+            claim.id: Stored(stored[claim.id].path, data),
+        }
         outcome = session.decide(claim)
         assert outcome.verdict == record[claim.id]["verdict"], new
         assert outcome.certificates
@@ -240,7 +244,9 @@ def test_cofactors_may_not_be_divided_by_what_vanishes_on_the_set(derivation):
     rows = list(shown.proof.rows)
     rows[0] = tuple(map(formula_in, entries))
     with pytest.raises(Unproved):
-        session._judged(statement, (shown._replace(proof=Proof(tuple(rows))),), "flint")
+        session.decider.arithmetics.judge(
+            statement, (shown._replace(proof=Proof(tuple(rows))),), "flint"
+        )
 
 
 @pytest.mark.parametrize(

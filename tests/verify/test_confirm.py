@@ -4,6 +4,7 @@ from time import sleep
 
 import pytest
 
+from kowalevski_cas.notation import Name, Sum
 from kowalevski_cas.paper.claims import FirstIntegral, Identity
 from kowalevski_cas.problem import checker
 from kowalevski_cas.verify.confirm import receive
@@ -31,14 +32,14 @@ def outcome(*claim, **options):
 )
 def test_each_verdict_was_checked_in_the_run(claim, verdict, monkeypatch):
     texts, check = [], checker.check
-    monkeypatch.setattr(checker, "check", lambda text: texts.append(text) or check(text))
+    monkeypatch.setattr(checker, "check", lambda text, *more: texts.append(text) or check(text))
     found = outcome(*claim)
     assert found.verdict == verdict
     assert [*found.certificates.values()] == texts != []
 
 
 def test_what_the_checker_rejects_is_an_error_that_names_both(monkeypatch):
-    def strict(text):
+    def strict(text, budget):
         raise checker.Rejected("no")
 
     monkeypatch.setattr(checker, "check", strict)
@@ -54,8 +55,39 @@ def test_a_checker_that_comes_to_no_end_is_a_timeout(monkeypatch):
 
 
 def test_the_time_of_the_checker_is_that_of_the_claim(monkeypatch):
-    monkeypatch.setattr(checker, "check", lambda text: sleep(5))
-    assert outcome(timeout=0.3).verdict == "timeout"
+    """Also if nothing that it computes can be interrupted; and the claim had half a second more."""
+    for slow in (lambda text, budget: sleep(1), lambda text, budget: wait(budget)):
+        monkeypatch.setattr(checker, "check", slow)
+        found = outcome(timeout=0.3)
+        assert found.verdict == "timeout" and not found.certificates
+
+
+def wait(budget):
+    while True:
+        budget.spend(100)
+        sleep(0.001)
+
+
+def test_in_a_run_of_several_processes_each_certificate_is_checked_once(monkeypatch):
+    """By the process that prints; others find a certificate, and leave it at that."""
+    checked, check = [], checker.check
+    monkeypatch.setattr(checker, "check", lambda text, *more: checked.append(text) or check(text))
+    for claim in (FirstIntegral, ENERGY), (Identity, FALSE), ():
+        found = outcome(*claim, timeout=60)
+        texts = [*found.certificates.values(), *(one.certificate for one in found.alternatives)]
+        assert sorted(checked) == sorted(texts) != []
+        checked.clear()
+    monkeypatch.setattr(checker, "check", lambda *_: 1 / 0)
+    found = outcome(timeout=60)
+    assert found.verdict == "error" and "ZeroDivisionError" in found.message
+
+
+def test_conditions_that_differ_from_those_of_the_judge_are_received_by_nobody():
+    true = outcome()
+    assert true.divided and receive(true).verdict == "conditional"
+    ((one,),) = true.divided
+    for forged in ((), ((),), ((one, Sum((one, Name("x")))),), ((Name("x"),),)):
+        assert receive(true._replace(divided=forged)).verdict == "error"
 
 
 def test_conditions_that_differ_are_an_error(monkeypatch):
@@ -70,7 +102,7 @@ def test_conditions_that_differ_are_an_error(monkeypatch):
 @pytest.mark.parametrize("claim", [(FirstIntegral, ENERGY), (Identity, FALSE), ()])
 def test_what_another_process_says_is_checked_where_it_is_received(claim):
     true = outcome(*claim)
-    assert true.certificates and receive(true) is true
+    assert true.certificates and receive(true)._replace(seconds=true.seconds) == true
     other = outcome(FirstIntegral, "(x^2+v^2)^2")
     wrong = {Verdict.REFUTED: Verdict.PROVED}.get(true.verdict, Verdict.REFUTED)
     for forged in (
@@ -85,7 +117,7 @@ def test_what_another_process_says_is_checked_where_it_is_received(claim):
 
 def test_a_correction_is_checked_where_it_is_received():
     true = outcome(Identity, r"\dot x=-v")
-    assert true.correction is not None and receive(true) is true
+    assert true.correction is not None and receive(true).correction == true.correction
     forged = true.correction._replace(certificate=true.certificate)
     found = receive(true._replace(correction=forged))
     assert found.verdict == "error" and found.correction is None

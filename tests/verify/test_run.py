@@ -2,7 +2,6 @@
 
 import sys
 import time
-from typing import ClassVar
 
 import pytest
 
@@ -11,31 +10,29 @@ from kowalevski_cas.library import available, find, load
 from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.paper.derivation import Derivation, Section
 from kowalevski_cas.problem.examine import Accepted
+from kowalevski_cas.verify.arithmetics import Arithmetics, Decided
 from kowalevski_cas.verify.certificate import load_certificates
+from kowalevski_cas.verify.decider import FRAMES
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.record import differences, load_record
-from kowalevski_cas.verify.run import FRAMES, Session, run_together
-from kowalevski_cas.verify.workbench import Decided
+from kowalevski_cas.verify.run import Session, run_together
 from tests.paper.small import Oscillator, decide, derivation, verdicts
 from tests.sample import sampled
 
-
-class Fickle(Session):
-    """A run in which the verdict depends on the arithmetic."""
-
-    said: ClassVar = dict(zip(EXACT, ("proved", "refuted", "proved"), strict=True))
-
-    def _judged(self, statement, verdicts, arithmetic):
-        return Decided(statement, None, Accepted(), Verdict(self.said[arithmetic]))
+SAID = dict(zip(EXACT, ("proved", "refuted", "proved"), strict=True))
+judge = Arithmetics.judge
 
 
-class Slow(Session):
-    """A run in which the time of one arithmetic is over."""
+def fickle(self, statement, verdicts, arithmetic):
+    """What comes out depends on the arithmetic."""
+    return Decided(statement, None, Accepted(), Verdict(SAID[arithmetic]))
 
-    def _judged(self, statement, verdicts, arithmetic):
-        if arithmetic == "sympy":
-            raise TimeoutError
-        return super()._judged(statement, verdicts, arithmetic)
+
+def slow(self, statement, verdicts, arithmetic):
+    """The time of one arithmetic is over."""
+    if arithmetic == "sympy":
+        raise TimeoutError
+    return judge(self, statement, verdicts, arithmetic)
 
 
 class LongSearch(Identity):
@@ -49,14 +46,15 @@ def small():
     return Oscillator()
 
 
-def one(kind, small, claim, **options):
+def one(small, claim, **options):
     small.section.claim(claim)
-    (outcome,) = kind(derivation(small.section), EXACT, **options).run().outcomes
+    (outcome,) = Session(derivation(small.section), EXACT, **options).run().outcomes
     return outcome
 
 
-def test_arithmetics_that_disagree_are_an_error(small):
-    outcome = one(Fickle, small, Identity("t", small.scene, "", printed=small("x=x")))
+def test_arithmetics_that_disagree_are_an_error(small, monkeypatch):
+    monkeypatch.setattr(Arithmetics, "judge", fickle)
+    outcome = one(small, Identity("t", small.scene, "", printed=small("x=x")))
     assert outcome.verdict == "error"
     said = "flint: proved, symengine: refuted, sympy: proved"
     assert outcome.message == f"the arithmetics disagree ({said})"
@@ -111,8 +109,9 @@ def test_a_process_that_dies_takes_its_claim_along_and_no_other(how, small):
     assert "has died" in bad.message
 
 
-def test_a_timeout_in_one_arithmetic_is_a_timeout(small):
-    outcome = one(Slow, small, Identity("t", small.scene, "", printed=small("x=x")), timeout=600)
+def test_a_timeout_in_one_arithmetic_is_a_timeout(small, monkeypatch):
+    monkeypatch.setattr(Arithmetics, "judge", slow)
+    outcome = one(small, Identity("t", small.scene, "", printed=small("x=x")), timeout=600)
     assert outcome.verdict == "timeout"
     assert outcome.message == "not decided within 600 s"
 
@@ -178,8 +177,8 @@ def test_what_has_a_certificate_is_searched_for_no_more(name, monkeypatch):
 class Unsure(Session):
     """A run that decides nothing."""
 
-    def _judged(self, statement, verdicts, arithmetic):
-        return Decided(statement, None, Accepted(), Verdict.UNDECIDED)
+    def decide(self, claim):
+        return self.decider.writer.without_evidence(claim, self.on(claim), Verdict.UNDECIDED, "")
 
 
 @pytest.mark.parametrize("own", [True, False])

@@ -103,7 +103,7 @@ def audited(audit: Audit) -> str:
         "uncovered": [one._asdict() for one in audit.uncovered],
         "summary": {
             "source": audit.source.path,
-            "derivation": audit.session.derivation.name,
+            "derivation": audit.session.interpretation.derivation.name,
             "formulas": len(audit.formulas),
             **audit.counts,
             "claims": Counter(str(outcome.verdict) for outcome in audit.outcomes.values()),
@@ -176,7 +176,7 @@ def _formula(audit: Audit, formula: Audited) -> dict[str, Any]:
 
 
 def _statement(audit: Audit, outcome: Outcome) -> dict[str, Any]:
-    causes = audit.session.causes.get(outcome.claim, ())
+    causes = audit.session.causes.places.get(outcome.claim, ())
     return {
         "id": outcome.claim,
         "words": outcome.words,

@@ -134,7 +134,7 @@ class AuditText:
     @cached_property
     def phrases(self) -> Phrases:
         """Phrases in the vocabulary of the source."""
-        return Phrases(self.audit.session.texts.vocabulary, {})
+        return Phrases(self.audit.session.interpretation.texts.vocabulary, {})
 
     def render(self, details: Iterable[str] = ()) -> str:
         """The audit as text; details stand before the summary."""
@@ -145,7 +145,8 @@ class AuditText:
 
             head = *reading.answer(audit), *self.wrong(), *reading.rest(audit, self.phrases)
             return "\n".join((*head, *details, *self.uncovered(), "", *self.summary(), ""))
-        source = f"{audit.source.path}, by the derivation {audit.session.derivation.name}."
+        name = audit.session.interpretation.derivation.name
+        source = f"{audit.source.path}, by the derivation {name}."
         notes = (f"line {line}: {words}" for line, words in audit.notes)
         wrong = *self.wrong(), *plain.lines(findings.hypotheses()), *details, *notes
         return _page(source, findings, wrong, self.summary())
@@ -176,7 +177,7 @@ class AuditText:
         region = audit.sentences.get(outcome.claim)
         place = f"{region.path}:{region.line}: " if region else ""
         why = ""
-        if causes := audit.session.causes.get(outcome.claim, ()):
+        if causes := audit.session.causes.places.get(outcome.claim, ()):
             named = ", ".join(audit.located(cause.place) for cause in causes)
             why = f"; because of {named}"
         yield from self._finding(

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 def answer(audit: Audit) -> Iterator[str]:
     """By which equations of motion a source was read, and how many of its claims hold."""
     assert audit.reading is not None
-    laws = audit.reading.known.laws
+    laws = audit.reading.parts.laws
     equations = "; ".join(law.title for law in laws) or "no equations of motion are found"
     yield f"{audit.source.path}, read as it stands: {equations}."
     yield ""
@@ -55,7 +55,7 @@ def rest(audit: Audit, phrases: Phrases) -> Iterator[str]:
 def _obeyed(audit: Audit) -> Iterator[str]:
     """How many comments there are of each kind, and those that contradict what is inferred."""
     assert audit.reading is not None
-    said = audit.reading.known.said
+    said = audit.reading.parts.said
     if not said.directives:
         return
     counts = Counter(one.verb for one in said.directives)

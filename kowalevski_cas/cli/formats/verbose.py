@@ -71,7 +71,7 @@ def audited(audit: Audit) -> str:
 
 def _formulas(audit: Audit) -> Iterator[str]:
     yield from ("", "Formulas")
-    vocabulary = audit.session.texts.vocabulary
+    vocabulary = audit.session.interpretation.texts.vocabulary
     width = max((len(formula.id) for formula in audit.formulas), default=0)
     for formula in audit.formulas:
         shown = plain.formulas(() if formula.formula is None else (formula.formula,), "")

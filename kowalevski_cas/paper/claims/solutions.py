@@ -69,7 +69,8 @@ def _along(
     field: dict[str, Formula] = {}
     for group in groups:
         initial |= _beginning(group.kind, group.names)
-        field |= {n: rate for n, rate in _rates(group, space).items() if n in group.moving}
+        moving = {*group.moving} & initial.keys()
+        field |= {n: rate for n, rate in _rates(group, space).items() if n in moving}
     initial |= _beginning(kind, names)
     field |= kind.rates(names)
     moving = {*initial}

@@ -47,18 +47,18 @@ class Certificate:
         return [*map(printable, found)]
 
 
-def check(text: str) -> Certificate:
+def check(text: str, budget: Budget | None = None) -> Certificate:
     """What the text of a certificate proves; raises Rejected if it proves nothing."""
     try:
-        return _judged(text)
+        return _judged(text, budget or Budget())
     except Rejected:
         raise
     except Exception as error:  # whatever goes wrong, nothing is proved
         raise Rejected(f"it is malformed: {type(error).__name__}") from None
 
 
-def _judged(text: str) -> Certificate:
-    data, budget = parsed(text), Budget()
+def _judged(text: str, budget: Budget) -> Certificate:
+    data = parsed(text)
     claim = data["claim"]
     named = type(claim) is str and re.fullmatch(r"[\w.-]+", claim, re.ASCII)
     need(named, "the claim has an odd name")

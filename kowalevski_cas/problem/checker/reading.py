@@ -57,7 +57,11 @@ class Budget:
         """Count steps."""
         self.left -= steps
         if self.left < 0:
-            raise Exhausted("it takes too much work")
+            self.end()
+
+    def end(self) -> None:
+        """There are no steps left."""
+        raise Exhausted("it takes too much work")
 
 
 # -- JSON --------------------------------------------------------------------------

@@ -1,0 +1,61 @@
+"""Ideals of polynomials, by their reduced Gröbner bases."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpz_mpoly_ctx, fmpz_mpoly_vec
+
+from kowalevski_cas.algebra.flat import Flat
+from kowalevski_cas.algebra.flint import terms_of
+from kowalevski_cas.algebra.kernels import TooLarge
+from kowalevski_cas.algebra.polynomials import primitive
+from kowalevski_cas.algebra.tower import Element
+
+LIMITS = (500, 10_000, 50_000)
+"""Elements, terms of one and bits of a number with which a basis is given up that nobody made."""
+
+
+def reduced_groebner_basis(polynomials: Sequence[fmpq_mpoly]) -> list[fmpq_mpoly]:
+    """The reduced Gröbner basis of polynomials, where nobody asks how it is made.
+
+    Raises:
+        TooLarge: there are too many elements or terms on the way, or too large numbers.
+    """
+    context = polynomials[0].context()
+    whole = fmpz_mpoly_ctx.get(context.names(), context.ordering())
+    given = (primitive(terms_of(one)) for one in polynomials if one)
+    own = [whole.from_dict({e: int(value) for e, value in terms.items()}) for terms in given]
+    answer: Any = fmpz_mpoly_vec(own, whole).buchberger_naive(LIMITS)  # its type leaves limits out
+    found, complete = answer
+    if not complete:
+        raise TooLarge("a Gröbner basis has over {} elements, {} terms or {} bits".format(*LIMITS))
+    rational = (context.from_dict(one.to_dict()) for one in found.autoreduction(groebner=True))
+    return [one / one.leading_coefficient() for one in rational]
+
+
+def remainder(polynomial: fmpq_mpoly, divisors: Sequence[fmpq_mpoly]) -> fmpq_mpoly:
+    """What is left of a polynomial when no leading monomial of a divisor divides one of it."""
+    before = None
+    while before != polynomial:
+        before = polynomial
+        for divisor in filter(None, divisors):
+            polynomial = divmod(polynomial, divisor)[1]
+    return polynomial
+
+
+def vanish_on(elements: Sequence[Element], known: Sequence[Element]) -> list[bool]:
+    """Which elements are combinations of known ones, without a condition."""
+    given = [one for one in known if not one.is_zero]
+    if not elements or not given:
+        return [element.is_zero for element in elements]
+    flat = Flat(given[0].ring)
+    context = fmpq_mpoly_ctx.get(flat.context.names(), Ordering.deglex)
+    relations = (*map(flat.polynomial, given), *flat.relations())
+    try:
+        basis = reduced_groebner_basis([context.from_dict(one.to_dict()) for one in relations])
+    except TooLarge:
+        return [False] * len(elements)
+    dividends = (flat.polynomial(element).to_dict() for element in elements)
+    return [remainder(context.from_dict(dividend), basis).is_zero() for dividend in dividends]

@@ -1,0 +1,84 @@
+"""Whether the functions in a goal are known to obey no equations but their own."""
+
+from __future__ import annotations
+
+from math import prod
+
+from kowalevski_cas.notation import Formula, Name, Root
+from kowalevski_cas.paper.arguments import combination
+from kowalevski_cas.paper.families import Generators
+from kowalevski_cas.paper.meaning import Meaning
+from kowalevski_cas.problem.goals import Goal, simple
+from kowalevski_cas.problem.prune import Reach
+
+
+def decides(goal: Goal) -> bool:
+    """Whether a point where a goal fails refutes what it says of functions.
+
+    It does not where the generators of functions may depend on each other in ways that are not
+    known here: as a point there may be none.
+    """
+    for one in simple(goal):
+        if isinstance(one.space, Meaning) and one.space.transcendental.groups:
+            reach = Reach(one.space)
+            reach.goal(one)
+            used = [
+                group
+                for group in one.space.transcendental.groups
+                if not reach.names.isdisjoint(group.names.values())
+            ]
+            if not _independent(used, one.space):
+                return False
+    return True
+
+
+def _independent(groups: list[Generators], setting: Meaning) -> bool:
+    """Whether generators are known to obey no equations but their own.
+
+    It is not of functions with two moduli, nor with one that may be 0 or 1, where they are
+    others, nor of arguments that may have to do with one another.
+    """
+    kinds = {group.kind for group in groups if group.kind.parameters}
+    if any(_may_degenerate(one, setting) for kind in kinds for one in kind.parameters):
+        return False
+    return len(kinds) < 2 and (len(groups) < 2 or _unrelated(groups, setting))
+
+
+def _may_degenerate(modulus: Formula, setting: Meaning) -> bool:
+    """Whether a modulus is 0, 1 or -1, or has a root in it that may be."""
+    expanded = setting.transcendental.expanded(modulus)
+    terms = combination(expanded)
+    if not any(terms):
+        return sum(terms.values()) in (0, 1, -1)
+    return any(_is_root(Name(name), setting) for name in expanded.names())
+
+
+def _unrelated(groups: list[Generators], setting: Meaning) -> bool:
+    """Whether no argument is a sum of multiples of the others; products of names are none.
+
+    Roots may be each other's multiples, and that of a square is none. Over a sum stand terms
+    that may cancel.
+    """
+    parts = [part for group in groups for part in group.monomial]
+    odd = [(f, e) for f, e in parts if _is_root(f, setting) or not isinstance(f, Name)]
+    inner = {one for f, _ in odd for one in f.nodes() if one == f or _is_root(one, setting)}
+    if len(inner) > 1 or len({exponent for _, exponent in odd}) > 1:
+        return False
+    if any(_is_root(one, setting) for one in inner):
+        return all(e * e == 1 for _, e in odd) and not any(
+            _is_square(one, setting) for one in inner
+        )
+    return len(odd) < 2
+
+
+def _is_root(formula: Formula, setting: Meaning) -> bool:
+    """Whether a formula is a root, as printed or by its name."""
+    return isinstance(formula, Root) or getattr(formula, "name", "") in setting.scene.roots
+
+
+def _is_square(root: Formula, setting: Meaning) -> bool:
+    """Whether what a root is taken of may be a square."""
+    square = setting.finder.scalar(root) ** 2
+    below = prod(square.ring.divisors[k] ** e for k, e in square.denominator.items())
+    parts = {mask: part * below for mask, part in square.parts.items()}
+    return parts.keys() != {0} or all(e % 2 == 0 for _, e in parts[0].factor()[1])

@@ -1,0 +1,191 @@
+"""What sets up the mathematics of a paper: its law, and the names that it gives."""
+
+from __future__ import annotations
+
+from kowalevski_cas.notation import (
+    Constant,
+    Derivative,
+    Name,
+    Negative,
+    Number,
+    PoissonBracket,
+    Power,
+)
+from kowalevski_cas.paper.names import BRACKET, head
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.known import (
+    ASSUMPTION,
+    CLAIM,
+    DEFINITION,
+    LAW,
+    LEVEL,
+    NAMING,
+    NOTATION,
+    Known,
+    StatementRole,
+)
+from kowalevski_cas.reading.phrases import integral_words, is_number, plain
+from kowalevski_cas.reading.statements import SourceStatement
+
+ZERO = Number(0)
+
+
+def law(item: SourceStatement, known: Known) -> StatementRole | None:
+    """The equations of motion."""
+    found = known.law_of(item)
+    if found is None:
+        return None
+    which = "a closed set of rates" if found is known.laws[0] else "a closed set of other rates"
+    return StatementRole(LAW, f"belongs to {which}")
+
+
+def unit(item: SourceStatement, known: Known) -> StatementRole | None:
+    r"""The imaginary unit, as :math:`i^2=-1`, and another time, as :math:`\tau=it`."""
+    match item.members:
+        case (Power(Name("i"), Number(2)), Number() | Negative(Number())):
+            return StatementRole(NOTATION, "says what the imaginary unit is", "unit", ("i",))
+        case (Name(name), right) if name in known.times and "t" in right.names():
+            return StatementRole(DEFINITION, f"gives another time {name}", "clock")
+    return None
+
+
+def bracket(item: SourceStatement, known: Known) -> StatementRole | None:
+    """Poisson brackets of variables, before anything is claimed of them."""
+    if len(item.members) == 2 and isinstance(left := item.members[0], PoissonBracket):
+        inner = left.children()
+        names = [one.name for one in inner if isinstance(one, Name)]
+        letters = all(known.moves(name) or name.endswith(("_i", "_j")) for name in names)
+        if len(names) == 2 and letters and not any(map(known.is_defined, names)):
+            heads = item.printed.heads.names
+            if heads and heads[0] not in known.definitions:
+                return StatementRole(
+                    DEFINITION, "first with this bracket of variables", "", heads[:1]
+                )
+    return None
+
+
+def definition(item: SourceStatement, known: Known) -> StatementRole | None:
+    """A name that nothing has defined, alone on a side."""
+    fresh = [n for n in item.printed.heads.names if _is_fresh(n, item, known)]
+    if not fresh:
+        return None
+    heads = {head(name)[0] for name in fresh}
+    others = [
+        m for m in item.members if getattr(m, "name", getattr(m, "function", "")) not in heads
+    ]
+    if not any(known.is_known(n) for n in item.names - {*fresh}) and is_number(others):
+        return StatementRole(ASSUMPTION, "gives a number for a name", "value", tuple(fresh))
+    if cue("if", item.lead):
+        return StatementRole(ASSUMPTION, "supposed in its sentence", "set", tuple(fresh))
+    if len(others) == 1 and isinstance(others[0], Derivative) and not _is_law_left(item):
+        return StatementRole(LEVEL, f"names the rate {plain(fresh[0])}", "", tuple(fresh))
+    role = _integral_that_defines(item, known, fresh)
+    if role is not None:
+        return role
+    if len([m for m in others if not isinstance(m, Name | Constant)]) > 1:
+        why = f"a chain of equalities; it names {plain(fresh[0])}"
+        return StatementRole(CLAIM, why, "identity", (*fresh,))
+    named = [m for m in others if isinstance(m, Name) and known.varies(m.name)]
+    if named and item.members and item.members[0] == named[0]:
+        return StatementRole(
+            LEVEL, f"names the value {plain(fresh[0])} of {plain(named[0].name)}", "", (*fresh,)
+        )
+    if (
+        named == []
+        and not isinstance(item.members[0], Name)
+        and len(others) == len(item.members) - 1
+    ):
+        if known.varying(item.names - {*fresh}) and not isinstance(item.members[0], PoissonBracket):
+            return StatementRole(LEVEL, f"names the value {plain(fresh[0])}", "", (*fresh,))
+    return StatementRole(
+        DEFINITION, f"first with {plain(fresh[0])} alone on a side", "", tuple(fresh)
+    )
+
+
+def repeated(item: SourceStatement, known: Known) -> StatementRole | None:
+    """What has been said before, sign for sign, to name something."""
+    for one, role in known.roles.items():
+        if role.name in NAMING and one.formula == item.formula and one.order < item.order:
+            if role.name != CLAIM or item.typed.inline:
+                return StatementRole(NOTATION, f"said before, at {one.printed.place}")
+    return None
+
+
+def change(item: SourceStatement, known: Known) -> StatementRole | None:
+    r"""New names for the parts of what moves, as :math:`v=v_0+\zeta`."""
+    first = item.bare[0] if item.bare and item.members[0] == Name(item.bare[0]) else ""
+    new = [name for name in item.names if not known.is_known(name)]
+    said = cue("suppose", item.lead) or cue("define", item.lead)
+    if first and new and said and not item.derives:
+        if known.moves(known.names.whole(first)) or first.endswith("_i"):
+            return StatementRole(DEFINITION, f"gives {plain(first)} by what is new", "change")
+    return None
+
+
+def square(item: SourceStatement, known: Known) -> StatementRole | None:
+    """The square of a name that nothing has defined, alone on a side."""
+    fresh = [n for n in item.printed.heads.squares if _is_fresh(n, item, known)]
+    if not fresh or not known.varying(item.names - {*fresh}):
+        return None
+    claimed = integral_words(item) if item.members[0] != Power(Name(fresh[0]), Number(2)) else ""
+    if claimed:
+        return StatementRole(
+            CLAIM,
+            f"“{claimed}” stands before it; it names {plain(fresh[0])}",
+            "integral",
+            (*fresh,),
+        )
+    return StatementRole(
+        DEFINITION,
+        f"first with the square of {plain(fresh[0])} alone on a side",
+        "square",
+        (*fresh,),
+    )
+
+
+def _is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
+    """Whether nothing has said yet what a name is."""
+    function, arguments = head(name)
+    if function == BRACKET:
+        return False
+    if found := known.definitions.get(function) or known.definitions.get(
+        known.names.whole(function)
+    ):
+        unclear = any(not known.is_explained(n) for one in found for n in one.names)
+        return unclear and all(known.is_explained(n) for n in item.names)
+    if known.moves(function) or function in known.times:
+        return False
+    alone = (Name(function), Power(Name(function), Number(2)))
+    if any(function in m.names() for m in item.members if m not in alone) and not arguments:
+        return False
+    others = item.names - {function, *arguments}
+    new = bool(others) and not any(map(known.is_known, others))
+    first = known.seen.get(function)
+    return (
+        first is None
+        or (known.roles[first].name == LAW and first.sentence == item.sentence)
+        or bool(cue("where", item.lead))
+        or (new and not item.typed.inline)
+    )
+
+
+def _is_law_left(item: SourceStatement) -> bool:
+    """Whether a rate stands on the left."""
+    return isinstance(item.members[0], Derivative) and not item.typed.inline
+
+
+def _integral_that_defines(
+    item: SourceStatement, known: Known, fresh: list[str]
+) -> StatementRole | None:
+    """An integral with a name that is new: a claim, unless its rate is claimed elsewhere."""
+    said = integral_words(item)
+    if not said or not known.varying(item.names - {*fresh}) or cue("where", item.lead):
+        return None
+    for one in known.paper.items:
+        if one.order > item.order and one.order < item.order + 12 and ZERO in one.members:
+            rated = [m.argument for m in one.members if isinstance(m, Derivative)]
+            if any(isinstance(m, Name) and m.name in fresh for m in rated):
+                return None
+    return StatementRole(
+        CLAIM, f"“{said}” stands beside it; it names {plain(fresh[0])}", "integral", (*fresh,)
+    )

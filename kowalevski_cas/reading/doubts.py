@@ -1,0 +1,127 @@
+"""How sure it is that a claim was meant as it was read: only what is sure can be red."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator, Sequence
+
+from kowalevski_cas.paper.derivation import Doubt
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, LAW, Known
+from kowalevski_cas.reading.ladder import Rung
+from kowalevski_cas.reading.obey import SAID
+from kowalevski_cas.reading.parts import Parts
+from kowalevski_cas.reading.statements import SourceStatement
+
+_INDEXED = re.compile(r"_\{?[ijk]\b")
+_NUMBERED = re.compile(r"_\{?\d")
+
+
+def doubt_of(
+    item: SourceStatement, rung: Rung, candidates: Sequence[Rung], parts: Parts
+) -> Doubt | None:
+    """How a claim may have been meant otherwise; ``None`` if it is sure.
+
+    ``candidates`` are all claims that the statement may make.
+    """
+    known = parts.of(item)
+    role = parts.roles[item]
+    fixed = (member for member in item.members if not known.varying(member.names()))
+    if role.kind == "identity" and not item.derives and any(fixed):
+        return Doubt.ALWAYS
+    if role.kind == SAID:
+        return None
+    if _is_conditioned(item, rung, known) or any(_implied(rung, known)):
+        return Doubt.ALWAYS
+    if _has_case(item, rung, {one for other in candidates for one in other.on}, known):
+        return Doubt.ALWAYS
+    given = any(one.given for one in candidates)
+    sure = not (given or rung.constants or cue("on it", item.words))
+    sure = sure and _is_plain(rung, item, parts)
+    sure = sure and not any(one.title == "abstract" for one in item.sections)
+    return None if sure and (role.kind == "integral" or item.derives) else Doubt.UNLESS_MENDED
+
+
+def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
+    """Whether the words tell a place, a case or a set on which the claim does not rest.
+
+    In a theorem with its proof that are its assumptions; else what stands before it in its
+    sentence.
+    """
+    if cue("place", item.before):
+        return True
+    for one in known.items:
+        if one is item or one in rung.on or one.order > item.order:
+            continue
+        role = known.roles.get(one)
+        set_there = role is not None and (role.kind == "invariant" or role.name == ASSUMPTION)
+        if one.sentence == item.sentence and one.members and cue("here", f"{one.before} "):
+            return True
+        if one.sentence == item.sentence and set_there:
+            return True
+        if one.sentence == item.sentence and one.members and cue("suppose", one.lead):
+            if not {*(role.names if role else ())} & {*rung.claim.scene.definitions}:
+                return True
+        proved = item.theorem is not None and one.theorem == item.theorem
+        apart = item.entry is not None and one.entry is not None and one.entry != item.entry
+        if proved and not apart and role is not None and role.name == ASSUMPTION and one.members:
+            return True
+    return False
+
+
+def _has_case(
+    item: SourceStatement, rung: Rung, tried: Collection[SourceStatement], known: Known
+) -> bool:
+    """Whether its section supposes something of its constants that was not tried.
+
+    Words may mean a case by its name, as one that a definition in the section says.
+    """
+    return any(
+        one.section in item.sections[1:]
+        and one.order < item.order
+        and one not in tried
+        and {*known.roles[one].names} & {*rung.claim.scene.constants}
+        and one.theorem is not None
+        and one.entry is None
+        for one in known.assumptions
+    )
+
+
+def _implied(rung: Rung, known: Known) -> Iterator[str]:
+    """The names that are no constants, though nothing was read that says what they are.
+
+    They stand with what moves in an equation that is not solved for them, have numbers for indices
+    where the law has letters for them, or are named by what says something else.
+    """
+    mentions = {name for law in known.laws for name in law.mentions}
+    families = any(_INDEXED.search(name) for name in mentions)
+    for name in rung.claim.scene.constants:
+        seen = known.seen.get(name)
+        role = known.roles[seen] if seen is not None else None
+        if role is not None and seen is not None and role.name in (CLAIM, ASSUMPTION):
+            told = role.kind == "identity" or role.kind.startswith("set")
+            if told and known.varying(seen.names) and name not in role.names:
+                yield name
+        if (families and _NUMBERED.search(name)) or _is_lost(name, known):
+            yield name
+
+
+def _is_lost(name: str, known: Known) -> bool:
+    """Whether a name stands alone on a side of what moves, and was given no meaning there."""
+    for one in known.later.get(name, ()):
+        role = known.roles.get(one)
+        if role is not None and role.name not in (ASSUMPTION, LAW) and name not in role.names:
+            if known.varying(one.names - {name}):
+                return True
+    return False
+
+
+def _is_plain(rung: Rung, item: SourceStatement, parts: Parts) -> bool:
+    """Whether a claim stands on the only law of its variables, which rests on no other one."""
+    rows = {*rung.claim.scene.field} if isinstance(rung.claim.scene.field, tuple) else set()
+    laws = parts.of(item).laws
+    law = next((one for one in laws if {r.printed for r in one.rows} == rows), None)
+    if law is None or law.base is not None or not parts.is_sure(item, rung.claim.scene):
+        return False
+    others = (one for one in laws if one is not law)
+    return not any({*one.variables} & {*law.variables} for one in others)

@@ -1,0 +1,100 @@
+"""The parts of a paper with laws of their own: where another system begins, letters are new."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from functools import cached_property
+
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.reading.comments import Said
+from kowalevski_cas.reading.grammar import Directive
+from kowalevski_cas.reading.known import NAMING, Known, StatementRole
+from kowalevski_cas.reading.laws import Law, find_laws, find_restated
+from kowalevski_cas.reading.names import Names
+from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
+
+
+class Parts:
+    """What is known in each part of a paper, and the roles of all its statements.
+
+    A part begins where a system is set up that is another one than before.
+    """
+
+    def __init__(self, paper: SourcePaper, names: Names, said: Said) -> None:
+        self.paper, self.said = paper, said
+        self.laws = find_laws(paper, names, said)
+        self.roles: dict[SourceStatement, StatementRole] = {}
+        units: list[SourceStatement] = []
+        own: list[list[Law]] = [[]]
+        for law in self.laws:
+            if law.begins is not None:
+                own.append([])
+            own[-1].append(law)
+        self.begins = [paper.prose.start, *(laws[0].begins or 0 for laws in own[1:])]
+        placed: list[list[SourceStatement]] = [[] for _ in own]
+        self.places = {item: self._place(item) for item in paper.items}
+        for item, place in self.places.items():
+            placed[place].append(item)
+        self.known = [
+            Known(
+                paper,
+                names,
+                laws,
+                items,
+                find_restated(items, laws),
+                self.roles,
+                units=units,
+                said=said,
+            )
+            for laws, items in zip(own, placed, strict=True)
+        ]
+
+    def _place(self, item: SourceStatement) -> int:
+        """The part of a statement: where it stands, or that of the only law that is cited."""
+        here = max(0, bisect_right(self.begins, item.typed.start) - 1)
+        cited = {one for label in item.refs for one in self.paper.labels.get(label, ())}
+        found = {
+            max(0, bisect_right(self.begins, law.first.typed.start) - 1)
+            for law in self.laws
+            if cited & {*law.items}
+        }
+        is_row = any(item in law.items for law in self.laws)
+        return found.pop() if len(found) == 1 and not is_row else here
+
+    def of(self, item: SourceStatement) -> Known:
+        """What is known in the part of a statement."""
+        return self.known[self.places[item]]
+
+    def enter(self, item: SourceStatement, role: StatementRole) -> None:
+        """Keep what a statement says."""
+        self.of(item).enter(item, role)
+
+    def cite(self, item: SourceStatement) -> None:
+        """Let names that are cited from another part have their meaning in that of a statement."""
+        known = self.of(item)
+        for one in known.cited(item):
+            role = self.roles.get(one)
+            if role is not None and role.name in NAMING and self.of(one) is not known:
+                known.borrow(one, role)
+
+    @cached_property
+    def named_apart(self) -> list[frozenset[str]]:
+        """For each part, the names that are defined in another one only."""
+        every = [frozenset(known.definitions) for known in self.known]
+        return [frozenset().union(*every) - own for own in every]
+
+    def about(self, found: Directive) -> Known:
+        """The part of the first formula that a comment names, or else the first of all."""
+        return self.of(found.items[0]) if found.items else self.known[0]
+
+    def is_sure(self, item: SourceStatement, scene: Scene) -> bool:
+        """Whether a statement speaks of the law of its part, in names that have no other meaning.
+
+        It stands below the heading below which this law is set up, if there are several parts.
+        """
+        if len(self.known) == 1:
+            return True
+        place = self.places[item]
+        law = self.known[place].laws[0]
+        here = law.first.section in item.sections
+        return here and not self.named_apart[place] & {*scene.constants}

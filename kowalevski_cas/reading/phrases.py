@@ -1,0 +1,106 @@
+"""What the words around a statement say of it, and what its members are."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from kowalevski_cas.notation import Derivative, Formula, Name, Negative, Number, Vector, to_plain
+from kowalevski_cas.paper.names import head
+from kowalevski_cas.reading.cues import cue, last_cue
+from kowalevski_cas.reading.known import Known
+from kowalevski_cas.reading.statements import SourceStatement
+
+ZERO = Number(0)
+
+
+VERB = re.compile(
+    r"[\s~]*(?:(?:also|thus|hence)\s+)?"
+    r"(?:is|are|remains?|stays?|does|do|сохран|постоян|не\s+меня|есть|явля|оста[её]тся|[-—–]+\s)",
+    re.IGNORECASE,
+)
+"""What says of the expression before it that it is something, or does something."""
+
+
+_AND = re.compile(r"[\s,;~]*(?:(?:and|or|и|или)[\s~]*)?(?:§[\s,;~]*(?:(?:and|or|и|или)[\s~]*)?)*")
+
+
+def clause(item: SourceStatement) -> str:
+    """The words right around a statement."""
+    return f"{item.lead[-60:]} § {item.tail[:30]}"
+
+
+def supposing(item: SourceStatement) -> str:
+    """The words by which something is supposed right before a statement."""
+    said = cue("suppose", item.lead)
+    if said:
+        return said
+    before = item.before.rsplit("§", 1)[0] if "§" in item.before else ""
+    between = item.lead.strip(" ,;~")
+    joined = between in ("", "and", "и", "or", "или", ", and")
+    return cue("suppose", before) if joined and before else ""
+
+
+def reach(item: SourceStatement) -> str:
+    """How far it reaches what is supposed of what moves."""
+    if cue("here", f"{item.before} "):
+        return "set of the sentence"
+    return "set in force" if cue("suppose", item.lead) else "set"
+
+
+def integral_words(item: SourceStatement) -> str:
+    """The words near a statement that call it an integral, if no other words stand between."""
+    tail = _joined_tail(item)[:60]
+    if not re.match(r"\s*(?:which|where|with|that)", tail) and (said := cue("integral", tail)):
+        if last_cue("claim", item.lead[-30:]) < 0 or not item.typed.inline:
+            return said
+    return cue("integral", item.lead) or (
+        cue("integral", item.before)
+        if not item.typed.inline and item.lead.strip(" ,;") in ("", "and")
+        else ""
+    )
+
+
+def _joined_tail(item: SourceStatement) -> str:
+    """The words behind a statement, and behind those that only a comma or “and” joins to it."""
+    if not item.typed.inline:
+        return item.tail
+    found = _AND.match(item.after)
+    joined = item.after[found.end() :] if found else item.after
+    return joined.partition("§")[0]
+
+
+def is_number(members: Iterable[Formula]) -> bool:
+    """Whether some members are numbers, at least one."""
+    found = [*members]
+    return bool(found) and all(is_value(m) and not m.names() for m in found)
+
+
+def is_value(formula: Formula) -> bool:
+    """Whether a member is a number, a name, or a vector of numbers."""
+    if isinstance(formula, Negative):
+        return is_value(formula.argument)
+    if isinstance(formula, Vector):
+        return all(map(is_value, formula.components))
+    return (
+        not any(isinstance(n, Derivative) for n in formula.nodes()) and len([*formula.nodes()]) <= 5
+    )
+
+
+def is_level(item: SourceStatement, known: Known) -> bool:
+    """Whether an equation gives a function a value."""
+    fixed = [m for m in item.members if not known.varying(m.names())]
+    return (bool(fixed) and len(fixed) < len(item.members)) or "\\equiv" in getattr(
+        item.formula, "signs", ()
+    )
+
+
+def set_beside(item: SourceStatement, known: Known) -> bool:
+    """Whether a statement stands beside another one that vanishes, in the same display."""
+    beside = [one for one in known.paper.items if one.typed is item.typed and one is not item]
+    return any(ZERO in one.members for one in beside)
+
+
+def plain(name: str) -> str:
+    """A name as it is told in a terminal, without arguments."""
+    return to_plain(Name(name)) if not head(name)[1] else head(name)[0]

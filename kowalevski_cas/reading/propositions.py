@@ -1,0 +1,90 @@
+"""What a paper claims in its formulas: rates, sets, integrals, identities."""
+
+from __future__ import annotations
+
+from kowalevski_cas.notation import Constant, Derivative, Name, Number, Relation
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, Known, StatementRole
+from kowalevski_cas.reading.phrases import (
+    integral_words,
+    is_level,
+    is_value,
+    plain,
+    reach,
+    set_beside,
+)
+from kowalevski_cas.reading.statements import SourceStatement
+
+ZERO = Number(0)
+
+
+def approximate(item: SourceStatement, known: Known) -> StatementRole | None:
+    """What holds approximately: it is not judged."""
+    if item not in known.paper.approximate or not item.members:
+        return None
+    return StatementRole(CLAIM, "the words before say that it holds approximately", "approximate")
+
+
+def solution(item: SourceStatement, known: Known) -> StatementRole | None:
+    """A variable as a function of the time: a solution is claimed."""
+    moving = [name for name in item.bare if known.moves(name)]
+    timed = item.names & {"t"} or any(isinstance(member, Constant) for member in item.members)
+    if moving and timed:
+        return StatementRole(
+            CLAIM, f"gives {plain(moving[0])} by the time", "solution", (moving[0],)
+        )
+    return None
+
+
+def rate(item: SourceStatement, known: Known) -> StatementRole | None:
+    """Rates after the law: of a known function, and of variables once more."""
+    if not item.derives:
+        return None
+    if ZERO in item.members and len(item.members) == 2:
+        other = next(m for m in item.members if m != ZERO)
+        if isinstance(other, Derivative):
+            inner = other.argument
+            if isinstance(inner, Name) and known.moves(inner.name) and set_beside(item, known):
+                return StatementRole(CLAIM, "one of the equations of a set", "invariant")
+            return StatementRole(CLAIM, "a rate that vanishes", "integral")
+    return None
+
+
+def zero_set(item: SourceStatement, known: Known) -> StatementRole | None:
+    """Equations of a set: what vanishes, or has a value, without being so identically."""
+    if not item.members or item.derives:
+        return None
+    if ZERO in item.members and (said := cue("invariant", item.words)):
+        if len(item.members) == 2 and known.varying(item.names):
+            return StatementRole(CLAIM, f"“{said}” in its sentence", "invariant")
+    values = [m for m in item.members if is_value(m) and not known.varying(m.names())]
+    others = [m.name for m in item.members if isinstance(m, Name) and known.varies(m.name)]
+    if not values or len(others) < len(item.members) - len(values) or not others:
+        return None
+    if all(map(known.moves, others)) or ZERO in values:
+        said = cue("invariant", item.words) or cue("equilibrium", item.words)
+        if said and (all(map(known.moves, others)) or cue("invariant", item.words)):
+            return StatementRole(CLAIM, f"“{said}” in its sentence", "invariant")
+        return StatementRole(ASSUMPTION, "a set that the text speaks of", reach(item))
+    return StatementRole(CLAIM, "a value that is taken somewhere", "somewhere")
+
+
+def integral(item: SourceStatement, known: Known) -> StatementRole | None:
+    """What words call an integral, or constant."""
+    if not item.members:
+        return None
+    if any(isinstance(member, Constant) for member in item.members):
+        return StatementRole(CLAIM, "“const” stands at its end", "constant")
+    assert isinstance(item.formula, Relation)
+    if (said := integral_words(item)) and is_level(item, known):
+        return StatementRole(CLAIM, f"“{said}” stands beside it", "integral")
+    return None
+
+
+def identity(item: SourceStatement, known: Known) -> StatementRole | None:
+    """What else is printed as an equation, of names that are known."""
+    return (
+        StatementRole(CLAIM, "an equation between what is known", "identity")
+        if item.members
+        else None
+    )

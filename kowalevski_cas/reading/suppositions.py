@@ -1,0 +1,62 @@
+"""What a paper supposes: of constants, of what moves, and by inequalities."""
+
+from __future__ import annotations
+
+from kowalevski_cas.notation import Name, Relation
+from kowalevski_cas.reading.cues import cue, last_cue
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, OTHER, Known, StatementRole
+from kowalevski_cas.reading.phrases import is_number, is_value, reach, supposing
+from kowalevski_cas.reading.statements import SourceStatement
+
+
+def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
+    """What says that something is larger, or is not."""
+    if item.members:
+        return None
+    assert isinstance(item.formula, Relation)
+    if not {*item.formula.signs} & {"<", ">", r"\le", r"\ge", r"\leq", r"\geq", r"\ne", r"\neq"}:
+        return StatementRole(OTHER, "no equation")
+    words = item.lead[-30:] if item.typed.inline else item.before
+    claimed = last_cue("claim", words) > last_cue("suppose", words)
+    supposed = cue("suppose", item.before[:12])
+    if supposed or not (claimed or (not item.typed.inline and cue("claim", item.tail))):
+        why = "an inequality that is supposed"
+        return StatementRole(ASSUMPTION, why, "inequality", tuple(item.names))
+    return StatementRole(CLAIM, "an inequality that is claimed", "inequality")
+
+
+def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
+    """What is supposed of constants, in force to the end of the section."""
+    if not item.members or item.derives or known.varying(item.names - {*item.bare}):
+        return None
+    names = [name for name in item.bare if not known.varies(name)]
+    moving = [name for name in item.bare if known.moves(name)]
+    said = supposing(item)
+    if moving and said and is_number(m for m in item.members if not isinstance(m, Name)):
+        if cue("invariant", item.words) or cue("equilibrium", item.words):
+            return None
+        words = f"“{said}” supposes it of what moves"
+        return StatementRole(ASSUMPTION, words, reach(item), tuple(moving))
+    if known.varying(item.names) or not item.names:
+        return None
+    if not names and not said:
+        return None
+    values = all(is_value(m) for m in item.members)
+    if said or (names and (item.typed.inline or values)):
+        brief = cue("for", item.before) or cue("if", item.lead)
+        lasting = cue("lasting", item.before)
+        where = "of the sentence" if item.typed.inline and brief and not lasting else ""
+        why = f"“{said}” supposes it" if said else "gives a constant that was seen before"
+        return StatementRole(ASSUMPTION, why, where, tuple(names) or tuple(sorted(item.names)))
+    return None
+
+
+def value(item: SourceStatement, known: Known) -> StatementRole | None:
+    r"""A value that is supposed of a function, as :math:`(\alpha,\alpha)=1`."""
+    said = cue("suppose", item.lead)
+    if len(item.members) != 2 or item.derives or not said or not item.typed.inline:
+        return None
+    left, right = item.members
+    if is_number([right]) and known.varying(left.names()) and not cue("invariant", item.words):
+        return StatementRole(ASSUMPTION, f"“{said}” supposes it of what moves", reach(item))
+    return None

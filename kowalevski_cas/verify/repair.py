@@ -1,0 +1,58 @@
+"""The corrections of what a run has refuted: what claims share first, then one by one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
+from math import inf
+from typing import Any
+
+from kowalevski_cas.limits import tell, time_limit
+from kowalevski_cas.verify.blame import Blame, Repairs
+from kowalevski_cas.verify.decider import PROVING, Decider
+from kowalevski_cas.verify.outcome import Outcome
+
+Work = Callable[[Callable[[Any], Any], Sequence[Any]], Iterable[Any]]
+"""How something is done for each of several items: here, or in processes of their own."""
+
+
+def blame_of(decider: Decider, outcomes: Sequence[Outcome]) -> Blame:
+    """The search for what makes claims fail, of which these are the outcomes so far."""
+    verdicts = {outcome.claim: outcome.verdict for outcome in outcomes}
+    explained = [outcome.claim for outcome in outcomes if outcome.correction]
+    seconds = decider.patience or (decider.timeout or inf) / 2
+    return Blame(decider.corrector, verdicts, explained, seconds)
+
+
+def repair(
+    decider: Decider, outcomes: Sequence[Outcome], work: Work, blame: Blame
+) -> list[Outcome]:
+    """The outcomes with the corrections that are found in time."""
+    found = {outcome.claim: outcome for outcome in outcomes}
+    if failing := blame.open():
+        (shared,) = work(lambda _: _shared(blame, decider), ["shared"])
+        for id, corrections in shared.items():
+            found[id] = found[id].corrected_by(corrections)
+        left = [claim for claim in failing if claim.id not in shared]
+
+        def alone(place: int) -> Outcome:
+            claim = left[place]
+            tell(claim.id)
+            try:
+                with time_limit(inf):
+                    return decider.correct(claim, found[claim.id], lambda: blame.alone(claim))
+            except (Exception, SystemExit) as error:
+                return decider.broken(claim, error)
+
+        for outcome in work(alone, range(len(left))):
+            found[outcome.claim] = outcome
+    return [*found.values()]
+
+
+def _shared(blame: Blame, decider: Decider) -> Repairs:
+    """What mends several claims, if it is found in the time in which it is to be proved as well."""
+    patience = decider.patience
+    longest = decider.timeout if patience is None else PROVING * patience
+    with suppress(Exception), time_limit(inf), time_limit(longest):
+        return blame.shared()
+    return {}  # what goes wrong with one of the claims is told where it is by itself

@@ -1,0 +1,147 @@
+"""Several systems in one paper: each part of it has a law, and letters of its own."""
+
+import pytest
+
+from kowalevski_cas.reading import CLAIM, DEFINITION, LAW
+from kowalevski_cas.verify.outcome import Verdict
+from tests.reading.test_reading import reading, roles, verdicts
+
+SPRING = r"\section{A spring} The motion is $$\ddot x=-k^2x.$$ "
+LORENZ = r"\section{A flow} Three amplitudes obey $$\dot x=s(y-x),\quad \dot y=-y-xz,\quad \dot z=xy-2sz.$$ "
+
+
+def test_each_section_has_letters_of_its_own():
+    """What is defined in one section is no constant, and no definition, in the next."""
+    first = SPRING + r"Put $s=\dot x^2$ and $z=x^2$. Then \[\dot s=-2k^2x\dot x.\]"
+    found = verdicts(first + LORENZ + r"Put $F=x^2-2sz$. Then \[\dot F=-2sF.\]")
+    assert found == {r"\dot s=-2k^2x\dot x": Verdict.PROVED, r"\dot F=-2sF": Verdict.PROVED}
+
+
+def test_a_name_may_stand_for_something_else_in_the_next_section():
+    first = SPRING + r"The energy $$h=\dot x^2+k^2x^2$$ is an integral. "
+    second = r"\section{A fall} The motion is $$\ddot x=-g.$$ The energy $$h=\dot x^2+2gx$$ is an integral."
+    found = reading(first + second)
+    assert [f.role.name for f in found.formulas].count(CLAIM) == 2
+    assert {*verdicts(first + second).values()} == {Verdict.PROVED}
+
+
+def test_what_one_part_takes_from_another_is_cited():
+    first = r"\section{One} The motion is $$\dot x=y,\quad \dot y=-x.$$ Put \begin{equation}\label{F}F=x^2+y^2.\end{equation} "
+    second = r"\section{Two} The motion is $$\dot x=xy^2,\quad \dot y=-x^2y.$$ "
+    cited = r"For the function (\ref{F}) we have $$\dot F=0.$$"
+    assert verdicts(first + second + cited) == {r"\dot F=0": Verdict.PROVED}
+    false = second.replace("-x^2y", "x^2y") + r"We have $$\dot F=0.$$"
+    assert Verdict.REFUTED not in verdicts(first + false).values()
+
+
+def test_a_claim_may_cite_the_law_of_another_part():
+    first = r"\section{One} The motion is \begin{equation}\label{one}\dot x=y,\quad \dot y=-x.\end{equation}"
+    second = r"\section{Two} The motion is $$\dot x=y,\quad \dot y=x.$$ "
+    both = r"But $x^2+y^2$ is an integral of (\ref{one}), and $x^2-y^2$ is constant."
+    found = verdicts(first + second + both)
+    assert found["x^2+y^2"] is Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    "words", ["Hence we have", "Substituting, we find", "Отсюда имеем", "In view of this"]
+)
+def test_rates_that_follow_set_up_no_system(words):
+    """A misprint in what is derived from the law is refuted, and sets up no law where it holds."""
+    first = r"\section{One} The motion is \begin{equation}\label{1}\dot x=y,\quad \dot y=-x.\end{equation}"
+    cited = r" by (\ref{1})" if words.startswith("In view") else ""
+    found = reading(first + rf"\section{{Two}} {words}{cited} $$\dot x=y,\quad \dot y=2x.$$")
+    assert [formula.role.name for formula in found.formulas] == [LAW, LAW, CLAIM, CLAIM]
+
+
+def test_another_system_may_stand_in_the_same_section():
+    first = (
+        r"\section{One} The motion is $$\dot x=y,\quad \dot y=-x.$$ Then $x^2+y^2$ is constant. "
+    )
+    second = (
+        r"Now consider another system, $$\dot x=y,\quad \dot y=x.$$ Then $x^2-y^2$ is constant."
+    )
+    found = verdicts(first + second)
+    assert found == {"x^2+y^2": Verdict.PROVED, "x^2-y^2": Verdict.PROVED}
+
+
+def test_rates_of_what_is_defined_are_claimed_in_another_section_too():
+    first = r"\section{One} The motion is $$\dot x=xy,\quad \dot y=-x^2.$$ Put $u=x^2$, $v=2y$. "
+    second = r"\section{Two} The system in these is $$\dot u=uv,\quad \dot v=-2u.$$"
+    assert {*verdicts(first + second).values()} == {Verdict.PROVED}
+    false = verdicts(first + second.replace("2u", "3u"))
+    assert not false[r"\dot v=-3u"].green
+
+
+def test_rates_that_are_names_of_expressions_are_no_law():
+    text = r"\section{A} We have $$\ddot r=r\dot\varphi^2-\frac1{r^3},\quad \ddot\varphi=-\frac{2\dot r\dot\varphi}r.$$ "
+    found = roles(text + r"The area integral is $$c=r^2\dot\varphi.$$")
+    assert [*found.values()] == [LAW, LAW, CLAIM]
+    hamilton = r"\section{A} The equations are $$p=m\dot q,\quad \dot p=-kq.$$"
+    assert [*roles(hamilton).values()] == [LAW, LAW]
+
+
+@pytest.mark.parametrize("word", ["mapping", "map", "отображение"])
+def test_primes_of_a_map_are_images_and_no_rates(word):
+    first = r"\section{A} The motion is $$\dot x=y,\quad \dot y=-x.$$ "
+    second = rf"\section{{B}} A {word} of the plane is given by $$x'=y,\quad y'=-x.$$"
+    assert [*roles(first + second).values()].count(LAW) == 2
+    assert Verdict.REFUTED not in verdicts(first + second).values()
+
+
+def test_a_letter_is_the_time_only_where_something_is_derived_by_it():
+    first = r"\section{A} The motion is $$\dot x=-x.$$ With the new time $s=2t$ we have $$\frac{dx}{ds}=-\frac12x.$$ "
+    second = (
+        r"\section{B} The motion is $$\dot q=p,\quad \dot p=-q.$$ Put $s=q-p$. Then $$\dot s=p+q.$$"
+    )
+    assert roles(first + second)["s=q-p"] == DEFINITION
+    assert verdicts(first + second)[r"\dot s=p+q"] is Verdict.PROVED
+
+
+def test_e_is_a_number_where_it_is_only_raised():
+    text = r"\section{A} The motion is $$\ddot q=-e^q.$$ The energy $$H=\dot q^2+2e^q$$ is an integral."
+    assert verdicts(text) == {r"H=\dot q^2+2e^q": Verdict.PROVED}
+    charge = r"\section{A} The motion is $$\ddot q=-eEq.$$ The energy $$H=\dot q^2+eEq^2$$ is an integral."
+    assert {*verdicts(charge).values()} == {Verdict.PROVED}
+
+
+def test_a_name_in_a_law_may_be_defined_in_its_sentence():
+    law = r"\section{A} The equations are $$\ddot x=-\frac{x}{\rho^3},\quad \ddot y=-\frac{y}{\rho^3},\quad \rho^2=x^2+y^2.$$ "
+    found = verdicts(law + r"The integral is $$h=\dot x^2+\dot y^2-\frac2\rho.$$")
+    assert {*found.values()} <= {Verdict.PROVED, Verdict.CONDITIONAL} and found
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"On the plane $x=y$ one finds",
+        r"Near the origin",
+        r"In the second case we have",
+        r"В этом случае имеем",
+    ],
+)
+def test_what_is_said_of_a_place_or_a_case_is_not_red(words):
+    first = r"\section{A} The motion is $$\dot x=y^2,\quad \dot y=yx.$$ "
+    assert Verdict.REFUTED not in verdicts(first + words + r" $\dot x=x^2$.").values()
+    assert Verdict.REFUTED in verdicts(first + r"Hence $\dot x=x^2$.").values()
+
+
+def test_what_is_given_by_no_definition_that_was_read_is_no_constant():
+    """Two equations give u and v together; nobody solves them for one."""
+    first = r"\section{A} The motion is $$\dot x=y,\quad \dot y=-x.$$ "
+    pair = r"We introduce $$x=u+v,\quad y^2=uv.$$ Then $$\frac{d(uv)}{dt}=-2xy.$$"
+    assert Verdict.REFUTED not in verdicts(first + pair).values()
+
+
+def test_a_case_that_a_definition_names_is_not_left_aside_for_a_red():
+    first = r"\newtheorem{defn}{Definition}\section{Case of Li} The motion is $$\dot x=ay,\quad \dot y=-bx.$$ "
+    case = r"\begin{defn}The case of Li is that in which \[a=b.\]\end{defn} "
+    claimed = r"\begin{theorem}In the case of Li $x^2+y^2$ is constant.\end{theorem}"
+    assert Verdict.REFUTED not in verdicts(first + case + claimed).values()
+    assert Verdict.REFUTED in verdicts(first + claimed.replace("In the case of Li", "")).values()
+
+
+def test_an_integral_is_refuted_under_what_its_theorem_supposes():
+    text = r"\section{A} The motion is $$\dot x=ay+c,\quad \dot y=-bx.$$ "
+    case = text + r"\begin{theorem}Let $a=b$ and $c=0$. Then $x^2+2y^2$ is constant.\end{theorem}"
+    assert {*verdicts(case).values()} == {Verdict.REFUTED}
+    assert {*verdicts(case.replace("2y^2", "y^2")).values()} == {Verdict.PROVED}
