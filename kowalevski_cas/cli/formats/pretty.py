@@ -180,8 +180,9 @@ class AuditText:
         if causes := audit.session.causes.places.get(outcome.claim, ()):
             named = ", ".join(audit.located(cause.place) for cause in causes)
             why = f"; because of {named}"
+        shown = f"{outcome.claim} is refuted" if audit.reading is None else "refuted in words"
         yield from self._finding(
-            f"{place}{outcome.claim} is refuted: {outcome.words}{why}", outcome.formulas,
+            f"{place}{shown}: {outcome.words}{why}", outcome.formulas,
             outcome.source, (outcome.correction, *outcome.alternatives), outcome.counterexample,
         )  # fmt: skip
 
