@@ -51,9 +51,11 @@ class MathML(Printer):
         while dots:
             text = _over(text, _DOTS[min(dots, 4)])
             dots -= min(dots, 4)
-        text += primes
         index = "".join(map(_atom, parts.indices))
-        return f"<msub>{_one(text)}{_one(index)}</msub>" if index else text
+        if not index:
+            return text + primes
+        text += f'<mpadded width="0">{primes}</mpadded>' if primes else ""
+        return f"<msub>{_one(text)}{_one(index)}</msub>"
 
     def sign(self, sign: str) -> str:
         return f"<mo>{escape(SIGNS[sign])}</mo>"
@@ -78,14 +80,17 @@ class MathML(Printer):
         return f"<mfrac>{_one(above)}{_one(below)}</mfrac>"
 
     def superscript(self, base: str, exponent: str) -> str:
-        """A power; that of a letter with an index stands above the index."""
+        """A power; it stands above an index, and at the height of the bracket before it."""
         if base.startswith("<msub>") and base.find("</msub>") == len(base) - len("</msub>"):
             inner = base.removeprefix("<msub>").removesuffix("</msub>")
             return f"<msubsup>{inner}{_one(exponent)}</msubsup>"
+        if base.startswith(f"<mrow><mo{_AS_IT_IS}>"):
+            inner, bracket = base.removesuffix("</mrow>").rsplit("<mo", 1)
+            return f"{inner}<msup><mo{bracket}{_one(exponent)}</msup></mrow>"
         return f"<msup>{_one(base)}{_one(exponent)}</msup>"
 
     def with_primes(self, argument: Formula, order: int) -> str:
-        """Primes as letters behind the letter, before its index: fonts raise them by themselves."""
+        """Primes as letters above the index, which has no room for them: fonts raise them."""
         primes = f'<mo lspace="0" rspace="0">{self.prime * order}</mo>'
         if isinstance(argument, Name):
             return self._name(argument, primes=primes)
