@@ -23,8 +23,9 @@ from matplotlib.ticker import FuncFormatter
 from sympy import QQ, Poly, groebner, symbols
 from sympy.polys.matrices import DomainMatrix
 
+from kowalevski_cas.algebra.elimination import PRIME
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_flint
-from kowalevski_cas.algebra.kernels import PRIME, kernel, residue
+from kowalevski_cas.algebra.kernels import kernel, residue
 from kowalevski_cas.algebra.polynomials import primitive
 from kowalevski_cas.limits import time_limit
 from kowalevski_cas.paper.derivation import Derivation

@@ -53,8 +53,9 @@ class Findings:
 
     @cached_property
     def refuted(self) -> tuple[Outcome, ...]:
-        """What is false as it is stated."""
-        return tuple(o for o in self.outcomes if o.verdict is Verdict.REFUTED)
+        """What is false as it is stated, though nobody expects it to be."""
+        found = (o for o in self.outcomes if o.verdict is Verdict.REFUTED)
+        return tuple(o for o in found if o not in self.denied)
 
     @cached_property
     def slips(self) -> tuple[Slip, ...]:
@@ -64,19 +65,14 @@ class Findings:
 
     @cached_property
     def false(self) -> tuple[Outcome, ...]:
-        """What is false, no misprint, and not expected to be false."""
-        slips = {outcome.claim for slip in self.slips for outcome in slip}
-        known = {outcome.claim for outcome in self.denied}
-        return tuple(o for o in self.refuted if o.claim not in slips | known)
+        """What is false and no misprint."""
+        return tuple(o for o in self.refuted if not (o.correction and o.correction.edit))
 
     @cached_property
     def denied(self) -> tuple[Outcome, ...]:
         """What is false as the derivation itself expects."""
-        return tuple(
-            o for o in self.refuted
-            if self.expected.get(o.claim) == o.verdict
-            and not (o.correction and o.correction.edit)
-        )  # fmt: skip
+        found = (o for o in self.outcomes if o.verdict is Verdict.REFUTED)
+        return tuple(o for o in found if self.expected.get(o.claim) == o.verdict)
 
     @cached_property
     def lacking(self) -> tuple[Outcome, ...]:
@@ -168,9 +164,10 @@ class Findings:
         elif outcome.message:
             shown.append(Paragraph(self.phrases.sentence(outcome.message)))
         correction = outcome.correction
+        if outcome in self.denied:
+            return Judgement(outcome.verdict, "", head, blocks=tuple(shown))
         if correction is None:
-            if outcome not in self.denied:
-                head = (*head, " No true statement was found near it.")
+            head = (*head, " No true statement was found near it.")
             return Judgement(outcome.verdict, "", head, blocks=tuple(shown))
         head = (*head, " ", Emphasis(("Correct:",)), " ", *self.phrases.words(correction.words))
         if correction.conditions:

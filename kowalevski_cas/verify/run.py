@@ -224,10 +224,8 @@ class Session:
 
         ``blame`` searches for what makes claims fail, instead of the search that suits the run.
         """
-        refuted = [o.claim for o in outcomes if o.verdict is Verdict.REFUTED and not o.correction]
-        expected = self.derivation.expected
-        if all(expected.get(claim) == Verdict.REFUTED for claim in refuted):
+        if not any(o.verdict is Verdict.REFUTED and not o.correction for o in outcomes):
             return [*outcomes]
-        from kowalevski_cas.verify.repair import blame_of, repair  # what is explained needs none
+        from kowalevski_cas.verify.repair import blame_of, repair  # what is corrected needs none
 
         return repair(self.decider, outcomes, work, blame or blame_of(self.decider, outcomes))
