@@ -50,9 +50,9 @@ def answers(work: Work[Answer], take: Take, heard: Heard) -> Generator[Answer, N
             _send(there)
         pid = pickle.load(stream)
         try:
-            stream.write(_packed(work))
+            stream.write(_pickle_whole(work))
             stream.flush()
-            while (message := _received(stream))[0] != "end":
+            while (message := _receive(stream))[0] != "end":
                 match message:
                     case "take", number:
                         pickle.dump(take(number), stream)
@@ -71,7 +71,7 @@ def answers(work: Work[Answer], take: Take, heard: Heard) -> Generator[Answer, N
                     pass
 
 
-def _received(stream: BufferedRWPair) -> tuple[Any, ...]:
+def _receive(stream: BufferedRWPair) -> tuple[Any, ...]:
     try:
         message: tuple[Any, ...] = pickle.load(stream)
     except (EOFError, ConnectionError):
@@ -79,7 +79,7 @@ def _received(stream: BufferedRWPair) -> tuple[Any, ...]:
     return message
 
 
-def _packed(work: object) -> bytes:
+def _pickle_whole(work: object) -> bytes:
     """The work as bytes; what no other process could import is sent whole."""
     import cloudpickle
 

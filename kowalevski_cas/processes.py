@@ -23,7 +23,7 @@ from traceback import format_exc
 from typing import Generic, TypeVar
 
 from kowalevski_cas import forkserver
-from kowalevski_cas.limits import LENGTH, ProcessDied, Watched, begin, watched
+from kowalevski_cas.limits import LENGTH, ProcessDied, Watched, begin, is_watched
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -166,7 +166,7 @@ class _Process(Generic[Item, Result]):
                 os._exit(1)  # whatever happens, a copy does not go on with what the original does
         os.close(told)
         os.close(asked)
-        if not watched():
+        if not is_watched():
             os.setpgid(self.pid, self.pid)  # a group of its own, which ends with it
 
     def give(self, place: int, item: Item) -> None:
@@ -229,7 +229,7 @@ class _Process(Generic[Item, Result]):
     def send(self, number: signal.Signals) -> None:
         """Send a signal to the process, and to those that it has begun."""
         with suppress(ProcessLookupError):
-            (os.kill if watched() else os.killpg)(self.pid, number)
+            (os.kill if is_watched() else os.killpg)(self.pid, number)
 
     def tidy(self) -> None:
         """Let the process take away what it has written for the time of its work."""

@@ -15,7 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kowalevski_cas.cli.exits import CommandError
-from kowalevski_cas.limits import ProcessDied, tell, time_limit, watched
+from kowalevski_cas.limits import ProcessDied, is_watched, tell, time_limit
 from kowalevski_cas.processes import each
 
 SHORT, LONG = 0.1, 60
@@ -97,7 +97,7 @@ def test_results_come_in_the_order_of_the_items():
 
 def test_items_are_done_in_processes_that_are_watched():
     assert os.getpid() not in each(lambda _: os.getpid(), range(3))
-    assert not watched() and one(watched)
+    assert not is_watched() and one(is_watched)
 
 
 def test_a_process_that_is_done_with_an_item_takes_another():

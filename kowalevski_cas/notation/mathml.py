@@ -6,14 +6,19 @@ import re
 from collections.abc import Iterable, Sequence
 from html import escape
 
+from kowalevski_cas.notation.brackets import is_unmarked
 from kowalevski_cas.notation.formula import Conjugate, Formula, Name, Number
 from kowalevski_cas.notation.printer import Printer
-from kowalevski_cas.notation.unicode import SIGNS, styled_letter, symbol
+from kowalevski_cas.notation.unicode import SIGNS, glyphs, styled_letter
 
-_ACCENTS = {r"\hat": "^", r"\tilde": "~", r"\check": "ˇ", r"\vec": "→", r"\dot": "˙", r"\ddot": "¨"}
+_ACCENTS = {
+    r"\hat": "^", r"\tilde": "~", r"\check": "ˇ", r"\vec": "→", r"\dot": "˙", r"\ddot": "¨",
+    r"\dddot": "⃛",
+}  # fmt: skip
 _DOTS = {1: "˙", 2: "¨", 3: "⃛", 4: "⃜"}
 _ATOM = re.compile(r"<(m[ion])>[^<]*</\1>")
 _TALL = re.compile("<m(frac|table|underover)")
+_PRIMES = '<mo lspace="0" rspace="0">{}</mo>'
 _AS_IT_IS = ' stretchy="false"'
 
 
@@ -42,17 +47,21 @@ class MathML(Printer):
 
     def _name(self, formula: Name, dots: int = 0, primes: str = "") -> str:
         """A letter under dots, with primes and its index."""
-        parts = symbol(formula.name)
+        parts = glyphs(formula.name)
         upright = parts.font == r"\mathrm" and len(parts.letter) == 1
         letter = escape(styled_letter(parts.letter, parts.font))
         text = f'<mi mathvariant="normal">{letter}</mi>' if upright else f"<mi>{letter}</mi>"
-        if parts.font in _ACCENTS:
-            text = _over(text, _ACCENTS[parts.font])
+        for accent in reversed(parts.accents):
+            text = _over(text, _ACCENTS[accent])
         while dots:
             text = _over(text, _DOTS[min(dots, 4)])
             dots -= min(dots, 4)
-        text += primes
-        index = "".join(map(_atom, parts.indices))
+        text += primes or (parts.primes and _PRIMES.format(parts.primes))
+        index, star = "".join(map(_atom, parts.indices)), f"<mo>{parts.star}</mo>"
+        if parts.star and index:
+            return f"<msubsup>{_one(text)}{_one(index)}{star}</msubsup>"
+        if parts.star:
+            return f"<msup>{_one(text)}{star}</msup>"
         return f"<msub>{_one(text)}{_one(index)}</msub>" if index else text
 
     def sign(self, sign: str) -> str:
@@ -86,8 +95,8 @@ class MathML(Printer):
 
     def with_primes(self, argument: Formula, order: int) -> str:
         """Primes as letters behind the letter, before its index: fonts raise them by themselves."""
-        primes = f'<mo lspace="0" rspace="0">{self.prime * order}</mo>'
-        if isinstance(argument, Name):
+        primes = _PRIMES.format(self.prime * order)
+        if isinstance(argument, Name) and is_unmarked(argument):
             return self._name(argument, primes=primes)
         return self.in_brackets(self(argument)) + primes
 
