@@ -21,10 +21,10 @@ def state_by_angles(motion: MotionO4) -> list[arb]:
     halves = [ball(angle) / 2 for angle in motion.angles]
     point = PhasePointO4(motion.parameters, motion.regime, motion.signs, lambda x: x, arb.sqrt)
     first, second = ((half.cos(), half.sin()) for half in halves)
-    return _turned_back(motion, list(point(first, second)))
+    return _turn_back(motion, list(point(first, second)))
 
 
-def _turned_back(motion: MotionO4, state: list[arb]) -> list[arb]:
+def _turn_back(motion: MotionO4, state: list[arb]) -> list[arb]:
     """The state in the fields as they were given."""
     cos, sin = motion.turn
     return rotate(state, ball(cos), ball(-sin)) if sin else state
@@ -50,13 +50,13 @@ class SolutionO4:
         turns = [(phase / turn).mid().floor() for phase in phases]
         aim -= self._means * arb_mat([[turn * count] for count in turns])
         near = [[float(phase - turn * k)] for phase, k in zip(phases, turns, strict=True)]
-        angles = self._enclosed(self._floats.angles(np.array(near))[:, 0].tolist(), aim)
+        angles = self._enclose(self._floats.angles(np.array(near))[:, 0].tolist(), aim)
         # After a turn the functions of half the angle have the other sign.
         (sin_1, cos_1), (sin_2, cos_2) = (
             ((angle + turn * count) / 2).sin_cos()
             for angle, count in zip(angles, turns, strict=True)
         )
-        return _turned_back(self._motion, list(self._point((cos_1, sin_1), (cos_2, sin_2))))
+        return _turn_back(self._motion, list(self._point((cos_1, sin_1), (cos_2, sin_2))))
 
     def _integrals(self, angles: Sequence[arb]) -> arb_mat:
         """Both integrals, a column."""
@@ -75,7 +75,7 @@ class SolutionO4:
             columns.append([sign * value for value in values])
         return arb_mat(columns).transpose()
 
-    def _enclosed(self, start: Sequence[float], aim: arb_mat) -> list[arb]:
+    def _enclose(self, start: Sequence[float], aim: arb_mat) -> list[arb]:
         """The angles where the integrals are those aimed at.
 
         Newton's method, as long as its steps shrink, and then an interval Newton step: if it

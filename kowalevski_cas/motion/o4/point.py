@@ -158,7 +158,7 @@ class PhasePointO4:
         self._for_point = s, tau, r
         self._signs, self._root = signs, root
         self._squares, self._parts, self._point = (
-            formulas.offered_values(name, HyperellipticForm)
+            formulas.values_of_offer(name, HyperellipticForm)
             for name in ("squares", "parts", "phase_point")
         )
 

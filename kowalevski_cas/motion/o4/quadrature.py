@@ -61,7 +61,7 @@ class Quadratures:
         rest = phases - self.phases(found)
         for _ in range(STEPS):
             step = self._step(found[:, left], rest)
-            step, rest = self._damped(found[:, left], step, rest, phases[:, left])
+            step, rest = self._damp(found[:, left], step, rest, phases[:, left])
             found[:, left] += step
             more = np.hypot(*step) > NEAR
             left, rest = left[more], rest[:, more]
@@ -72,7 +72,7 @@ class Quadratures:
             "farther from those where the tori of O⁴ degenerate would do"
         )
 
-    def _damped(self, start: Array, step: Array, rest: Array, aim: Array) -> tuple[Array, Array]:
+    def _damp(self, start: Array, step: Array, rest: Array, aim: Array) -> tuple[Array, Array]:
         """The step, or as much of it as diminishes the rest, and what then is left."""
         before, after = np.hypot(*rest), aim - self.phases(start + step)
         for _ in range(STEPS):

@@ -66,7 +66,7 @@ class DifferentialSeries:
     def means(self) -> list[arb]:
         """The means of both differentials."""
         return [
-            sum(values, arb(0)) / len(values) + self._missing(place, 0)
+            sum(values, arb(0)) / len(values) + self._error_ball(place, 0)
             for place, values in enumerate(zip(*self._values, strict=True))
         ]
 
@@ -85,7 +85,7 @@ class DifferentialSeries:
         transform = arb_mat.dct(count) * arb_mat([list(pair) for pair in self._values])
         scale = (arb(2) / count).sqrt()
         terms = [
-            [(scale * transform[k, place] + self._missing(place, k)) / k for place in (0, 1)]
+            [(scale * transform[k, place] + self._error_ball(place, k)) / k for place in (0, 1)]
             for k in range(1, count)
         ]
         beyond = 2 * (-count * self._width).exp() / (1 - (-self._width).exp()) / count
@@ -100,7 +100,7 @@ class DifferentialSeries:
 
         return series
 
-    def _missing(self, place: int, k: int) -> arb:
+    def _error_ball(self, place: int, k: int) -> arb:
         """A ball for the error of a coefficient."""
         count = len(self._values)
         last = (-(2 * count - k) * self._width).exp() / (1 - (-2 * count * self._width).exp())

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, formulas, load
-from kowalevski_cas.motion.formulas import offered_values
+from kowalevski_cas.motion.formulas import values_of_offer
 from kowalevski_cas.motion.methods.ball import enclosures
 from kowalevski_cas.motion.o4.point import PhasePointO4, VariableO4
 from kowalevski_cas.motion.o4.series import DifferentialSeries
@@ -54,7 +54,7 @@ def test_floats_are_as_exact_as_balls_at_any_time(known):
 @regime
 def test_the_integrals_and_the_constants_of_O4_are_kept(known):
     moving = motion(known)
-    values = offered_values("integrals")(*closed(moving, T).T)
+    values = values_of_offer("integrals")(*closed(moving, T).T)
     found = dict(zip(("h", "k", "a2", "b2", "c", "g"), values, strict=False))
     a, b, *_ = map(float, known)
     expected = {**moving.constants, "a2": a**2, "b2": b**2, "c": 0.0}

@@ -8,7 +8,7 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, MotionO4, ParametersO4, load
-from kowalevski_cas.motion.formulas import offered_values
+from kowalevski_cas.motion.formulas import values_of_offer
 from kowalevski_cas.motion.o4.point import VariableO4
 from kowalevski_cas.motion.o4.regimes import regime_of
 from kowalevski_cas.motion.o4.start import on_O4
@@ -63,13 +63,13 @@ def test_inside_the_arcs_the_squares_are_positive_and_at_the_ends_one_vanishes(k
             variable.pair((np.cos(x / 2) ** 2, np.sin(x / 2) ** 2))
             for variable, x in ((one, first), (two, second))
         )
-        mu1, *_ = offered_values("squares", HyperellipticForm)(
+        mu1, *_ = values_of_offer("squares", HyperellipticForm)(
             n1 / v1, n, v, 0, 0, s, tau, r, sigma, kappa
         )
         hat = (n**2 - sigma * v**2) / tau
         roots = abs(mu1) ** 0.5, -(abs(hat) ** 0.5)
         return np.array(
-            offered_values("squares", HyperellipticForm)(
+            values_of_offer("squares", HyperellipticForm)(
                 n1 / v1, n, v, *roots, s, tau, r, sigma, kappa
             )
         )
