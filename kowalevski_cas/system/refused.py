@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Container, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Vocabulary, read, to_latex
 from kowalevski_cas.notation.cursor import Cursor
-from kowalevski_cas.notation.errors import letter_and_index
 from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.open import OpenParser
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.claims.forms import moving
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
@@ -70,14 +71,14 @@ def check_marks(formulas: Iterable[Formula]) -> None:
 
 def check_indices(names: Sequence[str], moving: Collection[str] = ()) -> None:
     """Refuse an index that may stand for numbers which other indices are."""
-    letters = {name: letter_and_index(name) for name in names}
-    running = {low for one in moving if _INDEX.fullmatch(low := letter_and_index(one)[1])}
-    for name, (letter, low) in letters.items():
+    symbols = {name: symbol(name) for name in names}
+    running = {low for one in moving if _INDEX.fullmatch(low := symbol(one).index)}
+    for name, (head, low) in ((name, (one.head, one.index)) for name, one in symbols.items()):
         if _PERMUTATION.fullmatch(name):
             raise ValueError(f"{name} is a name here: write a vector product, or the terms")
         if _NEXT.fullmatch(low):
             raise ValueError(f"{name} has an index that runs: print {low[0]}=1,2,3 behind")
-        beside = {index for other, index in letters.values() if other == letter and index != low}
+        beside = {one.index for one in symbols.values() if one.head == head and one.index != low}
         if not _INDEX.fullmatch(low):
             if running & {*low} and _SEVERAL.fullmatch(low):
                 raise ValueError(f"{name} has indices that run: {_SUM.format(low[-1])}")
@@ -85,7 +86,7 @@ def check_indices(names: Sequence[str], moving: Collection[str] = ()) -> None:
             raise ValueError(f"{name} stands beside names with numbers: print {low}=1,2,3 behind")
         elif running and any(map(_INDEX.fullmatch, beside)):
             other = min(one for one in beside if _INDEX.fullmatch(one))
-            raise ValueError(f"{name} stands beside {letter}_{other}: {_SUM.format(low)}")
+            raise ValueError(f"{name} stands beside {head}_{other}: {_SUM.format(low)}")
 
 
 def check_unit(names: Collection[str]) -> None:
@@ -105,15 +106,27 @@ def check_words(tex: str) -> None:
         raise ValueError(f"“{word}” is a product of letters here: {instead}")
 
 
+def check_stars(constants: Iterable[str], others: Container[str]) -> None:
+    """Refuse a star by which a conjugate may be meant: it would be a constant."""
+    for name in constants:
+        plain = replace(symbol(name), star="").name
+        if plain != name and plain in others:
+            low = replace(symbol(plain), index="*").name
+            raise ValueError(
+                rf"{name} is a constant here: print \overline{{{plain}}} for the conjugate of "
+                f"{plain}, and {low} for a constant"
+            )
+
+
 def check_derivatives(
     constants: Sequence[str], defined: Container[str], moving: Container[str]
 ) -> None:
     """Refuse an index that says by what a function is derived: it would be a constant."""
     for name in constants:
-        letter, by = letter_and_index(name)
-        if letter in defined and by in moving:
+        head, by = symbol(name).head, symbol(name).index
+        if head in defined and by in moving:
             raise ValueError(
-                rf"{name} is a name here: print \partial {letter}/\partial {by}, or rename it"
+                rf"{name} is a name here: print \partial {head}/\partial {by}, or rename it"
             )
 
 
