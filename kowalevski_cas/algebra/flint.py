@@ -88,7 +88,7 @@ class Arithmetic(Polynomials):
 
 
 def _restored(names: tuple[str, ...], order: str, terms: Terms) -> fmpq_mpoly:
-    return polynomial_of(fmpq_mpoly_ctx.get(names, Ordering(order)), terms)
+    return polynomial_of(_context(names, order), terms)
 
 
 def _plain(polynomial: fmpq_mpoly) -> tuple[Any, ...]:
@@ -96,4 +96,10 @@ def _plain(polynomial: fmpq_mpoly) -> tuple[Any, ...]:
     return _restored, (context.names(), context.ordering().value, terms_of(polynomial))
 
 
-copyreg.pickle(fmpq_mpoly, _plain)  # polynomials are sent from process to process
+def _context(names: tuple[str, ...], order: str) -> fmpq_mpoly_ctx:
+    return fmpq_mpoly_ctx.get(names, Ordering(order))
+
+
+# Polynomials, and what holds them, are sent from process to process.
+copyreg.pickle(fmpq_mpoly, _plain)
+copyreg.pickle(fmpq_mpoly_ctx, lambda one: (_context, (one.names(), one.ordering().value)))

@@ -28,8 +28,8 @@ from kowalevski_cas.notation import (
     to_latex,
 )
 from kowalevski_cas.notation.cursor import is_word
-from kowalevski_cas.notation.errors import name_of_rate
 from kowalevski_cas.notation.open import OpenParser, independent, words_that_move
+from kowalevski_cas.notation.symbol import name_of_rate
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.names import BRACKET, head, is_bold, summation_indices
@@ -43,6 +43,7 @@ from kowalevski_cas.system.refused import (
     check_indices,
     check_marks,
     check_motion,
+    check_stars,
 )
 from kowalevski_cas.system.vectors import Vectors, bold, names_only, vectors_of
 
@@ -96,6 +97,7 @@ def moving_by(display: Display, name: str, vectors: Vectors, declared: Names = (
     constants = tuple(one for one in parts if one not in variables and one not in defined)
     check_indices((*variables, *constants))
     check_derivatives(constants, defined, moving)
+    check_stars(constants, {*variables, *constants, *defined})
     title, time = name or "the system", min(words.times)
     scene = Scene(title, vectors, variables, constants, laws, time)
     for place in others:

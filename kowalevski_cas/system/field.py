@@ -15,7 +15,7 @@ from kowalevski_cas.notation import Formula, defined_names, read, read_display, 
 from kowalevski_cas.paper.claims import Claim, FirstIntegral
 from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.texts import Display, Printed
+from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.answers import Function, SystemClaim, in_html
 from kowalevski_cas.system.equations import (
@@ -63,7 +63,7 @@ class Field:
         self.special: tuple[Display, ...] = ()
         """What is supposed of the constants."""
         self.prefix = f"{name}-" if name else ""
-        self.section = Section(name or "1", "")
+        self.section = Section(name or "1", "", copied=None)
         MADE.append(self.section)
         tex = field if isinstance(field, str) else self._rows(field)
         words = [*self.symbols]
@@ -144,7 +144,7 @@ class Field:
                 if any(one.names for one in defined_names(tex))
                 else solve_for_constant(tex, scene) or tex
             )
-            place = self._place("where", tex, "supposed")
+            place = self._place("where", tex, IN_WORDS)
             constants, scene = scene.constants, restricted(scene, place)
             check_constant(scene, place, constants)
             scene = rooted(scene, place.display)
@@ -190,11 +190,8 @@ class Field:
         if expect and expect not in {*Verdict}:
             raise ValueError(f"expect “{expect}”: a verdict is one of {', '.join(Verdict)}")
 
-        cofactor = finding.attributes.get("cofactor")
-
         def placed(formula: Tex) -> Printed:
-            beside = "the cofactor" if formula == cofactor else "supposed"
-            return self._place(id, formula, beside if finding.tex not in ("", formula) else "")
+            return self._place(id, formula, IN_WORDS if finding.tex not in ("", formula) else "")
 
         if self.special:
             special = ", ".join(f"${display.tex}$" for display in self.special)

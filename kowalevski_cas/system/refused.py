@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Container, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Vocabulary, read, to_latex
 from kowalevski_cas.notation.cursor import Cursor
-from kowalevski_cas.notation.errors import letter_and_index
 from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.open import OpenParser
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.claims.forms import moving
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
@@ -65,13 +66,25 @@ def check_indices(names: Sequence[str]) -> None:
     for name in names:
         if _PERMUTATION.fullmatch(name):
             raise ValueError(f"{name} is a name here: write a vector product, or the terms")
-        letter, low = letter_and_index(name)
+        head, low = symbol(name).head, symbol(name).index
         if _NEXT.fullmatch(low):
             raise ValueError(f"{name} has an index that runs: print {low[0]}=1,2,3 behind")
         if _INDEX.fullmatch(low) and any(
-            other == letter and index.isdigit() for other, index in map(letter_and_index, names)
+            other.head == head and other.index.isdigit() for other in map(symbol, names)
         ):
             raise ValueError(f"{name} stands beside names with numbers: print {low}=1,2,3 behind")
+
+
+def check_stars(constants: Iterable[str], others: Container[str]) -> None:
+    """Refuse a star by which a conjugate may be meant: it would be a constant."""
+    for name in constants:
+        plain = replace(symbol(name), star="").name
+        if plain != name and plain in others:
+            low = replace(symbol(plain), index="*").name
+            raise ValueError(
+                rf"{name} is a constant here: print \overline{{{plain}}} for the conjugate of "
+                f"{plain}, and {low} for a constant"
+            )
 
 
 def check_derivatives(
@@ -79,10 +92,10 @@ def check_derivatives(
 ) -> None:
     """Refuse an index that says by what a function is derived: it would be a constant."""
     for name in constants:
-        letter, by = letter_and_index(name)
-        if letter in defined and by in moving:
+        head, by = symbol(name).head, symbol(name).index
+        if head in defined and by in moving:
             raise ValueError(
-                rf"{name} is a name here: print \partial {letter}/\partial {by}, or rename it"
+                rf"{name} is a name here: print \partial {head}/\partial {by}, or rename it"
             )
 
 

@@ -71,13 +71,16 @@ class System(Field):
 
     def implication(self, equation: Tex, given: Texs, expect: str = "") -> SystemClaim:
         """An equation holds wherever the given ones do."""
-        says = "this holds wherever what is given does"
-        return self.states(Implication, "implication", says, expect, equation, given=several(given))
+        given = several(given)
+        says = f"this holds wherever {self._listed(given)}"
+        return self.states(Implication, "implication", says, expect, equation, given=given)
 
     def integral(self, formula: Tex, given: Texs = (), expect: str = "") -> SystemClaim:
         """A function is constant along every motion, perhaps on an invariant set only."""
-        says = "this is constant along every motion"
-        return self.states(FirstIntegral, "integral", says, expect, formula, given=several(given))
+        given = several(given)
+        where = f" on the set where {self._listed(given)}" if given else ""
+        says = f"this is constant along every motion{where}"
+        return self.states(FirstIntegral, "integral", says, expect, formula, given=given)
 
     def invariant(self, *relations: Tex, expect: str = "") -> SystemClaim:
         """No motion leaves the set on which these hold; a function stands for its zeros."""

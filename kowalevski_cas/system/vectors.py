@@ -16,8 +16,8 @@ from kowalevski_cas.notation import (
     defined_names,
     read,
 )
-from kowalevski_cas.notation.errors import letter_and_index
 from kowalevski_cas.notation.open import OpenParser, bold_names
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.texts import Display, Printed
 
 Parts = tuple[str, ...]
@@ -51,7 +51,7 @@ def vectors_of(display: Display, known: Vectors, words: Vocabulary) -> dict[str,
     for name in sorted(new - found.keys()):
         rows = (f for f in formulas if isinstance(f, Relation) and Name(name) in f.members)
         size = next((size for row in rows for size in _sizes(row, found)), 3 * spatial)
-        numbered = [_component(name, k) for k in range(1, 10)]
+        numbered = [symbol(name).component(k).name for k in range(1, 10)]
         printed = next(k for k, one in enumerate(numbered) if one not in names)
         if size or printed > 1:
             found[name] = tuple(numbered[: size or printed])
@@ -91,10 +91,3 @@ def _sizes(formula: Formula, known: Vectors) -> Iterator[int]:
             yield len(node.components)
         elif isinstance(node, Name) and node.name in known:
             yield len(known[node.name])
-
-
-def _component(name: str, number: int) -> str:
-    r"""A component of a vector, as ``\omega_1`` of ``\boldsymbol{\omega}``."""
-    letter, index = letter_and_index(name)
-    letter, index = letter[letter.index("{") + 1 : -1], f"{index}{number}"
-    return f"{letter}_{index}" if len(index) == 1 else f"{letter}_{{{index}}}"
