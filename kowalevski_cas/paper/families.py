@@ -107,7 +107,7 @@ class Imaginary(NamedTuple):
         return {letter: self.kind.formula(tex, self.real.values) for letter, tex in euler.items()}
 
 
-class Known(NamedTuple):
+class PrintedValue(NamedTuple):
     """The generators of a family at a constant where their values are printed."""
 
     argument: Formula

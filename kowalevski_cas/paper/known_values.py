@@ -8,7 +8,7 @@ from fractions import Fraction
 from kowalevski_cas.notation import Application, Formula, Number, Power, to_latex
 from kowalevski_cas.notation.functions import MEANING
 from kowalevski_cas.paper.arguments import Combination, Monomial, multiple, names_in, product_of
-from kowalevski_cas.paper.families import Kind, Known, kind_of
+from kowalevski_cas.paper.families import Kind, PrintedValue, kind_of
 from kowalevski_cas.problem.space import Meaningless
 
 Place = tuple[Kind, Monomial]
@@ -43,7 +43,7 @@ class KnownValues:
             yield from names_in(monomial)
             yield from (name for one in kind.parameters for name in one.names())
 
-    def multiple(self, place: Place, factor: Fraction) -> tuple[Known, int]:
+    def multiple(self, place: Place, factor: Fraction) -> tuple[PrintedValue, int]:
         """The values of which those at a multiple of a constant are made, and how often."""
         (kind, monomial), values = place, self.values[place]
         parts = [one for one in values if (factor / one).denominator == 1]
@@ -51,10 +51,10 @@ class KnownValues:
         argument = _times(nearest, monomial)
         if values.get(nearest, {}).keys() != kind.family.rates.keys():
             raise Meaningless(f"print all values at {to_latex(argument)}")
-        return Known(argument, values[nearest]), int(factor / nearest)
+        return PrintedValue(argument, values[nearest]), int(factor / nearest)
 
     def equations(
-        self, at: Callable[[Kind, Sequence[tuple[Known, int]]], dict[str, Formula]]
+        self, at: Callable[[Kind, Sequence[tuple[PrintedValue, int]]], dict[str, Formula]]
     ) -> Iterator[tuple[Formula, Formula]]:
         """What the values obey: the relations of the functions, and their addition theorems.
 
@@ -68,7 +68,7 @@ class KnownValues:
                     yield Power(own[letter], Number(2)), kind.formula(tex, own)
                 for part in values:
                     if part != factor and (factor / part).denominator == 1:
-                        there = Known(_times(part, monomial), values[part])
+                        there = PrintedValue(_times(part, monomial), values[part])
                         made = at(kind, [(there, int(factor / part))])
                         yield from ((own[letter], made[letter]) for letter in own)
 

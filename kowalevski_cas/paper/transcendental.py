@@ -36,7 +36,7 @@ from kowalevski_cas.paper.families import (
     Generators,
     Imaginary,
     Kind,
-    Known,
+    PrintedValue,
     applications,
     kind_of,
     real_part,
@@ -274,7 +274,7 @@ class Transcendental:
 
     def _multiple(
         self, kind: Kind, monomial: Monomial, factor: Fraction, formula: Application
-    ) -> tuple[Generators | Imaginary | Known, int]:
+    ) -> tuple[Generators | Imaginary | PrintedValue, int]:
         """Generators at a part of a term in an argument, and how often it is taken."""
         if (kind, monomial) in self.known:
             return self.known.multiple((kind, monomial), factor)
@@ -294,7 +294,7 @@ class Transcendental:
             return found
         return Imaginary(kind, found, found.over // over)
 
-    def _values(self, group: Generators | Imaginary | Known) -> dict[str, Formula]:
+    def _values(self, group: Generators | Imaginary | PrintedValue) -> dict[str, Formula]:
         """The generators at an argument; those at a part of π are known."""
         if not isinstance(group, Generators):
             return group.values
@@ -310,7 +310,7 @@ class Transcendental:
         return single_name(group.monomial) == PI and PI in self.constants
 
     def _at(
-        self, kind: Kind, multiples: Sequence[tuple[Generators | Imaginary | Known, int]]
+        self, kind: Kind, multiples: Sequence[tuple[Generators | Imaginary | PrintedValue, int]]
     ) -> dict[str, Formula]:
         """The generators of a family at a sum of multiples of arguments."""
         if not multiples and kind.family.zero:
