@@ -44,6 +44,8 @@ from kowalevski_cas.system.refused import (
     check_marks,
     check_motion,
     check_stars,
+    check_unit,
+    check_words,
 )
 from kowalevski_cas.system.vectors import Vectors, bold, names_only, vectors_of
 
@@ -76,6 +78,7 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
 
     Raises ``ValueError`` if they do not say what moves, and how.
     """
+    check_words(display.tex)
     words = _vocabulary(display, vectors, declared)
     formulas = _read(display, words)
     moving = dict.fromkeys(one for formula in formulas.values() for one in _moving_names(formula))
@@ -95,13 +98,14 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
     fixed = [one for one in names if one not in defined and one not in words.matrices]
     parts = dict.fromkeys(part for one in fixed for part in vectors.get(one, (one,)))
     constants = tuple(one for one in parts if one not in variables and one not in defined)
-    check_indices((*variables, *constants))
+    check_indices((*variables, *constants), moving)
     check_derivatives(constants, defined, moving)
     check_stars(constants, {*variables, *constants, *defined})
     title, time = name or "the system", min(words.times)
     scene = Scene(title, vectors, variables, constants, laws, time)
     for place in others:
         scene = _with(scene, place, formulas[place])
+    check_unit(scene.constants)
     return with_roots(scene, display)
 
 
@@ -219,18 +223,22 @@ def with_roots(scene: Scene, display: Display) -> Scene:
     for formula in (node for one in waiting for node in one.nodes()):
         if isinstance(formula, Conjugate) and scene.unit is None:
             raise ValueError(f"{to_latex(formula)} is a conjugate, and all is real: rename it")
-        root = _root(formula, vocabulary((scene,)))
+        words = vocabulary((scene,))
+        complex_ = (
+            isinstance(formula, Modulus) and scene.unit and rank(formula.argument, words) != VECTOR
+        )
+        root = None if complex_ else _root(formula)
         if root is not None and (name := to_latex(root)) not in scene.roots:
             scene = scene.adjoining(name)
     return scene
 
 
-def _root(formula: Formula, words: Vocabulary) -> Root | None:
-    """The square root that a root, the length of a vector or a power 3/2 is made of."""
+def _root(formula: Formula) -> Root | None:
+    """The square root that a root, an absolute value, a length or a power 3/2 is made of."""
     match formula:
         case Root():
             return formula
-        case Modulus(argument) if rank(argument, words) == VECTOR:
+        case Modulus(argument):
             return Root(Power(argument, Number(2)))
         case Power(base, exponent) if half_power(exponent) is not None:
             return Root(base)
