@@ -83,7 +83,7 @@ class Score:
         )
 
 
-def audited(path: Path, timeout: float) -> list[Entry]:
+def audit_entries(path: Path, timeout: float) -> list[Entry]:
     """The formulas of an audit without a derivation.
 
     Raises:
@@ -189,7 +189,7 @@ def run(arguments: argparse.Namespace) -> int:
     total, failed = Score(), False
     for path in arguments.papers:
         try:
-            score = compare(path, audited(path, arguments.timeout))
+            score = compare(path, audit_entries(path, arguments.timeout))
         except CommandError as error:
             print(f"{path.stem}: {error}", flush=True)
             failed = True

@@ -71,6 +71,8 @@ CUES: dict[str, str] = {
         в\s+(?:\w+\s+)?случа(?:е|ях)\b""",
     "on it": r"""
         \bon\s+(?:it|this|them|these|that)\b \bthere\b на\s+н[её][мй]?\b на\s+них""",
+    "on them": r"""
+        \bon\s+(?:them|these)\b \bthere\b на\s+(?:них|этих)""",
     "level": r"""
         levels? manifold relations? \bsets?\b surfaces? submanifold уровн\w+ многообрази\w+
         соотношени\w+ поверхност\w+ множеств\w+""",
@@ -114,6 +116,9 @@ CUES: dict[str, str] = {
         \bmaps?\b mapping\w* \bimages?\b отображени\w+""",
     "solution": r"""
         solved\s+by solutions?\b \bsolves\b direct\s+substitution решени\w+ подстанов\w+""",
+    "a solution": r"""
+        (?:is|are|gives?|form)\s+(?:\w+\s+){0,2}solutions? частн\w+\s+решени\w+
+        (?:particular|special|exact|periodic)\s+solutions? (?:явля|да[её]т)\w*\s+решени\w+""",
     "if": r"""
         \bif\s*$ \bwhen\s*$ \bunless\b \bif\s+(?:and\s+only\s+if\s*)?$ если\s*$ когда\s*$""",
 }

@@ -164,9 +164,14 @@ def _is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
     return (
         first is None
         or (known.roles[first].name == LAW and first.sentence == item.sentence)
-        or bool(cue("where", item.lead))
+        or (bool(cue("where", item.lead)) and _is_near(known.seen[function], item))
         or (new and not item.typed.inline)
     )
+
+
+def _is_near(one: SourceStatement, item: SourceStatement) -> bool:
+    """Whether a statement may explain what another one has before it: in its paragraph."""
+    return one.paragraph == item.paragraph
 
 
 def _is_law_left(item: SourceStatement) -> bool:

@@ -25,6 +25,9 @@ VERB = re.compile(
 _AND = re.compile(r"[\s,;~]*(?:(?:and|or|и|или)[\s~]*)?(?:§[\s,;~]*(?:(?:and|or|и|или)[\s~]*)?)*")
 
 
+_BEFORE = re.compile(r"§(?:[\s,;~]|\b(?:and|or|и|или)\b)*$")
+
+
 def clause(item: SourceStatement) -> str:
     """The words right around a statement."""
     return f"{item.lead[-60:]} § {item.tail[:30]}"
@@ -68,6 +71,41 @@ def _joined_tail(item: SourceStatement) -> str:
     found = _AND.match(item.after)
     joined = item.after[found.end() :] if found else item.after
     return joined.partition("§")[0]
+
+
+_MAKES = re.compile(
+    r"[\s~]*(?:define|form|give|determine|constitute|зада|образу)\w*\s", re.IGNORECASE
+)
+_CLAUSE = re.compile(r"[,;:.]|\b(?:and|but|и|а|но)\b")
+
+
+def right_behind(item: SourceStatement) -> str:
+    """The words behind a statement as far as its clause goes."""
+    return _CLAUSE.split(item.tail[:40], maxsplit=1)[0]
+
+
+def set_words(item: SourceStatement, name: str) -> str:
+    """The words by which a set is said to be of some kind, right behind its equations or before.
+
+    What they say of another formula, or of a set on which something holds, is not said of it.
+    """
+    tail = _joined_tail(item)[:80]
+    if VERB.match(tail) or _MAKES.match(tail):
+        if said := cue(name, _CLAUSE.split(tail, maxsplit=1)[0]):
+            return said
+    lead = _joined_lead(item)[-60:]
+    end = last_cue(name, lead)
+    if end < 0 or cue("here", f"{item.before} ") or _CLAUSE.search(lead[end:].rstrip(" :~\n")):
+        return ""
+    return cue(name, lead[end:]) if len(lead[end:].split()) <= 5 else ""
+
+
+def _joined_lead(item: SourceStatement) -> str:
+    """The words before a statement, and before those that only a comma or “and” joins to it."""
+    words = item.before
+    while (cut := _BEFORE.sub("", words)) != words:
+        words = cut
+    return words.rpartition("§")[2]
 
 
 def is_number(members: Iterable[Formula]) -> bool:

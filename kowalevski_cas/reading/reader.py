@@ -64,6 +64,8 @@ class Reading:
     """The claims that comments state and that are no formula's."""
 
 
+IDLE = "nothing moves on the set on which it seems to be claimed: it would say nothing"
+
 Heard = Callable[[str, int, int], None]
 """Hears what is being read, how much is done, and of how much."""
 
@@ -211,7 +213,10 @@ def chosen(found: list[Rung], on: Elaborations) -> Choice:
         try:
             with time_limit(SECONDS):
                 if Statement(rung.claim, on).holds():
-                    return Choice(place)
+                    if rung.idle is None or not Statement(rung.idle, on).holds():
+                        return Choice(place)
+                    message = message or IDLE
+                    continue
         except (NotationError, Meaningless, FormatError, ArithmeticError, RecursionError) as error:
             said = str(getattr(error, "message", error))
             for printed in rung.claim.places():

@@ -20,6 +20,7 @@ from kowalevski_cas.reading.obey import said_role
 from kowalevski_cas.reading.phrases import VERB, clause
 from kowalevski_cas.reading.propositions import (
     approximate,
+    claimed_set,
     identity,
     integral,
     rate,
@@ -77,7 +78,8 @@ def other(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 RULES: tuple[Rule, ...] = (
-    unread, expression, inequality, law, unit, bracket, unjudged, repeated, change, definition,
-    square, solution, assumption, value, approximate, rate, zero_set, integral, identity, other,
+    unread, expression, inequality, law, unit, bracket, unjudged, repeated, change, claimed_set,
+    solution, definition, square, assumption, value, approximate, rate, zero_set, integral,
+    identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

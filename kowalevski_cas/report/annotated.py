@@ -13,6 +13,7 @@ from kowalevski_cas.audit.reading import assumptions_of
 from kowalevski_cas.notation import Formula, NotationError, Vocabulary, read_display
 from kowalevski_cas.paper.texts import Display as Printed
 from kowalevski_cas.report.contents import Contents
+from kowalevski_cas.report.dependence import graph
 from kowalevski_cas.report.document import (
     Block,
     Code,
@@ -31,9 +32,10 @@ from kowalevski_cas.report.paragraphs import FIRST, FormulaBlocks
 from kowalevski_cas.report.places import ReportItem, sections
 from kowalevski_cas.report.prose import read_article
 from kowalevski_cas.report.sentences import list_in_words
+from kowalevski_cas.report.trust import trust
 from kowalevski_cas.source.displays import DISPLAYS, TypedFormula, find_formulas
 from kowalevski_cas.source.listing import guessed
-from kowalevski_cas.verify.outcome import Run, Verdict
+from kowalevski_cas.verify.outcome import Verdict
 
 _CLOSING: Final = {"$": "$", "$$": "$$", "\\[": "\\]", "\\(": "\\)"}
 _TITLE: Final = re.compile(r"\\title\s*(?:\[[^\]]*\])?\s*\{([^{}\\]*)\}")
@@ -56,12 +58,7 @@ class _Annotated:
     def __post_init__(self) -> None:
         audit, session = self.audit, self.audit.session
         derivation, texts = session.interpretation.derivation, session.interpretation.texts
-        self.run = run = Run(
-            derivation.name, derivation.title, derivation.author, derivation.source,
-            tuple((s.number, s.title) for s in derivation.sections),
-            tuple(audit.outcomes.values()), session.decider.arithmetics.names, {},
-            texts.vocabulary, derivation.edition, derivation.main,
-        )  # fmt: skip
+        self.run = run = audit.run
         paper = sections(run, derivation, texts)
         self.contents = Contents(run, paper)
         self.items: dict[str, list[ReportItem]] = {}
@@ -97,7 +94,7 @@ class _Annotated:
             blocks.append(Heading(("Not found in this text",), "lost"))
             blocks += [block for item in lost for block in self.contents.passages.item(item)]
         head = [*self.contents.verdict(), *self._assumed(), Heading(("The paper",), "paper")]
-        shown = (*head, *blocks, *self.contents.trust(), *self.contents.graph())
+        shown = (*head, *blocks, *trust(self.contents.phrases), *graph(self.contents.findings))
         by: Text = (
             f"The source {source.path.rpartition('/')[2]} with a verdict beside every formula, by "
             f"kowalevski_cas {__version__}: ",

@@ -28,10 +28,10 @@ from kowalevski_cas.verify.outcome import Outcome, Verdict
 
 _ROLES: Final = {
     "vector field": "Equations of motion",
-    "definition": "We put",
-    "unit": "We put",
-    "condition": "We consider",
-    "claim": "It will be shown that",
+    "definition": "Let",
+    "unit": "Let",
+    "condition": "Consider",
+    "claim": "To be shown",
 }
 
 
@@ -42,12 +42,18 @@ class Passages:
         phrases: the phrases in the paper's words.
         certified: the digests of the certificates that the checker accepts, by claim.
         programs: which programs confirm which certificates.
+        expected: the verdicts that the derivation itself expects.
     """
 
     def __init__(
-        self, phrases: Phrases, certified: Mapping[str, str], programs: Sequence[Witness]
+        self,
+        phrases: Phrases,
+        certified: Mapping[str, str],
+        programs: Sequence[Witness],
+        expected: Mapping[str, str],
     ) -> None:
         self.phrases, self.certified, self.programs = phrases, certified, programs
+        self.expected = expected
 
     def section(self, section: PaperSection) -> Iterator[Block]:
         """A section of the paper: what it assumes, and its displays and claims in their order."""
@@ -117,7 +123,9 @@ class Passages:
             Verdict.CONDITIONAL,
         ):
             word = MARKS[outcome.verdict].word.capitalize()
-            head = (*head, " ", Emphasis((f"{word}.",), strong=True))
+            known = self.expected.get(outcome.claim) == outcome.verdict
+            said = f"{word}, as expected." if known else f"{word}."
+            head = (*head, " ", Emphasis((said,), strong=True))
         place = f"claim.{anchor(outcome.claim)}"
         return self._claim(outcome.verdict, place, head, stated.number, shown, (outcome,))
 

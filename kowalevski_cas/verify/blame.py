@@ -115,14 +115,14 @@ class Blame:
         return found
 
     def open(self) -> list[Claim]:
-        """The refuted claims that were asked for, and are to be corrected."""
-        claims = self._derivation.claims
-        return [claim for claim in claims if claim.id in self.verdicts and self._fails(claim)]
+        """The refuted claims that were asked for, and have no correction."""
+        refuted = {id for id, verdict in self.verdicts.items() if verdict is Verdict.REFUTED}
+        return [c for c in self._derivation.claims if c.id in refuted.difference(self.corrected)]
 
     def shared(self) -> Repairs:
         """The corrections of claims that one change mends together."""
         found: Repairs = {}
-        failing = self.open()
+        failing = [claim for claim in self.open() if not self._is_expected(claim)]
         while len(failing) > 1:
             best = self._proved(self._sought(failing, least=2), least=2)
             if not best:
@@ -134,7 +134,7 @@ class Blame:
     def alone(self, claim: Claim) -> tuple[Correction, ...]:
         """The corrections of one claim: of its own formula, or else of what it stands on."""
         own = tuple(self.corrector.near(self.corrector.interpretation.statement(claim), MOST))
-        if own:
+        if own or self._is_expected(claim):
             return own
         others = [one for one in self._failing if one is not claim]
         repairs = self._sought([claim, *others], least=1, one=claim)
@@ -150,8 +150,12 @@ class Blame:
         """
         return [claim for claim in self._derivation.claims if self._fails(claim)]
 
+    def _is_expected(self, claim: Claim) -> bool:
+        """Whether the author knows that a claim fails: then nothing else is to blame for it."""
+        return self._derivation.expected.get(claim.id) == Verdict.REFUTED
+
     def _fails(self, claim: Claim) -> bool:
-        if self._derivation.expected.get(claim.id) == Verdict.REFUTED:
+        if self._is_expected(claim):
             return False
         if claim.id in self.verdicts:
             refuted = self.verdicts[claim.id] is Verdict.REFUTED

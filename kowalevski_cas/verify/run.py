@@ -8,7 +8,7 @@ from itertools import count, permutations
 from typing import TYPE_CHECKING
 
 from kowalevski_cas.library import library
-from kowalevski_cas.limits import tell, watched
+from kowalevski_cas.limits import is_watched, tell
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation, Doubt
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -149,7 +149,7 @@ class Session:
 
         With a limit of time, the run has processes of its own.
         """
-        if self.decider.timeout is None or watched():
+        if self.decider.timeout is None or is_watched():
             found = [self.outcome(claim) for claim in self.chosen(only)]
             return self.result(self.with_corrections(found, map))
         (run,) = run_together([self], only)
@@ -170,6 +170,7 @@ class Session:
             vocabulary=self.texts.vocabulary,
             edition=derivation.edition,
             main=derivation.main,
+            expected=derivation.expected,
         )
 
     def settled(self, outcome: Outcome) -> Outcome:
@@ -223,10 +224,8 @@ class Session:
 
         ``blame`` searches for what makes claims fail, instead of the search that suits the run.
         """
-        refuted = [o.claim for o in outcomes if o.verdict is Verdict.REFUTED and not o.correction]
-        expected = self.derivation.expected
-        if all(expected.get(claim) == Verdict.REFUTED for claim in refuted):
+        if not any(o.verdict is Verdict.REFUTED and not o.correction for o in outcomes):
             return [*outcomes]
-        from kowalevski_cas.verify.repair import blame_of, repair  # what is explained needs none
+        from kowalevski_cas.verify.repair import blame_of, repair  # what is corrected needs none
 
         return repair(self.decider, outcomes, work, blame or blame_of(self.decider, outcomes))

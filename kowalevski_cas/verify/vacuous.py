@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from kowalevski_cas.algebra.ideals import vanish_on
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import (
+    Derivative,
     Edit,
     Formula,
     Name,
@@ -59,6 +60,9 @@ def says_something(neighbour: Neighbour, statement: Statement, printed: Statemen
         return True
     defined = set(neighbour.claim.scene.definitions)
     before, after = edit.statement.formula, edit.formula
+    constants = frozenset(neighbour.claim.scene.constants)
+    if _idle(after, constants) > _idle(before, constants):
+        return False
     replaced = (before.names() - after.names()) & defined
     if replaced and unlike(edit) and not edit.replacement.names() & defined:
         return False
@@ -100,6 +104,12 @@ def _repeated(statement: Statement) -> int:
 
 def _is_multiple(element: Element, others: Sequence[Element]) -> bool:
     return not element.is_zero and any(vanish_on([element], [one]) == [True] for one in others)
+
+
+def _idle(formula: Formula, constants: frozenset[str]) -> int:
+    """How many derivatives of constants are printed."""
+    rates = (one for one in formula.nodes() if isinstance(one, Derivative))
+    return sum(one.argument.names() <= constants for one in rates)
 
 
 def _trivial(formula: Formula) -> bool:

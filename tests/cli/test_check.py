@@ -64,13 +64,14 @@ def test_all_committed_certificates_belong_to_the_record(capsys):
     assert capsys.readouterr().out == f"certificates: CERTIFIED {number} of {number}\n"
 
 
-def test_a_line_says_what_is_proved(copy, capsys, monkeypatch):
+def test_a_line_says_what_is_proved_in_the_order_of_the_paper(copy, capsys, monkeypatch):
     monkeypatch.setenv("COLUMNS", "500")
     assert main(["check", str(copy)]) == 0
     out = capsys.readouterr().out
     lines = out.splitlines()
-    assert lines[0].startswith("eq14: it is false that ") and ", for " in lines[0]
-    assert lines[1].startswith("eq6: D(J_1 ^ 2 + J_2 ^ 2) = 0; the differentials of ")
+    assert lines[0].startswith("eq6: D(J_1 ^ 2 + J_2 ^ 2) = 0; the differentials of ")
+    assert lines[1].startswith("eq7: there are expressions M_{11}, ")
+    assert lines[2].startswith("eq14: it is false that ") and ", for " in lines[2]
     assert lines[3].startswith("corrected/eq14: D(")
     assert lines[4:] == ["certificates: CERTIFIED 4 of 4"]
     monkeypatch.setenv("COLUMNS", "60")
@@ -81,7 +82,7 @@ def test_a_line_says_what_is_proved(copy, capsys, monkeypatch):
 def test_it_says_all_of_it(copy, capsys):
     assert main(["check", "--full", str(copy)]) == 0
     out = capsys.readouterr().out
-    assert "\neq6: D(" in out and "\n  D(J_1 ^ 2 + J_2 ^ 2) = 0\n" in out
+    assert out.startswith("eq6: D(") and "\n  D(J_1 ^ 2 + J_2 ^ 2) = 0\n" in out
     assert "    variables: " in out and "    field: " in out and "    point: " in out
     with pytest.raises(SystemExit):
         main(["check", "--full", "-q", str(copy)])

@@ -15,7 +15,7 @@ FONTS = (
     r"\mathsf{%s}", r"\operatorname*{%s}",
 )  # fmt: skip
 ARGUMENTS = ("x", r"\,x", "(x)", r"\left(x\right)", "{x}", "^2x", "^2(x+y)", "2x", r"\frac{x}{2}")
-UNKNOWN = ("sgn", "am", "erf", "Ai", "sinc", "Ra", "abc", "lg", "grad", "sl")
+UNKNOWN = ("sgn", "erf", "Ai", "sinc", "Ra", "abc", "lg", "grad", "sl")
 KNOWN = sorted(
     {word[8:-1] for word in (*FUNCTIONS, *SPELLING) if word.startswith(r"\mathrm{")}
     | {word[1:] for word in FUNCTIONS if not word.startswith(r"\mathrm")}

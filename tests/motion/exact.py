@@ -5,7 +5,7 @@ from fractions import Fraction
 import numpy as np
 from flint import arb, arb_series, ctx
 
-from kowalevski_cas.motion.formulas import offered_values
+from kowalevski_cas.motion.formulas import values_of_offer
 from kowalevski_cas.motion.parameters import ball, precision
 from kowalevski_cas.motion.units import in_unit, unit_of
 
@@ -14,7 +14,7 @@ BITS, ORDER, STEP = 160, 30, Fraction(1, 16)
 
 def integrated(start, time):
     """The state at a time, from one whose size is about 1; each step errs by about 2⁻¹¹⁰."""
-    rates, state = offered_values("equations"), [arb(float(x)) for x in start]
+    rates, state = values_of_offer("equations"), [arb(float(x)) for x in start]
     count = max(1, -(-abs(time) // STEP))
     cap = ctx.cap
     try:

@@ -89,7 +89,7 @@ def states(motion: Motion | MotionO4, times: Array) -> Array:
 def _loss(states: Array, motion: MotionO4) -> float:
     """How far the integrals of states (9, N) are from those of the motion, relative to sizes."""
     units = unit_of(states.T)
-    H, K, a_square, b_square, c, G, *_ = formulas.offered_values("integrals")(
+    H, K, a_square, b_square, c, G, *_ = formulas.values_of_offer("integrals")(
         *in_unit(states.T, units).T
     )
     constants, fields = motion.constants, float(motion.parameters.p_square)

@@ -23,10 +23,10 @@ def state_by_angles(motion: MotionO4) -> list[arb]:
     halves = [ball(angle) / 2 for angle in motion.angles]
     point = PhasePointO4(motion.parameters, motion.regime, motion.signs, BALLS)
     first, second = ((half.cos(), half.sin()) for half in halves)
-    return _turned_back(motion, list(point(first, second)))
+    return _turn_back(motion, list(point(first, second)))
 
 
-def _turned_back(motion: MotionO4, state: list[arb]) -> list[arb]:
+def _turn_back(motion: MotionO4, state: list[arb]) -> list[arb]:
     """The state in the fields as they were given."""
     cos, sin = motion.turn
     return rotate(state, ball(cos), ball(-sin)) if sin else state
@@ -41,8 +41,8 @@ class SolutionO4:
         self._point = PhasePointO4(known, motion.regime, motion.signs, BALLS)
         series = [DifferentialSeries(by) for by in self._arcs]
         self._differentials = [one.differentials for one in series]
-        self._means = matrix([one.enclosed_means() for one in series], motion.orientations)
-        self._sines = [one.enclosed_sines() for one in series]
+        self._means = matrix([one.enclose_means() for one in series], motion.orientations)
+        self._sines = [one.enclose_sines() for one in series]
         self._floats = Quadratures(series, motion.orientations)
         self._origin = self._integrals(
             [by.angle(ball(angle)) for by, angle in zip(self._arcs, motion.angles, strict=True)]
@@ -55,13 +55,13 @@ class SolutionO4:
         turns = [(phase / turn).mid().floor() for phase in phases]
         aim -= self._means * arb_mat([[turn * count] for count in turns])
         near = [[float(phase - turn * k)] for phase, k in zip(phases, turns, strict=True)]
-        angles = self._enclosed(self._floats.angles(np.array(near))[:, 0].tolist(), aim)
+        angles = self._enclose(self._floats.angles(np.array(near))[:, 0].tolist(), aim)
         # After a turn the functions of half the angle have the other sign.
         first, second = (
             by.at(angle + turn * count)
             for by, angle, count in zip(self._arcs, angles, turns, strict=True)
         )
-        return _turned_back(self._motion, list(self._point(first, second)))
+        return _turn_back(self._motion, list(self._point(first, second)))
 
     def _integrals(self, angles: Sequence[arb]) -> arb_mat:
         """Both integrals, a column."""
@@ -80,7 +80,7 @@ class SolutionO4:
         ]
         return arb_mat(columns).transpose()
 
-    def _enclosed(self, start: Sequence[float], aim: arb_mat) -> list[arb]:
+    def _enclose(self, start: Sequence[float], aim: arb_mat) -> list[arb]:
         """The angles where the integrals are those aimed at.
 
         Newton's method, as long as its steps shrink, and then an interval Newton step: if it

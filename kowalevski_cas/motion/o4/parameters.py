@@ -58,7 +58,7 @@ class ParametersO4(Lengths):
     def integrals(self) -> tuple[float, float, float]:
         """The values of H, K and G."""
         p, r = (float(ball(square).sqrt()) for square in (self.p_square, self.r_square))
-        integrals = formulas.offered_values("integrals", HyperellipticForm)
+        integrals = formulas.values_of_offer("integrals", HyperellipticForm)
         h, k, g = integrals(float(self.s), float(self.tau), p, r)
         return h, k, g
 

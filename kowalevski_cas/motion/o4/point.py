@@ -51,7 +51,7 @@ class PhasePointO4:
         self._for_point = self._s, self._tau, r
         self._signs = signs
         self._products, self._resolvents, self._parts, self._quotients, self._point = (
-            formulas.offered_values(name, HyperellipticForm)
+            formulas.values_of_offer(name, HyperellipticForm)
             for name in (
                 "products", "resolvents", "parts",
                 "quotients" if self._real else "conjugate_quotients", "phase_point",
@@ -73,9 +73,9 @@ class PhasePointO4:
         two = [s * x for s, x in zip(signs, self._variables[1].radicals(second), strict=True)]
         by_one = [x / root_of_v1 for x in self._variables[0].one_variable_roots(first)]
         E = self._E(by_one, self._variables[1].one_variable_roots(second), plus, signs[0])
-        V, d = self._resolved(one[0], two[0], v, self._products(one[3], two[3], *self._for_point))
+        V, d = self._resolve(one[0], two[0], v, self._products(one[3], two[3], *self._for_point))
         Pi, *Y, T, Lambda, N = self._parts(v, *one, *two, *self._for_parts, d)
-        parts = (Pi, self._sharper(Y, v, one, two, d), V, d, T, Lambda, N)
+        parts = (Pi, self._sharper_form(Y, v, one, two, d), V, d, T, Lambda, N)
         return self._point(*one, *two, E, *parts, *self._for_point, minus)
 
     def _E(
@@ -89,7 +89,7 @@ class PhasePointO4:
         same = x1 * x2 * y1 * y2 if self._real else y2
         return abs(self._arithmetic.choose(same, (added,), (divided,))[0])
 
-    def _resolved(
+    def _resolve(
         self, mu1: Number, mu2: Number, v: Number, products: Sequence[Number]
     ) -> Sequence[Number]:
         """V and d by the sums and differences of 2s and μ1, of 2sv and μ2, with these products."""
@@ -103,7 +103,7 @@ class PhasePointO4:
             )
         return self._resolvents(*known, self._s)
 
-    def _sharper(
+    def _sharper_form(
         self,
         Y: Sequence[Number],
         v: Number,

@@ -84,18 +84,18 @@ class Quadratures:
         reached, slopes = self._with_slopes(found)
         rest = aim - reached
         for _ in range(STEPS):
-            step, rest, slopes = self._damped(found[:, left], rest, slopes, aim[:, left])
+            step, rest, slopes = self._damp(found[:, left], rest, slopes, aim[:, left])
             found[:, left] += step
             more = ~(np.hypot(*step) <= NEAR)
             left, rest, slopes = left[more], rest[:, more], slopes[:, :, more]
             if not len(left):
                 break
         else:
-            found[:, left] = self._bisected(aim[:, left])
+            found[:, left] = self._bisect(aim[:, left])
         angles: Array = found + turns
         return angles
 
-    def _damped(
+    def _damp(
         self, start: Array, rest: Array, slopes: Array, aim: Array
     ) -> tuple[Array, Array, Array]:
         """A step, or as much of it as diminishes the rest; what then is left, and the slopes."""
@@ -113,7 +113,7 @@ class Quadratures:
             after[:, worse] = aim[:, worse] - reached
         return step, after, slopes
 
-    def _bisected(self, aim: Array) -> Array:
+    def _bisect(self, aim: Array) -> Array:
         """The angles by two monotone equations, one inside the other."""
         wanted, (by_first, by_second) = self._forms @ aim, self._forms[0]
         reach = 1 + sum(np.sum(np.abs(c[0])) for c, _ in self._series)

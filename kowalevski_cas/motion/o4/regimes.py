@@ -68,7 +68,7 @@ class RegimeO4:
     def invariant(self, signs: Sequence[int]) -> int:
         """What signs of K1, μ2, A2, B2, K2 on one torus have in common, and on no other."""
         negative = {name for name, sign in zip(CHOSEN, signs, strict=True) if sign < 0}
-        return _reduced(self._vector(negative), self._basis)
+        return _residue(self._vector(negative), self._basis)
 
     @property
     def _products(self) -> tuple[tuple[str, ...], ...]:
@@ -158,12 +158,12 @@ def _independent(vectors: Iterable[int]) -> list[int]:
     """A basis over the field of two elements of vectors, each a number by its binary digits."""
     basis: list[int] = []
     for vector in vectors:
-        if rest := _reduced(vector, basis):
+        if rest := _residue(vector, basis):
             basis.append(rest)
     return basis
 
 
-def _reduced(vector: int, basis: Sequence[int]) -> int:
+def _residue(vector: int, basis: Sequence[int]) -> int:
     """What is left of a vector by a basis: the same for all that differ by a combination of it."""
     for known in basis:
         vector = min(vector, vector ^ known)

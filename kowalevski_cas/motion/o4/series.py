@@ -68,16 +68,16 @@ class DifferentialSeries:
 
     # -- enclosures -------------------------------------------------------------------------
 
-    def enclosed_means(self) -> list[arb]:
+    def enclose_means(self) -> list[arb]:
         """Balls for the means."""
-        return [mean + self._missing(place, 0) for place, mean in enumerate(self.means())]
+        return [mean + self._error_ball(place, 0) for place, mean in enumerate(self.means())]
 
-    def enclosed_sines(self) -> Callable[[arb], Pair]:
+    def enclose_sines(self) -> Callable[[arb], Pair]:
         """The integrals of both, less their means, as functions of ψ that give balls."""
         beyond = 2 * (-self._count * self._strip).exp() / (1 - (-self._strip).exp()) / self._count
         series = []
         for place, coefficients in enumerate(self.sines()):
-            known = [a + self._missing(place, k) / k for k, a in enumerate(coefficients[:-1], 1)]
+            known = [a + self._error_ball(place, k) / k for k, a in enumerate(coefficients[:-1], 1)]
             series.append((_sum_of_sines(known), _around_zero(beyond * self._bounds[place])))
 
         def integrals(angle: arb) -> Pair:
@@ -115,7 +115,7 @@ class DifferentialSeries:
         common = by.rate / abs(by.below(by.variable, squares)).sqrt()
         return (abs(v) * common).upper(), (abs(n) * common).upper()
 
-    def _missing(self, place: int, k: int) -> arb:
+    def _error_ball(self, place: int, k: int) -> arb:
         """A ball for the error of a coefficient."""
         values, strip = 2 * self._count, self._strip
         last = (-(values - k) * strip).exp() / (1 - (-values * strip).exp())

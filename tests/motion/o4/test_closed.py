@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, formulas, load
-from kowalevski_cas.motion.formulas import offered_values
+from kowalevski_cas.motion.formulas import values_of_offer
 from kowalevski_cas.motion.methods.ball import enclosures
 from kowalevski_cas.motion.o4.arithmetic import BALLS
 from kowalevski_cas.motion.o4.point import PhasePointO4
@@ -57,7 +57,7 @@ def test_floats_are_as_exact_as_balls_at_any_time(known):
 @regime
 def test_the_integrals_and_the_constants_of_O4_are_kept(known):
     moving = motion(known)
-    values = offered_values("integrals")(*closed(moving, T).T)
+    values = values_of_offer("integrals")(*closed(moving, T).T)
     found = dict(zip(("h", "k", "a2", "b2", "c", "g"), values, strict=False))
     a, b, *_ = map(float, known)
     expected = {**moving.constants, "a2": a**2, "b2": b**2, "c": 0.0}
@@ -87,8 +87,8 @@ def test_a_series_encloses_the_integral(known):
                 root = partial(acb.sqrt, analytic=analytic)
                 return by.differentials(pair, by.variable, by.rate, root)[place]
 
-            for place, sines in enumerate(series.enclosed_sines()(angle)):
-                found = series.enclosed_means()[place] * angle + sines
+            for place, sines in enumerate(series.enclose_sines()(angle)):
+                found = series.enclose_means()[place] * angle + sines
                 exact = acb.integral(
                     lambda z, analytic, place=place: differential(z, analytic, place),
                     acb(0),
