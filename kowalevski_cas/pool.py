@@ -14,7 +14,7 @@ from functools import cached_property, partial
 from hashlib import sha256
 from importlib import import_module
 from io import BytesIO
-from itertools import chain, count, islice
+from itertools import chain, islice
 from pathlib import Path
 from time import perf_counter
 from typing import Any, TypeVar
@@ -48,7 +48,7 @@ class Pool:
     def __init__(self, jobs: int = 1, scheduler: str = "", file: Path | None = None) -> None:
         self.jobs, self.scheduler, self.file = jobs, scheduler, file
         self._size = 1
-        self._numbers = count()
+        self._number = 0
         self._unsaved: Found = {}
         self._seconds = 0.0
 
@@ -126,7 +126,8 @@ class Pool:
     def _key(self, work: object, item: object) -> Key:
         """What a task is known by: what it consists of, if its result is kept."""
         if self.file is None:
-            return next(self._numbers)
+            self._number += 1
+            return self._number
         stream = BytesIO()
         pickler = pickle.Pickler(stream)
         pickler.fast = True  # equal data are equal bytes, whether or not parts are the same object

@@ -4,11 +4,13 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 from itertools import pairwise
 from tempfile import TemporaryDirectory
 from time import monotonic, sleep
 
 import pytest
+from flint import Ordering, fmpq_mpoly_ctx
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -17,6 +19,21 @@ from kowalevski_cas.limits import ProcessDied, is_watched, tell, time_limit
 from kowalevski_cas.processes import each
 
 SHORT, LONG = 0.1, 60
+
+
+pytestmark = pytest.mark.filterwarnings("ignore:This process")
+
+
+@pytest.fixture(autouse=True, params=["alone", "among threads"])
+def asking(request):
+    """A process without threads makes copies of itself; for one that has them, a fork server does."""
+    done = threading.Event()
+    if request.param == "alone":
+        request.getfixturevalue("copies")
+    else:
+        threading.Thread(target=done.wait, daemon=True).start()
+    yield request.param
+    done.set()
 
 
 def one(work):
@@ -41,6 +58,36 @@ def late(block, seconds=SHORT):
         return False
 
     return one(work)
+
+
+def test_a_process_with_threads_makes_no_copies_of_itself(asking, monkeypatch):
+    if asking == "among threads":
+        monkeypatch.setattr(os, "fork", lambda: pytest.fail("copied"))
+    (parent,) = each(lambda _: os.getppid(), [None])
+    assert (parent == os.getpid()) == (asking == "alone")
+
+
+def test_work_takes_its_surroundings_along(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("KOWALEVSKI_TEST", "here")
+    surroundings = [(str(tmp_path), "here")]
+    assert [*each(lambda _: (os.getcwd(), os.environ["KOWALEVSKI_TEST"]), [None])] == surroundings
+
+
+def test_work_may_hold_polynomials_and_what_was_computed_of_them(asking):
+    context = fmpq_mpoly_ctx.get(("x", "y"), Ordering.degrevlex)
+    x, y = context.gens()
+    (found,) = each(lambda k: (context.gens()[0] + y) ** k == (x + y) ** 2, [2])
+    assert found
+
+
+def test_a_fork_server_that_was_killed_is_begun_anew(asking):
+    if asking == "among threads":
+        (server,) = each(lambda _: os.getpgid(os.getppid()), [None])
+        assert server != os.getpgid(0)
+        os.kill(os.getsid(server), signal.SIGKILL)
+        sleep(SHORT)
+    assert one(lambda: 1) == 1
 
 
 def test_results_come_in_the_order_of_the_items():

@@ -129,7 +129,9 @@ def lines(blocks: Iterable[Block], indent: int = 0) -> Iterator[str]:
                 yield from wrap(text(block.text), margin, indent)
             case Equations():
                 mark = sign(block.verdict) if block.verdict else " " * 4
-                yield from wrap(formulas(block.formulas, block.source), margin + mark, indent + 4)
+                beside = f" ({text(block.label)})" if block.label else ""
+                shown = formulas(block.formulas, block.source) + beside
+                yield from wrap(shown, margin + mark, indent + 4)
             case Judgement():
                 mark = sign(block.verdict) if block.verdict else ""
                 inner = indent + (4 if block.verdict else 0)

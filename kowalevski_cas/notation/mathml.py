@@ -56,8 +56,11 @@ class MathML(Printer):
         while dots:
             text = _over(text, _DOTS[min(dots, 4)])
             dots -= min(dots, 4)
-        text += primes or (parts.primes and _PRIMES.format(parts.primes))
+        primes = primes or (parts.primes and _PRIMES.format(parts.primes))
         index, star = "".join(map(_atom, parts.indices)), f"<mo>{parts.star}</mo>"
+        if index and primes:
+            primes = f'<mpadded width="0">{primes}</mpadded>'
+        text += primes
         if parts.star and index:
             return f"<msubsup>{_one(text)}{_one(index)}{star}</msubsup>"
         if parts.star:
@@ -87,14 +90,17 @@ class MathML(Printer):
         return f"<mfrac>{_one(above)}{_one(below)}</mfrac>"
 
     def superscript(self, base: str, exponent: str) -> str:
-        """A power; that of a letter with an index stands above the index."""
+        """A power; it stands above an index, and at the height of the bracket before it."""
         if base.startswith("<msub>") and base.find("</msub>") == len(base) - len("</msub>"):
             inner = base.removeprefix("<msub>").removesuffix("</msub>")
             return f"<msubsup>{inner}{_one(exponent)}</msubsup>"
+        if base.startswith(f"<mrow><mo{_AS_IT_IS}>"):
+            inner, bracket = base.removesuffix("</mrow>").rsplit("<mo", 1)
+            return f"{inner}<msup><mo{bracket}{_one(exponent)}</msup></mrow>"
         return f"<msup>{_one(base)}{_one(exponent)}</msup>"
 
     def with_primes(self, argument: Formula, order: int) -> str:
-        """Primes as letters behind the letter, before its index: fonts raise them by themselves."""
+        """Primes as letters above the index, which has no room for them: fonts raise them."""
         primes = _PRIMES.format(self.prime * order)
         if isinstance(argument, Name) and is_unmarked(argument):
             return self._name(argument, primes=primes)

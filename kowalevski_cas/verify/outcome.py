@@ -212,7 +212,8 @@ class Run(NamedTuple):
 
     ``sections`` lists number and heading; ``versions`` the programs and
     libraries that took part; in ``vocabulary`` the words of all outcomes can be read. ``edition``
-    says which text was read, and ``main`` which claims are the main results.
+    says which text was read, ``main`` which claims are the main results, and ``expected`` which
+    verdicts the derivation itself expects.
     """
 
     derivation: str
@@ -226,6 +227,7 @@ class Run(NamedTuple):
     vocabulary: Vocabulary
     edition: str = ""
     main: tuple[str, ...] = ()
+    expected: Mapping[str, str] = {}
 
     @property
     def certificates(self) -> dict[str, str]:

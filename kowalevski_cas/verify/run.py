@@ -170,6 +170,7 @@ class Session:
             vocabulary=self.texts.vocabulary,
             edition=derivation.edition,
             main=derivation.main,
+            expected=derivation.expected,
         )
 
     def settled(self, outcome: Outcome) -> Outcome:

@@ -71,7 +71,7 @@ def _assumed(audit: Audit, phrases: Phrases) -> Iterator[str]:
 
     listed = [one for one in assumptions_of(audit) if one.claims]
     if listed:
-        yield from ("", "What is assumed")
+        yield from ("", plain.bold("What is assumed"))
     for one in listed:
         by_claim = {id: formula for formula in audit.formulas for id in formula.claims}
         places = (audit.called(by_claim[id]) for id in one.claims if id in by_claim)
@@ -85,7 +85,7 @@ def _undecided(audit: Audit, phrases: Phrases) -> Iterator[str]:
     unclear = [f for f in audit.formulas if f.verdict in open_verdicts]
     in_words = [one for one in audit.statements if one.verdict in open_verdicts]
     if unclear or in_words:
-        yield from ("", "What is not decided")
+        yield from ("", plain.bold("What is not decided"))
     for formula in unclear:
         yield from plain.wrap(f"{_where(audit, formula)}: {formula.message}")
         if formula.formula is not None:
@@ -102,7 +102,7 @@ def _undecided(audit: Audit, phrases: Phrases) -> Iterator[str]:
 def _open(audit: Audit) -> Iterator[str]:
     unjudged = [formula for formula in audit.formulas if formula.verdict == OPEN]
     if unjudged:
-        yield from ("", "What is not judged")
+        yield from ("", plain.bold("What is not judged"))
     for formula in unjudged:
         message = formula.message.splitlines()[0] if formula.message else formula.reason
         yield from (f"  {line}" for line in plain.wrap(f"{_where(audit, formula)}: {message}"))
