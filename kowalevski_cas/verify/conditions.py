@@ -140,7 +140,7 @@ def implies(first: Element, second: Element, setting: Elaboration) -> bool:
     if not divmod(second.parts[0], first.parts[0])[1]:
         return True
     polynomials = first.ring.polynomials
-    names = {polynomials.generators[k] for k in polynomials.occurring(first.parts[0])}
+    names = {polynomials.generators[k] for k in polynomials.occurring_places(first.parts[0])}
     if any(names.intersection(pair) for pair in setting.conjugates):
         return False
     bases = [base for _, base in sum_of_squares(first.terms()[0]) or ()]

@@ -96,7 +96,7 @@ def _solved(space: Elaboration, factor: fmpq_mpoly, scene: Scene) -> Iterator[Co
     """The relation that a polynomial vanishes, solved for a constant in which it is linear."""
     ring = space.finder.ring
     names = ring.polynomials.generators
-    for place in sorted(ring.polynomials.occurring(factor), key=lambda k: names[k]):
+    for place in sorted(ring.polynomials.occurring_places(factor), key=lambda k: names[k]):
         linear = factor.derivative(place)
         if names[place] not in scene.constants or not linear.is_constant():
             continue
