@@ -56,7 +56,12 @@ class Contents:
         programs: Sequence[Witness] = (),
         evidence: str = "",
     ) -> None:
-        self.run, self.sections, self.certified, self.programs = run, sections, certified, programs
+        self.run, self.sections, self.needs_certificate, self.programs = (
+            run,
+            sections,
+            certified,
+            programs,
+        )
         files = {claim: f"{evidence}/{claim}.json" for claim in certified} if evidence else {}
         self.phrases = Phrases(run.vocabulary, names(sections), labels(sections), files)
         self.passages = Passages(self.phrases, certified, programs, run.expected)
@@ -193,8 +198,8 @@ class Contents:
             *own, f" decided every statement{each}: as an identity of polynomials, or by a point "
             "with exact coordinates. No floating-point number takes part.",
         )  # fmt: skip
-        if self.certified:
-            known = sum(outcome.claim in self.certified for outcome in run.outcomes)
+        if self.needs_certificate:
+            known = sum(outcome.claim in self.needs_certificate for outcome in run.outcomes)
             many = f"{known} of {len(run.outcomes)} have certificates"
             if known == len(run.outcomes):
                 many = "Each statement has a certificate"

@@ -52,7 +52,7 @@ class Passages:
         programs: Sequence[Witness],
         expected: Mapping[str, str],
     ) -> None:
-        self.phrases, self.certified, self.programs = phrases, certified, programs
+        self.phrases, self.needs_certificate, self.programs = phrases, certified, programs
         self.expected = expected
 
     def section(self, section: PaperSection) -> Iterator[Block]:
@@ -156,7 +156,7 @@ class Passages:
     def _record(self, outcome: Outcome) -> Text:
         agreeing = [title(name) for name, v in outcome.verdicts.items() if v is outcome.verdict]
         text: Text = ("decided by ", *_names(agreeing))
-        if outcome.claim in self.certified:
+        if outcome.claim in self.needs_certificate:
             also = [w.name for w in self.programs if outcome.claim in w.claims]
             text = (*text, "; the certificate is accepted by ", *_names(["the checker", *also]))
         if outcome.rests_on:

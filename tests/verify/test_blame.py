@@ -119,7 +119,7 @@ def test_alternatives_are_few_and_all_proved():
 
 
 def test_what_is_expected_to_fail_is_corrected_itself_and_blames_nothing(monkeypatch):
-    monkeypatch.setattr(Blame, "_sought", lambda *_, **__: pytest.fail("something else is blamed"))
+    monkeypatch.setattr(Blame, "_search", lambda *_, **__: pytest.fail("something else is blamed"))
     oscillator = System(r"\dot q=p,\ \dot p=-q")
     wrong = [oscillator.integral(tex, expect="refuted") for tex in ("p^2+2q^2", "p^2+3q^2", "q")]
     assert [answer.outcome.correction is not None for answer in wrong] == [True, True, False]
