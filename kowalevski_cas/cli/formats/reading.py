@@ -81,8 +81,10 @@ def _assumptions(audit: Audit, phrases: Phrases) -> Iterator[str]:
 
 
 def _doubts(audit: Audit, phrases: Phrases) -> Iterator[str]:
-    unclear = [f for f in audit.formulas if f.verdict in (Verdict.UNDECIDED, Verdict.TIMEOUT)]
-    if unclear:
+    open_verdicts = (Verdict.UNDECIDED, Verdict.TIMEOUT)
+    unclear = [f for f in audit.formulas if f.verdict in open_verdicts]
+    in_words = [one for one in audit.statements if one.verdict in open_verdicts]
+    if unclear or in_words:
         yield from ("", plain.bold("What is not decided"))
     for formula in unclear:
         yield from plain.wrap(f"{_where(audit, formula)}: {formula.message}")
@@ -90,6 +92,11 @@ def _doubts(audit: Audit, phrases: Phrases) -> Iterator[str]:
             yield from plain.lines([Equations((formula.formula,), formula.tex)], 2)
         if formula.counterexample is not None:
             yield from plain.lines([Paragraph(phrases.values(formula.counterexample))], 2)
+    for outcome in in_words:
+        region = audit.sentences.get(outcome.claim)
+        place = f"{region.path}:{region.line}" if region is not None else outcome.claim
+        said = outcome.message or str(outcome.verdict)
+        yield from plain.wrap(plain.text(phrases.words(f"{place}: {outcome.words}: {said}")))
 
 
 def _open(audit: Audit) -> Iterator[str]:

@@ -33,8 +33,8 @@ PRODUCTS = (
 )
 """The products of radicals, with E > 0, whose signs tell the points above (u1, u2) apart."""
 
-LEAST_GAP = 2.0**-40
-"""Between two roots, relative to the largest: with less floats do not tell a motion."""
+LEAST_GAP = 2.0**-400
+"""Between two roots, relative to the largest: what is less comes from rounding."""
 
 CHOSEN = ("K1", "mu2", "A2", "B2", "K2")
 """The radicals whose signs choose a torus, and the point on it."""
@@ -105,7 +105,7 @@ def regime_of(constants: ParametersO4) -> RegimeO4:
     """
     largest = max(abs(constants.root(name)) for name in constants.roots)
     for left, right in pairwise(constants.roots):
-        if constants.gap(right, left) <= LEAST_GAP * largest:
+        if not constants.gap(right, left) > LEAST_GAP * largest:
             raise Inadmissible(
                 f"{left} = {right}, or almost: the tori of O⁴ degenerate; another s or τ would do"
             )

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from itertools import product
+from itertools import pairwise, product
 
 import numpy as np
 from flint import acb, arb
@@ -22,14 +22,18 @@ from kowalevski_cas.motion.critical import TOLERANCE, residuals
 from kowalevski_cas.motion.formulas import exactly
 from kowalevski_cas.motion.frame import BITS, rotate, state_from_numbers, turn_of
 from kowalevski_cas.motion.methods.closed import states
+from kowalevski_cas.motion.o4.arithmetic import BALLS, FLOATS
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.o4.parameters import ParametersO4
-from kowalevski_cas.motion.o4.point import PhasePointO4, VariableO4
-from kowalevski_cas.motion.o4.regimes import LEAST_GAP
+from kowalevski_cas.motion.o4.point import PhasePointO4
+from kowalevski_cas.motion.o4.variable import VariableO4
 from kowalevski_cas.motion.parameters import Inadmissible, Real, ball, precision, root
 from kowalevski_cas.motion.phases import as_fraction
 from kowalevski_cas.motion.point import distance
 from kowalevski_cas.paper.closed_form import HyperellipticForm
+
+LEAST_GAP = 2.0**-40
+"""Between two roots, relative to the largest: with less the rounding of a state parts them."""
 
 SIGNS = np.array(list(product((1.0, -1.0), repeat=5))).T
 """All signs that a phase point can have, a column each."""
@@ -58,7 +62,7 @@ def on_O4(state: Sequence[Real]) -> MotionO4:
         motion = MotionO4(constants, turn=turn, point=tuple(map(float, given)))
         # Either quotient may be u1.
         angles = [
-            [float(VariableO4(constants, arc, lambda x: x).angle(pair)) for pair in order]
+            [float(VariableO4(constants, arc, BALLS).angle(pair)) for pair in order]
             for arc, order in zip(motion.arcs, (pairs, pairs[::-1]), strict=True)
         ]
         motion = _best_fit(motion, np.array(angles), np.array(straight, dtype=float))
@@ -84,9 +88,11 @@ def _separate(state: list[Fraction]) -> tuple[ParametersO4, list[tuple[arb, arb]
     _, _, a_square, b_square, *_ = exactly(formulas.values_of_offer("integrals"), state)
     constants = ParametersO4(root(a_square), root(b_square), s, tau)
     largest = abs(tau) + constants.r_square
-    for name, square in (("σ", constants.sigma), ("k", constants.kappa_square)):
-        if abs(square) <= LEAST_GAP * largest**2:  # two roots are its roots, which rounding parts
-            raise Inadmissible(f"{name} = 0 at the state, but for rounding: the tori degenerate")
+    names = constants.roots
+    close = [constants.gap(y, x) <= LEAST_GAP * ball(largest) for x, y in pairwise(names)]
+    squares = constants.sigma, constants.kappa_square
+    if any(close) or any(abs(square) <= LEAST_GAP * largest**2 for square in squares):
+        raise Inadmissible("two roots coincide at the state, but for rounding: the tori degenerate")
     xi = total - tau
     given = [X, xi, tau, constants.sigma]
     variables = formulas.values_of_offer("variables", HyperellipticForm)
@@ -103,7 +109,7 @@ def _best_fit(motion: MotionO4, angles: Array, state: Array) -> MotionO4:
     weights[:3] **= 0.5
 
     def difference(signs: Array, angles: Array) -> Array:
-        point = PhasePointO4(motion.parameters, motion.regime, list(signs), float, np.sqrt)
+        point = PhasePointO4(motion.parameters, motion.regime, list(signs), FLOATS)
         one, two = ((np.cos(angle / 2), np.sin(angle / 2)) for angle in angles)
         with np.errstate(invalid="ignore", divide="ignore"):  # signs for which E is not real
             found = np.array(np.broadcast_arrays(*point(one, two)))
