@@ -56,7 +56,12 @@ class Contents:
         programs: Sequence[Witness] = (),
         evidence: str = "",
     ) -> None:
-        self.run, self.sections, self.certified, self.programs = run, sections, certified, programs
+        self.run, self.sections, self.certified, self.programs = (
+            run,
+            sections,
+            certified,
+            programs,
+        )
         files = {claim: f"{evidence}/{claim}.json" for claim in certified} if evidence else {}
         self.phrases = Phrases(run.vocabulary, names(sections), labels(sections), files)
         self.passages = Passages(self.phrases, certified, programs, run)
