@@ -45,8 +45,8 @@ def is_asked(outcome, all_of_them):
 def uphold(decider, claim, outcome):
     """Raise an ``AssertionError`` unless what was printed is recorded, and certified alone."""
     assert "disagree" not in outcome.message, f"{outcome.claim}: {outcome.message}"
-    assert bool(outcome.certificate) == outcome.certified, outcome
-    if not outcome.certified:
+    assert bool(outcome.certificate) == outcome.needs_certificate, outcome
+    if not outcome.needs_certificate:
         return
     for name, text in outcome.certificates.items():
         found = checker.check(text)

@@ -8,7 +8,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from dataclasses import dataclass
+from collections.abc import Sequence
 from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
@@ -25,7 +25,6 @@ from kowalevski_cas.pool import Pool
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.questions import QUESTIONS, collect, forecast, question
 from kowalevski_cas.schema import head
-from kowalevski_cas.verify.confirm import need_certificates, receiving
 from kowalevski_cas.verify.finding import Finding, with_findings
 from kowalevski_cas.verify.outcome import Outcome, Run
 from kowalevski_cas.verify.run import Session
@@ -98,23 +97,24 @@ def run(arguments: argparse.Namespace) -> int:
     forecast(scene, arguments.question, getattr(arguments, "degree", 0))
     file, name = _owner(scene) if arguments.write else (None, "")
     pool = session.pool(arguments)
-    with receiving():
-        (answer,) = session.map_in_processes(
-            lambda _: _answer(derivation, scene, arguments, name, pool), [None]
-        )
-    for outcome in answer.run.outcomes:
-        need_certificates(outcome)
+    ((findings, unfinished),) = session.map_in_processes(
+        lambda _: _search(derivation, scene, arguments, pool), [None]
+    )
+    if not unfinished:
+        pool.forget()
+    claims = with_findings(derivation, findings)
+    run = Session(claims, ["flint"], timeout=arguments.timeout).run()
     if file is not None:
-        write(file, read(file) + answer.claims)
-    outcomes = answer.run.outcomes
+        write(file, read(file) + _in_python(findings, run, name, scene))
+    outcomes = run.outcomes
     if arguments.format == "json":
-        found = {**head("find"), "findings": [*map(_data, answer.findings, outcomes)]}
-        found["unfinished"] = answer.unfinished or None
+        found = {**head("find"), "findings": [*map(_data, findings, outcomes)]}
+        found["unfinished"] = unfinished or None
         print(json.dumps(found, indent=1, ensure_ascii=False))
     else:
         verbose = arguments.format == "verbose"
-        for finding, outcome in zip(answer.findings, outcomes, strict=True):
-            said = plain.words(outcome.words, answer.run.vocabulary)
+        for finding, outcome in zip(findings, outcomes, strict=True):
+            said = plain.words(outcome.words, run.vocabulary)
             formulas = () if finding.steps and not verbose else outcome.formulas
             shown = _shorten(", ".join(map(to_plain, formulas)), verbose)
             where = ", ".join(
@@ -123,11 +123,11 @@ def run(arguments: argparse.Namespace) -> int:
             said += f", where {where}" if where else ""
             print(f"{outcome.verdict}  {said}{':  ' if shown else ''}{shown}")
             for one in finding.computed:
-                print(f"computed  {_shorten(plain.words(one, answer.run.vocabulary), verbose)}")
-        checked = plain.many(len(answer.run.certificates), "certificate")
+                print(f"computed  {_shorten(plain.words(one, run.vocabulary), verbose)}")
+        checked = plain.many(len(run.certificates), "certificate")
         print(f"{len(outcomes)} found; {checked} checked")
-    if answer.unfinished:
-        raise CommandError(answer.unfinished, UNDECIDED)
+    if unfinished:
+        raise CommandError(unfinished, UNDECIDED)
     return AS_RECORDED if all(outcome.verdict.green for outcome in outcomes) else UNDECIDED
 
 
@@ -138,33 +138,22 @@ def _shorten(shown: str, verbose: bool) -> str:
     return f"{shown[:LONGEST]} … ({len(shown)} letters: -v shows all)"
 
 
-@dataclass(frozen=True)
-class _FindAnswer:
-    """What was found, and why nobody looked further, if something is left."""
-
-    findings: list[Finding]
-    run: Run
-    unfinished: str
-    claims: str
-    """What is proved of the scene, in Python."""
-
-
-def _answer(
-    derivation: Derivation, scene: Scene, arguments: argparse.Namespace, name: str, pool: Pool
-) -> _FindAnswer:
-    """The answer to a question; what was found before it had to stop is kept."""
+def _search(
+    derivation: Derivation, scene: Scene, arguments: argparse.Namespace, pool: Pool
+) -> tuple[list[Finding], str]:
+    """What is found, and why nobody looked further, if something is left."""
     on = Elaborations(derivation.texts(derivation.corrected()))
     try:
         keys = (key.lstrip("-") for key in ARGUMENTS[arguments.question])
         asked = {key: getattr(arguments, key) for key in keys}
         search = question(arguments.question).search(on, scene, pool, **asked)
-        findings, unfinished = collect(search, arguments.timeout)
+        return collect(search, arguments.timeout)
     except (Meaningless, NotationError) as error:
         raise CommandError(f"scene “{scene.name}”: {error}") from None
-    if not unfinished:
-        pool.forget()
-    claims = with_findings(derivation, findings)
-    run = Session(claims, ["flint"], timeout=arguments.timeout).run()
+
+
+def _in_python(findings: Sequence[Finding], run: Run, name: str, scene: Scene) -> str:
+    """What is proved of the scene, as a file of the library states it."""
     both = zip(findings, run.outcomes, strict=True)
     green = (finding for finding, outcome in both if outcome.verdict.green)
     kept = {
@@ -172,8 +161,7 @@ def _answer(
     }
     kinds = ", ".join(sorted({*kept.values()}))
     lines = [f"from kowalevski_cas.paper.claims import {kinds}"] if kept else []
-    lines += kept
-    return _FindAnswer(findings, run, unfinished, "\n".join(["", *lines, ""]))
+    return "\n".join(["", *lines, *kept, ""])
 
 
 def _owner(scene: Scene) -> tuple[Path, str]:

@@ -107,6 +107,13 @@ class Imaginary(NamedTuple):
         return {letter: self.kind.formula(tex, self.real.values) for letter, tex in euler.items()}
 
 
+class PrintedValue(NamedTuple):
+    """The generators of a family at a constant where their values are printed."""
+
+    argument: Formula
+    values: dict[str, Formula]
+
+
 def real_part(kind: Kind, monomial: Monomial) -> tuple[Kind, Monomial, int] | None:
     """What an imaginary argument is i times, with the family of which functions stand there.
 

@@ -8,9 +8,10 @@ constants: at special ones, and modulo the prime, they fall.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
-from kowalevski_cas.algebra.kernels import PRIME, rank, residue
+from kowalevski_cas.algebra.elimination import rank
+from kowalevski_cas.algebra.kernels import residue
 from kowalevski_cas.algebra.numbers import rational
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name
@@ -18,16 +19,12 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.goals import Kernel
 from kowalevski_cas.problem.place import Misplaced, PointEvaluation
 from kowalevski_cas.problem.polynomial_fields import (
-    Exponents,
     PolynomialField,
-    Terms,
     monomials,
     number_of_monomials,
     weight_of,
 )
-
-Residues = dict[Exponents, int]
-"""A polynomial in the variables, modulo the prime, at a point of the constants."""
+from kowalevski_cas.problem.residues import ResidueField, Residues, Weighted, products
 
 DEGREE = 1_000
 """The largest degree that is looked at, of the checker as well."""
@@ -52,7 +49,8 @@ class Ansatz:
             raise Misplaced(f"{size} monomials are too many")
         self.factor = at.scalar(goal.factor)
         self.field = PolynomialField(at, self.factor)
-        self.values = [self._value(name, place) for name in at.setting.constants]
+        values = [self._value(name, place) for name in at.setting.constants]
+        self.residues = ResidueField(self.field.rates, self.field.factor, values)
 
     def _value(self, name: str, place: PointEvaluation) -> int | None:
         """The residue of a constant that stands in the statement, if it is rational."""
@@ -63,64 +61,23 @@ class Ansatz:
 
     def columns(self) -> Iterator[Residues]:
         """What the field, less the factor, makes of each monomial."""
-        others = (0,) * len(self.values)
         for weight in range(self.goal.degree + 1):
-            for exponents in monomials(self.goal.weights, weight):
-                yield self.residues(self.field.derivative((*exponents, *others)))
+            yield from map(self.residues.derivative, monomials(self.goal.weights, weight))
 
     def known(self) -> list[Residues]:
         """The products that span the kernel; raises :class:`Misplaced` if one is no solution."""
         integrals = [self.solution(f, self.at.ring.zero) for f in self.goal.integrals]
         integrals = [one for one in integrals if one[0] > 0]
         solutions = [self.solution(f, self.factor) for f in self.goal.solutions]
-        return [one for left in solutions for one in self._products(left, integrals)]
+        return [one for f in solutions for one in products(f, integrals, self.goal.degree)]
 
-    def solution(self, formula: Formula, factor: Element) -> tuple[int, Residues]:
+    def solution(self, formula: Formula, factor: Element) -> Weighted:
         """A polynomial f with D f = factor f: its degree, and what it is at the point."""
         element = self.at.scalar(formula)
         if not (self.at.derivative(element) - factor * element).is_zero:
             raise Misplaced("what is said to be known is no solution")
         terms = self.field.polynomial(element)
-        return weight_of(terms, self.goal.weights), self.residues(terms)
-
-    def _products(
-        self, left: tuple[int, Residues], integrals: list[tuple[int, Residues]]
-    ) -> Iterator[Residues]:
-        degree, terms = left
-        if not terms or degree > self.goal.degree:
-            return
-        yield terms
-        for k, (more, one) in enumerate(integrals):
-            yield from self._products((degree + more, product_of(terms, one)), integrals[k:])
-
-    def residues(self, terms: Terms) -> Residues:
-        """A polynomial at the point."""
-        return residues(terms, self.values)
-
-
-def residues(terms: Terms, values: Sequence[int | None]) -> Residues:
-    """A polynomial at values of the constants, the exponents of which come last."""
-    found: Residues = {}
-    for exponents, coefficient in terms.items():
-        value, size = residue(coefficient), len(exponents) - len(values)
-        for base, exponent in zip(values, exponents[size:], strict=True):
-            if exponent:
-                if base is None:
-                    raise Misplaced("a constant is not rational at the point")
-                value = value * pow(base, exponent, PRIME) % PRIME
-        key = exponents[:size]
-        found[key] = (found.get(key, 0) + value) % PRIME
-    return {key: value for key, value in found.items() if value}
-
-
-def product_of(left: Residues, right: Residues) -> Residues:
-    """The product of two polynomials."""
-    total: Residues = {}
-    for a, u in left.items():
-        for b, v in right.items():
-            key = tuple(i + j for i, j in zip(a, b, strict=True))
-            total[key] = (total.get(key, 0) + u * v) % PRIME
-    return {key: value for key, value in total.items() if value}
+        return weight_of(terms, self.goal.weights), self.residues.residues(terms)
 
 
 def check_complete(goal: Kernel, at: Evaluation, place: PointEvaluation) -> None:

@@ -16,13 +16,12 @@ from random import Random
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
+from kowalevski_cas.algebra.elimination import PRIME, Echelon, TooLarge
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of
-from kowalevski_cas.algebra.kernels import PRIME, TooLarge
 from kowalevski_cas.algebra.polynomials import primitive
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.kernel import Residues, product_of, residues
 from kowalevski_cas.problem.polynomial_fields import (
     Exponents,
     PolynomialField,
@@ -30,8 +29,8 @@ from kowalevski_cas.problem.polynomial_fields import (
     monomials,
     number_of_monomials,
 )
+from kowalevski_cas.problem.residues import ResidueField, Residues, product_of, unpacked
 from kowalevski_cas.search.branches import Branch, solve_by_cases
-from kowalevski_cas.search.integrals import Span
 
 LARGEST = 500
 """The largest number of unknown coefficients."""
@@ -141,15 +140,17 @@ class _DarbouxSearch:
         own = [(self._at(f.polynomial, values), self._at(f.cofactor, values)) for f in known]
         target, cofactor = self._at(one.polynomial, values), self._at(one.cofactor, values)
         degree = _degree(target)
-        span = Span()
-        waiting: list[tuple[Residues, Residues, int]] = [({(0,) * self.field.size: 1}, {}, 0)]
+        span = Echelon()
+        waiting: list[tuple[Residues, Residues, int]] = [({0: 1}, {}, 0)]
         while waiting:
             left, total, first = waiting.pop()
             if total == cofactor:
                 span.extend(left)
             for k in range(first, len(own)):
                 if _degree(left) + _degree(own[k][0]) <= degree:
-                    waiting.append((product_of(left, own[k][0]), _added(total, own[k][1]), k))
+                    waiting.append(
+                        (product_of(left, own[k][0]), _sum_of_terms(total, own[k][1]), k)
+                    )
         return span.extend(target)
 
     def _values(self, one: Darboux) -> list[int]:
@@ -158,7 +159,7 @@ class _DarbouxSearch:
         values = {name: random.randrange(PRIME) for name in names}
         for left, right in reversed(one.equations):
             (name,) = (n for n in names if (left - self.at.ring.generator(n)).is_zero)
-            values[name] = self._at(right, [*values.values()]).get((0,) * self.field.size, 0)
+            values[name] = self._at(right, [*values.values()]).get(0, 0)
         return [*values.values()]
 
     def _holds(self, one: Darboux, values: Sequence[int]) -> bool:
@@ -175,13 +176,16 @@ class _DarbouxSearch:
         below = 1
         for index, exponent in element.denominator.items():
             divisor = Element(element.ring, {0: element.ring.divisors[index]}, {})
-            value = residues(self.field.polynomial(divisor), values).get((0,) * self.field.size, 0)
+            value = self._residues(self.field.polynomial(divisor), values).get(0, 0)
             if not value:
                 raise ZeroDivisionError
             below = below * pow(value, exponent, PRIME) % PRIME
-        found = residues(self.field.polynomial(element), values)
+        found = self._residues(self.field.polynomial(element), values)
         over = pow(below, -1, PRIME)
-        return {exponents: value * over % PRIME for exponents, value in found.items()}
+        return {monomial: value * over % PRIME for monomial, value in found.items()}
+
+    def _residues(self, terms: Terms, values: Sequence[int]) -> Residues:
+        return ResidueField(self.field.rates, self.field.factor, values).residues(terms)
 
 
 class _Ansatz:
@@ -315,9 +319,9 @@ def _weight(weights: Sequence[int], exponents: Sequence[int]) -> int:
 
 
 def _degree(terms: Residues) -> int:
-    return max(map(sum, terms), default=0)
+    return max((sum(unpacked(monomial)) for monomial in terms), default=0)
 
 
-def _added(left: Residues, right: Residues) -> Residues:
-    total = {e: (left.get(e, 0) + right.get(e, 0)) % PRIME for e in left.keys() | right.keys()}
-    return {exponents: value for exponents, value in total.items() if value}
+def _sum_of_terms(left: Residues, right: Residues) -> Residues:
+    total = {m: (left.get(m, 0) + right.get(m, 0)) % PRIME for m in left.keys() | right.keys()}
+    return {monomial: value for monomial, value in total.items() if value}

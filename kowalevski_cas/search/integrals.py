@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
 from functools import partial
-from itertools import chain
+from itertools import chain, islice
+from operator import mul
 from random import Random
 
-from kowalevski_cas.algebra.kernels import PRIME, TooLarge, kernel, rank
+from kowalevski_cas.algebra.elimination import PRIME, Echelon, TooLarge, relations
+from kowalevski_cas.algebra.kernels import lift
 from kowalevski_cas.algebra.polynomials import primitive
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.kernel import LARGEST, Residues, product_of, residues
+from kowalevski_cas.problem.kernel import LARGEST
 from kowalevski_cas.problem.polynomial_fields import (
     Exponents,
     PolynomialField,
@@ -22,6 +26,7 @@ from kowalevski_cas.problem.polynomial_fields import (
     number_of_monomials,
     weight_of,
 )
+from kowalevski_cas.problem.residues import ResidueField, Weighted, products
 
 CONSTANTS = 6
 """The largest degree of coefficients in the constants."""
@@ -71,92 +76,100 @@ class _IntegralSearch:
         self.known: list[Terms] = []
         self.factors = self.known
         """What known ones are multiplied by: integrals by each other."""
-        self.monomials: list[Exponents] = []
-        self.columns: list[Residues] = []
         self.others = len(field.names) - field.size
         random = Random(1)
-        self.values = [random.randrange(PRIME) for _ in range(self.others)]
+        values = [random.randrange(PRIME) for _ in range(self.others)]
+        self.residues = ResidueField(field.rates, field.factor, values)
+        self.groups: dict[Exponents, list[Exponents]] = defaultdict(list)
+        """Monomials in the variables by their weights, which the motion keeps together."""
+        self.solutions: dict[Exponents, list[Combination]] = {}
+        """Modulo the prime."""
 
     def of_weight(self, weight: int) -> Iterator[Terms]:
         """Integrals with terms up to a weight that are no polynomials in the known ones."""
         if (size := number_of_monomials(self.weights, weight)) > LARGEST:
             raise TooLarge(f"{size} monomials have the weight {weight} or less")
-        for own in monomials(self.weights, weight):
-            exponents = (*own, *(0,) * self.others)
-            self.monomials.append(exponents)
-            self.columns.append(residues(self.field.derivative(exponents), self.values))
-        dimension = len(self.columns) - rank(self.columns, self.pool)
+        later = list[Exponents]()
+        for exponents in monomials(self.weights, weight):
+            grade = tuple(sum(map(mul, w, exponents)) for w in self.field.weights)
+            self.groups[grade].append(exponents)
+            later.append(grade)
+        changed = [*dict.fromkeys(later)]
+        work = partial(_combinations, self.residues)
+        found = self.pool.map(work, [self.groups[grade] for grade in changed])
+        self.solutions.update(zip(changed, found, strict=True))
+        dimension = sum(map(len, self.solutions.values()))
         span = self._span(weight)
-        for degree in range(CONSTANTS + 1 if self.others else 1):
-            if len(span) == dimension or len(self.monomials) * (degree + 1) > LARGEST:
+        for candidates in self._candidates(size):
+            if len(span) == dimension:
                 return
-            for terms in sorted(self._kernel(degree), key=_size):
-                if len(span) < dimension and span.extend(residues(terms, self.values)):
+            for terms in candidates:
+                if len(span) < dimension and span.extend(self.residues.residues(terms)):
                     self.known.append(primitive(terms))
                     yield self.known[-1]
                     span = self._span(weight)
 
+    def _candidates(self, size: int) -> Iterator[Iterator[Terms]]:
+        """Integrals with coefficients of each degree in the constants, the shortest first."""
+        if not self.others:
+            rates, factor = self.field.rates, self.field.factor
+            found = sorted(chain.from_iterable(self.solutions.values()), key=_size)
+            yield (terms for one in found if (terms := _lift(one, rates, factor)))
+            return
+        for degree in range(CONSTANTS + 1):
+            if size * (degree + 1) <= LARGEST:
+                yield iter(sorted(self._kernel(degree), key=_size))
+
     def _kernel(self, degree: int) -> Iterator[Terms]:
         """A basis of the integrals with coefficients of some degree in the constants."""
-        groups: dict[Exponents, list[Exponents]] = {}
+        groups: dict[Exponents, list[Exponents]] = defaultdict(list)
         ones = (1,) * self.others
         constants = [e for size in range(degree + 1) for e in monomials(ones, size)]
-        for own in self.monomials:
+        for own in chain.from_iterable(self.groups.values()):
             for powers in constants:
-                exponents = (*own[: self.field.size], *powers)
-                groups.setdefault(self.field.grade(exponents), []).append(exponents)
+                groups[self.field.grade((*own, *powers))].append((*own, *powers))
         work = partial(_solutions, self.field.rates, self.field.factor)
         return chain.from_iterable(self.pool.map(work, groups.values()))
 
-    def _span(self, weight: int) -> Span:
+    def _span(self, weight: int) -> Echelon:
         """The polynomials in known integrals, up to a weight and but for constants."""
-        own = [residues(f, self.values) for f in self.factors]
-        same = self.factors is self.known
-        found, waiting = (
-            Span(),
-            [(residues(f, self.values), k * same) for k, f in enumerate(self.known)],
-        )
-        while waiting:
-            left, first = waiting.pop()
-            if weight_of(left, self.weights) <= weight:
-                found.extend(left)
-                waiting += [(product_of(left, own[k]), k) for k in range(first, len(own))]
-        return found
+        of_integrals = self.factors is self.known
+        integrals = [self._weigh(f) for f in self.factors]
+        left = [(0, {0: 1})] if of_integrals else [self._weigh(f) for f in self.known]
+        found = chain.from_iterable(products(f, integrals, weight) for f in left)
+        span = Echelon()
+        for product in islice(found, of_integrals, None):
+            span.extend(product)
+        return span
+
+    def _weigh(self, terms: Terms) -> Weighted:
+        return weight_of(terms, self.weights), self.residues.residues(terms)
+
+
+Combination = dict[Exponents, int]
+"""A polynomial modulo the prime."""
+
+
+def _combinations(field: ResidueField, group: Sequence[Exponents]) -> list[Combination]:
+    """A basis of the combinations of monomials that the motion multiplies by the factor."""
+    found = relations([field.derivative(exponents) for exponents in group])
+    return [{group[k]: value for k, value in relation.items()} for relation in found]
 
 
 def _solutions(rates: Sequence[Terms], factor: Terms, group: Sequence[Exponents]) -> list[Terms]:
-    """A basis of the combinations of monomials that the motion multiplies by the factor."""
-    vectors = kernel([derivative(exponents, rates, factor) for exponents in group])
-    return [{e: v for e, v in zip(group, vector, strict=True) if v} for vector in vectors]
+    """Those over the rational numbers, of monomials in the variables and the constants."""
+    found = _combinations(ResidueField(rates, factor), group)
+    return [terms for one in found if (terms := _lift(one, rates, factor))]
 
 
-def _size(terms: Terms) -> tuple[int, int]:
+def _lift(found: Combination, rates: Sequence[Terms], factor: Terms) -> Terms | None:
+    """The polynomial with small coefficients, if the motion multiplies it by the factor."""
+    terms, total = lift(found), defaultdict[Exponents, Fraction](Fraction)
+    for exponents, value in terms.items():
+        for other, rate in derivative(exponents, rates, factor).items():
+            total[other] += value * rate
+    return None if any(total.values()) else terms
+
+
+def _size(terms: Mapping[Exponents, object]) -> tuple[int, int]:
     return max(map(sum, terms)), len(terms)
-
-
-class Span:
-    """A space of polynomials modulo a prime, by a basis whose leading terms differ."""
-
-    def __init__(self) -> None:
-        self._basis: dict[Exponents, Residues] = {}
-
-    def __len__(self) -> int:
-        return len(self._basis)
-
-    def extend(self, terms: Residues) -> bool:
-        """Add a polynomial; whether it was not in the space before."""
-        rest = dict(terms)
-        while rest:
-            lead = max(rest)
-            if lead not in self._basis:
-                over = pow(rest[lead], -1, PRIME)
-                self._basis[lead] = {e: v * over % PRIME for e, v in rest.items()}
-                return True
-            factor = rest[lead]
-            for exponents, value in self._basis[lead].items():
-                new = (rest.get(exponents, 0) - factor * value) % PRIME
-                if new:
-                    rest[exponents] = new
-                else:
-                    rest.pop(exponents, None)
-        return False

@@ -12,13 +12,14 @@ from random import Random
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
+from kowalevski_cas.algebra.elimination import PRIME, Echelon, TooLarge
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_flint
-from kowalevski_cas.algebra.ideals import reduced_groebner_basis, remainder
-from kowalevski_cas.algebra.kernels import PRIME, TooLarge, kernel
+from kowalevski_cas.algebra.ideals import reduce_groebner_basis, remainder
+from kowalevski_cas.algebra.kernels import kernel
 from kowalevski_cas.algebra.polynomials import primitive
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.kernel import LARGEST, residues
+from kowalevski_cas.problem.kernel import LARGEST
 from kowalevski_cas.problem.polynomial_fields import (
     Exponents,
     PolynomialField,
@@ -26,8 +27,8 @@ from kowalevski_cas.problem.polynomial_fields import (
     monomials,
     weight_of,
 )
+from kowalevski_cas.problem.residues import ResidueField
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.search.integrals import Span
 
 CONSTANTS = 2
 """The largest degree of coefficients in the constants."""
@@ -64,14 +65,15 @@ class _RestrictedSearch:
         given = [one for one in whole if one]
         if not given:
             raise Meaningless("the relations hold everywhere")
-        self.basis = reduced_groebner_basis(given)
+        self.basis = reduce_groebner_basis(given)
         if any(one.is_constant() for one in self.basis):
             raise Meaningless("the relations hold nowhere")
         self.leads = [tuple(map(int, one.monomial(0))) for one in self.basis]
         self.known: list[fmpq_mpoly] = []
         self.others = len(field.names) - field.size
         random = Random(1)
-        self.values = [random.randrange(PRIME) for _ in range(self.others)]
+        values = [random.randrange(PRIME) for _ in range(self.others)]
+        self.residues = ResidueField(field.rates, field.factor, values)
         for one in self.basis:
             rates = (self._rate(e) * to_flint(c) for e, c in terms_of(one).items())
             if remainder(sum(rates, self.context.constant(0)), self.basis):
@@ -87,7 +89,7 @@ class _RestrictedSearch:
             rates = [terms_of(remainder(self._rate(e), self.basis)) for e in group]
             found = ({e: v for e, v in zip(group, w, strict=True) if v} for w in kernel(rates))
             for terms in sorted(found, key=lambda one: (max(map(sum, one)), len(one))):
-                if span.extend(residues(terms, self.values)):
+                if span.extend(self.residues.residues(terms)):
                     self.known.append(polynomial_of(self.context, primitive(terms)))
                     yield terms_of(self.known[-1])
                     span = self._span(degree)
@@ -105,13 +107,13 @@ class _RestrictedSearch:
     def _rate(self, exponents: Exponents) -> fmpq_mpoly:
         return polynomial_of(self.context, self.field.derivative(exponents))
 
-    def _span(self, degree: int) -> Span:
+    def _span(self, degree: int) -> Echelon:
         """The remainders of products of known integrals up to a degree."""
         sizes = [weight_of(terms_of(one), (1,) * self.field.size) for one in self.known]
-        found, waiting = Span(), [(self.context.constant(1), 0, 0)]
+        found, waiting = Echelon(), [(self.context.constant(1), 0, 0)]
         while waiting:
             left, size, first = waiting.pop()
-            found.extend(residues(terms_of(left), self.values))
+            found.extend(self.residues.residues(terms_of(left)))
             for k in range(first, len(self.known)):
                 if size + sizes[k] <= degree:
                     product = remainder(left * self.known[k], self.basis)

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from .elimination import PRIME, rank
 from .evidence import locate
 from .formulas import Map
 from .goals import Goal
@@ -18,7 +19,6 @@ from .polynomials import MASK, Element
 from .reading import DEGREE, Json, Rejected, integer, items, need, record, say
 from .spaces import Space
 
-PRIME = 2**61 - 1
 Residues = dict[int, int]  # by monomials in the variables
 
 
@@ -123,7 +123,8 @@ class Kernel(Goal):
             if left and degree <= self.degree:
                 found.append(left)
                 for k, (more, one) in enumerate(integrals[start:], start):
-                    waiting.append((degree + more, self._product(left, one), k))
+                    if degree + more <= self.degree:
+                        waiting.append((degree + more, self._product(left, one), k))
         return found
 
     def _product(self, left: Residues, right: Residues) -> Residues:
@@ -184,22 +185,7 @@ class Kernel(Goal):
                 yield (*rest, e)
 
     def _rank(self, vectors: list[Residues]) -> int:
-        """The rank modulo the prime, by elimination."""
-        pivots: dict[int, Residues] = {}
-        for vector in sorted(vectors, key=len):
-            while vector:
-                lead = max(vector)
-                if lead not in pivots:
-                    over = pow(vector[lead], -1, PRIME)
-                    pivots[lead] = {m: v * over % PRIME for m, v in vector.items()}
-                    break
-                count, vector = vector[lead], dict(vector)
-                for m, v in pivots[lead].items():
-                    vector[m] = (vector.get(m, 0) - count * v) % PRIME
-                    if not vector[m]:
-                        del vector[m]
-                self.ring.spend(1 + (len(vector) + len(pivots[lead]) >> 2))
-        return len(pivots)
+        return rank(vectors, self.ring.spend)
 
     @staticmethod
     def words(data: Json) -> str:

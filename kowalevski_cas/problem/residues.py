@@ -1,0 +1,119 @@
+"""Polynomials in the variables of a field modulo a prime, at residues of its constants.
+
+A monomial is a number: its exponents are digits to the base 2ᴮᴵᵀˢ, so that monomials are multiplied
+by an addition.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from functools import cached_property
+
+from kowalevski_cas.algebra.elimination import PRIME
+from kowalevski_cas.algebra.kernels import residue
+from kowalevski_cas.problem.place import Misplaced
+from kowalevski_cas.problem.polynomial_fields import Exponents, Terms
+
+BITS = 16
+"""Of an exponent; so many that no sum of an exponent of the field and a degree is too large."""
+
+Residues = dict[int, int]
+"""The residues of the coefficients, by monomials."""
+
+
+class ResidueField:
+    """A polynomial vector field, less the multiplication by a factor, modulo the prime.
+
+    Args:
+        rates: the components of the field, in the variables and then the constants.
+        factor: what is subtracted times a polynomial when this is differentiated.
+        values: residues of the last names, the constants; ``None`` is one that nothing has asked
+            for. Without values all names are kept.
+
+    Raises:
+        Misplaced: an exponent is too large, or a constant without a value stands somewhere.
+    """
+
+    def __init__(
+        self, rates: Sequence[Terms], factor: Terms, values: Sequence[int | None] = ()
+    ) -> None:
+        self.rates, self.factor, self.values = rates, factor, values
+
+    @cached_property
+    def _steps(self) -> list[list[tuple[int, int]]]:
+        """What a derivative adds to a monomial, and the coefficients, for each variable in it."""
+        return [
+            [(step - (1 << BITS * k), value) for step, value in self.residues(rate).items()]
+            for k, rate in enumerate(self.rates)
+        ]
+
+    @cached_property
+    def _multiple(self) -> list[tuple[int, int]]:
+        return [(step, -value) for step, value in self.residues(self.factor).items()]
+
+    def derivative(self, exponents: Exponents) -> Residues:
+        """What the field, less the factor, makes of a monomial in the variables."""
+        monomial = packed(exponents)
+        found = {monomial + step: value for step, value in self._multiple}
+        for exponent, steps in zip(exponents, self._steps, strict=False):
+            for step, value in steps if exponent else ():
+                key = monomial + step
+                found[key] = found.get(key, 0) + exponent * value
+        return {key: rest for key, value in found.items() if (rest := value % PRIME)}
+
+    def residues(self, terms: Terms) -> Residues:
+        """A polynomial in the variables and the constants, at the values of these."""
+        found: Residues = {}
+        for exponents, coefficient in terms.items():
+            value, size = residue(coefficient), len(exponents) - len(self.values)
+            for base, exponent in zip(self.values, exponents[size:], strict=True):
+                if exponent:
+                    if base is None:
+                        raise Misplaced("a constant is not rational at the point")
+                    value = value * pow(base, exponent, PRIME) % PRIME
+            key = packed(exponents[:size])
+            found[key] = (found.get(key, 0) + value) % PRIME
+        return {key: value for key, value in found.items() if value}
+
+
+def packed(exponents: Iterable[int]) -> int:
+    """The number of a monomial; raises :class:`Misplaced` if an exponent is too large."""
+    found = 0
+    for place, exponent in enumerate(exponents):
+        if exponent >> BITS - 1:
+            raise Misplaced(f"an exponent is {exponent}, which is too large")
+        found |= exponent << BITS * place
+    return found
+
+
+def unpacked(monomial: int) -> list[int]:
+    """The exponents of a monomial, up to the last that is not zero."""
+    found = []
+    while monomial:
+        found.append(monomial & (1 << BITS) - 1)
+        monomial >>= BITS
+    return found
+
+
+def product_of(left: Residues, right: Residues) -> Residues:
+    """The product of two polynomials."""
+    total: Residues = {}
+    for a, u in left.items():
+        for b, v in right.items():
+            total[a + b] = total.get(a + b, 0) + u * v
+    return {key: rest for key, value in total.items() if (rest := value % PRIME)}
+
+
+Weighted = tuple[int, Residues]
+"""A polynomial with its degree."""
+
+
+def products(left: Weighted, integrals: Sequence[Weighted], degree: int) -> Iterator[Residues]:
+    """A polynomial times all products of powers of integrals, up to a degree."""
+    own, terms = left
+    if not terms or own > degree:
+        return
+    yield terms
+    for k, (more, one) in enumerate(integrals):
+        if own + more <= degree:
+            yield from products((own + more, product_of(terms, one)), integrals[k:], degree)
