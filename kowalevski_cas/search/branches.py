@@ -164,7 +164,7 @@ def _split_cases(
             yield from _split_cases([(factor,), *left], places, (*nonzero, *first[:k]), solved)
     else:
         known = tuple(factor.polynomial for factor in nonzero)
-        yield Branch(_reduce_solutions(solved), tuple(one.polynomial for one in single), known)
+        yield Branch(reduce_solutions(solved), tuple(one.polynomial for one in single), known)
 
 
 def _clear_factors(
@@ -180,16 +180,16 @@ def _clear_factors(
         groups[left] = None
     single = {group[0] for group in groups if len(group) == 1}
     several = [group for group in groups if len(group) > 1 and not single & {*group}]
-    alone = _coprime(single)
+    alone = _coprime(single, places)
     return None if alone is None else [*((one,) for one in alone), *several]
 
 
-def _coprime(single: Iterable[_Factor]) -> list[_Factor] | None:
+def _coprime(single: Iterable[_Factor], places: Sequence[int]) -> list[_Factor] | None:
     """Equations, of which two in one and the same unknown alone have no solution."""
     found: list[_Factor] = sorted(single, key=lambda one: (one.size, one.key))
-    alone = [one for one in found if sum(map(bool, one.degrees)) == 1]
-    places = [next(k for k, degree in enumerate(one.degrees) if degree) for one in alone]
-    return None if len({*places}) < len(places) else found
+    unknowns = ([place for place in places if one.degrees[place]] for one in found)
+    alone = [own[0] for own in unknowns if len(own) == 1]
+    return None if len({*alone}) < len(alone) else found
 
 
 _Linear = tuple[_Factor, int, _Group]
@@ -254,7 +254,7 @@ def _substitute_factor(factor: _Factor, place: int, equation: fmpq_mpoly) -> _Gr
     return None if polynomial.is_zero() else _factors(polynomial)
 
 
-def _reduce_solutions(solved: Solved) -> Solved:
+def reduce_solutions(solved: Solved) -> Solved:
     """Equations for unknowns without those that later equations are solved for."""
     found: list[tuple[int, fmpq_mpoly]] = []
     for place, equation in reversed(solved):
