@@ -146,7 +146,7 @@ def load(name: str, anew: bool = True) -> Derivation:
     sys.modules[module_name] = module
     MADE.clear()
     try:
-        with _without_bytecode(not file.is_relative_to(library())), _staying_alive():
+        with _without_bytecode(not file.is_relative_to(library())), _no_exit():
             spec.loader.exec_module(module)
         return _derivation(module, file, folder.stem)
     except (LibraryError, KeyboardInterrupt):
@@ -181,14 +181,14 @@ def _without_bytecode(wanted: bool) -> Iterator[None]:
 
 
 @contextmanager
-def _staying_alive() -> Iterator[None]:
+def _no_exit() -> Iterator[None]:
     """Let nobody end this process at once: who asked would hear nothing, and take it for success.
 
     A process that is begun meanwhile may end as it likes.
     """
     here, before = os.getpid(), {name: getattr(os, name) for name in ENDS}
 
-    def refused(name: str) -> Callable[..., None]:
+    def refuse(name: str) -> Callable[..., None]:
         def end(*arguments: object) -> None:
             if os.getpid() != here:
                 before[name](*arguments)
@@ -198,7 +198,7 @@ def _staying_alive() -> Iterator[None]:
 
     try:
         for name in ENDS:
-            setattr(os, name, refused(name))
+            setattr(os, name, refuse(name))
         yield
     finally:
         for name, function in before.items():

@@ -45,7 +45,7 @@ def begin(here: Watched) -> None:
     _here = here
 
 
-def watched() -> bool:
+def is_watched() -> bool:
     """Whether somebody watches this process, so that limits hold in it."""
     return _here is not None
 

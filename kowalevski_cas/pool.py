@@ -14,7 +14,7 @@ from functools import cached_property, partial
 from hashlib import sha256
 from importlib import import_module
 from io import BytesIO
-from itertools import chain, count, islice
+from itertools import chain, islice
 from pathlib import Path
 from time import perf_counter
 from typing import Any, TypeVar
@@ -48,12 +48,12 @@ class Pool:
     def __init__(self, jobs: int = 1, scheduler: str = "", file: Path | None = None) -> None:
         self.jobs, self.scheduler, self.file = jobs, scheduler, file
         self._size = 1
-        self._numbers = count()
+        self._number = 0
         self._unsaved: Found = {}
         self._seconds = 0.0
 
     @cached_property
-    def _kept(self) -> Found:
+    def _content(self) -> Found:
         """What the file had at first."""
         return {} if self.file is None else _read(self.file)
 
@@ -66,7 +66,7 @@ class Pool:
         Raises:
             ProcessDied: two workers have died on a batch, or no cluster answers.
         """
-        source, found = iter(items), dict(self._kept)
+        source, found = iter(items), dict(self._content)
         for item in source:  # what is known comes before anything is begun
             if (key := self._key(work, item)) not in found:
                 source = chain([item], source)
@@ -126,7 +126,8 @@ class Pool:
     def _key(self, work: object, item: object) -> Key:
         """What a task is known by: what it consists of, if its result is kept."""
         if self.file is None:
-            return next(self._numbers)
+            self._number += 1
+            return self._number
         stream = BytesIO()
         pickler = pickle.Pickler(stream)
         pickler.fast = True  # equal data are equal bytes, whether or not parts are the same object
@@ -202,20 +203,20 @@ def _on_cluster(
         raise ProcessDied(f"no Dask scheduler answers at {address}: {error}") from None
     with client:
 
-        def sent(number: int) -> list[Any]:
+        def submit(number: int) -> list[Any]:
             chosen = (pickle.dumps((work, batch)) for batch in islice(batches, number))
-            return [client.submit(_unpacked, one, pure=False) for one in chosen]
+            return [client.submit(_run_pickled, one, pure=False) for one in chosen]
 
-        running = distributed.as_completed(sent(2 * max(1, sum(client.nthreads().values()))))
+        running = distributed.as_completed(submit(2 * max(1, sum(client.nthreads().values()))))
         for future in running:
             try:
                 yield pickle.loads(future.result())
             except distributed.KilledWorker as error:
                 raise ProcessDied(f"workers of the cluster have died: {error}") from None
-            running.update(sent(1))
+            running.update(submit(1))
 
 
-def _unpacked(data: bytes) -> bytes:
+def _run_pickled(data: bytes) -> bytes:
     """A batch, done where it was sent."""
     work, batch = pickle.loads(data)
     return pickle.dumps(work(batch))

@@ -14,6 +14,7 @@ import sys
 from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from contextlib import closing, suppress
+from functools import partial
 from io import BufferedReader
 from math import inf
 from select import select
@@ -21,7 +22,8 @@ from time import monotonic
 from traceback import format_exc
 from typing import Generic, TypeVar
 
-from kowalevski_cas.limits import LENGTH, ProcessDied, Watched, begin, watched
+from kowalevski_cas import forkserver
+from kowalevski_cas.limits import LENGTH, ProcessDied, Watched, begin, is_watched
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -48,8 +50,9 @@ def each(
     If they need not be ``ordered``, each comes as soon as it is there.
 
     ``jobs`` copies of this process work at once, where the system makes such copies: a fork costs
-    milliseconds, a new start would cost as much as a proof. The items are sent, and have to be
-    plain data. Who is done with one takes another. Of a sequence every second process takes what
+    milliseconds, a new start would cost as much as a proof. Where this process has threads, copies
+    are made of a fork server instead (``forkserver.py``). The items are sent, and have to be plain
+    data. Who is done with one takes another. Of a sequence every second process takes what
     is left at the end, so that neighbours, which often need the same, are done in one process.
     ``heard`` is called with what is told there and the place of the item. Nothing is left running
     if this ends early.
@@ -59,8 +62,11 @@ def each(
     """
     done = dict[int, _WorkResult[Result]]()
     following = 0
-    with closing(_answers(work, items, jobs, heard)) as answers:
-        for place, answer in answers:
+    take, answers = _next_items(items), partial(_answers, work, jobs)
+    if hasattr(os, "fork") and forkserver.has_threads():
+        answers = partial(forkserver.answers, answers)
+    with closing(answers(take, heard)) as found:
+        for place, answer in found:
             done[place if ordered else following] = answer
             while following in done:
                 yield done.pop(following).result
@@ -82,10 +88,12 @@ class _WorkResult(Generic[Result]):
 
 
 def _answers(
-    work: Callable[[Item], Result], items: Iterable[Item], jobs: int, heard: Callable[..., None]
+    work: Callable[[Item], Result],
+    jobs: int,
+    take: Callable[[int], tuple[int, Item] | None],
+    heard: Callable[..., None],
 ) -> Generator[tuple[int, _WorkResult[Result]], None, None]:
     """What came of the items at these places; an item is taken when somebody is free."""
-    take = _next_items(items)
     if not hasattr(os, "fork"):
         while (one := take(0)) is not None:
             yield one[0], _WorkResult([work(one[1])])
@@ -158,7 +166,7 @@ class _Process(Generic[Item, Result]):
                 os._exit(1)  # whatever happens, a copy does not go on with what the original does
         os.close(told)
         os.close(asked)
-        if not watched():
+        if not is_watched():
             os.setpgid(self.pid, self.pid)  # a group of its own, which ends with it
 
     def give(self, place: int, item: Item) -> None:
@@ -221,7 +229,7 @@ class _Process(Generic[Item, Result]):
     def send(self, number: signal.Signals) -> None:
         """Send a signal to the process, and to those that it has begun."""
         with suppress(ProcessLookupError):
-            (os.kill if watched() else os.killpg)(self.pid, number)
+            (os.kill if is_watched() else os.killpg)(self.pid, number)
 
     def tidy(self) -> None:
         """Let the process take away what it has written for the time of its work."""

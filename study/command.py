@@ -51,13 +51,13 @@ def run(arguments: argparse.Namespace) -> int:
         counts = Counter(row["verdict"] for row in rows)
         note = "".join(f", {counts[v]} {v}" for v in (LEFT_OUT, "timeout", ERROR) if counts[v])
         print(f"{name}: {load(name).TITLE}: {len(rows)} measurements{note}", flush=True)
-        codes += map(_told, rows)
+        codes += map(_print_trouble, rows)
     if not arguments.quick:  # the captions are about the whole study
         write_page(folder)
     return exits.most_urgent(codes)
 
 
-def _told(row: Row) -> int:
+def _print_trouble(row: Row) -> int:
     """The exit code for a measurement, which is told if it is none."""
     if row["verdict"] == DISAGREEMENT:
         print(f"the exact arithmetics disagree: {row['reason']}", file=sys.stderr)

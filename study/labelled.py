@@ -97,13 +97,13 @@ def spread(statements: Sequence[Labelled], size: int) -> list[Labelled]:
     """At most so many statements, half of them true, the kinds of the others in turn."""
     kinds = Counter(statement.kind for statement in statements)
     shares = {kind: [s for s in statements if s.kind == kind] for kind in kinds}
-    true = _thinned(shares.pop(TRUE, []), size // 2)
-    others = (_thinned(share, size) for share in shares.values())
+    true = _every_so_many(shares.pop(TRUE, []), size // 2)
+    others = (_every_so_many(share, size) for share in shares.values())
     false = [s for s in chain.from_iterable(zip_longest(*others)) if s is not None]
     return [*true, *false[: size - len(true)]]
 
 
-def _thinned(statements: list[Labelled], size: int) -> list[Labelled]:
+def _every_so_many(statements: list[Labelled], size: int) -> list[Labelled]:
     """At most so many, evenly from the whole list."""
     if len(statements) <= size:
         return statements

@@ -72,7 +72,7 @@ def exact(arithmetic: str) -> Callable[[Setting], Evaluation]:
     return of
 
 
-def sampled() -> Callable[[Setting], Sampled]:
+def sampler() -> Callable[[Setting], Sampled]:
     """What evaluates spaces in programs, to be put to points; each space once."""
     of = exact("flint")
     return cache(lambda setting: Sampled(of(setting)))

@@ -39,7 +39,7 @@ def limit_memory(mebibytes: int) -> None:
 
 
 @contextmanager
-def killed_after(process: subprocess.Popen[str], seconds: float) -> Iterator[None]:
+def kill_after(process: subprocess.Popen[str], seconds: float) -> Iterator[None]:
     """Kill a process if the body takes longer."""
     timer = Timer(seconds, process.kill)
     timer.start()
@@ -71,8 +71,8 @@ def race(command: Sequence[str], folder: Path, seconds: float, mebibytes: int) -
     )
     with process:
         try:
-            with killed_after(process, seconds):
-                wrong = _followed(process, found)
+            with kill_after(process, seconds):
+                wrong = _follow(process, found)
                 code = process.wait()
         finally:
             process.kill()
@@ -87,7 +87,7 @@ def race(command: Sequence[str], folder: Path, seconds: float, mebibytes: int) -
     return {"seconds": spent, "verdict": verdict, "reason": reason, **found}
 
 
-def _followed(process: subprocess.Popen[str], found: dict[str, list[Any]]) -> list[str]:
+def _follow(process: subprocess.Popen[str], found: dict[str, list[Any]]) -> list[str]:
     """Keep what is reached; the lines from the first that is no step, which mean an error."""
     assert process.stdout
     for line in map(str.strip, process.stdout):
@@ -96,7 +96,7 @@ def _followed(process: subprocess.Popen[str], found: dict[str, list[Any]]) -> li
             found["times"].append(float(step[2]))
             found["memory"].append(_peak(process.pid))
         elif line and "Warning: " not in line:
-            with killed_after(process, _PATIENCE):
+            with kill_after(process, _PATIENCE):
                 return [line, *process.stdout]
     return []
 

@@ -82,14 +82,14 @@ def measure(quick: bool) -> Iterator[Task]:
         for one in published:
             if one.name in QUICK or not quick:
                 for name, method in methods.items():
-                    yield Task(name, f"{one.question}: {one.name}", partial(_timed, method, one))
+                    yield Task(name, f"{one.question}: {one.name}", partial(_time, method, one))
 
 
-def _timed(method: Prepared, one: Published) -> Measured:
+def _time(method: Prepared, one: Published) -> Measured:
     """How long it takes, without the preparation, and how many solutions or cases there are."""
     work = method(one)
 
-    def measured(_: int) -> Measured:
+    def run_method(_: int) -> Measured:
         start = perf_counter()
         try:
             with time_limit(SECONDS):
@@ -98,7 +98,7 @@ def _timed(method: Prepared, one: Published) -> Measured:
             return {"seconds": SECONDS, "verdict": "timeout", "reason": f"{SECONDS:g} s"}
         return {"seconds": perf_counter() - start, "verdict": "finished", "size": size}
 
-    (found,) = each(measured, [0])
+    (found,) = each(run_method, [0])
     return found
 
 
@@ -222,7 +222,7 @@ def _by_cases(one: Published) -> Callable[[], int]:
 
 def _with_cofactors(one: Published) -> Callable[[], int]:
     equations, _ = _equations(one)
-    return lambda: len(Basis(equations, ()).interreduced())
+    return lambda: len(Basis(equations, ()).interreduce())
 
 
 def _by_flint(one: Published) -> Callable[[], int]:

@@ -92,13 +92,13 @@ def _read(path: Path) -> tuple[Mapping[str, Any], dict[Key, Row]]:
 
 
 def _line(entry: Mapping[str, Any]) -> str:
-    return json.dumps(_rounded(entry), ensure_ascii=False, separators=(",", ":")) + "\n"
+    return json.dumps(_round(entry), ensure_ascii=False, separators=(",", ":")) + "\n"
 
 
-def _rounded(value: Any) -> Any:
+def _round(value: Any) -> Any:
     """Measured numbers have four digits: no more of them is ever the same twice."""
     if isinstance(value, float):
         return float(f"{value:.4g}")
     if isinstance(value, Mapping):
-        return {key: _rounded(item) for key, item in value.items()}
-    return [_rounded(item) for item in value] if isinstance(value, list) else value
+        return {key: _round(item) for key, item in value.items()}
+    return [_round(item) for item in value] if isinstance(value, list) else value

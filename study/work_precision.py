@@ -74,16 +74,16 @@ def measure(quick: bool) -> Iterator[Task]:
     for name, (_, motion) in CASES.items():
         one, many = f"{name}: t = {AT:g}", f"{name}: {count} states"
         for method in ("closed", "ball"):
-            yield Task(method, one, partial(_known, method, motion))
+            yield Task(method, one, partial(_measure_closed_form, method, motion))
         yield Task("closed", many, partial(_many, count, motion))
         for method, tolerance in DENSE.items():
             yield Task(method, many, partial(_dense, method, tolerance, count, motion))
         for method, found in TOLERANCES.items():
             few = found[:1] if quick else found
-            yield Task(method, one, partial(_integrated, method, few, motion))
+            yield Task(method, one, partial(_measure_integration, method, few, motion))
 
 
-def _known(method: str, motion: AnyMotion) -> Measured:
+def _measure_closed_form(method: str, motion: AnyMotion) -> Measured:
     times, states = np.array([AT]), load(method)
     spent = median(time_call(lambda: states(motion, times))[0] for _ in range(ROUNDS))
     found = relative_error(motion, states(motion, times), times)
@@ -111,7 +111,7 @@ def _each(motion: AnyMotion, times: Array, spent: float, states: Array) -> Measu
     return {"times": [spent / len(times)], "errors": [error]}
 
 
-def _integrated(method: str, found: Sequence[float], motion: AnyMotion) -> Measured:
+def _measure_integration(method: str, found: Sequence[float], motion: AnyMotion) -> Measured:
     times, run = np.array([AT]), partial(INTEGRATORS[method], initial_state(motion))
     for tolerance in found:
         run(np.array([1e-3]), tolerance)  # whatever is prepared once

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
+from kowalevski_cas import forkserver
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.library import find, load
 from kowalevski_cas.verify.certificate import load_certificates
@@ -91,6 +92,19 @@ def uncorrected():
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(Session, "with_corrections", lambda _, outcomes, *__: list(outcomes))
         yield
+
+
+def pytest_collection_modifyitems(items):
+    """Copies of this process are made as if pytest-xdist had no threads, which wait meanwhile."""
+    for item in items:
+        if "copies" in item.fixturenames:
+            item.add_marker(pytest.mark.filterwarnings("ignore:This process"))
+
+
+@pytest.fixture
+def copies(monkeypatch):
+    """Work is done in copies of this process, which have what a test has patched in it."""
+    monkeypatch.setattr(forkserver, "has_threads", lambda: False)
 
 
 @pytest.fixture

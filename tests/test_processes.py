@@ -4,19 +4,36 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 from itertools import pairwise
 from tempfile import TemporaryDirectory
 from time import monotonic, sleep
 
 import pytest
+from flint import Ordering, fmpq_mpoly_ctx
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kowalevski_cas.cli.exits import CommandError
-from kowalevski_cas.limits import ProcessDied, tell, time_limit, watched
+from kowalevski_cas.limits import ProcessDied, is_watched, tell, time_limit
 from kowalevski_cas.processes import each
 
 SHORT, LONG = 0.1, 60
+
+
+pytestmark = pytest.mark.filterwarnings("ignore:This process")
+
+
+@pytest.fixture(autouse=True, params=["alone", "among threads"])
+def asking(request):
+    """A process without threads makes copies of itself; for one that has them, a fork server does."""
+    done = threading.Event()
+    if request.param == "alone":
+        request.getfixturevalue("copies")
+    else:
+        threading.Thread(target=done.wait, daemon=True).start()
+    yield request.param
+    done.set()
 
 
 def one(work):
@@ -43,6 +60,36 @@ def late(block, seconds=SHORT):
     return one(work)
 
 
+def test_a_process_with_threads_makes_no_copies_of_itself(asking, monkeypatch):
+    if asking == "among threads":
+        monkeypatch.setattr(os, "fork", lambda: pytest.fail("copied"))
+    (parent,) = each(lambda _: os.getppid(), [None])
+    assert (parent == os.getpid()) == (asking == "alone")
+
+
+def test_work_takes_its_surroundings_along(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("KOWALEVSKI_TEST", "here")
+    surroundings = [(str(tmp_path), "here")]
+    assert [*each(lambda _: (os.getcwd(), os.environ["KOWALEVSKI_TEST"]), [None])] == surroundings
+
+
+def test_work_may_hold_polynomials_and_what_was_computed_of_them(asking):
+    context = fmpq_mpoly_ctx.get(("x", "y"), Ordering.degrevlex)
+    x, y = context.gens()
+    (found,) = each(lambda k: (context.gens()[0] + y) ** k == (x + y) ** 2, [2])
+    assert found
+
+
+def test_a_fork_server_that_was_killed_is_begun_anew(asking):
+    if asking == "among threads":
+        (server,) = each(lambda _: os.getpgid(os.getppid()), [None])
+        assert server != os.getpgid(0)
+        os.kill(os.getsid(server), signal.SIGKILL)
+        sleep(SHORT)
+    assert one(lambda: 1) == 1
+
+
 def test_results_come_in_the_order_of_the_items():
     assert list(each(lambda n: sleep(n / 20) or n * n, [3, 1, 2], jobs=3)) == [9, 1, 4]
     assert list(each(str, [])) == []
@@ -50,7 +97,7 @@ def test_results_come_in_the_order_of_the_items():
 
 def test_items_are_done_in_processes_that_are_watched():
     assert os.getpid() not in each(lambda _: os.getpid(), range(3))
-    assert not watched() and one(watched)
+    assert not is_watched() and one(is_watched)
 
 
 def test_a_process_that_is_done_with_an_item_takes_another():

@@ -24,7 +24,7 @@ from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.formulas import typed_formulas
 from kowalevski_cas.source.text import Region, Source
 from kowalevski_cas.source.tokens import likeness, words
-from kowalevski_cas.verify.outcome import Outcome, Verdict, in_latex
+from kowalevski_cas.verify.outcome import Outcome, Run, Verdict, in_latex
 
 FITS = 0.2
 """The share of a derivation's displays that must be found in a source."""
@@ -55,6 +55,25 @@ class Audit:
     def outcomes(self) -> dict[str, Outcome]:
         """What is said about each claim."""
         return self.session.outcomes
+
+    @property
+    def run(self) -> Run:
+        """What is said about each claim, as a run of the derivation."""
+        derivation = self.session.interpretation.derivation
+        return Run(
+            derivation=derivation.name,
+            title=derivation.title,
+            author=derivation.author,
+            source=derivation.source,
+            sections=tuple((one.number, one.title) for one in derivation.sections),
+            outcomes=tuple(self.outcomes.values()),
+            arithmetics=self.session.decider.arithmetics.names,
+            versions={},
+            vocabulary=self.session.interpretation.texts.vocabulary,
+            edition=derivation.edition,
+            main=derivation.main,
+            expected=derivation.expected,
+        )
 
     @property
     def certificates(self) -> list[str]:

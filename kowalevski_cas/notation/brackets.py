@@ -23,7 +23,8 @@ from kowalevski_cas.notation.formula import (
     Summation,
     Vector,
 )
-from kowalevski_cas.notation.unicode import symbol
+from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.notation.unicode import glyphs
 from kowalevski_cas.notation.values import applies
 
 # What stands in brackets behind a sign, and beside other factors.
@@ -40,7 +41,7 @@ def is_applied(left: Formula, right: Formula) -> bool:
     inner, raised = bare(right), False
     while isinstance(inner, Power) or (isinstance(inner, Derivative) and inner.mark == "prime"):
         raised, inner = True, bare(inner.children()[0])
-        if isinstance(inner, Name):
+        if isinstance(inner, Name) and is_base(inner):
             return False
     opened = isinstance(inner, (*COMPOUND, Vector)) or (raised and not is_base(inner))
     return opened and applies(left, inner, raised)
@@ -51,8 +52,16 @@ def is_word(formula: Formula) -> bool:
     base = bare(formula.base if isinstance(formula, Power) else formula)
     if not isinstance(base, Name):
         return False
-    parts = symbol(base.name)
+    parts = glyphs(base.name)
     return parts.font == r"\mathrm" and len(parts.letter) > 1
+
+
+def is_unmarked(formula: Formula) -> bool:
+    """Whether it is a name on which primes can stand: it has no star, and no primes of its own."""
+    if not isinstance(formula, Name):
+        return False
+    parts = symbol(formula.name)
+    return not (parts.star or parts.primes)
 
 
 def bare(formula: Formula) -> Formula:
@@ -61,7 +70,10 @@ def bare(formula: Formula) -> Formula:
 
 
 def is_base(formula: Formula) -> bool:
-    """Whether a formula carries a power without brackets."""
+    """Whether a formula carries a power without brackets; a star stands where the power would."""
     formula = bare(formula)
-    dotted = isinstance(formula, Derivative) and formula.mark == "dot"
-    return dotted or isinstance(formula, _BASES)
+    if isinstance(formula, Name):
+        return not symbol(formula.name).star
+    if isinstance(formula, Derivative) and formula.mark == "dot":
+        return not isinstance(formula.argument, Name) or is_base(formula.argument)
+    return isinstance(formula, _BASES)

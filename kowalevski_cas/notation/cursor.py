@@ -8,6 +8,7 @@ from contextlib import suppress
 from kowalevski_cas.notation.errors import NotationError, Undeclared
 from kowalevski_cas.notation.formula import Formula, Name
 from kowalevski_cas.notation.macros import GREEK
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.notation.tokens import DEEPEST, Token
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
@@ -17,7 +18,6 @@ Piece = tuple[Formula, int, int, tuple["Piece", ...]]
 END = "end of formula"
 # The kinds of tokens with which a factor can begin.
 STARTS = frozenset("""letter number open frac sqrt accent operator const dots begin sum""".split())
-BOLD = ("\\mathbf{", "\\boldsymbol{", "\\vec{")
 _UNFINISHED = frozenset({"sign", "relation", "times", "slash", "open", "{", "comma"})
 _INDEX = frozenset({"letter", "number", "sign", "comma", "star", "prime", "_"})
 
@@ -164,10 +164,9 @@ class Cursor:
         """The node of a name; one bold type is as good as another."""
         name = letter + index
         found = Name(name) if name in self.bound else self.names.get(name)
-        if found is None and letter.startswith(BOLD):
-            inner = letter[letter.index("{") :]
-            for font in BOLD:
-                found = found or self.names.get(font[:-1] + inner + index)
+        others = symbol(name).in_other_types() if found is None else ()
+        for other in (other.name for other in others):
+            found = found or self.names.get(other)
         if found is not None:
             return found
         vocabulary = self.vocabulary
@@ -188,9 +187,14 @@ def is_word(letter: str) -> bool:
     >>> is_word(r"\mathrm{sgn}"), is_word(r"\sigma")
     (True, False)
     """
-    return letter.startswith(r"\mathrm{")
+    return symbol(letter).font == r"\mathrm"
 
 
 def is_known(letter: str) -> bool:
-    """Whether it is a letter, in some type, and no macro of which nothing is known."""
-    return letter in GREEK or letter.isalpha() or "{" in letter
+    r"""Whether it is a letter, whatever its type and accents, and no macro of another meaning.
+
+    >>> is_known(r"\hat{\mathbf{x}}"), is_known(r"\hat{\sin}")
+    (True, False)
+    """
+    inner = symbol(letter).letter
+    return inner in GREEK or inner.isalpha()

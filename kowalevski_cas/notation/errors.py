@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from functools import cache
 
 from kowalevski_cas.notation.advice import advice
+from kowalevski_cas.notation.symbol import symbol
 
 _WIDTH = 70
-_LETTER = re.compile(r"(?:[^_{]|\{[^{}]*\}|\{)*")
 
 # Letters that are taken for one another in print or in haste.
 _LOOKALIKES = tuple(
@@ -106,58 +105,16 @@ def nearest(name: str, declared: Iterable[str], limit: int = 3) -> list[str]:
 @cache
 def closeness(name: str, other: str) -> float:
     """How easily one name is printed for another: 5 and more for a slip, 0 for no likeness."""
-    letter, index = letter_and_index(name)
-    other_letter, other_index = letter_and_index(other)
+    ours, theirs = symbol(name), symbol(other)
     score = 0.0
-    if letter == other_letter:
+    if ours.head == theirs.head:
         score += 3
-    elif plain(letter) == plain(other_letter):
+    elif ours.letter == theirs.letter:
         score += 2.8
-    elif any({plain(letter), plain(other_letter)} <= group for group in _LOOKALIKES):
+    elif any({ours.letter, theirs.letter} <= group for group in _LOOKALIKES):
         score += 2.5
-    if index == other_index:
+    if ours.index == theirs.index:
         score += 2
-    elif index and other_index:
+    elif ours.index and theirs.index:
         score += 0.5
     return score
-
-
-def letter_and_index(name: str) -> tuple[str, str]:
-    r"""The parts of a name: ``\omega_1`` gives ``\omega`` and ``1``; the index may be empty.
-
-    >>> letter_and_index("U_{12}")
-    ('U', '12')
-    """
-    letter = _LETTER.match(name)[0]  # type: ignore[index] # it matches anything
-    index = name[len(letter) + 1 :]
-    return letter, index[1:-1] if index.startswith("{") else index
-
-
-def rate_name(name: str) -> str:
-    r"""The name of the derivative of a variable, as it is printed.
-
-    >>> rate_name(r"\omega_1"), rate_name(r"\dot{x}")
-    ('\\dot{\\omega}_1', '\\ddot{x}')
-    """
-    letter = name.partition("_")[0]
-    dots, brace, inner = letter.partition("{")
-    higher = {r"\dot": r"\ddot", r"\ddot": r"\dddot"}.get(dots if brace else "")
-    marked = f"{higher}{{{inner}" if higher else rf"\dot{{{letter}}}"
-    return marked + name[len(letter) :]
-
-
-def name_of_rate(name: str) -> str:
-    r"""The variable of which a name is the derivative; the name itself, if it is no such one.
-
-    >>> name_of_rate(r"\dot{\omega}_1"), name_of_rate(r"\dot{\mathbf{r}}"), name_of_rate("x_1")
-    ('\\omega_1', '\\mathbf{r}', 'x_1')
-    """
-    letter = letter_and_index(name)[0]
-    if not letter.startswith(r"\dot{"):
-        return name
-    return letter[len(r"\dot{") : -1] + name[len(letter) :]
-
-
-def plain(letter: str) -> str:
-    r"""The letter without its font: ``\boldsymbol{\alpha}`` gives ``\alpha``."""
-    return letter[letter.index("{") + 1 : -1] if letter.endswith("}") else letter

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
-from kowalevski_cas.notation.errors import letter_and_index
 from kowalevski_cas.notation.formula import Formula, Name, Product, Quotient
 from kowalevski_cas.notation.printer import Printer
+from kowalevski_cas.notation.symbol import DOTS, symbol
 
 _COMMAND = re.compile(r"\\[A-Za-z]+$")
-_DOTS = {1: r"\dot", 2: r"\ddot", 3: r"\dddot"}
 
 
 class Latex(Printer):
@@ -55,13 +55,14 @@ class Latex(Printer):
 
     def with_dots(self, argument: Formula, order: int) -> str:
         if isinstance(argument, Name):
-            inner = letter_and_index(argument.name)[0]
-            behind = argument.name[len(inner) :]
+            parts = symbol(argument.name)
+            inner = replace(parts, star="", index="", primes="").name
+            behind = parts.name.removeprefix(inner)
         else:
             inner, behind = self.in_brackets(self(argument)), ""
         while order > 3:
-            inner, behind, order = f"{_DOTS[3]}{{{inner}}}{behind}", "", order - 3
-        return f"{_DOTS[order]}{{{inner}}}{behind}"
+            inner, behind, order = f"{DOTS[2]}{{{inner}}}{behind}", "", order - 3
+        return f"{DOTS[order - 1]}{{{inner}}}{behind}"
 
     def rows(self, rows: Sequence[Sequence[str]]) -> str:
         body = r" \\ ".join(map(" & ".join, rows))

@@ -8,8 +8,10 @@ phantoms, gives every letter its font, and forgets braces that enclose no argume
 from __future__ import annotations
 
 import re
+from typing import NamedTuple
 
 from kowalevski_cas.notation.errors import NotationError
+from kowalevski_cas.notation.letters import accented, set_accents, with_stars
 from kowalevski_cas.notation.macros import (
     ACTIONS,
     ARGUMENTS,
@@ -31,8 +33,6 @@ _WORD = re.compile(r"[A-Za-z]+")
 
 OF_WORDS = {r"\mathrm": "", r"\mathit": "", r"\mathsf": r"\mathsf"}
 """The types in which letters in one group are a word, and that of a letter by itself."""
-
-ACCENTS = (r"\hat", r"\tilde", r"\vec", r"\check")
 _LENGTH = re.compile(
     r"\s*=?\s*[-+]?[\d.]+\s*[a-z]{2}(?:\s*(?:plus|minus)\s*[-+]?[\d.]+\s*[a-z]{2,5})*"
 )
@@ -55,6 +55,17 @@ def scan(tex: str) -> list[Token]:
     return _Scanner(tex).run()
 
 
+class _Group(NamedTuple):
+    """What is open: braces that are an argument, or others."""
+
+    argument: bool
+    outer: str  # the font outside
+    owed: int  # the arguments that are awaited behind it
+    begin: int
+    before: int  # the number of tokens before it
+    accents: list[str]  # what stands over it
+
+
 class _Scanner:
     """The state of one scan: where it is, the font, and the arguments still owed."""
 
@@ -64,20 +75,18 @@ class _Scanner:
         self.tokens: list[Token] = []
         self.font = ""
         self.once = ""  # the font of the next letter or group only
+        self.accents: list[str] = []  # what stands over it, the outermost first
         self.owed = 0  # arguments that the last macro still awaits
         self.depth = 0  # open brackets
-        self.once_at = 0
+        self.once_at = 0  # where the font of the next letter, or what stands over it, begins
         self.shift = -1  # where the mathematics ends, once something has been read
-        # Open braces: is it an argument, the font outside, what is owed after, where it
-        # begins, and how many tokens stand before it.
-        self.groups: list[tuple[bool, str, int, int, int]] = []
+        self.groups: list[_Group] = []
         self.halved: list[int] = []  # the open groups, by their number, that have an \over
         # Open environments: the name, is it a matrix, was a printed brace dropped before it.
         self.environments: list[tuple[str, bool, bool]] = []
 
     def run(self) -> list[Token]:
         tex, size, match_at = self.tex, len(self.tex), TOKEN.match
-        add = self.tokens.append
         while self.at < size:
             match = match_at(tex, self.at)
             assert match is not None
@@ -98,15 +107,27 @@ class _Scanner:
                 assert kind is not None
                 if kind == "number":
                     self.owed = max(0, self.owed - (end - start))
-                add(Token(kind, match[0], start, end))
+                self.add(kind, match[0], start)
+        self.refuse_accents(size)
         if self.groups:
-            raise NotationError("this brace is never closed", tex, self.groups[-1][3])
+            raise NotationError("this brace is never closed", tex, self.groups[-1].begin)
         if any(matrix for _, matrix, _ in self.environments):
             raise NotationError("the matrix is never closed", tex, size)
-        return self.tokens
+        return with_stars(self.tokens)
 
     def add(self, kind: str, text: str, start: int) -> None:
+        """Enter a token: the accents that await a letter stand over it, and over nothing else."""
+        if kind == "letter":
+            text, self.accents = accented(self.accents, text), []
+        elif kind != "accent":
+            self.once = ""
+            self.refuse_accents(start)
         self.tokens.append(Token(kind, text, start, self.at))
+
+    def refuse_accents(self, start: int) -> None:
+        """An error if a letter is awaited that accents stand over."""
+        if self.accents:
+            raise NotationError(f"{self.accents[-1]} stands over one letter", self.tex, start)
 
     def argument(self) -> None:
         """The thing just met is the next argument, if one is owed."""
@@ -115,7 +136,7 @@ class _Scanner:
 
     def letter(self, text: str, start: int) -> None:
         font = self.once or self.font
-        if self.once:
+        if self.once or self.accents:
             start, self.once = self.once_at, ""
         self.argument()
         if font in OF_WORDS and len(text) == 1:
@@ -158,10 +179,13 @@ class _Scanner:
         if len(self.groups) + self.depth >= DEEPEST:
             raise NotationError(f"braces deeper than {DEEPEST}", self.tex, start)
         # After a font macro the braces show how far the font reaches, and nothing else.
-        argument = self.owed > 0 and not self.once
-        begin = self.once_at if self.once else start
+        styled = bool(self.once or self.accents)
+        argument = self.owed > 0 and not styled
+        begin = self.once_at if styled else start
         owed = self.owed - 1 if argument else 0
-        self.groups.append((argument, self.font, owed, begin, len(self.tokens)))
+        before = len(self.tokens)
+        self.groups.append(_Group(argument, self.font, owed, begin, before, self.accents))
+        self.accents = []
         if argument:
             self.owed = 0
             self.add("{", "{", start)
@@ -173,10 +197,8 @@ class _Scanner:
         if self.halved and self.halved[-1] == len(self.groups):
             self.halved.pop()
             self.add("}", "}", start)
-        several = [token.kind for token in self.tokens[self.groups[-1][-1] :][:2]] == ["letter"] * 2
-        if self.font in ACCENTS and several:
-            raise NotationError(f"{self.font} stands over one letter", self.tex, start)
-        argument, self.font, owed, begin, before = self.groups.pop()
+        self.refuse_accents(start)
+        argument, self.font, owed, begin, before, accents = self.groups.pop()
         self.once = ""
         if argument and [token.kind for token in self.tokens[-2:]] in (["^", "{"], ["_", "{"]):
             del self.tokens[-2:]  # nothing is printed above or below
@@ -184,9 +206,11 @@ class _Scanner:
         elif argument:
             self.owed = owed
             self.add("}", "}", start)
-        elif len(self.tokens) == before + 1:
+        elif accents:
+            set_accents(accents, self.tokens[before:], self.tex, start)
+        if not argument and self.tokens[before:] and (accents or len(self.tokens) == before + 1):
             # Braces around a single token, as in {\bf e}, belong to it.
-            self.tokens[-1].start, self.tokens[-1].end = begin, self.at
+            self.tokens[before].start, self.tokens[-1].end = begin, self.at
 
     def macro(self, text: str, start: int) -> None:
         action = ACTIONS.get(text, "letter")
@@ -195,8 +219,11 @@ class _Scanner:
         elif action == "blank":
             return
         elif action == "font":
-            self.once_at = self.once_at if self.once else start
+            self.once_at = self.once_at if self.once or self.accents else start
             self.once = SPELLING.get(text, text) or self.once
+        elif action == "diacritic":
+            self.once_at = self.once_at if self.once or self.accents else start
+            self.accents.append(SPELLING.get(text, text))
         elif action == "switch":
             self.font = SPELLING[text]
         elif action in ARGUMENTS:
@@ -228,8 +255,7 @@ class _Scanner:
         """All that stands before it in its group is divided by all that follows there."""
         if not self.groups or self.halved[-1:] == [len(self.groups)]:
             raise NotationError(r"write \frac for this \over, or set braces", self.tex, start)
-        argument, _, _, begin, before = self.groups[-1]
-        place = before + argument
+        begin, place = self.groups[-1].begin, self.groups[-1].before + self.groups[-1].argument
         self.tokens[place:place] = [
             Token("frac", r"\frac", begin, begin),
             Token("{", "{", begin, begin),
@@ -265,7 +291,7 @@ class _Scanner:
         if words in WORDS:
             self.argument()
             self.add(WORDS[words], words, start)
-        elif words.isalnum() and (self.owed or (self.groups and self.groups[-1][0])):
+        elif words.isalnum() and (self.owed or (self.groups and self.groups[-1].argument)):
             self.argument()
             self.add("letter", words if len(words) == 1 else rf"\mathrm{{{words}}}", start)
         elif words in JOINING or (text and not words and text != "."):

@@ -39,8 +39,8 @@ ACTIONS: dict[str, str] = _table(
     glue="hskip vskip kern mkern mskip raise lower",
     text="text mbox hbox textrm textit textbf textup intertext shortintertext",
     font="""mathbf boldsymbol bm bs pmb mathrm operatorname operatorname* mathcal mathbb mathfrak
-    mathsf mathit mathnormal mathscr mathbfit symbfit mathbfup symbf symup mathup symit
-    hat widehat tilde widetilde vec overrightarrow check""",
+    mathsf mathit mathnormal mathscr mathbfit symbfit mathbfup symbf symup mathup symit""",
+    diacritic="hat widehat tilde widetilde vec overrightarrow check",
     switch="bf rm cal boldmath sf",
     over="over",
     sum="sum",
@@ -52,6 +52,7 @@ ACTIONS: dict[str, str] = _table(
     frac="frac tfrac dfrac cfrac",
     sqrt="sqrt",
     times="cdot times",
+    star="ast",
     dots="ldots dots cdots dotsb dotsc dotsm",
     prime="prime",
     relation="""coloneqq eqqcolon coloneq eqcolon equiv ne neq leq le leqslant leqq lt geq ge
@@ -103,7 +104,7 @@ SPELLING: dict[str, str] = {
     "\\" + name: spelling
     for spelling, names in {
         "=": "coloneqq eqqcolon coloneq eqcolon", r"\ne": "neq", r"\le": "leq leqslant leqq",
-        "<": "lt",
+        "<": "lt", "*": "ast",
         r"\ge": "geq geqslant geqq", ">": "gt", r"\to": "rightarrow longrightarrow",
         r"\boldsymbol": "bs bm pmb boldmath mathbfit symbfit",
         r"\mathrm": "rm operatorname operatorname* symup mathup",

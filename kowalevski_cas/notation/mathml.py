@@ -6,14 +6,19 @@ import re
 from collections.abc import Iterable, Sequence
 from html import escape
 
+from kowalevski_cas.notation.brackets import is_unmarked
 from kowalevski_cas.notation.formula import Conjugate, Formula, Name, Number
 from kowalevski_cas.notation.printer import Printer
-from kowalevski_cas.notation.unicode import SIGNS, styled_letter, symbol
+from kowalevski_cas.notation.unicode import SIGNS, glyphs, styled_letter
 
-_ACCENTS = {r"\hat": "^", r"\tilde": "~", r"\check": "ˇ", r"\vec": "→", r"\dot": "˙", r"\ddot": "¨"}
+_ACCENTS = {
+    r"\hat": "^", r"\tilde": "~", r"\check": "ˇ", r"\vec": "→", r"\dot": "˙", r"\ddot": "¨",
+    r"\dddot": "⃛",
+}  # fmt: skip
 _DOTS = {1: "˙", 2: "¨", 3: "⃛", 4: "⃜"}
 _ATOM = re.compile(r"<(m[ion])>[^<]*</\1>")
 _TALL = re.compile("<m(frac|table|underover)")
+_PRIMES = '<mo lspace="0" rspace="0">{}</mo>'
 _AS_IT_IS = ' stretchy="false"'
 
 
@@ -42,17 +47,24 @@ class MathML(Printer):
 
     def _name(self, formula: Name, dots: int = 0, primes: str = "") -> str:
         """A letter under dots, with primes and its index."""
-        parts = symbol(formula.name)
+        parts = glyphs(formula.name)
         upright = parts.font == r"\mathrm" and len(parts.letter) == 1
         letter = escape(styled_letter(parts.letter, parts.font))
         text = f'<mi mathvariant="normal">{letter}</mi>' if upright else f"<mi>{letter}</mi>"
-        if parts.font in _ACCENTS:
-            text = _over(text, _ACCENTS[parts.font])
+        for accent in reversed(parts.accents):
+            text = _over(text, _ACCENTS[accent])
         while dots:
             text = _over(text, _DOTS[min(dots, 4)])
             dots -= min(dots, 4)
+        primes = primes or (parts.primes and _PRIMES.format(parts.primes))
+        index, star = "".join(map(_atom, parts.indices)), f"<mo>{parts.star}</mo>"
+        if index and primes:
+            primes = f'<mpadded width="0">{primes}</mpadded>'
         text += primes
-        index = "".join(map(_atom, parts.indices))
+        if parts.star and index:
+            return f"<msubsup>{_one(text)}{_one(index)}{star}</msubsup>"
+        if parts.star:
+            return f"<msup>{_one(text)}{star}</msup>"
         return f"<msub>{_one(text)}{_one(index)}</msub>" if index else text
 
     def sign(self, sign: str) -> str:
@@ -78,16 +90,19 @@ class MathML(Printer):
         return f"<mfrac>{_one(above)}{_one(below)}</mfrac>"
 
     def superscript(self, base: str, exponent: str) -> str:
-        """A power; that of a letter with an index stands above the index."""
+        """A power; it stands above an index, and at the height of the bracket before it."""
         if base.startswith("<msub>") and base.find("</msub>") == len(base) - len("</msub>"):
             inner = base.removeprefix("<msub>").removesuffix("</msub>")
             return f"<msubsup>{inner}{_one(exponent)}</msubsup>"
+        if base.startswith(f"<mrow><mo{_AS_IT_IS}>"):
+            inner, bracket = base.removesuffix("</mrow>").rsplit("<mo", 1)
+            return f"{inner}<msup><mo{bracket}{_one(exponent)}</msup></mrow>"
         return f"<msup>{_one(base)}{_one(exponent)}</msup>"
 
     def with_primes(self, argument: Formula, order: int) -> str:
-        """Primes as letters behind the letter, before its index: fonts raise them by themselves."""
-        primes = f'<mo lspace="0" rspace="0">{self.prime * order}</mo>'
-        if isinstance(argument, Name):
+        """Primes as letters above the index, which has no room for them: fonts raise them."""
+        primes = _PRIMES.format(self.prime * order)
+        if isinstance(argument, Name) and is_unmarked(argument):
             return self._name(argument, primes=primes)
         return self.in_brackets(self(argument)) + primes
 

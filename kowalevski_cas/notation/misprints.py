@@ -7,7 +7,7 @@ from functools import partial
 from itertools import combinations
 from typing import NamedTuple, TypeGuard
 
-from kowalevski_cas.notation.errors import closeness, letter_and_index
+from kowalevski_cas.notation.errors import closeness
 from kowalevski_cas.notation.formula import (
     Application,
     Conjugate,
@@ -30,6 +30,7 @@ from kowalevski_cas.notation.formula import (
     times,
 )
 from kowalevski_cas.notation.latex import to_latex
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.notation.values import rank
 from kowalevski_cas.notation.vocabulary import SCALAR, Vocabulary
 
@@ -156,8 +157,8 @@ def _names(
     if not isinstance(node, Name) or node.name not in vocabulary.scalars | vocabulary.vectors:
         return
     names = names if node.name in vocabulary.scalars else sorted(vocabulary.vectors)
-    letter = letter_and_index(node.name)[0]
-    same = [n for n in names if n != node.name and (letter_and_index(n)[0] == letter)]
+    head = symbol(node.name).head
+    same = [n for n in names if n != node.name and symbol(n).head == head]
     others = same if kind == "index" else [n for n in names if n != node.name and n not in same]
     known = node.name in names or node.name in vocabulary.times
     wrong = f"${node.name}$" if known else f"${node.name}$, which is not defined,"

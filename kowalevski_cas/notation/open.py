@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from kowalevski_cas.notation.cursor import BOLD, Cursor, is_known, is_word
+from kowalevski_cas.notation.cursor import Cursor, is_known, is_word
 from kowalevski_cas.notation.formula import Name
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.parser import Parser
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
@@ -28,7 +29,7 @@ class OpenParser(Parser):
         found = [
             (letter, index)
             for letter, index in Cursor(tex, tokens, vocabulary).letters()
-            if is_known(letter) and not letter.startswith(BOLD) and not is_word(letter)
+            if is_known(letter) and not symbol(letter).is_bold and not is_word(letter)
         ]
         names = {letter + more for letter, index in found for more in ("", index)}
         names -= {"d", *vocabulary.ranks}
@@ -43,7 +44,7 @@ class OpenParser(Parser):
 
     def name_node(self, letter: str, index: str, token: Token) -> Name:
         """The node of a name; a d that belongs to no derivative is one."""
-        if letter.startswith(BOLD) and not {letter, letter + index} & {*self.vocabulary.ranks}:
+        if symbol(letter).is_bold and not {letter, letter + index} & {*self.vocabulary.ranks}:
             name = letter + index
             raise self.error(f"give its components: print {name}=(x,y,z) beside it", token)
         return Name("d" + index) if letter == "d" else super().name_node(letter, index, token)
@@ -93,7 +94,7 @@ def bold_names(tex: str) -> list[str]:
     ['\\mathbf{r}', '\\boldsymbol{\\omega}_1']
     """
     letters = Cursor(tex, scan(tex), Vocabulary()).letters()
-    return [*dict.fromkeys(one + index for one, index in letters if one.startswith(BOLD))]
+    return [*dict.fromkeys(one + index for one, index in letters if symbol(one).is_bold)]
 
 
 def is_exponential(tokens: Sequence[Token]) -> bool:

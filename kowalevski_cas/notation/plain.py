@@ -18,13 +18,13 @@ from kowalevski_cas.notation.formula import (
     Root,
 )
 from kowalevski_cas.notation.printer import Printer
-from kowalevski_cas.notation.unicode import styled_letter, symbol
+from kowalevski_cas.notation.unicode import glyphs, styled_letter
 
 _LOW = str.maketrans("0123456789+-aehijklmnoprstuvxβγρφχ", "₀₁₂₃₄₅₆₇₈₉₊₋ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓᵦᵧᵨᵩᵪ")
 _HIGH = str.maketrans("0123456789+−in", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁱⁿ")
 _MARKS = {
     r"\hat": "\u0302", r"\tilde": "\u0303", r"\check": "\u030c", r"\vec": "\u20d7",
-    r"\dot": "\u0307", r"\ddot": "\u0308",
+    r"\dot": "\u0307", r"\ddot": "\u0308", r"\dddot": "\u20db",
 }  # fmt: skip
 _DOT, _BAR = "\u0307", "\u0304"
 
@@ -86,14 +86,15 @@ class PlainText(Printer):
 @cache
 def _named(name: str, marks: str = "") -> str:
     """A letter under marks, with its index."""
-    parts = symbol(name)
+    parts = glyphs(name)
     letter = styled_letter(parts.letter, parts.font)
     index = "".join(parts.indices)
     low = index.translate(_LOW)
     if set(index) & set(low):
         low = f"_{index}" if len(index) == 1 else f"_({index})"
-    above = (_MARKS.get(parts.font, "") + marks).replace(2 * _DOT, _MARKS[r"\ddot"])
-    return unicodedata.normalize("NFC", letter + above) + low
+    above = "".join(_MARKS[accent] for accent in reversed(parts.accents)) + marks
+    above = above.replace(2 * _DOT, _MARKS[r"\ddot"])
+    return unicodedata.normalize("NFC", letter + above) + low + parts.star + parts.primes
 
 
 def _word(text: str) -> bool:

@@ -5,8 +5,15 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 
-from kowalevski_cas.notation.brackets import COMPOUND, SIGNED, bare, is_applied, is_base, is_word
-from kowalevski_cas.notation.errors import name_of_rate
+from kowalevski_cas.notation.brackets import (
+    COMPOUND,
+    SIGNED,
+    bare,
+    is_applied,
+    is_base,
+    is_unmarked,
+    is_word,
+)
 from kowalevski_cas.notation.formula import (
     Application,
     Changed,
@@ -36,6 +43,7 @@ from kowalevski_cas.notation.formula import (
     Unwritten,
     Vector,
 )
+from kowalevski_cas.notation.symbol import name_of_rate
 from kowalevski_cas.notation.unicode import SIGNS
 
 
@@ -115,8 +123,7 @@ class Printer(ABC):
     def with_primes(self, argument: Formula, order: int) -> str:
         """Primes behind a name, or behind a formula in brackets."""
         text = self(argument)
-        text = text if isinstance(argument, Name) else self.in_brackets(text)
-        return text + self.prime * order
+        return (text if is_unmarked(argument) else self.in_brackets(text)) + self.prime * order
 
     def between(self, opening: str, text: str, closing: str) -> str:
         """A text in these brackets."""

@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from kowalevski_cas.notation.brackets import is_unmarked
 from kowalevski_cas.notation.formula import Application, Formula, Name
 from kowalevski_cas.notation.printer import Printer
-from kowalevski_cas.notation.unicode import symbol
+from kowalevski_cas.notation.unicode import glyphs
 
 _FONTS = {
-    r"\mathbf": "upright(bold({}))", r"\boldsymbol": "bold({})", r"\vec": "arrow({})",
+    r"\mathbf": "upright(bold({}))", r"\boldsymbol": "bold({})", r"\mathrm": "upright({})",
     r"\mathcal": "cal({})", r"\mathbb": "bb({})", r"\mathfrak": "frak({})", r"\mathsf": "sans({})",
-    r"\hat": "hat({})", r"\tilde": "tilde({})", r"\check": "caron({})", r"\mathrm": "upright({})",
-    r"\mathscr": "scr({})", r"\dot": "dot({})", r"\ddot": "dot.double({})",
+    r"\mathscr": "scr({})",
+}  # fmt: skip
+_ACCENTS = {
+    r"\hat": "hat({})", r"\tilde": "tilde({})", r"\check": "caron({})", r"\vec": "arrow({})",
+    r"\dot": "dot({})", r"\ddot": "dot.double({})", r"\dddot": "dot.triple({})",
 }  # fmt: skip
 # Brackets that group and are not printed; they become round ones when all is printed, so that
 # until then a round bracket is one that stands on the paper.
@@ -37,12 +41,16 @@ class Typst(Printer):
         return self._name(formula, "{}")
 
     def _name(self, formula: Name, accent: str) -> str:
-        parts = symbol(formula.name)
+        parts = glyphs(formula.name)
         letter = _atom(parts.letter)
         if parts.font:
             letter = _FONTS[parts.font].format(letter)
+        for mark in reversed(parts.accents):
+            letter = _ACCENTS[mark].format(letter)
         index = f"_({' '.join(map(_atom, parts.indices))})" if parts.indices else ""
-        return (accent.format(letter) + index).translate(_GROUPING)
+        star = f"^({parts.star})" if parts.star else ""
+        primes = self.prime * len(parts.primes)
+        return (accent.format(letter) + primes + index + star).translate(_GROUPING)
 
     def side_by_side(self, parts: Iterable[str]) -> str:
         return " ".join(parts)
@@ -56,7 +64,7 @@ class Typst(Printer):
 
     def with_primes(self, argument: Formula, order: int) -> str:
         """Primes; those of a name stand before its index, or they would be a part of that."""
-        if isinstance(argument, Name):
+        if isinstance(argument, Name) and is_unmarked(argument):
             return self._name(argument, "{}" + self.prime * order)
         return super().with_primes(argument, order)
 

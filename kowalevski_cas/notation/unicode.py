@@ -7,9 +7,9 @@ import unicodedata
 from functools import cache
 from typing import NamedTuple
 
-from kowalevski_cas.notation.errors import letter_and_index
 from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.macros import GREEK
+from kowalevski_cas.notation.symbol import symbol
 
 SIGNS = {
     "=": "=", r"\equiv": "≡", r"\ne": "≠", "<": "<", ">": ">", r"\le": "≤", r"\ge": "≥",
@@ -29,38 +29,52 @@ _PIECE_OF = re.compile(r"\\[A-Za-z]+|[^_]")
 _PIECE = re.compile(r"\\[A-Za-z]+(?:\{([^{}]*)\})?|.")
 
 
-class Symbol(NamedTuple):
-    r"""The parts of a name: its letter in Unicode, the macro that stands on it, its indices.
+class Glyphs(NamedTuple):
+    r"""What a name is printed with: a letter in Unicode, and the signs that stand on it.
 
     A word in upright letters is a letter of several characters.
     """
 
     letter: str
     font: str
+    accents: tuple[str, ...]
+    """Macros, the outermost first."""
+    star: str
     indices: tuple[str, ...]
+    primes: str
 
 
 @cache
-def symbol(name: str) -> Symbol:
-    r"""The parts of a name.
+def glyphs(name: str) -> Glyphs:
+    r"""What a name is printed with.
 
-    >>> symbol(r"\boldsymbol{\omega}_{12}")
-    Symbol(letter='ω', font='\\boldsymbol', indices=('1', '2'))
+    >>> glyphs(r"\boldsymbol{\omega}_{12}")
+    Glyphs(letter='ω', font='\\boldsymbol', accents=(), star='', indices=('1', '2'), primes='')
     """
-    letter, index = letter_and_index(name)
-    font, brace, inner = letter.partition("{")
-    if not brace:
-        # A macro of its own, as \sin, is an upright word.
-        upright = letter[0] == "\\" and letter not in _LETTERS
-        return Symbol(_letter(letter), r"\mathrm" if upright else "", _index(index))
-    if "}{" in inner:  # the name of a value, as \mathrm{sn}{(u,k)}
-        word, _, value = inner[:-1].partition("}{")
-        return Symbol(word + "".join(map(_letter, _PIECE_OF.findall(value))), r"\mathrm", ())
-    if font in FUNCTIONS or "^" in inner:  # the name of a value, as \sin{\theta_1}
-        value = "".join(map(_letter, _PIECE_OF.findall(inner[:-1].replace("}^{", "^"))))
-        word = f"{font[1:]} {value}" if font in FUNCTIONS else value
-        return Symbol(word, r"\mathrm", _index(index))
-    return Symbol(_letter(inner[:-1]), font, _index(index))
+    parts = symbol(name)
+    letter, font = _letter(parts.letter), parts.font
+    if "{" in parts.letter:
+        letter, font = _value(parts.letter), r"\mathrm"
+    elif not font and parts.letter[:1] == "\\" and parts.letter not in _LETTERS:
+        font = r"\mathrm"  # a macro of its own, as \sin, is an upright word
+    star = parts.star and "*"
+    primes = "′" * len(parts.primes)
+    return Glyphs(letter, font, parts.accents, star, _index(parts.index), primes)
+
+
+def _value(tex: str) -> str:
+    r"""The name of a value in a line: that of ``\sin{\theta_1}``, of ``\mathrm{sn}{(u,k)}``."""
+    word, _, inner = tex.partition("{")
+    if "}{" in inner:
+        word, _, inner = inner.partition("}{")
+        return word + _line(inner[:-1])
+    if word in FUNCTIONS:
+        return f"{word[1:]} {_line(inner[:-1])}"
+    return _line(re.sub(r"\\mathrm\{(\w+)\}", r"\1", tex).replace("^{", "^").removesuffix("}"))
+
+
+def _line(tex: str) -> str:
+    return "".join(map(_letter, _PIECE_OF.findall(tex)))
 
 
 def _letter(tex: str) -> str:

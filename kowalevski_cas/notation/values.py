@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from kowalevski_cas.notation.errors import name_of_rate
 from kowalevski_cas.notation.formula import (
     Application,
     Changed,
@@ -27,6 +26,7 @@ from kowalevski_cas.notation.formula import (
     Summation,
     Vector,
 )
+from kowalevski_cas.notation.symbol import name_of_rate
 from kowalevski_cas.notation.vocabulary import MATRIX, SCALAR, VECTOR, Vocabulary
 
 _RANKS = dict.fromkeys((Number, ScalarProduct, Modulus), SCALAR) | {

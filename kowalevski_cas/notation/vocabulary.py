@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from kowalevski_cas.notation.formula import Name
+from kowalevski_cas.notation.symbol import symbol
 
 SCALAR, VECTOR, MATRIX = 0, 1, 2
 _DIGIT = re.compile(r"\d")
@@ -18,9 +19,9 @@ class Vocabulary:
 
     A name is a letter with its index: ``\omega_1``, ``U_{12}``, ``\ell``,
     ``\boldsymbol{\alpha}``, ``\mathbf{e}_1``, ``\mathrm{sn}``. An index of more than one
-    character stands in braces. Independent variables are scalars that a written-out
-    derivative may have in its denominator; what is ``moving`` may be printed as a function of one,
-    as :math:`x(t)`, and is the same name.
+    character stands in braces, a star before it: ``x^*_1``. Independent variables are scalars that
+    a written-out derivative may have in its denominator; what is ``moving`` may be printed as a
+    function of one, as :math:`x(t)`, and is the same name.
 
     >>> words = Vocabulary(scalars={"x_1", "i"}, times={r"\tau"})
     >>> r"\tau" in words, "x_2" in words
@@ -51,13 +52,13 @@ class Vocabulary:
     @cached_property
     def families(self) -> dict[str, int]:
         """The rank of every letter of which there are names with numbers as indices."""
-        found = ((*name.partition("_"), rank) for name, rank in self.ranks.items())
-        return {letter: rank for letter, _, index, rank in found if _DIGIT.search(index)}
+        found = ((symbol(name), rank) for name, rank in self.ranks.items())
+        return {parts.head: rank for parts, rank in found if _DIGIT.search(parts.index)}
 
     def rank(self, name: str) -> int:
         """The rank of a name; that of its letter, if the index is that of a sum."""
         found = self.ranks.get(name)
-        return self.families.get(name.partition("_")[0], SCALAR) if found is None else found
+        return self.families.get(symbol(name).head, SCALAR) if found is None else found
 
     @cached_property
     def names(self) -> dict[str, Name]:

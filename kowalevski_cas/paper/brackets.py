@@ -23,7 +23,7 @@ from kowalevski_cas.notation import (
     substitute,
     total,
 )
-from kowalevski_cas.notation.errors import rate_name
+from kowalevski_cas.notation.symbol import rate_name
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.names import BRACKET, EPSILON, head, is_indexed
 from kowalevski_cas.problem.space import Meaningless

@@ -5,10 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import cache
 
+from kowalevski_cas.notation.symbol import symbol
+
 
 def is_bold(name: str) -> bool:
     """Whether a name is printed in bold, that is, denotes a vector or a matrix."""
-    return name.startswith((r"\boldsymbol", r"\mathbf", r"\vec"))
+    return symbol(head(name)[0]).is_bold
+
+
+def is_capital(name: str) -> bool:
+    """Whether a name is a bold capital, that is, may denote a matrix."""
+    parts = symbol(head(name)[0])
+    return parts.font == r"\mathbf" and parts.letter.isupper()
 
 
 BRACKET, EPSILON = r"\{", r"\varepsilon_{ijk}"

@@ -31,7 +31,7 @@ from kowalevski_cas.notation import (
     times,
     to_latex,
 )
-from kowalevski_cas.notation.errors import name_of_rate, rate_name
+from kowalevski_cas.notation.symbol import name_of_rate, rate_name
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.paper.brackets import Brackets
 from kowalevski_cas.paper.components import parts

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from dataclasses import field as default
 from functools import cached_property
 
-from kowalevski_cas.notation.errors import rate_name
+from kowalevski_cas.notation.symbol import rate_name
 from kowalevski_cas.paper.names import BRACKET, EPSILON, check_names, head, is_bold, is_indexed
 from kowalevski_cas.paper.texts import Display, Printed, check_attributes, statements
 

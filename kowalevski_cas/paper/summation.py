@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from kowalevski_cas.notation import Formula, Name, Number, Summation, to_latex, total
-from kowalevski_cas.notation.errors import letter_and_index
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.problem.space import Meaningless
 
 _INDEX = re.compile(r"\\[A-Za-z]+|\d+|.")
@@ -33,8 +33,8 @@ def _at(formula: Formula, index: str, value: int) -> Formula:
         return formula.map_children(lambda child: _at(child, index, value))
     if formula.name == index:
         return Number(value)
-    letter, low = letter_and_index(formula.name)
-    parts = _INDEX.findall(low)
+    name = symbol(formula.name)
+    parts = _INDEX.findall(name.index)
     if index not in parts:
         return formula
     before = (one for one, other in pairwise(parts) if other == index and one.isdecimal())
@@ -46,4 +46,4 @@ def _at(formula: Formula, index: str, value: int) -> Formula:
     low = "".join(str(value) if part == index else part for part in parts)
     if re.fullmatch(r"\d+(?:[+-]\d+)+", low):  # as in q_{i+1}
         low = str(sum(map(int, re.findall(r"[+-]?\d+", low))))
-    return Name(f"{letter}_{low}" if len(low) == 1 else f"{letter}_{{{low}}}")
+    return Name(replace(name, index=low).name)

@@ -32,6 +32,9 @@ from kowalevski_cas.notation import (
     times,
 )
 
+IN_WORDS = "in the words of a claim"
+"""The source of a formula that the words of a claim give, so that nobody has to display it."""
+
 
 @dataclass(frozen=True)
 class Display:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.vocabulary import Vocabulary
-from kowalevski_cas.paper.names import BRACKET, head, is_bold
+from kowalevski_cas.paper.names import BRACKET, head, is_bold, is_capital
 from kowalevski_cas.paper.scene import Scene
 
 
@@ -13,7 +13,7 @@ def vocabulary(scenes: tuple[Scene, ...]) -> Vocabulary:
     times = frozenset({"t", *(scene.time for scene in scenes)})
     bold = {n for s in scenes for n in (*s.vectors, *s.definitions) if is_bold(n)}
     vectors = {name for scene in scenes for name in scene.vectors}
-    capitals = {n for n in bold if n.startswith(r"\mathbf{") and n[8].isupper()}
+    capitals = {name for name in bold if is_capital(name)}
     printed = {head(n)[0] for s in scenes for n, p in s.definitions.items() if p.heads.matrix}
     matrices = frozenset((capitals | printed) - vectors)
     still = {n for s in scenes for n in (*s.constants, *s.undefined)}

@@ -61,7 +61,7 @@ class PointEvaluation:
             below = at.ring.below[bit]
             if name in given:
                 self._value.roots[bit] = given[name] if below is None else given[name] * self(below)
-        self._vanishes = cache(self._vanishing_divisor)
+        self._vanishing = dict[int, bool]()
         self._check(given)
 
     def __call__(self, element: Element) -> Element:
@@ -78,7 +78,7 @@ class PointEvaluation:
         if not self._unknown:
             return True
         divisors = (ring.divisors[index] for index in element.denominator)
-        occurring = map(ring.polynomials.occurring, (*element.parts.values(), *divisors))
+        occurring = map(ring.polynomials.occurring_places, (*element.parts.values(), *divisors))
         return all(map(self._unknown.isdisjoint, occurring))
 
     def vanish(self, elements: Sequence[Element]) -> bool:
@@ -93,8 +93,12 @@ class PointEvaluation:
         divisors = {index for element in elements for index in element.denominator}
         return not any(map(self._vanishes, divisors))
 
-    def _vanishing_divisor(self, index: int) -> bool:
-        return self(Element(self.at.ring, {0: self.at.ring.divisors[index]}, {})).is_zero
+    def _vanishes(self, index: int) -> bool:
+        """Whether a divisor of the ring is zero there."""
+        if index not in self._vanishing:
+            divisor = Element(self.at.ring, {0: self.at.ring.divisors[index]}, {})
+            self._vanishing[index] = self(divisor).is_zero
+        return self._vanishing[index]
 
     def _check(self, given: Mapping[str, Element]) -> None:
         at, setting = self.at, self.at.setting

@@ -55,7 +55,7 @@ BELOW = r" \\ "
 
 def search(on: Elaborations, scene: Scene, pool: Pool = HERE) -> Iterator[Finding]:
     """Of each balance that it solves the leading equations, and its exponents."""
-    part, space = leading(on, scene)
+    part, space = leading_part(on, scene)
     scene, told = space.scene, _Told(part, space.scene, space.texts.vocabulary)
     said, tex = told.weights(), told.homogeneous()
     yield Finding(Identity, scene, said, tex, steps=True)
@@ -65,7 +65,7 @@ def search(on: Elaborations, scene: Scene, pool: Pool = HERE) -> Iterator[Findin
         yield Finding(Identity, scene, said, tex, steps=True, computed=computed)
 
 
-def leading(on: Elaborations, scene: Scene) -> tuple[LeadingPart, Elaboration]:
+def leading_part(on: Elaborations, scene: Scene) -> tuple[LeadingPart, Elaboration]:
     """What leads in the motion, and what the scene means with a letter for an exponent."""
     letter = next(one for one in LETTERS if one not in {*scene.names()})
     space = with_constants(on, scene, letter)
@@ -94,7 +94,7 @@ class _Told:
         """The equations of Euler for the components of the field without its lower terms."""
         members: list[Formula] = []
         for k, weight in enumerate(self.part.weights):
-            side = self._leading(k)
+            side = self._leading_terms(k)
             terms = [
                 times(fraction_formula(own), name, Partial(side, letters))
                 for own, name, letters in zip(
@@ -105,7 +105,7 @@ class _Told:
             members.append(Sum((*terms, Negative(more))))
         return to_latex(equal(*members, Number(0)))
 
-    def _leading(self, place: int) -> Formula:
+    def _leading_terms(self, place: int) -> Formula:
         """A component of the field without its lower terms, times what makes it a polynomial."""
         rate = Derivative(self.names[place], self.scene.time)
         side, lower = times(self._formula(self.part.multiple), rate), self.part.lower[place]
@@ -139,7 +139,7 @@ class _Told:
         rows = [" & ".join(to_latex(self._formula(e)) for e in row) for row in balance.matrix]
         matrix = rf"\begin{{pmatrix}}{BELOW.join(rows)}\end{{pmatrix}}"
         _, cofactors, rest = balance.characteristic
-        terms = [self._factored(rest), *self._multiples(cofactors, balance.equations.rest)]
+        terms = [self._factorisation(rest), *self._multiples(cofactors, balance.equations.rest)]
         sides = [*map(to_latex, self._equations(balance))]
         return "=".join([*sides, rf"\det{matrix}{to_latex(Negative(total(terms)))}", "0"])
 
@@ -147,7 +147,7 @@ class _Told:
         """What vanishes if the field without its lower terms, and w c, do so at the balance."""
         for k, (unit, cofactors, _) in enumerate(balance.divisions):
             weight = times(fraction_formula(self.part.weights[k]), self.names[k])
-            side = Sum((self._leading(k), times(self._formula(self.part.multiple), weight)))
+            side = Sum((self._leading_terms(k), times(self._formula(self.part.multiple), weight)))
             terms = self._multiples(cofactors, balance.equations.equations)
             yield Sum((times(self._formula(unit), side), *map(Negative, terms)))
 
@@ -178,13 +178,13 @@ class _Told:
         if not found.conditions:
             return f"the Painlevé test is passed: Laurent series with {free} free constants"
         asked = "; ".join(
-            f"${to_latex(self._factored(polynomial))}=0$ at {exponent}"
+            f"${to_latex(self._factorisation(polynomial))}=0$ at {exponent}"
             for exponent, polynomial in found.conditions
         )
         cases = ", or ".join(map(self._where, found.cases)) or "never"
         return f"the Painlevé test is passed where {cases}; it asks for {asked}"
 
-    def _factored(self, polynomial: fmpq_mpoly) -> Formula:
+    def _factorisation(self, polynomial: fmpq_mpoly) -> Formula:
         content, factors = polynomial.factor()
         powers = [power(self._formula(polynomial), int(k)) for polynomial, k in factors]
         return times(fraction_formula(to_fraction(content)), *powers)

@@ -17,7 +17,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.questions.exponents import leading
+from kowalevski_cas.questions.exponents import leading_part
 from kowalevski_cas.verify.finding import Attribute, Finding
 
 DEGREE = 2
@@ -94,7 +94,7 @@ def _by_exponents(on: Elaborations, scene: Scene, pool: Pool) -> tuple[tuple[int
 
     The weight of an integral whose differential does not vanish at a balance is an exponent there.
     """
-    part, *_ = leading(on, scene)
+    part, *_ = leading_part(on, scene)
     unit = lcm(*(weight.denominator for weight in part.weights))
     weights = tuple(int(unit * weight) for weight in part.weights)
     exponents = (exponent for balance in part.balances(pool) for exponent in balance.exponents)

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from kowalevski_cas.notation import read
 from kowalevski_cas.notation.open import OpenParser
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.texts import Display
 from kowalevski_cas.reading.known import CONVENTION, Known, StatementRole
 from kowalevski_cas.reading.parts import Parts
@@ -33,7 +34,7 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
     names = frozenset().union(*(item.names for item in known.items))
     scalars = sorted((paper.words.scalars & names) - known.times)
     for vector in sorted(known.names.vectors):
-        letter = vector[vector.index("{") + 1 :].replace("}", "", 1)
+        letter = symbol(vector).without_type.name
         if letter in scalars and not known.is_defined(letter) and not known.moves(letter):
             if known.is_defined(vector) or known.moves(vector):
                 role = StatementRole(

@@ -71,6 +71,8 @@ CUES: dict[str, str] = {
         в\s+(?:\w+\s+)?случа(?:е|ях)\b""",
     "on it": r"""
         \bon\s+(?:it|this|them|these|that)\b \bthere\b на\s+н[её][мй]?\b на\s+них""",
+    "on them": r"""
+        \bon\s+(?:them|these)\b \bthere\b на\s+(?:них|этих)""",
     "level": r"""
         levels? manifold relations? \bsets?\b surfaces? submanifold уровн\w+ многообрази\w+
         соотношени\w+ поверхност\w+ множеств\w+""",
@@ -90,11 +92,13 @@ CUES: dict[str, str] = {
         does\s+not\s+(?:hold|vanish|follow) is\s+not\b are\s+not\b \bno\s+longer\b never\b
         wrong\w* incorrect\w* erroneous\w* false\b mistak\w+ misprint\w* contrary
         instead\s+of\s*(?:§|$) contradict\w+ if\s+it\s+were \bwere\b would\s+be fails?\b cannot\b
-        refut\w+ in\s+place\s+of\s*(?:§|$) \bneither\b невер\w+ ошиб\w+ ложн\w+ опечат\w+
+        \b(?:no|without)\s+(?:\w+\s+){0,2}integrals? refut\w+
+        in\s+place\s+of\s*(?:§|$) \bneither\b невер\w+ ошиб\w+ ложн\w+ опечат\w+
         вместо\s*(?:§|$) противореч\w+ не\s+явля\w+ не\s+сохраня\w+ нельзя не\s+выполн\w+
         неправильн\w+ не\s+верно не\s+име\w+\s+мест""",
     "quoted": r"""
-        \baccording\s+to\b \bclaims?\s+that \bclaimed\b \basserted?\b \bwrites\b \bconjectur\w+
+        \baccording\s+to\s+(?-i:(?!Theor|Lemma|Prop|Coroll|Eq|Sect|Newton|Hamilton|Euler|Liouv)[A-Z])
+        \bclaims?\s+that \bclaimed\b \basserted?\b \bwrites\b \bconjectur\w+
         one\s+might\s+(?:think|expect) \bbelieve[sd]?\b it\s+is\s+said утвержда\w+ по\s+мнению
         предположительно гипотез\w+""",
     "system": r"""
@@ -114,6 +118,9 @@ CUES: dict[str, str] = {
         \bmaps?\b mapping\w* \bimages?\b отображени\w+""",
     "solution": r"""
         solved\s+by solutions?\b \bsolves\b direct\s+substitution решени\w+ подстанов\w+""",
+    "a solution": r"""
+        (?:is|are|gives?|form)\s+(?:\w+\s+){0,2}solutions? частн\w+\s+решени\w+
+        (?:particular|special|exact|periodic)\s+solutions? (?:явля|да[её]т)\w*\s+решени\w+""",
     "if": r"""
         \bif\s*$ \bwhen\s*$ \bunless\b \bif\s+(?:and\s+only\s+if\s*)?$ если\s*$ когда\s*$""",
 }

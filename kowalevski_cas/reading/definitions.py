@@ -164,9 +164,14 @@ def _is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
     return (
         first is None
         or (known.roles[first].name == LAW and first.sentence == item.sentence)
-        or bool(cue("where", item.lead))
+        or (bool(cue("where", item.lead)) and _is_near(known.seen[function], item))
         or (new and not item.typed.inline)
     )
+
+
+def _is_near(one: SourceStatement, item: SourceStatement) -> bool:
+    """Whether a statement may explain what another one has before it: in its paragraph."""
+    return one.paragraph == item.paragraph
 
 
 def _is_law_left(item: SourceStatement) -> bool:
@@ -179,7 +184,8 @@ def _integral_that_defines(
 ) -> StatementRole | None:
     """An integral with a name that is new: a claim, unless its rate is claimed elsewhere."""
     said = integral_words(item)
-    if not said or not known.varying(item.names - {*fresh}) or cue("where", item.lead):
+    moves = known.varying(item.names - {*fresh}) or item.derives
+    if not said or not moves or cue("where", item.lead):
         return None
     for one in known.paper.items:
         if one.order > item.order and one.order < item.order + 12 and ZERO in one.members:

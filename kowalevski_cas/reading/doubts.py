@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator, Sequence
 
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, LAW, Known
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, LAW, SETS, Known
 from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
@@ -54,7 +54,7 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
         if one is item or one in rung.on or one.order > item.order:
             continue
         role = known.roles.get(one)
-        set_there = role is not None and (role.kind == "invariant" or role.name == ASSUMPTION)
+        set_there = role is not None and (role.kind in SETS or role.name == ASSUMPTION)
         if one.sentence == item.sentence and one.members and cue("here", f"{one.before} "):
             return True
         if one.sentence == item.sentence and set_there:

@@ -30,8 +30,8 @@ NAMING = ("define", "level", "given", "map")
 """What may be followed by the names that get a meaning or a value."""
 VERBS = ("law", *NAMING, "claim", "on", "skip")
 RULED = (
-    "identity", "constant", "integral", "invariant", "inequality", "solution", "approximate",
-    "somewhere",
+    "identity", "constant", "integral", "invariant", "rest", "inequality", "solution",
+    "approximate", "somewhere",
 )  # fmt: skip
 """Kinds of claims of which the rules of reading know on what they stand."""
 

@@ -34,6 +34,9 @@ LAW, DEFINITION, LEVEL, ASSUMPTION, CLAIM, NOTATION, OTHER, UNREAD, CONVENTION =
     "convention",
 )  # fmt: skip
 
+SETS = ("invariant", "rest")
+"""The kinds of claims of which the equations define a set."""
+
 NAMING = (DEFINITION, LEVEL, CLAIM, CONVENTION)
 """The roles by which a name gets a meaning."""
 

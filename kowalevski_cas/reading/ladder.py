@@ -16,14 +16,22 @@ from kowalevski_cas.paper.claims import (
     Identity,
     Implication,
     InvariantRelations,
+    RestPoints,
 )
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM
+from kowalevski_cas.reading.phrases import right_behind
+from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.stage import Stage, Supposed
 from kowalevski_cas.reading.statements import SourceStatement
 
 ZERO = Number(0)
+_OF_SETS: dict[str, tuple[type[Claim], str]] = {
+    "invariant": (InvariantRelations, "no motion leaves the set of these equations"),
+    "rest": (RestPoints, "nothing moves where these equations hold"),
+}
+"""The claims that are made of a set, by the kind of its role."""
 
 
 @dataclass(frozen=True)
@@ -37,6 +45,8 @@ class Rung:
     """Those of them that hold on a part of the phase space only."""
     in_force: bool = False
     """Whether these are what is supposed there, and no more."""
+    idle: Claim | None = None
+    """That nothing moves where these hold: then what is said of rates there says nothing."""
 
 
 def rungs(item: SourceStatement, id: str, stage: Stage) -> Iterator[Rung]:
@@ -59,8 +69,8 @@ class _Ladder:
                 yield from self.identities()
             case "integral":
                 yield from self.integrals()
-            case "invariant":
-                yield from self.invariant()
+            case "invariant" | "rest":
+                yield from self.of_set()
 
     # -- identities ------------------------------------------------------------------
 
@@ -115,38 +125,48 @@ class _Ladder:
         """
         sets = tuple(self.known.sets(self.item))
         cited = [one for one in self.known.cited(self.item) if self._restricts(one)]
-        if cue("on it", f"{self.item.before[-80:]} {self.item.tail[:40]}"):
+        if cue("on it", self._place_words()):
             cited += self.just_before()
         found = (sets, tuple(cited), (*sets, *cited))
         return [*dict.fromkeys(tuple(dict.fromkeys(one)) for one in found if one)]
+
+    def _place_words(self) -> str:
+        """The words that may say where the statement holds: before it, and right behind it."""
+        return f"{self.item.before[-80:]} {right_behind(self.item)}"
 
     def _restricts(self, one: SourceStatement) -> bool:
         """Whether a statement holds on a part of the phase space only, so that it can be given."""
         role = self.known.roles.get(one)
         if role is None or not one.members or one.derives or not self.known.varying(one.names):
             return False
-        if role.name == ASSUMPTION or role.kind == "invariant":
+        if role.name == ASSUMPTION or role.kind in _OF_SETS:
             return True
         return role.name == CLAIM and role.kind in ("integral", "identity") and not role.names
 
-    def just_before(self) -> list[SourceStatement]:
-        """The set that was spoken of, or cited, last in the same paragraph."""
-        found: list[SourceStatement] = []
+    def just_before(self) -> SetOfEquations:
+        """The set that was spoken of, or cited, last in the same paragraph; none of several."""
+        near: list[SourceStatement] = []
         for one in self.known.roles:
             if one.order < self.item.order and one.paragraph == self.item.paragraph:
-                near = [one] if self._is_set(one) else []
-                near += [o for o in self.known.cited(one) if self._is_set(o)]
-                found = near or found
-        return [one for one in self.known.roles if found and one.typed is found[-1].typed]
+                near += [o for o in (one, *self.known.cited(one)) if self._is_set(o)]
+        if not near:
+            return ()
+        display = [one for one in self.known.roles if one.typed is near[-1].typed]
+        sets = sets_of({*near, *filter(self._is_set, display)}, self.known.paper.source.text)
+        own = next(one for one in sets if near[-1] in one)
+        beside = [one for one in sets if one[0].sentence == own[0].sentence]
+        return own if len(beside) == 1 or not cue("on them", self._place_words()) else ()
 
     def _is_set(self, one: SourceStatement) -> bool:
         role = self.known.roles.get(one)
-        return role is not None and (role.kind.startswith("set") or role.kind == "invariant")
+        return role is not None and (role.kind.startswith("set") or role.kind in _OF_SETS)
 
     # -- integrals -------------------------------------------------------------------
 
     def integrals(self) -> Iterator[Rung]:
         """A function that does not move: everywhere, under the assumptions, or on a set."""
+        if not self.known.varying(self.item.names):
+            raise ValueError("it is called an integral, and nothing says how its names move")
         says = "this is constant along every motion"
         derived = self._derived()
         for assumptions in self._ways():
@@ -181,28 +201,22 @@ class _Ladder:
 
     # -- sets ------------------------------------------------------------------------
 
-    def invariant(self) -> Iterator[Rung]:
-        """That no motion leaves a set; its equations are claimed together."""
+    def of_set(self) -> Iterator[Rung]:
+        """That no motion leaves a set, or that nothing moves there; its equations are one claim."""
         relations = self._set()
-        if relations and relations[0] is self.item:
-            says = "no motion leaves the set of these equations"
-            places = _places(relations)
-            for assumptions in self._ways():
-                yield self.rung(
-                    InvariantRelations, says, assumptions, (), relations, relations=places
-                )
+        if relations[0] is not self.item:
+            return
+        kind, says = _OF_SETS[self.role.kind]
+        places = _places(relations)
+        for assumptions in self._ways():
+            yield self.rung(kind, says, assumptions, (), relations, relations=places)
 
-    def _set(self) -> tuple[SourceStatement, ...]:
-        """The equations of the set: those of a display, or side by side in the text."""
-        found: list[list[SourceStatement]] = []
-        own = [one for one, role in self.known.roles.items() if role.kind == "invariant"]
-        for one in sorted(own, key=lambda one: one.order):
-            before = found[-1][-1] if found else None
-            if before and (one.typed is before.typed or _beside(before, one)):
-                found[-1].append(one)
-            else:
-                found.append([one])
-        return next((tuple(items) for items in found if self.item in items), ())
+    def _set(self) -> SetOfEquations:
+        """The equations of the set that the statement defines, with others or alone."""
+        roles = self.known.roles
+        own = [one for one, role in roles.items() if role.kind == self.role.kind]
+        sets = sets_of(own, self.known.paper.source.text)
+        return next(items for items in sets if self.item in items)
 
     # -- all -------------------------------------------------------------------------
 
@@ -221,18 +235,10 @@ class _Ladder:
             attributes.setdefault("printed", self.item.printed)
         claim = kind(self.id, found.scene, says, **attributes)  # type: ignore[arg-type]
         in_force = bool(on) and [*on] == self.known.sets(self.item)
-        return Rung(claim, (*found.assumptions, *on), found.constants, (*on,), in_force)
-
-
-def _beside(one: SourceStatement, other: SourceStatement) -> bool:
-    """Whether two formulas stand side by side in a line of text, with nothing but an “and”.
-
-    Where the words are of planes or points, each of them is one.
-    """
-    inline = one.typed.inline and other.typed.inline and one.sentence == other.sentence
-    inline = inline and not cue("places", one.before)
-    between = other.lead.strip(" ,;~\n")
-    return inline and other.order == one.order + 1 and between in ("", "and", "и")
+        idle = None
+        if on and (self.item.derives or self.role.kind == "integral"):
+            idle = RestPoints(self.id, found.scene, "", relations=_places(on))
+        return Rung(claim, (*found.assumptions, *on), found.constants, (*on,), in_force, idle)
 
 
 def _places(items: Sequence[SourceStatement]) -> tuple[Printed, ...]:

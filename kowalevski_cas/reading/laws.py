@@ -243,7 +243,7 @@ class _LawFinder:
         apart: Collection[str],
         rows: Sequence[SourceStatement],
     ) -> list[SourceStatement]:
-        """The rows that tell how what is wanted moves: of a display, or else inline.
+        """The rows that tell how what is wanted moves: of its sentence, a display, or else inline.
 
         In another section they are about what moves here.
         """
@@ -256,7 +256,14 @@ class _LawFinder:
             and (row.sections[:2] == at.sections[:2] or {*self.names.scalars(row.names)} & rated)
         ]  # fmt: skip
         order = at.order
-        found.sort(key=lambda row: (row.typed.inline, row.order < order, abs(row.order - order)))
+        found.sort(
+            key=lambda row: (
+                row.sentence != at.sentence,
+                row.typed.inline,
+                row.order < order,
+                abs(row.order - order),
+            )
+        )
         if not found:
             return []
         whole = [row for row in others if row.typed is found[0].typed]

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping
 
 from kowalevski_cas.notation import CrossProduct, Name, Vector
-from kowalevski_cas.notation.errors import letter_and_index
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.reading.statements import SourcePaper
-
-_NUMBER = re.compile(r"_\{?(\d)\}?$")
 
 
 def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
@@ -29,19 +26,12 @@ def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
                     found.setdefault(name, listed)
     size = 3 if any(isinstance(node, CrossProduct) for node in nodes) else 0
     for name in paper.words.vectors:
-        printed = (k for k in range(1, 10) if component(name, k) in names)
+        printed = (k for k in range(1, 10) if symbol(name).component(k).name in names)
         size = max([size, *printed])
     sizes = {len(one) for one in found.values()} or {size or 3}
     for name in sorted(paper.words.vectors - found.keys()):
-        found[name] = tuple(component(name, k) for k in range(1, 1 + max(sizes)))
+        found[name] = tuple(symbol(name).component(k).name for k in range(1, 1 + max(sizes)))
     return found
-
-
-def component(name: str, number: int) -> str:
-    r"""A component of a vector, as ``\omega_1`` of ``\boldsymbol{\omega}``."""
-    letter, index = letter_and_index(name)
-    letter, index = letter[letter.index("{") + 1 : -1], f"{index.strip('{}')}{number}"
-    return f"{letter}_{index}" if len(index) == 1 else f"{letter}_{{{index}}}"
 
 
 class Names:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 
 from kowalevski_cas.notation import NotationError, read_display
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.claims import Claim, FirstIntegral, Identity, Implication
 from kowalevski_cas.reading.comments import Said, names_of
 from kowalevski_cas.reading.grammar import Directive, own_fields, wrong
@@ -108,7 +108,7 @@ def about(found: Directive, known: Known) -> list[SourceStatement]:
 def spelled_out(found: Directive, known: Known) -> dict[str, object]:
     """The attributes of a claim, with the components of vectors where names are listed."""
     vectors = known.names.vectors
-    by_letter = {re.sub(r"\\(?:boldsymbol|mathbf)|[{}]", "", name): name for name in vectors}
+    by_letter = {symbol(name).without_type.name: name for name in vectors}
 
     def components(value: object) -> object:
         """The value, with components in the place of vectors."""

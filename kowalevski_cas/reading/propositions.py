@@ -12,6 +12,7 @@ from kowalevski_cas.reading.phrases import (
     plain,
     reach,
     set_beside,
+    words_of,
 )
 from kowalevski_cas.reading.statements import SourceStatement
 
@@ -26,13 +27,20 @@ def approximate(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 def solution(item: SourceStatement, known: Known) -> StatementRole | None:
-    """A variable as a function of the time: a solution is claimed."""
+    """A variable as a function of the time, or as words call it: a solution is claimed.
+
+    It defines no variable, also where the law that moves it cannot be read.
+    """
     moving = [name for name in item.bare if known.moves(name)]
     timed = item.names & {"t"} or any(isinstance(member, Constant) for member in item.members)
     if moving and timed:
         return StatementRole(
             CLAIM, f"gives {plain(moving[0])} by the time", "solution", (moving[0],)
         )
+    rated = [name for name in item.bare if any(name in one.rates for one in known.items)]
+    said = cue("a solution", f"{item.lead[-60:]} § {item.tail[:40]}")
+    if rated and said and not item.derives:
+        return StatementRole(CLAIM, f"“{said}” stands beside it", "solution")
     return None
 
 
@@ -50,6 +58,19 @@ def rate(item: SourceStatement, known: Known) -> StatementRole | None:
     return None
 
 
+def claimed_set(item: SourceStatement, known: Known) -> StatementRole | None:
+    """Equations of a set of which the words around them say that it is invariant, or at rest."""
+    if not item.members or item.derives or not known.varying(item.names):
+        return None
+    first = item.members[0]
+    if isinstance(first, Name) and not known.is_known(first.name):
+        return None  # it is a function that is defined
+    for words, kind in (("invariant", "invariant"), ("equilibrium", "rest")):
+        if said := words_of(item, words):
+            return StatementRole(CLAIM, f"“{said}” is said of the set", kind)
+    return None
+
+
 def zero_set(item: SourceStatement, known: Known) -> StatementRole | None:
     """Equations of a set: what vanishes, or has a value, without being so identically."""
     if not item.members or item.derives:
@@ -62,9 +83,10 @@ def zero_set(item: SourceStatement, known: Known) -> StatementRole | None:
     if not values or len(others) < len(item.members) - len(values) or not others:
         return None
     if all(map(known.moves, others)) or ZERO in values:
-        said = cue("invariant", item.words) or cue("equilibrium", item.words)
-        if said and (all(map(known.moves, others)) or cue("invariant", item.words)):
-            return StatementRole(CLAIM, f"“{said}” in its sentence", "invariant")
+        for words, kind in (("invariant", "invariant"), ("equilibrium", "rest")):
+            said = cue(words, item.words)
+            if said and (all(map(known.moves, others)) or kind == "invariant"):
+                return StatementRole(CLAIM, f"“{said}” in its sentence", kind)
         return StatementRole(ASSUMPTION, "a set that the text speaks of", reach(item))
     return StatementRole(CLAIM, "a value that is taken somewhere", "somewhere")
 

@@ -9,10 +9,10 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from kowalevski_cas.notation import Derivative, Formula, Name, NotationError, Relation, Vocabulary
-from kowalevski_cas.notation.cursor import BOLD
 from kowalevski_cas.notation.layout import StatementTokens
 from kowalevski_cas.notation.layout import statements as placed
 from kowalevski_cas.notation.open import OpenParser, is_exponential
+from kowalevski_cas.notation.symbol import BOLD
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.reading.cues import cue
@@ -220,7 +220,7 @@ def _vocabulary(formulas: Sequence[TypedFormula]) -> Vocabulary:
     guesses = [replace(one, scalars=one.scalars - other) for one in guesses]
     if guesses[0] == guesses[1]:
         return guesses[0]
-    bold = [one for one in formulas if any(font[1:-1] in one.tex for font in (*BOLD, r"\bf "))]
+    bold = [one for one in formulas if any(mark in one.tex for mark in (*BOLD, r"\vec", r"\bf "))]
     return max(guesses, key=lambda words: sum(not t for f in bold for _, t, _ in _read(f, words)))
 
 

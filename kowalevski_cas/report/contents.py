@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from textwrap import shorten
 from types import MappingProxyType
 from typing import Final
 
-from kowalevski_cas import __version__
-from kowalevski_cas.notation import Relation, print_prose, read_prose, to_plain
+from kowalevski_cas.notation import print_prose, read_prose, to_plain
+from kowalevski_cas.report.dependence import graph
 from kowalevski_cas.report.document import (
     Block,
     Code,
     Document,
-    Emphasis,
     Figure,
-    Graph,
     Heading,
     Link,
     Paragraph,
@@ -28,14 +25,16 @@ from kowalevski_cas.report.document import (
 from kowalevski_cas.report.erratum import erratum
 from kowalevski_cas.report.figures import FigureFile
 from kowalevski_cas.report.findings import Findings
-from kowalevski_cas.report.graph import picture
+from kowalevski_cas.report.made import written_by
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.passages import Passages
 from kowalevski_cas.report.places import PaperSection, labels, names
 from kowalevski_cas.report.results import main_results
-from kowalevski_cas.report.sentences import Phrases, count_in_words, list_in_words, nonzero
+from kowalevski_cas.report.sentences import Phrases, group_alike, list_in_words, nonzero
+from kowalevski_cas.report.tally import tally, wrong_places
+from kowalevski_cas.report.trust import trust
 from kowalevski_cas.report.witnesses import Witness, arithmetics
-from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
+from kowalevski_cas.verify.outcome import Run, Verdict
 
 
 class Contents:
@@ -57,12 +56,17 @@ class Contents:
         programs: Sequence[Witness] = (),
         evidence: str = "",
     ) -> None:
-        self.run, self.sections, self.certified, self.programs = run, sections, certified, programs
+        self.run, self.sections, self.certified, self.programs = (
+            run,
+            sections,
+            certified,
+            programs,
+        )
         files = {claim: f"{evidence}/{claim}.json" for claim in certified} if evidence else {}
         self.phrases = Phrases(run.vocabulary, names(sections), labels(sections), files)
-        self.passages = Passages(self.phrases, certified, programs)
+        self.passages = Passages(self.phrases, certified, programs, run)
         copied = any(section.copied for section in sections)
-        self.findings = Findings(self.phrases, run.outcomes, copied)
+        self.findings = Findings(self.phrases, run.outcomes, copied, run.expected)
 
     def document(self, figures: Sequence[FigureFile] = ()) -> Document:
         """The report, with the pictures of the derivation."""
@@ -70,15 +74,14 @@ class Contents:
         blocks = [
             *self.verdict(),
             *(block for section in self.sections for block in self.passages.section(section)),
-            *self.trust(),
-            *self.graph(),
+            *trust(self.phrases),
+            *graph(self.findings),
             *self._figures(figures),
         ]
         title = print_prose(read_prose(run.title, run.vocabulary), str, to_plain)
         origin = ", ".join(filter(None, (run.author, run.source)))
         by: Text = (
-            f"Written by kowalevski_cas {__version__}: ",
-            Code(f"kowalevski-cas report {run.derivation}"),
+            *written_by(f"kowalevski-cas report {run.derivation}"),
             "; digest of the statements ", Code(run.digest[:16]), ".",
         )  # fmt: skip
         return Document(
@@ -133,8 +136,10 @@ class Contents:
         """What is wrong, what holds, and who says so."""
         run, findings = self.run, self.findings
         results = [*main_results(self.phrases, run.outcomes, run.main, findings.slips)]
-        yield from results
-        yield Paragraph((findings.lead(),), "" if results else "lead")
+        if results:
+            yield from (*results, *wrong_places(findings))
+        yield Paragraph((tally(findings),), "" if results else "lead")
+        yield from self._granted()
         if findings.copied:
             judged = "Judged were formulas, and the statements below; nothing else, and no picture."
             yield Paragraph((judged,), "note")
@@ -149,6 +154,23 @@ class Contents:
             link = Link(f"section.{anchor(section.number)}", self.phrases.title(section))
             rows.append(((link,), signs))
         yield Table((0.36, 0.6), (("Section",), ("Its formulas and statements",)), tuple(rows))
+
+    def _granted(self) -> Iterator[Block]:
+        """What the sections assume not to vanish, those of one assumption together."""
+        assumed = [
+            (section.number, tuple(dict.fromkeys(f for o in section.outcomes for f in o.granted)))
+            for section in self.sections
+        ]
+        said: Text = ()
+        for numbers, (formulas, *_) in group_alike([one for one in assumed if one[1]]):
+            where = ", ".join(numbers)
+            said += (
+                *("; " if said else "Assumed are ",),
+                *list_in_words([(nonzero(formula),) for formula in formulas]),
+                f" in section{'s' * (len(numbers) > 1)} {where}",
+            )
+        if said:
+            yield Paragraph((*said, "."), "note")
 
     def _legend(self) -> Iterator[Block]:
         """What the marks mean, and “valid for”."""
@@ -194,51 +216,10 @@ class Contents:
         if not run.versions:  # an audit, which leaves no table
             return text
         table = Link(f"{run.derivation}.json", (f"{run.derivation}.json",), outside=True)
-        return (*text, " Who confirms which, with all digests, is in ", table, ".")
+        which = "Which program confirms which" if self.programs else "What decided which"
+        return (*text, f" {which}, with all digests, is in ", table, ".")
 
     # -- the rest ---------------------------------------------------------------------
-
-    def graph(self) -> Iterator[Block]:
-        """What rests on what, where that is more than a few lines can say."""
-        drawn = picture(self.run.outcomes, {o.claim: self._box(o) for o in self.run.outcomes})
-        if drawn.boxes and sum(line.tip for line in drawn.lines) < _EDGES:
-            return
-        yield Heading(("What rests on what",), "section.picture")
-        if not drawn.boxes:
-            yield Paragraph(("Each claim was decided from the equations of motion alone.",))
-            return
-        yield Paragraph(
-            ("A line leads from each statement to those that rest on it; lines implied by others "
-             f"are omitted. The frame tells the verdict: {self._frames()}. The formulas "
-             "of one display share a box, which shows the worst verdict among them.",),
-            leads=True,
-        )  # fmt: skip
-        yield Graph(drawn)
-        said: Text = ("The equations of motion underlie everything and are not drawn.",)
-        if self.findings.slips:
-            said = (*said, " What rests on a misprinted formula starts from its corrected form.")
-        if drawn.alone:
-            many = count_in_words(len(drawn.alone), "statement")
-            said = (*said, f" Omitted: {many} that neither rest on another nor carry one.")
-        yield Paragraph(said, "note")
-
-    def _box(self, outcome: Outcome) -> str:
-        """A number, and what is stated if that is short."""
-        name = self.phrases.names[outcome.claim]
-        if name.several > 1:
-            return name.number
-        said = [to_plain(f) for f in outcome.formulas if isinstance(f, Relation)]
-        words = print_prose(read_prose(outcome.words, self.run.vocabulary), str, to_plain)
-        for text in (", ".join(said), *(f"{one}, …" for one in said[:1]), words):
-            if _TYPED.fullmatch(text) and len(text) <= _SHORT:
-                return f"{name.number} {text}"
-        return name.number
-
-    def _frames(self) -> str:
-        """What the frames of the boxes mean, of those that are drawn."""
-        verdicts = {outcome.verdict for outcome in self.run.outcomes}
-        said = [words for verdict, words in _FRAMES.items() if verdict in verdicts]
-        return ", ".join(said + ["dotted for the rest"] * (not verdicts <= {*_FRAMES}))
 
     def _figures(self, figures: Sequence[FigureFile]) -> Iterator[Block]:
         if figures:
@@ -246,60 +227,8 @@ class Contents:
         for figure in figures:
             yield Figure(figure, self.phrases.words(figure.caption))
 
-    def trust(self) -> Iterator[Block]:
-        """What is proved, and what has to be trusted."""
-        yield Heading(("What is proved, and what has to be trusted",), "section.trust")
-        for name, text in _TRUST:
-            yield Paragraph((Emphasis((f"{name}.",)), " ", *self.phrases.words(text)))
-
-
-_EDGES: Final = 6
-"""How many lines a picture of what rests on what has at least."""
-
-_SHORT: Final = 30
-"""How many letters stand in a box behind the number at most."""
-
-_TYPED: Final = re.compile("[ -ʯΆ-Ͽᵢ-ᵥḀ-₟∀-⊋]+")
-"""What a font of a typewriter has, which boxes are written in: another one has other widths."""
-
-_FRAMES: Final = {
-    Verdict.PROVED: "thin where a statement holds",
-    Verdict.CONDITIONAL: "broken where it holds under a condition",
-    Verdict.REFUTED: "heavy where it is false",
-}
 
 _ORIGINS: Final = {
     False: "restated, or derived anew: nobody has compared them with a print",
-    None: "derived here: there is no print of them",
+    None: "those of this derivation: there is no print of them",
 }
-
-_TRUST: Final = (
-    (
-        "What is proved",
-        "Every verdict is an exact computation with polynomials that have rational coefficients: "
-        "$i$ and square roots are generators with relations, derivatives are taken along the "
-        "printed vector field, points have exact coordinates. What is proved holds wherever the "
-        "named expressions are not zero; what is refuted fails at a point that is given.",
-    ),
-    (
-        "How it is meant",
-        "A dimension is that of a manifold near the exact point that is given, where the "
-        "differentials are independent; this, and independence, say nothing of points where they "
-        "are not. A root stands for either of its values that the relations allow, unless one of "
-        "them is meant expressly.",
-    ),
-    (
-        "What has to be trusted",
-        "You must trust that each formula was transcribed and interpreted correctly: compare it "
-        "with the paper. For a certified statement you then need to trust only the checker and "
-        "the integers of Python, or any one of the other programs that confirm it; for any other "
-        "statement, the program and one of its three arithmetics, which share how LaTeX is read "
-        "and put into polynomials.",
-    ),
-    (
-        "What is not proved",
-        "Nothing is said here about how motions behave in the long run, how a set looks as a "
-        "whole, or whether a list of cases in the paper is complete, unless a statement above "
-        "says so.",
-    ),
-)

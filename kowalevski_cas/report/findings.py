@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
+from types import MappingProxyType
 
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.report.compare import mark_differences
@@ -22,7 +23,6 @@ from kowalevski_cas.report.sentences import (
     capitalise,
     count_in_words,
     group_alike,
-    in_words,
     nonzero,
 )
 from kowalevski_cas.verify.outcome import Condition, Correction, Outcome, Verdict
@@ -32,15 +32,30 @@ Slip = tuple[Outcome, ...]
 
 
 class Findings:
-    """What is wrong, each thing once; ``copied`` if the formulas are those of the print."""
+    """What is wrong, each thing once.
 
-    def __init__(self, phrases: Phrases, outcomes: Sequence[Outcome], copied: bool = True) -> None:
-        self.phrases, self.outcomes, self.copied = phrases, outcomes, copied
+    Args:
+        phrases: the phrases in the paper's words.
+        outcomes: what was decided.
+        copied: whether the formulas are those of the print.
+        expected: the verdicts that the derivation itself expects.
+    """
+
+    def __init__(
+        self,
+        phrases: Phrases,
+        outcomes: Sequence[Outcome],
+        copied: bool = True,
+        expected: Mapping[str, str] = MappingProxyType({}),
+    ) -> None:
+        self.phrases, self.outcomes = phrases, outcomes
+        self.copied, self.expected = copied, expected
 
     @cached_property
     def refuted(self) -> tuple[Outcome, ...]:
-        """What is false as printed."""
-        return tuple(o for o in self.outcomes if o.verdict is Verdict.REFUTED)
+        """What is false as it is stated, though nobody expects it to be."""
+        found = (o for o in self.outcomes if o.verdict is Verdict.REFUTED)
+        return tuple(o for o in found if o not in self.denied)
 
     @cached_property
     def slips(self) -> tuple[Slip, ...]:
@@ -54,9 +69,15 @@ class Findings:
         return tuple(o for o in self.refuted if not (o.correction and o.correction.edit))
 
     @cached_property
+    def denied(self) -> tuple[Outcome, ...]:
+        """What is false as the derivation itself expects."""
+        found = (o for o in self.outcomes if o.verdict is Verdict.REFUTED)
+        return tuple(o for o in found if self.expected.get(o.claim) == o.verdict)
+
+    @cached_property
     def lacking(self) -> tuple[Outcome, ...]:
         """What the paper claims, and fails at a point where its formulas make sense."""
-        return tuple(o for o in self.outcomes if _lacks(o) and not o.ours)
+        return tuple(o for o in self.outcomes if lacks(o) and not o.ours)
 
     @cached_property
     def missing(self) -> dict[Formula, list[tuple[str, Condition]]]:
@@ -74,61 +95,6 @@ class Findings:
         undecided = (Verdict.UNDECIDED, Verdict.TIMEOUT)
         return tuple(o for o in self.outcomes if o.verdict in undecided)
 
-    def lead(self) -> str:
-        """What was found, in two sentences; of statements that are ours, in two more."""
-        if not self.outcomes:
-            return "Nothing was selected, so nothing is said."
-        ours = [outcome for outcome in self.outcomes if outcome.ours]
-        if len(ours) == len(self.outcomes):
-            return self._tally(ours)
-        said = [self._tally([outcome for outcome in self.outcomes if not outcome.ours])]
-        if ours:
-            said.append(self._tally(ours, " of our own"))
-        return " ".join(said)
-
-    def _tally(self, outcomes: Sequence[Outcome], whose: str = "") -> str:
-        """How many of these hold, and how."""
-        many = {v: sum(o.verdict is v for o in outcomes) for v in Verdict}
-        lacking = sum(map(_lacks, outcomes))
-        where = many[Verdict.CONDITIONAL] - lacking
-        found = [
-            (many[Verdict.PROVED], "as stated here" if whose or not self.copied else "as printed"),
-            (where, f"where {'its' if where == 1 else 'their'} denominators do not vanish"),
-            (lacking, "under a named condition" if whose else f"only under {self._hypotheses()}"),
-        ]
-        what = count_in_words(len(outcomes), "formula or statement", "formulas and statements")
-        wrong = self._wrong(outcomes)
-        if len(outcomes) == 1:
-            said = [f"holds {how}" for n, how in found if n] + [f"is {how}" for _, how in wrong]
-            return f"The only statement{whose} {said[0]}."
-        for n, how in found:
-            if n == len(outcomes):
-                every = f"All {what}" if n > 2 else "Both statements"
-                return f"{every}{whose} hold {how}."
-        holds = [f"{in_words(n)} hold{'s' * (n == 1)} {how}" for n, how in found if n]
-        fails = _joined([f"{in_words(n)} {'is' if n == 1 else 'are'} {how}" for n, how in wrong])
-        more = f" {capital(fails)}." if fails else ""
-        return f"Of {what}{whose}, {_joined(holds) or 'none is proved'}.{more}"
-
-    def _hypotheses(self) -> str:
-        """What is missing, and how many there are if there are several."""
-        many = len(self.missing)
-        if many == 1:
-            return "a hypothesis that the paper does not state"
-        return f"hypotheses that the paper does not state ({in_words(many)} in all)"
-
-    def _wrong(self, outcomes: Sequence[Outcome]) -> list[tuple[int, str]]:
-        """How many statements do not hold, or are open, and why."""
-        slips = [slip for slip in self.slips if any(outcome in outcomes for outcome in slip)]
-        spoiled = sum(len(slip) for slip in slips)
-        false = sum(outcome in self.false for outcome in outcomes)
-        open_ones = [
-            (sum(outcome.verdict is verdict for outcome in outcomes), what)
-            for verdict, what in _OPEN.items()
-        ]
-        by = f"spoiled by {count_in_words(len(slips), 'misprint')}"
-        return [one for one in ((spoiled, by), (false, "false"), *open_ones) if one[0]]
-
     def blocks(self) -> Iterator[Block]:
         """What is wrong, for a reader who has half a minute."""
         if self.slips:
@@ -139,6 +105,11 @@ class Findings:
             yield Heading((capital(many),), "false", 2)
             yield from map(self._falsehood, self.false)
         yield from self.hypotheses()
+        if self.denied:
+            many = count_in_words(len(self.denied), "statement")
+            verb = "is" if len(self.denied) == 1 else "are"
+            yield Heading((f"{capital(many)} that {verb} false, as expected",), "denied", 2)
+            yield from map(self._falsehood, self.denied)
         if self.open:
             many = count_in_words(len(self.open), "open statement")
             yield Heading((capital(many),), "open", 2)
@@ -167,13 +138,15 @@ class Findings:
         head: Text = (*where, f"{why}: ", *self.phrases.words(correction.words), ".")
         printed, meant = mark_differences(correction.blamed or first.formulas, correction.formulas)
         source = "" if correction.blamed else first.source
+        valid = self.phrases.valid(correction.conditions)
         shown: list[Block] = [
             Equations(printed, source, first.verdict, wrong=True),
-            Equations(meant, verdict=correction.verdict),
+            Equations(meant, verdict=correction.verdict, label=valid),
         ]
         for other in filter(lambda other: _says_else(first, other), first.alternatives):
             shown.append(Paragraph(("Or: ", *self.phrases.words(other.words), ".")))
-            shown.append(Equations(other.formulas, verdict=other.verdict))
+            valid = self.phrases.valid(other.conditions)
+            shown.append(Equations(other.formulas, verdict=other.verdict, label=valid))
         if correction.others:
             shown.append(Paragraph((*self.phrases.links(correction.others), _KEPT)))
         if first.counterexample:
@@ -191,6 +164,8 @@ class Findings:
         elif outcome.message:
             shown.append(Paragraph(self.phrases.sentence(outcome.message)))
         correction = outcome.correction
+        if outcome in self.denied:
+            return Judgement(outcome.verdict, "", head, blocks=tuple(shown))
         if correction is None:
             head = (*head, " No true statement was found near it.")
             return Judgement(outcome.verdict, "", head, blocks=tuple(shown))
@@ -210,14 +185,6 @@ class Findings:
 
 _KEPT = " stand on it as well, and are true with either."
 
-_OPEN = {
-    Verdict.PROBABLE: "true but for a named chance of error",
-    Verdict.ENCLOSED: "true within a named radius",
-    Verdict.UNDECIDED: "undecided",
-    Verdict.TIMEOUT: "not decided in the time allowed",
-    Verdict.ERROR: "not decided, because something went wrong",
-}
-
 
 def _says_else(outcome: Outcome, other: Correction) -> bool:
     """Whether an alternative to the correction says something else, and is still open.
@@ -233,18 +200,13 @@ def _says_else(outcome: Outcome, other: Correction) -> bool:
     return not (same_left and denied is not None and not denied.words)
 
 
-def _lacks(outcome: Outcome) -> bool:
-    """Whether a point denies the statement where one of its conditions is violated."""
-    return any(condition.witness for condition in outcome.conditions)
-
-
-def _joined(items: Sequence[str]) -> str:
-    """Words as a list, which may have commas of their own."""
-    return ", and ".join(filter(None, [", ".join(items[:-1]), *items[-1:]]))
-
-
 def _slip(outcome: Outcome) -> object:
     """What makes one slip of several changes: the same words in the same display."""
     correction = outcome.correction
     assert correction is not None
     return correction.words, correction.printed and correction.printed.display.id
+
+
+def lacks(outcome: Outcome) -> bool:
+    """Whether a point denies the statement where one of its conditions is violated."""
+    return any(condition.witness for condition in outcome.conditions)

@@ -11,7 +11,7 @@ from kowalevski_cas.audit.roles import Roles
 from kowalevski_cas.notation import Formula, NotationError, split_display
 from kowalevski_cas.paper import derivation as paper
 from kowalevski_cas.paper.claims import Claim
-from kowalevski_cas.paper.texts import Display, Printed, Texts
+from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed, Texts
 from kowalevski_cas.report.document import anchor
 from kowalevski_cas.verify.outcome import Outcome, Run
 
@@ -190,7 +190,9 @@ def _items(
             places[last].after.append((home if claim.printed else None, outcomes[claim.id]))
     yield from _apart(places[-1].after)
     for display, place in zip(section.displays, places, strict=False):
-        yield _displayed(display, place, texts, roles)
+        item = _displayed(display, place, texts, roles)
+        if item.stated or display.source != IN_WORDS:
+            yield item
         yield from _apart(place.after)
 
 

@@ -207,6 +207,11 @@ class Phrases:
         """What several conditions say."""
         return list_in_words([(nonzero(condition.expression),) for condition in conditions])
 
+    def valid(self, conditions: Iterable[Condition]) -> Text:
+        """Under which conditions something is valid; nothing if it always is."""
+        where = self.where(conditions)
+        return ("valid for ", *where) if where else ()
+
     def values(self, found: Counterexample) -> Text:
         """A point and what fails there, as a sentence."""
         said: Text = ("the left side is ", found.left, ", the right side ", found.right)

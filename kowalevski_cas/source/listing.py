@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence, Set
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import takewhile
 
-from kowalevski_cas.notation import NotationError, Vocabulary, read_display
-from kowalevski_cas.notation.cursor import BOLD, Cursor, is_known
+from kowalevski_cas.notation import NotationError, Vocabulary, defined_names, read_display
+from kowalevski_cas.notation.cursor import Cursor, is_known
 from kowalevski_cas.notation.functions import FUNCTIONS
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.source.displays import TypedFormula
@@ -75,6 +77,7 @@ def guessed(formulas: Iterable[TypedFormula], capitals: int = MATRIX) -> Vocabul
     """
     names: set[str] = set()
     functions: set[str] = set()
+    formulas = [*formulas]
     for formula in formulas:
         if tokens := scanned(formula.tex):
             found = Cursor("", [*tokens], Vocabulary()).letters()
@@ -82,8 +85,9 @@ def guessed(formulas: Iterable[TypedFormula], capitals: int = MATRIX) -> Vocabul
                 letter + index for letter, index in found if is_known(letter) or letter in FUNCTIONS
             )
             functions.update(_applied(tokens))
-    bold = {name for name in names if name.startswith(BOLD)}
-    upper = {name for name in bold if name[name.index("{") + 1].isupper()}
+    names -= {*_conjugates(names, formulas)}
+    bold = {name for name in names if symbol(name).is_bold}
+    upper = {name for name in bold if symbol(name).letter.isupper()}
     matrices = upper if capitals == MATRIX else set()
     functions = functions & names | names & FUNCTIONS
     return Vocabulary(
@@ -94,6 +98,21 @@ def guessed(formulas: Iterable[TypedFormula], capitals: int = MATRIX) -> Vocabul
         times=frozenset({"t", r"\tau"} | (names & {"s", "x"})),
         moving=frozenset(names - FUNCTIONS),
     )
+
+
+def _conjugates(names: Set[str], formulas: Iterable[TypedFormula]) -> Iterator[str]:
+    """The names with a star that no formula defines, beside those without it."""
+    for name in names:
+        plain = replace(symbol(name), star="").name
+        if plain != name and plain in names:
+            if not any(name in _defined(formula.tex) for formula in formulas):
+                yield name
+
+
+def _defined(tex: str) -> Iterator[str]:
+    """The names that a display defines, if its TeX is sound."""
+    with suppress(NotationError):
+        yield from (name for statement in defined_names(tex) for name in statement.names)
 
 
 def _applied(tokens: Sequence[Token]) -> Iterator[str]:

@@ -16,8 +16,8 @@ from kowalevski_cas.notation import (
     defined_names,
     read,
 )
-from kowalevski_cas.notation.errors import letter_and_index
 from kowalevski_cas.notation.open import OpenParser, bold_names
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.texts import Display, Printed
 
 Parts = tuple[str, ...]
@@ -44,14 +44,14 @@ def vectors_of(display: Display, known: Vectors, words: Vocabulary) -> dict[str,
     new -= matrices
     words = replace(words, vectors=words.vectors | new, matrices=words.matrices | matrices)
     formulas = [read(place.tex, words, OpenParser) for place in display if _readable(place, words)]
-    found = {**known, **dict(_named(formulas, new))}
+    found = {**known, **dict(_named_vectors(formulas, new))}
     nodes = [node for formula in formulas for node in formula.nodes()]
     names = {node.name for node in nodes if isinstance(node, Name)}
     spatial = any(isinstance(node, CrossProduct) for node in nodes)
     for name in sorted(new - found.keys()):
         rows = (f for f in formulas if isinstance(f, Relation) and Name(name) in f.members)
         size = next((size for row in rows for size in _sizes(row, found)), 3 * spatial)
-        numbered = [_component(name, k) for k in range(1, 10)]
+        numbered = [symbol(name).component(k).name for k in range(1, 10)]
         printed = next(k for k, one in enumerate(numbered) if one not in names)
         if size or printed > 1:
             found[name] = tuple(numbered[: size or printed])
@@ -67,7 +67,9 @@ def _readable(place: Printed, words: Vocabulary, vectors: Collection[str] = ()) 
     return True
 
 
-def _named(formulas: Sequence[Formula], new: Collection[str]) -> Iterator[tuple[str, Parts]]:
+def _named_vectors(
+    formulas: Sequence[Formula], new: Collection[str]
+) -> Iterator[tuple[str, Parts]]:
     """The vectors of which the components are named."""
     for formula in formulas:
         match formula:
@@ -91,10 +93,3 @@ def _sizes(formula: Formula, known: Vectors) -> Iterator[int]:
             yield len(node.components)
         elif isinstance(node, Name) and node.name in known:
             yield len(known[node.name])
-
-
-def _component(name: str, number: int) -> str:
-    r"""A component of a vector, as ``\omega_1`` of ``\boldsymbol{\omega}``."""
-    letter, index = letter_and_index(name)
-    letter, index = letter[letter.index("{") + 1 : -1], f"{index}{number}"
-    return f"{letter}_{index}" if len(index) == 1 else f"{letter}_{{{index}}}"

@@ -183,7 +183,7 @@ class Outcome(NamedTuple):
     stack: str = ""
 
     @property
-    def certified(self) -> bool:
+    def needs_certificate(self) -> bool:
         """Whether there has to be a certificate; what points say has none."""
         return self.verdict in DECIDED and not self.verdicts.keys() & {*POINTS}
 
@@ -193,7 +193,7 @@ class Outcome(NamedTuple):
         found = {self.claim: self.certificate}
         if self.correction is not None:
             found[f"{CORRECTED}/{self.claim}"] = self.correction.certificate
-        return found if self.certified else {}
+        return found if self.needs_certificate else {}
 
     @property
     def misprinted(self) -> bool:
@@ -212,7 +212,8 @@ class Run(NamedTuple):
 
     ``sections`` lists number and heading; ``versions`` the programs and
     libraries that took part; in ``vocabulary`` the words of all outcomes can be read. ``edition``
-    says which text was read, and ``main`` which claims are the main results.
+    says which text was read, ``main`` which claims are the main results, and ``expected`` which
+    verdicts the derivation itself expects.
     """
 
     derivation: str
@@ -226,6 +227,7 @@ class Run(NamedTuple):
     vocabulary: Vocabulary
     edition: str = ""
     main: tuple[str, ...] = ()
+    expected: Mapping[str, str] = {}
 
     @property
     def certificates(self) -> dict[str, str]:

@@ -23,7 +23,7 @@ from kowalevski_cas.notation import (
     power,
     total,
 )
-from kowalevski_cas.paper.claims import Claim, Dimension
+from kowalevski_cas.paper.claims import Claim, ConstantRoot, Dimension
 from kowalevski_cas.paper.claims.forms import ONE, ZERO
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.evidence import (
@@ -80,15 +80,16 @@ def _identical(statement: Statement) -> ReportedStep:
     own = statement.claim.printed
     formula = None if own is None else statement.on.texts.formula(own)
     if isinstance(formula, Relation) and Unwritten() not in formula.nodes():
-        return ReportedStep("The two sides agree identically.")
-    return ReportedStep("The equations that say so hold identically.")
+        return ReportedStep("Written out, this is an identity.")
+    return ReportedStep("Written out, each equation that says so is an identity.")
 
 
 def _steps(statement: Statement, goal: Goal, evidence: Evidence) -> Iterator[ReportedStep]:
     claim, legend = statement.claim, statement.legend
     match goal, evidence:
         case Exists(), Found():
-            yield from _found(goal, evidence, statement)
+            yield from _root(claim, goal, evidence, statement)
+            yield from _values_found(goal, evidence, statement)
         case Fails(), _:
             return
         case Follows(), Entailment(proof, _):
@@ -225,18 +226,28 @@ def _sum(row: Sequence[Element], known: Sequence[Formula], setting: Elaboration)
 # -- what is found -------------------------------------------------------------------
 
 
-def _found(goal: Exists, evidence: Found, statement: Statement) -> Iterator[ReportedStep]:
-    """The numbers that were found; and the equations that are linear in bound names."""
-    if goal.numbers:
-        equations = tuple(equal(Name(name), evidence.values[name]) for name in goal.numbers)
-        yield ReportedStep("The numbers that the program found:", equations)
+def _root(
+    claim: Claim, goal: Exists, evidence: Found, statement: Statement
+) -> Iterator[ReportedStep]:
+    """A constant root, as the combination of constants that was found."""
+    if isinstance(claim, ConstantRoot):
+        basis = [statement.on(claim.scene).formula(tex) for tex in claim.basis]
+        numbers = [evidence.values[name] for name in goal.numbers]
+        found = zip(numbers, basis, strict=True)
+        root = total(signed_product(number, one) for number, one in found if number != ZERO)
+        said = equal(Name(claim.unknown), root)
+        yield ReportedStep("The root that the program found:", (said,))
+
+
+def _values_found(goal: Exists, evidence: Found, statement: Statement) -> Iterator[ReportedStep]:
+    """The equations that are linear in bound names."""
     for one in goal.goals:
         if not isinstance(one, Follows):
             continue
         for left, right in one.conclusions[0] if one.conclusions else ():
             terms = _linear(right, goal.bound)
             if terms is not None:
-                yield _bound(left, terms, evidence, statement.legend[one.space])
+                yield _bound_names(left, terms, evidence, statement.legend[one.space])
 
 
 def _linear(formula: Formula, bound: Sequence[str]) -> list[tuple[str, Formula]] | None:
@@ -251,7 +262,7 @@ def _linear(formula: Formula, bound: Sequence[str]) -> list[tuple[str, Formula]]
     return found
 
 
-def _bound(
+def _bound_names(
     left: Formula, terms: Sequence[tuple[str, Formula]], evidence: Found, setting: Elaboration
 ) -> ReportedStep:
     values = [setting.finder.scalar(evidence.values[name]) for name, _ in terms]

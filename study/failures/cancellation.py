@@ -54,7 +54,7 @@ def relative_errors(method: str, exponents: Sequence[int]) -> Measured:
         errors = [_size(exact, left - right, point) for point in points]
     else:
         element, other = sides(CLAIM, programs)
-        error = {"floating": _rounded, "ball": _radius}[method]
+        error = {"floating": _float_difference, "ball": _radius}[method]
         errors = [error(programs.carry(element - other), point) for point in points]
     sizes = [_size(exact, left, point) for point in points]
     relative = [e / size if isfinite(e) else None for e, size in zip(errors, sizes, strict=True)]
@@ -68,7 +68,7 @@ def _size(at: Evaluation, element: Element, point: ExactPoint) -> float:
     return abs(complex(re, im))
 
 
-def _rounded(difference: Program, point: ExactPoint) -> float:
+def _float_difference(difference: Program, point: ExactPoint) -> float:
     """The absolute value of a difference in floating point."""
     import numpy as np
 

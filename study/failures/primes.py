@@ -57,7 +57,7 @@ def count_accepting(moduli: Sequence[int]) -> Measured:
     degree = max(sizes(program).degree for program in asked.residuals)
     for radicand in asked.ring.radicands:
         degree *= max(2, sizes(radicand).degree)
-    found = [_counted(asked, prime) for prime in moduli]
+    found = [_count_points(asked, prime) for prime in moduli]
     return {
         "primes": list(moduli),
         "accepted": [count for count, _ in found],
@@ -66,7 +66,7 @@ def count_accepting(moduli: Sequence[int]) -> Measured:
     }
 
 
-def _counted(asked: Question, prime: int) -> tuple[int, int]:
+def _count_points(asked: Question, prime: int) -> tuple[int, int]:
     """How many points modulo a prime accept, and how many there are."""
     random, accepts, found = Random(prime), 0, 0
     for _ in range(POINTS):

@@ -36,21 +36,21 @@ class Recorded:
     def __del__(self) -> None:
         self.lines.append(("forget", self.number))
 
-    def _made(self, name: str, function: Callable[..., Any], *others: Recorded) -> Recorded:
+    def _record(self, name: str, function: Callable[..., Any], *others: Recorded) -> Recorded:
         value = function(self.value, *(other.value for other in others))
         return Recorded(self.lines, value, name, self.number, *(o.number for o in others))
 
     def __add__(self, other: Recorded) -> Recorded:
-        return self._made("add", add, other)
+        return self._record("add", add, other)
 
     def __sub__(self, other: Recorded) -> Recorded:
-        return self._made("subtract", sub, other)
+        return self._record("subtract", sub, other)
 
     def __mul__(self, other: Recorded) -> Recorded:
-        return self._made("multiply", mul, other)
+        return self._record("multiply", mul, other)
 
     def __neg__(self) -> Recorded:
-        return self._made("negate", neg)
+        return self._record("negate", neg)
 
     def __bool__(self) -> bool:
         if not self.value:
@@ -70,16 +70,16 @@ class Recording(Polynomials):
         super().__init__(generators)
         self.plain = Flint(generators)
         self.lines: list[Line] = []
-        self.zero, self.one = self._given(self.plain.zero), self._given(self.plain.one)
+        self.zero, self.one = self._leaf(self.plain.zero), self._leaf(self.plain.one)
 
-    def _given(self, value: Any) -> Recorded:
+    def _leaf(self, value: Any) -> Recorded:
         return Recorded(self.lines, value, "define", self.plain.terms(value))
 
     def generator(self, index: int) -> Recorded:
-        return self._given(self.plain.generator(index))
+        return self._leaf(self.plain.generator(index))
 
     def constant(self, value: int | Fraction) -> Recorded:
-        return self._given(self.plain.constant(value))
+        return self._leaf(self.plain.constant(value))
 
     def derivative(self, polynomial: Recorded, index: int) -> Recorded:
         value = self.plain.derivative(polynomial.value, index)
@@ -91,14 +91,14 @@ class Recording(Polynomials):
     def is_monomial(self, polynomial: Recorded) -> bool:
         return self.plain.is_monomial(polynomial.value)
 
-    def occurring(self, polynomial: Recorded) -> Collection[int]:
-        return self.plain.occurring(polynomial.value)
+    def occurring_places(self, polynomial: Recorded) -> Collection[int]:
+        return self.plain.occurring_places(polynomial.value)
 
     def terms(self, polynomial: Recorded) -> Terms:
         return self.plain.terms(polynomial.value)
 
     def from_terms(self, terms: Coefficients) -> Recorded:
-        return self._given(self.plain.from_terms(terms))
+        return self._leaf(self.plain.from_terms(terms))
 
 
 @cache

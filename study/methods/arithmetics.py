@@ -7,7 +7,7 @@ from kowalevski_cas.algebra.points import Question
 from kowalevski_cas.problem.goals import Problem
 from study.labelled import Labelled, holds, identities, residuals
 from study.methods.method import ACCEPTED, NONE, REJECTED, Method
-from study.paper import sampled
+from study.paper import sampler
 from study.step import Measured
 
 SEED = 2002
@@ -34,7 +34,7 @@ class PointArithmetic(Method):
         return one.statement.problem
 
     def answer(self, prepared: Problem) -> Measured:
-        points, of, bounds = load_points(self.name, SEED), sampled(), []
+        points, of, bounds = load_points(self.name, SEED), sampler(), []
         for goal in identities(prepared):
             at = of(goal.space)
             asked = [at.carry(element) for element in residuals(Problem((goal,)), of)]

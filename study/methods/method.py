@@ -46,10 +46,10 @@ class Method(ABC):
             prepared = self.prepare(one)
         except (FormatError, Inexpressible, Rejected) as error:
             return {"seconds": None, "verdict": NONE, "reason": str(error.args[0])}
-        (measured,) = each(self._timed, [prepared])
+        (measured,) = each(self._time, [prepared])
         return measured
 
-    def _timed(self, prepared: Any) -> Measured:
+    def _time(self, prepared: Any) -> Measured:
         start = perf_counter()
         try:
             with time_limit(SECONDS):

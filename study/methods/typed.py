@@ -87,26 +87,26 @@ class Expression(Element):
         """Whether nothing is left after expansion; a residual is put to other methods."""
         return bool(sympy.expand(self.value) == 0)
 
-    def _made(self, value: Any) -> Expression:
+    def _expression(self, value: Any) -> Expression:
         return Expression(self.ring, value)
 
     def __add__(self, other: Element) -> Expression:
-        return self._made(self.value + _value(other))
+        return self._expression(self.value + _value(other))
 
     def __sub__(self, other: Element) -> Expression:
-        return self._made(self.value - _value(other))
+        return self._expression(self.value - _value(other))
 
     def __neg__(self) -> Expression:
-        return self._made(-self.value)
+        return self._expression(-self.value)
 
     def __mul__(self, other: Element) -> Expression:
-        return self._made(self.value * _value(other))
+        return self._expression(self.value * _value(other))
 
     def __pow__(self, exponent: int) -> Expression:
-        return self._made(self.value**exponent)
+        return self._expression(self.value**exponent)
 
     def inverse(self) -> Expression:
-        return self._made(1 / self.value)
+        return self._expression(1 / self.value)
 
 
 def _value(element: Element) -> Any:
@@ -147,7 +147,7 @@ class TypedEvaluation(Evaluation):
     """A space, typed into SymPy."""
 
     def __init__(self, setting: Setting) -> None:
-        replaced = _replaced(setting)
+        replaced = _substitution(setting)
         names = [*(n for n in generators(setting) if n not in replaced.values()), *replaced]
         ring = Expressions(names)
         values = {name: ring.generator(name) for name in names}
@@ -187,7 +187,7 @@ class TypedEvaluation(Evaluation):
         return exact(EXACT[0])(self.setting).time_sign
 
 
-def _replaced(setting: Setting) -> dict[str, str]:
+def _substitution(setting: Setting) -> dict[str, str]:
     """Variables that are roots, with the constant that is replaced instead: a constant, once."""
     found: dict[str, str] = {}
     for name in setting.roots:

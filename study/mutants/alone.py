@@ -18,7 +18,7 @@ from random import Random
 from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.audited import SUSPECT, Audited
 from kowalevski_cas.audit.reading import ReadingSession, audit_reading
-from kowalevski_cas.limits import tell, watched
+from kowalevski_cas.limits import is_watched, tell
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.processes import each
 from kowalevski_cas.reading import ASSUMPTION, CLAIM, DEFINITION, LAW, read
@@ -73,12 +73,12 @@ class Alone:
     @property
     def base(self) -> Audit:
         """The audit of the paper as it is."""
-        return _audited(self)
+        return _audit_of(self)
 
     def __call__(self, mutant: Mutant) -> Fate:
         """The fate of a mutant, in a process in which limits hold."""
-        if not watched():
-            _audited(self)
+        if not is_watched():
+            _audit_of(self)
             (fate,) = each(self, [mutant])
             return fate
         changed = next(f for f in self.base.formulas if f.place == mutant.printed)
@@ -87,15 +87,15 @@ class Alone:
 
     def end(self, mutant: Mutant, changed: Audited) -> tuple[str, str]:
         """What becomes of a mutant, and the claim that shows it, or the reason."""
-        resting = self.resting(changed)
+        resting = self.claims_on(changed)
         found = _audit(Source(self.path, mutant.text), self.timeout)
-        pairs = list(zip(self.base.formulas, _paired(self.base, found), strict=True))
+        pairs = list(zip(self.base.formulas, _pairs(self.base, found), strict=True))
         now = {one.name: other for one, other in pairs}
         for claim in resting:
-            if _noticed(now[claim.name], now[changed.name]):
+            if _is_noticed(now[claim.name], now[changed.name]):
                 return NOTICED, claim.name
         for claim in resting:
-            if _supposed(now[claim.name], found) - {id(now[name]) for name in claim.on}:
+            if _suppositions(now[claim.name], found) - {id(now[name]) for name in claim.on}:
                 return STRANGE, claim.name
         lost = next((one for one in resting if not _green(now[one.name])), None)
         if lost is None:
@@ -109,7 +109,7 @@ class Alone:
             reason = equivalence(base, mutant.printed, mutant.before, mutant.after)
         return (EQUIVALENT, reason) if reason else (LOST, lost.name)
 
-    def resting(self, changed: Audited) -> list[Audited]:
+    def claims_on(self, changed: Audited) -> list[Audited]:
         """The formulas with green claims that read a formula, or are made of it."""
         claims = {claim.id: claim for claim in self.base.session.interpretation.derivation.claims}
         return [
@@ -121,7 +121,7 @@ class Alone:
         ]
 
 
-def _noticed(claim: Audited | None, changed: Audited | None) -> bool:
+def _is_noticed(claim: Audited | None, changed: Audited | None) -> bool:
     """Whether a claim is red, or is not green and the changed formula is named."""
     if claim is None or _green(claim):
         return False
@@ -138,14 +138,14 @@ def _green(formula: Audited | None) -> bool:
     return formula is not None and formula.role == CLAIM and formula.verdict in green
 
 
-def _supposed(claim: Audited | None, audit: Audit) -> set[int]:
+def _suppositions(claim: Audited | None, audit: Audit) -> set[int]:
     """The formulas of an audit that are supposed for a claim, if it is green."""
     if claim is None or not _green(claim):
         return set()
     return {id(one) for one in audit.formulas if one.name in claim.on}
 
 
-def _paired(base: Audit, found: Audit) -> Iterator[Audited | None]:
+def _pairs(base: Audit, found: Audit) -> Iterator[Audited | None]:
     """The formulas of a mutant that stand where those of the paper do, in their order."""
     if len(base.formulas) == len(found.formulas):
         yield from found.formulas
@@ -163,13 +163,13 @@ def _audit(source: Source, timeout: float) -> Audit:
 
 
 @cache
-def _audited(work: Alone) -> Audit:
+def _audit_of(work: Alone) -> Audit:
     return _audit(Source(work.path, work.text), work.timeout)
 
 
-def drawn(work: Alone, size: int, random: Random) -> list[Mutant]:
+def draw_mutants(work: Alone, size: int, random: Random) -> list[Mutant]:
     """Mutants of the formulas of each role on which something green rests: as many as there are."""
-    roles = {one.place: one.role for one in work.base.formulas if work.resting(one)}
+    roles = {one.place: one.role for one in work.base.formulas if work.claims_on(one)}
     found: list[Mutant] = []
     counts: Counter[str] = Counter()
     for mutant in sample(work.base, DRAWS * size, random):

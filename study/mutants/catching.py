@@ -13,7 +13,7 @@ from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.audit.restoration import AS_BEFORE
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.library import load
-from kowalevski_cas.limits import tell, watched
+from kowalevski_cas.limits import is_watched, tell
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.processes import each
 from kowalevski_cas.source.text import Source
@@ -47,7 +47,7 @@ class Caught:
     """What is said otherwise than of the source as it is, with what shows it."""
 
     @property
-    def caught(self) -> bool:
+    def is_caught(self) -> bool:
         """Whether anything changed."""
         return bool(self.changed)
 
@@ -62,10 +62,10 @@ class Measurement:
     @property
     def survivors(self) -> list[Caught]:
         """The mutants of which nothing was noticed."""
-        return [result for result in self.results if not result.caught]
+        return [result for result in self.results if not result.is_caught]
 
     @property
-    def missed(self) -> list[Caught]:
+    def escapes(self) -> list[Caught]:
         """The survivors that are not shown to be equivalent, and were decided."""
         return [r for r in self.survivors if not r.equivalent and not r.late]
 
@@ -76,8 +76,8 @@ class Measurement:
 
     def share(self) -> tuple[int, int]:
         """How many were caught, of how many that are not equivalent and were decided."""
-        caught = sum(result.caught for result in self.results)
-        return caught, caught + len(self.missed)
+        caught = sum(result.is_caught for result in self.results)
+        return caught, caught + len(self.escapes)
 
     def repairs(self) -> Counter[str]:
         """The repairs of claims by kind."""
@@ -103,12 +103,12 @@ class Measure:
     @property
     def base(self) -> Audit:
         """The audit of the source as it is."""
-        return _audited(self)
+        return _audit(self)
 
     def __call__(self, mutant: Mutant) -> Caught:
         """The result for one mutant, in a process in which limits hold."""
-        if not watched():
-            _audited(self)
+        if not is_watched():
+            _audit(self)
             (caught,) = each(self, [mutant])
             return caught
         start = perf_counter()
@@ -130,7 +130,7 @@ class Measure:
             mutant,
             formula.role if formula is not None else "none",
             changed,
-            self._named(found, mutant),
+            self._is_named(found, mutant),
             self._repair(found, mutant),
             reason,
             any(map(_late, after.values())),
@@ -138,7 +138,7 @@ class Measure:
             tuple(one for one in found.outcomes.values() if f"claim {one.claim}" in changed),
         )
 
-    def _named(self, found: Audit, mutant: Mutant) -> bool:
+    def _is_named(self, found: Audit, mutant: Mutant) -> bool:
         causes = found.session.causes.places.values()
         if any(mutant.printed in places for places in causes):
             return True
@@ -169,7 +169,7 @@ class Measure:
 
 
 @cache
-def _audited(measure: Measure) -> Audit:
+def _audit(measure: Measure) -> Audit:
     session = AuditSession(
         load(str(measure.folder)),
         ["flint"],

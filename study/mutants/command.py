@@ -15,12 +15,22 @@ from collections import Counter
 from pathlib import Path
 
 from kowalevski_cas.cli import session
-from kowalevski_cas.cli.audit import chosen
+from kowalevski_cas.cli.audit import choose
 from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, UNDECIDED, USAGE, CommandError
 from kowalevski_cas.library import find
 from kowalevski_cas.source.files import read_source
 from kowalevski_cas.source.text import Source
-from study.mutants.alone import EXCLUDED, LATE, LOST, ROLES, STRANGE, Alone, Fates, drawn, fates
+from study.mutants.alone import (
+    EXCLUDED,
+    LATE,
+    LOST,
+    ROLES,
+    STRANGE,
+    Alone,
+    Fates,
+    draw_mutants,
+    fates,
+)
 from study.mutants.catching import Measure, Measurement, measure
 from study.mutants.mutant import every, sample
 from study.mutants.synthetic import synthetic
@@ -55,7 +65,7 @@ def run(arguments: argparse.Namespace) -> int:
         return _alone(arguments, seed)
     if arguments.source is not None and arguments.source.exists():
         source = read_source(arguments.source)
-        folder, derivation = chosen(source, arguments.derivation)
+        folder, derivation = choose(source, arguments.derivation)
     else:
         name = [] if arguments.derivation is None else [arguments.derivation]
         folder, derivation = session.derivations(name)[0]
@@ -64,18 +74,18 @@ def run(arguments: argparse.Namespace) -> int:
 
     pool = session.pool(arguments, [folder, *(find(one.name) for one in derivation.bases())])
 
-    def measured(source: Source) -> Measurement:
+    def measure_source(source: Source) -> Measurement:
         work = Measure(folder, source.path, source.text, arguments.timeout)
-        chosen = random.Random(seed)
-        mutants = every(work.base) if arguments.all else sample(work.base, arguments.sample, chosen)
+        choose = random.Random(seed)
+        mutants = every(work.base) if arguments.all else sample(work.base, arguments.sample, choose)
         return measure(work, list(mutants), pool)
 
-    (found,) = session.map_in_processes(measured, [source])
+    (found,) = session.map_in_processes(measure_source, [source])
     pool.forget()
     if not found.results:
         raise CommandError("no mutants can be made of this source", NOTHING)
     print(report(found), end="")
-    return DIFFERENT if found.missed else UNDECIDED if found.late else AS_RECORDED
+    return DIFFERENT if found.escapes else UNDECIDED if found.late else AS_RECORDED
 
 
 def _alone(arguments: argparse.Namespace, seed: int) -> int:
@@ -86,11 +96,11 @@ def _alone(arguments: argparse.Namespace, seed: int) -> int:
     print(f"{source.path} by itself, seed {seed}", flush=True)
     pool = session.pool(arguments, [])
 
-    def measured(source: Source) -> Fates:
+    def measure_source(source: Source) -> Fates:
         work = Alone(source.path, source.text, arguments.timeout)
-        return fates(work, drawn(work, arguments.sample, random.Random(seed)), pool)
+        return fates(work, draw_mutants(work, arguments.sample, random.Random(seed)), pool)
 
-    (found,) = session.map_in_processes(measured, [source])
+    (found,) = session.map_in_processes(measure_source, [source])
     pool.forget()
     if not found.results:
         raise CommandError("nothing green rests on what can be changed", NOTHING)
@@ -119,7 +129,7 @@ def report(found: Measurement) -> str:
         f"{len(found.results)} mutants in {found.seconds:.1f} s; "
         f"{caught} of {of} that are not equivalent are caught ({_percent(caught, of)})"
     ]
-    named = sum(result.named for result in found.results if result.caught)
+    named = sum(result.named for result in found.results if result.is_caught)
     lines.append(f"the changed place is named for {named} of {caught} ({_percent(named, caught)})")
     lines.append(f"by role: {_by(found, [result.role for result in found.results])}")
     lines.append(f"by kind: {_by(found, [result.mutant.kind for result in found.results])}")
@@ -127,9 +137,9 @@ def report(found: Measurement) -> str:
     for result in found.survivors:
         if result.equivalent:
             lines.append(f"  equivalent  {result.mutant.words}: {result.equivalent}")
-    lines += [f"  MISSED      {result.mutant.words}" for result in found.missed]
+    lines += [f"  MISSED      {result.mutant.words}" for result in found.escapes]
     lines += [f"  not in time {result.mutant.words}" for result in found.late]
-    unnamed = [result for result in found.results if result.caught and not result.named]
+    unnamed = [result for result in found.results if result.is_caught and not result.named]
     lines += [f"  not named   {r.mutant.words}: {', '.join(r.changed[:3])}" for r in unnamed]
     return "\n".join(lines) + "\n"
 
@@ -137,7 +147,7 @@ def report(found: Measurement) -> str:
 def _by(found: Measurement, names: list[str]) -> str:
     """How many are caught or equivalent, of how many, for each name."""
     pairs = zip(names, found.results, strict=True)
-    counts = Counter((name, r.caught or bool(r.equivalent)) for name, r in pairs)
+    counts = Counter((name, r.is_caught or bool(r.equivalent)) for name, r in pairs)
     return ", ".join(
         f"{n} {counts[n, True]}/{counts[n, True] + counts[n, False]}" for n in sorted(set(names))
     )

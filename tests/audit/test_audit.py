@@ -158,6 +158,7 @@ def test_a_formula_that_would_take_too_long():
 
 @watched
 def test_nothing_of_an_audit_is_kept():
+    audited()
     before = len(base().interpretation.elaborations._known)
     found = changed(r"2w'_2  = w_2 w_3  + z_2", r"2w'_2  = w_2 w_3  + z_1")
     assert len(found.session.interpretation.elaborations._known) > before

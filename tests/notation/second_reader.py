@@ -122,8 +122,10 @@ def one(token, tokens, font):
     if token in LOST:
         argument(tokens, "")
         return []
-    if token in FONTS:
-        return argument(tokens, FONTS[token])
+    if token in FONTS:  # an accent stands over the letter, whatever its type
+        over = "".join(sign for sign in font if sign in "HT")
+        accent = FONTS[token] in "HT"
+        return argument(tokens, FONTS[token] + font if accent else over + FONTS[token])
     if token in BOXES:
         return [Box(token, [argument(tokens, font) for _ in range(BOXES[token])])]
     if token == r"\begin":
@@ -193,11 +195,19 @@ def signs(row):
     """A row with the upper signs, and one with the lower; itself if there are none."""
     upper = {r"\pm": "+", r"\mp": "-"}
     lower = {r"\pm": "-", r"\mp": "+"}
-    if not any(item in upper for item in row if isinstance(item, str)):
-        return [row]
+    found = [put(row, of) for of in (upper, lower)]
+    return found if found[0] != row else [row]
+
+
+def put(row, of):
+    """A row, with what stands in its boxes, with other signs."""
     return [
-        [of.get(i, i) if isinstance(i, str) and not isinstance(i, Letter) else i for i in row]
-        for of in (upper, lower)
+        Box(i.macro, [put(one, of) for one in i.arguments])
+        if isinstance(i, Box)
+        else i
+        if isinstance(i, Letter | list)
+        else of.get(i, i)
+        for i in row
     ]
 
 
@@ -406,6 +416,8 @@ class Reader:
                 self.at += 3
             elif count := self.primes():
                 primes += count
+            elif starred := self.starred(called):
+                called = starred
             elif isinstance(self.here, Box) and self.here.macro == "^" and power is None:
                 power = self.within(self.take().arguments[0])
             else:
@@ -421,12 +433,16 @@ class Reader:
         if called in self.indices:
             value = n.number(self.indices[called])
             return value if power is None else n.to(value, power)
+        value = derived(self.value(called, accents), ["prime"] * primes)
+        return value if power is None else n.to(value, power)
+
+    def value(self, called, accents):
+        """The value of a name under accents."""
         of = (self.point.scalar, self.point.vector, self.point.matrix)[self.words.ranks[called]]
         value = of(called)
         for accent in accents:
             value = accented(value, accent)
-        value = derived(value, ["prime"] * primes)
-        return value if power is None else n.to(value, power)
+        return value
 
     def single(self):
         """The argument of a function without brackets, as in sin 2x and cos ωt."""
@@ -456,6 +472,14 @@ class Reader:
             and three[::2] == ["(", ")"]
             and three[1] in self.words.times
         )
+
+    def starred(self, called):
+        """The name with the star that stands here, before its index; nothing, if none does."""
+        if not isinstance(self.here, Box) or self.here != Box("^", [["*"]]):
+            return ""
+        self.take()
+        letter, low, index = called.partition("_")
+        return f"{letter}^*{low}{index}"
 
     def primes(self):
         """How many primes stand here, if that is what stands here."""

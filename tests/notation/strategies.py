@@ -35,9 +35,11 @@ from kowalevski_cas.notation import (
 WORDS = Vocabulary(
     scalars=frozenset(
         r"""x_1 x_2 \omega_1 \omega_{12} \ell \Psi i d a m u_0
-        \mathrm{sn} \tilde{q}_2 y_{\alpha}""".split()
+        \mathrm{sn} \tilde{q}_2 y_{\alpha} x^*_1 \hat{\omega}^*""".split()
     ),
-    vectors=frozenset([r"\boldsymbol{\alpha}", r"\boldsymbol{\omega}", r"\mathbf{e}_1"]),
+    vectors=frozenset(
+        [r"\boldsymbol{\alpha}", r"\boldsymbol{\omega}", r"\mathbf{e}_1", r"\hat{\mathbf{e}}_1"]
+    ),
     matrices=frozenset([r"\mathbf{I}", "L"]),
     functions=frozenset([r"\varphi", r"\sin", "f_1"]),
     times=frozenset([r"\tau", "t"]),

@@ -12,7 +12,7 @@ from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.library import load
 from kowalevski_cas.notation import Application, Formula, Negative, Number, to_latex
-from kowalevski_cas.paper.claims import Equilibria
+from kowalevski_cas.paper.claims import Equilibria, RestPoints
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evidence import Denial, Roots
 from kowalevski_cas.problem.finder import finder_of
@@ -155,3 +155,31 @@ def test_nothing_is_left_to_be_solved_for(field, fixed, count, verdict, shown):
     found = Motion(field, "x", "y").outcome(Equilibria, fixed=fixed, levels=(), count=count)
     assert found.verdict == verdict
     assert (found.counterexample and found.counterexample.left) == shown
+
+
+@pytest.mark.parametrize(
+    ("relations", "verdict"),
+    [
+        (r"x=0, y=0", "proved"),
+        (r"z=0", "proved"),
+        (r"x=0", "refuted"),
+        (r"x=0, y=1", "refuted"),
+        (r"x^2+1=0, z=0", "undecided"),  # there is no such point
+    ],
+)
+def test_points_of_rest(relations, verdict):
+    motion = Motion(r"\dot x=yz, \dot y=-xz, \dot z=0", "x", "y", "z")
+    assert motion.verdict(RestPoints, relations=motion.all(relations)) == verdict
+
+
+@pytest.mark.parametrize(("point", "verdict"), [("q=0", "proved"), ("q=1", "refuted")])
+def test_velocities_vanish_at_rest(point, verdict):
+    motion = Motion(r"\ddot q=-k^2q", "q", constants=("k",))
+    assert motion.verdict(RestPoints, relations=motion.all(point)) == verdict
+
+
+def test_each_sign_and_letter_of_a_point_of_rest_counts():
+    motion = Motion(r"\dot x=y(x-1), \dot y=x-y", "x", "y")
+    assert motion.verdict(RestPoints, relations=motion.all("x=1, y=1")) == "proved"
+    for wrong in ("x=-1, y=1", "x=1, y=-1", "x=2, y=1", "x=1, y=2", "y=1, y=1"):
+        assert motion.verdict(RestPoints, relations=motion.all(wrong)) == "refuted"

@@ -4,6 +4,7 @@ import pytest
 
 from kowalevski_cas.audit.audited import OPEN
 from kowalevski_cas.audit.reading import ReadingSession, assumptions_of, audit_reading, unchecked
+from kowalevski_cas.notation import Derivative
 from kowalevski_cas.reading import ASSUMPTION, CLAIM, DEFINITION, LAW, read
 from kowalevski_cas.source.files import decode
 from kowalevski_cas.verify.outcome import Verdict
@@ -204,3 +205,68 @@ def test_what_stands_below_no_law_is_not_red_where_there_are_two():
     (below,) = verdicts(first + second + claimed).values()
     assert alone is below is Verdict.REFUTED
     assert Verdict.REFUTED not in verdicts(first + second + r"\section{Again} " + claimed).values()
+
+
+def test_no_repair_derives_a_constant():
+    text = r"The equations are $$\dot u=v,\quad \dot v=uw-nu,\quad \dot w=-uv.$$ "
+    found = reading(text + r"Then $$\dot v=uw.$$ With $F=v+nu$ we have $$\dot F=uw+nv.$$")
+    for outcome in ReadingSession(found, timeout=5).outcomes.values():
+        for one in (outcome.correction, *outcome.alternatives):
+            nodes = [node for f in (one.formulas if one else ()) for node in f.nodes()]
+            assert not any(isinstance(n, Derivative) and "n" in n.names() for n in nodes)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"Each function \[x=\sqrt{Bu^2+Cv^2}\] is a solution if $B=C$.",
+        r"A particular solution is $x=u+v$.",
+        r"Then $x=u+v$ is also a solution.",
+    ],
+)
+def test_a_solution_defines_nothing_of_what_stands_before(words):
+    """Where the law cannot be read, its variable is not what a solution says later."""
+    first = r"The equation is \[\ddot x+n^2x=\frac k{x^3}\ldots\] Then we have $\dot x^2+x=1$. "
+    found = roles(first + words)
+    assert DEFINITION not in [role for tex, role in found.items() if tex.startswith("x=")]
+
+
+def test_a_constant_of_the_law_is_not_redefined_behind_it():
+    law = r"The equations are $$\dot x=ky,\quad \dot y=-x.$$ Then $$x\dot x+ky\dot y=0.$$ "
+    found = reading(
+        law + r"One may think of a moment, " + "\n\n" + r"where $k=m^2$ and $m$ is known."
+    )
+    (last,) = (f for f in found.formulas if f.item.printed.tex == "k=m^2")
+    assert last.role.name == ASSUMPTION
+    assert not any(last.item in f.on for f in found.formulas)
+
+
+@pytest.mark.parametrize("words", ["To the first order in $x$", "For small oscillations"])
+def test_what_holds_approximately_is_no_law_of_what_follows(words):
+    law = r"The equations are $$\dot x=ay,\quad \dot y=-bx+xy^2,\quad \dot z=0.$$ Suppose that $b>0$. "
+    first = rf"\paragraph{{Small}} {words} we have $$\ddot x=-abx.$$ "
+    then = r"\paragraph{Exact} Suppose that $b=2$. Then $$\dot x=ay,\quad \ddot x=-2ax+axy^2.$$"
+    found = verdicts(law + first + then)
+    assert found[r"\dot x=ay"].green and found[r"\ddot x=-2ax+axy^2"].green
+
+
+@pytest.mark.parametrize("said", ["is constant", "does not change", "is an integral"])
+def test_what_is_said_of_one_formula_is_not_said_of_the_next(said):
+    law = r"The equations are $$\dot x=y,\quad \dot y=-x.$$ "
+    found = reading(law + rf"Then $x^2+y^2$ {said} and $\ddot x+x=0$.")
+    assert [f.role.kind for f in found.formulas][-2:] == ["integral", "identity"]
+    denied = reading(law + r"Then $x$ is not an integral, and $x\dot x+y\dot y=0$.")
+    assert denied.formulas[-1].role.name == CLAIM
+
+
+@pytest.mark.parametrize("words", ["It has no integral", "There is no further integral"])
+def test_what_there_is_not_is_not_claimed(words):
+    found = roles(TOP + words + " $p+q$.")
+    assert found["p+q"] != CLAIM
+
+
+def test_a_list_of_integrals_is_claimed_function_by_function():
+    text = TOP.replace(r"c\,pq", "0") + r"It has the integrals \[ bp^2-aq^2,\qquad r. \] "
+    found = verdicts(text + r"It admits the integral $p^2+q^2$.")
+    assert found["bp^2-aq^2"] is found["r"] is Verdict.PROVED
+    assert found["p^2+q^2"] is Verdict.REFUTED

@@ -95,9 +95,38 @@ def test_marks_and_formulas_are_in_the_accessibility_tree(browser: Browser) -> N
     assert sum(images[mark.word] for mark in MARKS.values()) == marks > 20
 
 
-def test_it_is_read_without_scripts_and_loads_nothing(browser: Browser) -> None:
-    assert browser.value("document.querySelectorAll('script, link, iframe').length") == 0
+def test_it_loads_nothing(browser: Browser) -> None:
+    assert browser.value("document.querySelectorAll('script[src], link, iframe').length") == 0
     assert browser.value("performance.getEntriesByType('resource').length") == 0
+
+
+POINT = """(([link, kind]) => { link.dispatchEvent(new PointerEvent(kind, {pointerType: 'mouse'}));
+  const glance = document.querySelector('.glance'), place = glance.getBoundingClientRect();
+  return [glance.hidden, glance.textContent.includes('(14)') || glance.querySelectorAll('math').length,
+    place.left >= 0 && place.right <= innerWidth, glance.querySelectorAll('[id]').length]; })"""
+PRESS = """(button => { let copied = ''; document.execCommand = () => {
+  copied = document.activeElement.value ?? document.querySelector('textarea').value; };
+  navigator.clipboard && (navigator.clipboard.writeText = async text => { copied = text; });
+  button.click(); return new Promise(done => setTimeout(() => done(copied), 50)); })"""
+
+
+def test_a_link_shows_what_it_leads_to(browser: Browser) -> None:
+    for pixels in (380, 1280):
+        browser.width(pixels)
+        link = 'document.querySelector(\'main > p a[href^="#claim"], .claim a[href^="#claim"]\')'
+        hidden, formulas, inside, ids = browser.value(f"{POINT}([{link}, 'pointerenter'])")
+        assert (hidden, inside, ids) == (False, True, 0) and formulas
+        assert browser.value(f"{POINT}([{link}, 'pointerleave'])")[0]
+
+
+def test_formulas_and_errata_are_copied_as_tex(browser: Browser) -> None:
+    buttons = "[...document.querySelectorAll('.copy button')]"
+    assert browser.value(f"{buttons}.every(one => !one.parentElement.hidden)")
+    texts = browser.value(f"{buttons}.map(one => [one.textContent, one.dataset.text])")
+    assert all(text for _, text in texts)
+    errata = [text for words, text in texts if words == "copy erratum"]
+    assert errata and all(": for $" in text or ": it is false that " in text for text in errata)
+    assert browser.value(f"{PRESS}({buttons}[0])") == texts[0][1]
 
 
 BARS = """[...document.querySelectorAll('.bar')].filter(bar => bar.getClientRects().length).map(bar => {
@@ -114,19 +143,25 @@ BRACKETS = """[...document.querySelectorAll('mrow')].filter(row => row.getClient
   return [row.firstChild.getBoundingClientRect().height, Math.max(...high)]; })"""
 PRIMES = """[...document.querySelectorAll('mo')].filter(one => one.getClientRects().length
   && /^′+$/.test(one.textContent)).map(one => {
-  const letter = one.previousSibling.getBoundingClientRect(), prime = one.getBoundingClientRect();
-  return [letter.top - prime.top, letter.height]; })"""
+  const letter = (one.closest('mpadded') ?? one).previousSibling.getBoundingClientRect();
+  const prime = one.getBoundingClientRect();
+  return [letter.top - prime.top, prime.height, letter.height]; })"""
+EXPONENTS = """[...document.querySelectorAll('msup')].filter(one => one.getClientRects().length
+  && one.textContent.startsWith(')')).map(one => [one.firstChild, one.lastChild].map(
+  part => part.getBoundingClientRect())).map(([bracket, power]) => [bracket.top - power.top,
+  power.height])"""
 
 
 SIGNS = (
     r"\overline{x_2z_1w_1}=\overline{U_1}+\bar x_1+\overline{\frac{x_1}{x_2}}",
     r"U_1'=\frac{1}{\sqrt{x_1x_2}}\left(\frac{z_1}{x_1}+\sqrt{\frac{x_1}{x_2}}\right)^2",
     r"(\overline{z_1+w_1})'=\sqrt{1+\frac{x_1}{1+\frac{z_1}{w_1}}}",
+    r"U_1''=(x_1^2-z_1^2)^2",
 )
 
 
 def test_signs_are_as_large_as_what_they_cover(tmp_path: Path) -> None:
-    """Bars, radicals, lines of fractions and brackets: to a tenth; primes stay at their letter."""
+    """Bars, radicals, lines of fractions and brackets: to a tenth; primes and powers stay low."""
     page = tmp_path / "page.html"
     shown = tuple(Equations(read(tex)) for tex in SIGNS)
     assert all(display.formulas for display in shown)
@@ -134,9 +169,11 @@ def test_signs_are_as_large_as_what_they_cover(tmp_path: Path) -> None:
     with Browser(tmp_path / "user") as browser:
         browser.show(page)
         browser.width(1280)
-        bars, roots, brackets, primes = map(browser.value, (BARS, ROOTS, BRACKETS, PRIMES))
-    assert (len(bars), len(roots), len(brackets), len(primes)) == (5, 9, 1, 2)
+        measured = (BARS, ROOTS, BRACKETS, PRIMES, EXPONENTS)
+        bars, roots, brackets, primes, powers = map(browser.value, measured)
+    assert [*map(len, (bars, roots, brackets, primes, powers))] == [5, 9, 1, 3, 1]
     assert all(abs(bar - inner) <= 0.1 * inner and line >= 1 for bar, inner, line in bars)
     assert all(inner <= whole for whole, inner in roots)
     assert all(bracket >= 0.9 * inner for bracket, inner in brackets)
-    assert all(above <= 0.3 * height for above, height in primes)
+    assert all(above <= 0.3 * letter and high <= 1.5 * letter for above, high, letter in primes)
+    assert all(above <= 0.8 * high for above, high in powers)

@@ -53,7 +53,7 @@ def test_two_roots_that_are_printed_with_one_constant_are_both_typed():
         assert one.truth and decide("cancel", one.statement.problem)["verdict"] == ACCEPTED
 
 
-def test_a_limit_of_time_or_memory_is_no_answer(statements, monkeypatch):
+def test_a_limit_of_time_or_memory_is_no_answer(statements, copies, monkeypatch):
     def slow(_):
         sleep(60)
 

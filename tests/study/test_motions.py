@@ -18,7 +18,7 @@ def test_an_error_is_relative_to_the_state():
 def test_the_closed_form_is_exact_at_late_times_and_an_integrator_by_its_tolerance(name):
     _, motion = work_precision.CASES[name]
     assert work_precision._many(1000, motion)["errors"][0] < 1e-13
-    coarse, fine = work_precision._integrated("dop853", [1e-5, 1e-9], motion)["errors"]
+    coarse, fine = work_precision._measure_integration("dop853", [1e-5, 1e-9], motion)["errors"]
     assert fine < coarse / 100
 
 

@@ -53,7 +53,7 @@ def test_mutants_are_caught():
     text = synthetic(derivation)
     mutants = sample(audit(text, AuditSession(derivation, ["flint"])), 1, Random(6))
     found = measure(Measure(find(name), text.path, text.text, timeout=2), mutants)
-    assert found.missed == []
+    assert found.escapes == []
     assert "1 mutants" in report(found)
 
 
@@ -77,8 +77,8 @@ def test_the_derivation_stands_in_for_the_paper():
 def test_a_large_sample_of_mutants_is_caught():
     work = Measure(find(NAME), source().path, source().text, timeout=2)
     found = measure(work, sample(audited(), 300, Random(2002)), Pool(jobs=2))
-    assert [result.mutant.words for result in found.missed] == []
-    assert all(result.named for result in found.results if result.caught)
+    assert [result.mutant.words for result in found.escapes] == []
+    assert all(result.named for result in found.results if result.is_caught)
 
 
 def main(arguments):

@@ -18,7 +18,7 @@ from study.mutants.alone import (
     Alone,
     Fate,
     Fates,
-    drawn,
+    draw_mutants,
     fates,
 )
 from study.mutants.command import report_alone
@@ -45,7 +45,7 @@ def work():
 def mutant_of(role):
     """A mutant of a formula with this role, and the formula."""
     base = work().base
-    for mutant in drawn(work(), 3, Random(3)):
+    for mutant in draw_mutants(work(), 3, Random(3)):
         changed = next(f for f in base.formulas if f.place == mutant.printed)
         if changed.role == role:
             return mutant, changed
@@ -66,14 +66,14 @@ def claims(verdict, **more):
 
 
 def test_each_role_has_its_mutants_and_the_sample_is_repeated_by_its_seed():
-    one, other = (drawn(work(), 2, Random(5)) for _ in range(2))
+    one, other = (draw_mutants(work(), 2, Random(5)) for _ in range(2))
     assert [m.words for m in one] == [m.words for m in other]
     roles = {f.place: f.role for f in work().base.formulas}
     assert sorted(roles[m.printed] for m in one) == ["claim", "claim", "law", "law"]
 
 
 def test_mutants_of_law_and_integral_are_noticed():
-    found = fates(work(), drawn(work(), 2, Random(5)))
+    found = fates(work(), draw_mutants(work(), 2, Random(5)))
     assert len(found.of(NOTICED, *EXCLUDED)) >= 3 and not found.of(STRANGE)
 
 
@@ -107,7 +107,7 @@ def test_on_what_nothing_green_rests_nothing_can_be_noticed(monkeypatch):
     base = work().base
     dull = replace(base, formulas=[claims("open")(replace(f)) for f in base.formulas])
     monkeypatch.setattr(Alone, "base", dull)
-    assert drawn(work(), 3, Random(3)) == []
+    assert draw_mutants(work(), 3, Random(3)) == []
 
 
 def test_shares_are_told_role_by_role_and_what_is_strange_by_name():

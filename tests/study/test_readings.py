@@ -5,7 +5,7 @@ import json
 import pytest
 
 from kowalevski_cas.cli.exits import CommandError
-from study.readings import audited, compare, places
+from study.readings import audit_entries, compare, places
 
 SOURCE = r"""\documentclass{article}
 \begin{document}
@@ -115,4 +115,4 @@ def test_a_formula_that_is_not_listed_is_misread(path):
 
 def test_without_an_answer_there_is_no_score(tmp_path):
     with pytest.raises(CommandError, match="exit code 2"):
-        audited(tmp_path / "none.tex", 1)
+        audit_entries(tmp_path / "none.tex", 1)

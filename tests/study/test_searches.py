@@ -21,7 +21,7 @@ def test_methods_agree(one):
     assert len({*sizes.values()}) == 1
 
 
-def test_every_method_finishes_on_small_systems():
+def test_every_method_finishes_on_small_systems(copies):
     for task in measure(quick=True):
         row = task.row()
         assert row["verdict"] in ("finished", "left out"), row

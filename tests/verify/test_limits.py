@@ -34,7 +34,7 @@ def test_a_run_with_limits_says_what_one_without_says_or_nothing(
 
 
 def test_nothing_that_rests_on_a_claim_without_a_verdict_has_one(
-    derivation, certificates, record, outcomes, monkeypatch
+    derivation, certificates, record, outcomes, copies, monkeypatch
 ):
     """The unit of (9) is misprinted: no verdict that reads i² = −1 is there without its proof."""
     (unit,) = (claim for claim in derivation.claims if claim.id == "eq9.i")

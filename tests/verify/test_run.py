@@ -109,7 +109,7 @@ def test_a_process_that_dies_takes_its_claim_along_and_no_other(how, small):
     assert "has died" in bad.message
 
 
-def test_a_timeout_in_one_arithmetic_is_a_timeout(small, monkeypatch):
+def test_a_timeout_in_one_arithmetic_is_a_timeout(small, copies, monkeypatch):
     monkeypatch.setattr(Arithmetics, "judge", slow)
     outcome = one(small, Identity("t", small.scene, "", printed=small("x=x")), timeout=600)
     assert outcome.verdict == "timeout"

@@ -77,16 +77,16 @@ def test_what_is_too_long_is_counted(steps):
 
 
 def test_sides_that_are_equal_identically_are_said_to_be_so(steps):
-    assert steps("eq13.conjugate") == [("The two sides agree identically.", [])]
-    assert steps("Q1-prime") == [("The equations that say so hold identically.", [])]
+    assert steps("eq13.conjugate") == [("Written out, this is an identity.", [])]
+    assert steps("Q1-prime") == [("Written out, each equation that says so is an identity.", [])]
 
 
-def test_cases_eliminants_and_numbers(steps):
+def test_cases_eliminants_and_constant_roots(steps):
     assert "case by case" in steps("redundant-integral")[0][0]
     ((words, formulas),) = steps("equilibria")
     assert words.startswith("The solutions are given by the roots of one equation")
     assert formulas[1] == "s⁴ − 2(a² + b²)s² + (a⁴ − 2a²b² + b⁴ + 4c²) = 0"
-    assert steps("kowalevski-variable")[0][0] == "The numbers that the program found:"
+    assert steps("kowalevski-variable")[0] == ("The root that the program found:", ["s = (1/2)√k"])
 
 
 def test_a_dimension_is_that_at_a_point_and_a_combination_for_all_others(told):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -11,12 +11,13 @@ from typing import TYPE_CHECKING
 from kowalevski_cas.cli import plain
 from kowalevski_cas.cli.formats import ComparedRun
 from kowalevski_cas.library import MEND
-from kowalevski_cas.notation import Formula
+from kowalevski_cas.notation import Formula, Vocabulary
 from kowalevski_cas.report.document import Block, Equations, Paragraph
 from kowalevski_cas.report.findings import Findings
-from kowalevski_cas.report.places import names
+from kowalevski_cas.report.places import PaperSection, names, sections
 from kowalevski_cas.report.results import main_results
 from kowalevski_cas.report.sentences import Phrases, group_alike
+from kowalevski_cas.report.tally import tally, wrong_places
 from kowalevski_cas.verify.outcome import Correction, Counterexample, Outcome, Verdict
 
 if TYPE_CHECKING:
@@ -58,39 +59,44 @@ def render_result(result: ComparedRun, claims: Iterable[str] = ()) -> str:
     """A derivation; lines on its ``claims`` stand before the summary."""
     run, phrases = result.run, phrases_of(result)
     copied = any(section.copied for section in result.paper)
-    findings = Findings(phrases, run.outcomes, copied)
+    findings = Findings(phrases, run.outcomes, copied, run.expected)
     named = filter(None, (run.author, run.title, run.source))
     title = phrases.words("".join(f"{part}. " for part in named))
-    results = *main_results(phrases, run.outcomes, run.main, findings.slips), Paragraph(())
     wrong = *plain.lines(findings.blocks()), *_errors(result), *claims
-    return _page(plain.text(title), findings, wrong, _summary(result), results[:-1] and results)
+    return _page(plain.text(title), findings, run.main, wrong, _summary(result))
 
 
 def _page(
     title: str,
     findings: Findings,
+    main: Collection[str],
     wrong: Iterable[str],
     summary: Iterable[str],
-    results: Iterable[Block] = (),
 ) -> str:
     """The answer under a title, what is wrong, and a summary; the main results come first."""
-    answer = *plain.lines(results), *plain.wrap(findings.lead())
-    head = *plain.wrap(title), "", *answer
-    return "\n".join((*head, *wrong, "", *summary, ""))
+    head = [*plain.wrap(title), ""]
+    results = [*main_results(findings.phrases, findings.outcomes, main, findings.slips)]
+    if results:
+        head += [*plain.lines(results), *plain.lines(wrong_places(findings)), ""]
+    return "\n".join((*head, *plain.wrap(tally(findings)), *wrong, "", *summary, ""))
 
 
 def phrases_of(result: ComparedRun) -> Phrases:
     """How a report of the results would say it, where claims without a number have their ids."""
-    known = names(result.paper).items()
+    return _phrases(result.run.vocabulary, result.paper)
+
+
+def _phrases(vocabulary: Vocabulary, paper: Sequence[PaperSection]) -> Phrases:
+    known = names(paper).items()
     called = {claim: name for claim, name in known if name.near or name.number.startswith("(")}
-    return Phrases(result.run.vocabulary, called)
+    return Phrases(vocabulary, called)
 
 
 def _errors(result: ComparedRun) -> Iterator[str]:
     """Formulas that cannot be read, with the place where they stand."""
     wrong = [o for o in result.run.outcomes if o.verdict is Verdict.ERROR]
     if wrong:
-        yield from ("", "Errors")
+        yield from ("", plain.bold("Errors"))
     for outcome in wrong:
         file, number = result.line(outcome.claim)
         first, *rest = outcome.message.splitlines()
@@ -133,44 +139,50 @@ class AuditText:
 
     @cached_property
     def phrases(self) -> Phrases:
-        """Phrases in the vocabulary of the source."""
-        return Phrases(self.audit.session.interpretation.texts.vocabulary, {})
+        """Phrases in the vocabulary of the source, with the numbers that a derivation knows."""
+        interpretation, run = self.audit.session.interpretation, self.audit.run
+        if self.audit.reading is not None:
+            return Phrases(run.vocabulary, {})
+        paper = sections(run, interpretation.derivation, interpretation.texts)
+        return _phrases(run.vocabulary, paper)
 
     def render(self, details: Iterable[str] = ()) -> str:
         """The audit as text; details stand before the summary."""
         audit = self.audit
-        findings = Findings(self.phrases, tuple(audit.outcomes.values()))
+        run = audit.run
+        findings = Findings(self.phrases, run.outcomes)
         if audit.reading is not None:
             from kowalevski_cas.cli.formats import reading  # a run has no audit
 
             head = *reading.answer(audit), *self.wrong(), *reading.rest(audit, self.phrases)
             return "\n".join((*head, *details, *self.uncovered(), "", *self.summary(), ""))
-        name = audit.session.interpretation.derivation.name
-        source = f"{audit.source.path}, by the derivation {name}."
+        source = f"{audit.source.path}, by the derivation {run.derivation}."
         notes = (f"line {line}: {words}" for line, words in audit.notes)
         wrong = *self.wrong(), *plain.lines(findings.hypotheses()), *details, *notes
-        return _page(source, findings, wrong, self.summary())
+        return _page(source, findings, run.main, wrong, self.summary())
 
     def wrong(self) -> Iterator[str]:
         """Formulas to look at, and statements in words that are refuted."""
         audit = self.audit
         if audit.wrong:
-            yield from ("", "What is wrong")
-        for ids, (first, *others) in group_alike(
-            ((f.id, f) for f in audit.formulas if f.wrong), _slip
-        ):
-            verb = "are" if others else "is"
+            yield from ("", plain.bold("What is wrong"))
+        for ids, (first, *_) in group_alike(((f.id, f) for f in audit.formulas if f.wrong), _slip):
             why = "; ".join(audit.said(first))
             place = ":".join(map(str, filter(None, first.region[:2])))
-            shown = ", ".join(ids) if audit.reading is None else audit.called(first)
-            place = f"{place}: {shown} {verb} {first.verdict}"
+            place = f"{place}: {self.called(first, ids)}: {first.verdict}"
             printed = () if first.formula is None else (first.formula,)
-            yield from self._finding(
-                f"{place}: {why}" if why else place, printed, first.tex,
+            yield from self._line_of(
+                f"{place}, {why}" if why else place, printed, first.tex,
                 (first.correction, *first.alternatives), first.counterexample,
             )  # fmt: skip
         for outcome in audit.false:
             yield from self._false(outcome)
+
+    def called(self, formula: Audited, ids: Sequence[str]) -> str:
+        """What formulas are called, of which the first is given."""
+        if all(id in self.phrases.names for id in ids):
+            return plain.text(self.phrases.found(ids))
+        return ", ".join(ids) if len(ids) > 1 else self.audit.called(formula)
 
     def _false(self, outcome: Outcome) -> Iterator[str]:
         audit = self.audit
@@ -180,12 +192,13 @@ class AuditText:
         if causes := audit.session.causes.places.get(outcome.claim, ()):
             named = ", ".join(audit.located(cause.place) for cause in causes)
             why = f"; because of {named}"
-        yield from self._finding(
-            f"{place}{outcome.claim} is refuted: {outcome.words}{why}", outcome.formulas,
+        yield from self._line_of(
+            f"{place}{plain.text(self.phrases.found([outcome.claim]))}: refuted: "
+            f"{outcome.words}{why}", outcome.formulas,
             outcome.source, (outcome.correction, *outcome.alternatives), outcome.counterexample,
         )  # fmt: skip
 
-    def _finding(
+    def _line_of(
         self,
         head: str,
         printed: tuple[Formula, ...],
@@ -206,10 +219,12 @@ class AuditText:
         if printed or source:
             shown.append(Equations(printed, source, Verdict.REFUTED))
         if correction is not None:
-            shown.append(Equations(correction.formulas, verdict=correction.verdict))
+            valid = self.phrases.valid(correction.conditions) if correction.edit else ()
+            shown.append(Equations(correction.formulas, verdict=correction.verdict, label=valid))
         for one in filter(None, others):
             shown.append(Paragraph(("Or: ", *self.phrases.words(one.words), ".")))
-            shown.append(Equations(one.formulas, verdict=one.verdict))
+            valid = self.phrases.valid(one.conditions)
+            shown.append(Equations(one.formulas, verdict=one.verdict, label=valid))
         if against is not None and self.evidence:
             shown.append(Paragraph(self.phrases.values(against)))
         yield from plain.lines(shown, 2)
@@ -218,7 +233,7 @@ class AuditText:
         """What the text claims and no verdict covers; formulas once, with their lines."""
         listed = self.audit.uncovered
         if listed:
-            yield from ("", "What the text claims and no verdict covers")
+            yield from ("", plain.bold("What the text claims and no verdict covers"))
         lines: dict[str, list[str]] = {}
         for one in listed:
             if one.kind == "formula":
@@ -233,10 +248,10 @@ class AuditText:
         """How many there are of each verdict."""
         audit = self.audit
         claims = Counter(str(outcome.verdict) for outcome in audit.outcomes.values())
-        yield f"{plain.many(len(audit.formulas), 'formula')}: {_counted(audit.counts)}"
+        yield f"{plain.many(len(audit.formulas), 'formula')}: {_count(audit.counts)}"
         claimed = plain.many(len(audit.outcomes), "claim")
         checked = plain.many(len(audit.certificates), "certificate")
-        yield f"{claimed}: {_counted(claims)}; {checked} checked; {audit.seconds:.2f} s"
+        yield f"{claimed}: {_count(claims)}; {checked} checked; {audit.seconds:.2f} s"
 
 
 def _slip(formula: Audited) -> object:
@@ -246,5 +261,5 @@ def _slip(formula: Audited) -> object:
     return formula.correction.words, formula.place.display.id
 
 
-def _counted(counts: Mapping[str, int]) -> str:
+def _count(counts: Mapping[str, int]) -> str:
     return ", ".join(f"{count} {verdict}" for verdict, count in sorted(counts.items()))

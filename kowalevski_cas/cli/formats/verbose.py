@@ -23,7 +23,7 @@ def _claims(result: ComparedRun) -> Iterator[str]:
     phrases = phrases_of(result)
     width = max((len(outcome.claim) for outcome in result.run.outcomes), default=0)
     for section in result.paper:
-        yield from ("", *plain.wrap(plain.text(phrases.title(section))))
+        yield from ("", *map(plain.bold, plain.wrap(plain.text(phrases.title(section)))))
         for outcome in section.outcomes:
             yield from _claim(outcome, phrases, width)
 
@@ -70,7 +70,7 @@ def audited(audit: Audit) -> str:
 
 
 def _formulas(audit: Audit) -> Iterator[str]:
-    yield from ("", "Formulas")
+    yield from ("", plain.bold("Formulas"))
     vocabulary = audit.session.interpretation.texts.vocabulary
     width = max((len(formula.id) for formula in audit.formulas), default=0)
     for formula in audit.formulas:
@@ -84,7 +84,7 @@ def _formulas(audit: Audit) -> Iterator[str]:
 def _statements(told: AuditText) -> Iterator[str]:
     audit = told.audit
     if audit.statements:
-        yield from ("", "Statements in words")
+        yield from ("", plain.bold("Statements in words"))
     width = max((len(statement.claim) for statement in audit.statements), default=0)
     for outcome in audit.statements:
         region = audit.sentences.get(outcome.claim)

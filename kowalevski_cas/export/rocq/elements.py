@@ -52,7 +52,7 @@ class Elements:
         self.conditions = [ring.divisors[name] for name in known]
         self.plain: list[Plain] = []
         for k, divisor in sorted(enumerate(self.conditions), key=lambda kd: max(kd[1].terms)):
-            _, _, rest = self._factored(divisor)
+            _, _, rest = self._factorisation(divisor)
             if len(rest.terms) > 1:
                 self._add(k, sum_text(self.terms(rest)), rest)
             else:
@@ -73,7 +73,7 @@ class Elements:
             for monomial, value in sorted(element.terms.items(), reverse=True)
         ]
 
-    def _factored(self, element: Element) -> tuple[Fraction, dict[int, int], Element]:
+    def _factorisation(self, element: Element) -> tuple[Fraction, dict[int, int], Element]:
         """A number and powers of what has plain inverses, and what is left without them."""
         powers: dict[int, int] = {}
         for k, plain in enumerate(self.plain):
@@ -88,7 +88,7 @@ class Elements:
             if name not in self.ring.divisors:
                 exponents[name] = exponents.get(name, 0) + e
                 continue
-            number, factors, _ = self._factored(self.ring.divisors[name])
+            number, factors, _ = self._factorisation(self.ring.divisors[name])
             value /= number**e
             for k, n in factors.items():
                 tree = self.plain[k].tree

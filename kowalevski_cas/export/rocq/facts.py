@@ -61,12 +61,12 @@ class Facts:
             self._table(f"over_{j}", {text: inverses[text] for text in inverses if text in within})
             own, equal = space.term(name), self._equal(f"over_{j}")
             proof = f"etransitivity; [exact root_{k}_{j}|{equal}]."
-            self._fact(f"{own} * {own}", self._undivided(terms), proof)
+            self._fact(f"{own} * {own}", self._without_division(terms), proof)
         self._table("known", inverses)
         self._lines.append(f"Ltac by_known_{k} := {self._equal('known')}.\n")
         return "\n".join(self._lines)
 
-    def _undivided(self, terms: list[Term]) -> str:
+    def _without_division(self, terms: list[Term]) -> str:
         return self.space.term(polynomial_text(terms, self._number))
 
     def _unknowns(self) -> list[str]:
@@ -103,7 +103,7 @@ class Facts:
             self._fact(f"{shown} * (1 / {shown})", "1", proof)
             return
         old, self._under = self._under, self._under + 1
-        n, terms = self._under, self._undivided(space.elements.terms(plain.element))
+        n, terms = self._under, self._without_division(space.elements.terms(plain.element))
         self._lines += [
             f"Definition under_{k}_{n} : table :=\n  ({terms}, 1 / ({shown})) :: under_{k}_{old}.",
             f"Lemma sound_under_{k}_{n} : sound {VALUES} under_{k}_{n}.",
@@ -114,7 +114,10 @@ class Facts:
     def _table(self, label: str, inverses: dict[str, list[Term]]) -> None:
         """Divisors with their inverses."""
         k, name = self.k, f"{label}_{self.k}"
-        rows = [f"({text}, {self._undivided(terms)})" for text, terms in reversed(inverses.items())]
+        rows = [
+            f"({text}, {self._without_division(terms)})"
+            for text, terms in reversed(inverses.items())
+        ]
         self._lines += [
             f"Definition {name} : table :=\n  [" + ";\n   ".join(rows) + "].",
             f"Lemma sound_{name} : sound {VALUES} {name}.",

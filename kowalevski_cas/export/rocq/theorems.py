@@ -33,7 +33,9 @@ class Theorems:
         if pairs:
             self._theorem(name, [], pairs, [f"by_known_{self.label}."] * len(pairs))
 
-    def combined(self, name: str, given: list[Sides], pairs: list[Sides], proof: Json) -> None:
+    def combination_theorem(
+        self, name: str, given: list[Sides], pairs: list[Sides], proof: Json
+    ) -> None:
         """Where some equations hold others do: they are combinations of them, or their powers."""
         known, lemmas = [*given], list[str]()
         while "product" in proof:
@@ -41,7 +43,7 @@ class Theorems:
             if more or others or "power" in proof:
                 raise Inexpressible(REAL.format("a proof splits into cases"))
             sides, rows = (self.space.say(first), "0"), proof.get("cofactors", [[]])
-            shown = self._shown(known, sides, rows[0])
+            shown = self._proof_by_combination(known, sides, rows[0])
             lemmas.append(f"assert (G{len(known)} : val ({sides[0]}) = val (0)) by ({shown}).")
             known.append(sides)
             (proof,) = proof["cases"]
@@ -50,10 +52,10 @@ class Theorems:
             pairs = [(f"({a} - ({b})) ^ {power}", "0") for a, b in pairs]
         rows = proof.get("cofactors", [[]] * len(pairs))
         both = zip(pairs, rows, strict=True)
-        steps = [f"{self._shown(known, sides, row)}." for sides, row in both]
+        steps = [f"{self._proof_by_combination(known, sides, row)}." for sides, row in both]
         self._theorem(name, given, pairs, steps, lemmas)
 
-    def _shown(self, known: list[Sides], sides: Sides, row: Sequence[Tree]) -> str:
+    def _proof_by_combination(self, known: list[Sides], sides: Sides, row: Sequence[Tree]) -> str:
         """How both sides are equal: their difference is the combination that a row gives."""
         terms, holds = list[str](), "I"
         for k in reversed(range(len(row))):
@@ -65,7 +67,7 @@ class Theorems:
         combined = f"combined {AT} [{'; '.join(terms)}] ({left}) ({right}) {holds}"
         return f"apply ({combined}); by_known_{self.label}"
 
-    def computed(self, name: str, place: Place) -> None:
+    def computation_theorem(self, name: str, place: Place) -> None:
         """There is a point, where something is computed to be so."""
         self._add(name, place.statement, place.proof)
 
@@ -168,7 +170,7 @@ def follows(section: Theorems, name: str, goal: Json, evidence: Json) -> None:
     given, conclusions = space.sides(goal["given"]), [*map(space.sides, goal["conclusions"])]
     if given or not evidence["point"]["roots"]:
         place = Place(space, evidence["point"], given if conclusions else [])
-        section.computed(f"{name}_not_vacuous", place)
+        section.computation_theorem(f"{name}_not_vacuous", place)
     if len(conclusions) == 1:
         (pairs,) = conclusions
     else:  # without any conclusion this is the product of none, and no field has 1 = 0
@@ -177,7 +179,7 @@ def follows(section: Theorems, name: str, goal: Json, evidence: Json) -> None:
             for choice in product(*conclusions)
         ]
     space.checked.stating = False
-    section.combined(name, given, pairs, evidence)
+    section.combination_theorem(name, given, pairs, evidence)
 
 
 def fails(section: Theorems, name: str, goal: Json, evidence: Json) -> None:
@@ -187,7 +189,7 @@ def fails(section: Theorems, name: str, goal: Json, evidence: Json) -> None:
     place = Place(space, evidence["point"], given)
     for pairs in conclusions:
         place.fails(pairs)
-    section.computed(name, place)
+    section.computation_theorem(name, place)
 
 
 def _functions(goal: Json) -> list[Tree]:
@@ -203,7 +205,7 @@ def rank(section: Theorems, name: str, goal: Json, evidence: Json, sign: str = "
     place = Place(space, evidence["point"], given)
     place.independent(functions, elements)
     place.statements.append(f"Nat.eqb {len(functions)} {goal['rank']} = {sign}")
-    section.computed(name, place)
+    section.computation_theorem(name, place)
 
 
 def no_rank(section: Theorems, name: str, goal: Json, evidence: Json) -> None:
@@ -222,7 +224,9 @@ def no_rank(section: Theorems, name: str, goal: Json, evidence: Json) -> None:
         _determinant(rows, [*columns]) for columns in combinations(range(len(words)), len(rows))
     ]
     space.checked.stating = False
-    section.combined(name, given, [(m, "0") for m in minors], {"cofactors": evidence["minors"]})
+    section.combination_theorem(
+        name, given, [(m, "0") for m in minors], {"cofactors": evidence["minors"]}
+    )
 
 
 def _determinant(rows: list[list[str]], columns: list[int]) -> str:

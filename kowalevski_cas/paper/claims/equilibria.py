@@ -1,4 +1,4 @@
-r"""Equilibria: how many states of rest there are for given values of the integrals."""
+r"""Equilibria: states of rest, and how many there are for given values of the integrals."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import equations, rate, vanishes
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.problem.goals import Count, Goal
+from kowalevski_cas.problem.goals import Count, Follows, Goal
+from kowalevski_cas.problem.space import Meaningless
 
 
 class Equilibria(Claim):
@@ -28,3 +29,24 @@ class Equilibria(Claim):
         rest = (vanishes(rate(Name(name))) for name in space.own_variables)
         levels = equations(on, space, self.levels)
         yield Count(space, (*still, *rest, *levels), space.variables, self.count)
+
+
+class RestPoints(Claim):
+    """The points where the printed equations hold are states of rest.
+
+    Velocities, which are variables where higher derivatives are printed, are zero at rest.
+    """
+
+    relations: tuple[Printed, ...]
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        space = on(self.scene)
+        if not self.relations:
+            raise Meaningless("no equations are given")
+        still = (vanishes(Name(name)) for name in space.velocities.values())
+        given = (*equations(on, space, self.relations), *still)
+        rest = (vanishes(rate(Name(name))) for name in space.variables)
+        yield Follows(space, (tuple(rest),), given)
+
+    def establishes(self) -> Iterator[Printed]:
+        yield from self.relations

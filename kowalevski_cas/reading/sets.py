@@ -1,0 +1,80 @@
+"""The sets of which a paper speaks: which of its equations define one together.
+
+What a comma joins is one set; “or” begins another one, and so does “and” between lists, or
+where a name would have two values. Where the words are of planes or points, each is one.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
+
+from kowalevski_cas.notation import Relation
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.statements import SourceStatement
+
+SetOfEquations = tuple[SourceStatement, ...]
+
+_OR = re.compile(r"\b(?:or|или|либо)\b")
+_AND = re.compile(r"\b(?:and|as\s+well\s+as|и|а\s+также)\b|\\&")
+_JOINED = re.compile(r"(?:[\s,;~]|\b(?:and|or|as\s+well\s+as|и|или|либо|а\s+также)\b)*")
+
+
+def sets_of(equations: Iterable[SourceStatement], text: str) -> list[SetOfEquations]:
+    """The sets that some equations of a source with this text define, in its order."""
+    return [one for run in _runs(equations) for one in _apart(run, text)]
+
+
+def _runs(equations: Iterable[SourceStatement]) -> Iterator[list[SourceStatement]]:
+    """The equations of each display, and those that stand side by side in a sentence."""
+    run: list[SourceStatement] = []
+    for one in sorted(equations, key=lambda one: one.order):
+        if run and not (one.typed is run[-1].typed or _beside(run[-1], one)):
+            yield run
+            run = []
+        run.append(one)
+    if run:
+        yield run
+
+
+def _beside(one: SourceStatement, other: SourceStatement) -> bool:
+    """Whether nothing but a comma, or an “and”, stands between two formulas of a line."""
+    inline = one.typed.inline and other.typed.inline and one.sentence == other.sentence
+    near = inline and other.order == one.order + 1
+    return near and _JOINED.fullmatch(other.lead) is not None
+
+
+def _apart(run: Sequence[SourceStatement], text: str) -> Iterator[SetOfEquations]:
+    """The sets of a run of equations."""
+    lists: list[list[SourceStatement]] = [[run[0]]]
+    joined: list[str] = []
+    for before, one in pairwise(run):
+        words = text[before.span[1] : one.span[0]]
+        if _OR.search(words) or _AND.search(words):
+            joined.append("or" if _OR.search(words) else "and")
+            lists.append([])
+        lists[-1].append(one)
+    several = run[0].typed.inline and bool(cue("places", run[0].before))
+    if several and all(len(part) == 1 for part in lists[1:]):
+        yield from ((one,) for one in run)
+        return
+    found: list[list[SourceStatement]] = [lists[0]]
+    for word, part in zip(joined, lists[1:], strict=True):
+        if word == "or" or several or _differ(found[-1], part):
+            found.append(part)
+        else:
+            found[-1] = [*found[-1], *part]
+    yield from map(tuple, found)
+
+
+def _differ(one: Sequence[SourceStatement], other: Sequence[SourceStatement]) -> bool:
+    """Whether two lists are of two sets: each has several equations, or they share a left side."""
+    if len(one) > 1 and len(other) > 1:
+        return True
+    return bool({*map(_left, one)} & {*map(_left, other)})
+
+
+def _left(item: SourceStatement) -> object:
+    assert isinstance(item.formula, Relation)
+    return item.formula.members[0]

@@ -1,0 +1,75 @@
+"""What rests on what, as a section with a picture."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from typing import Final
+
+from kowalevski_cas.notation import Relation, print_prose, read_prose, to_plain
+from kowalevski_cas.report.document import Block, Graph, Heading, Paragraph, Text
+from kowalevski_cas.report.findings import Findings
+from kowalevski_cas.report.graph import picture
+from kowalevski_cas.report.sentences import Phrases, count_in_words
+from kowalevski_cas.verify.outcome import Outcome, Verdict
+
+_EDGES: Final = 6
+"""How many lines a picture of what rests on what has at least."""
+
+_SHORT: Final = 30
+"""How many letters stand in a box behind the number at most."""
+
+_TYPED: Final = re.compile("[ -ʯΆ-Ͽᵢ-ᵥḀ-₟∀-⊋]+")
+"""What a font of a typewriter has, which boxes are written in: another one has other widths."""
+
+_FRAMES: Final = {
+    Verdict.PROVED: "thin where a statement holds",
+    Verdict.CONDITIONAL: "broken where it holds under a condition",
+    Verdict.REFUTED: "heavy where it is false",
+}
+
+
+def graph(findings: Findings) -> Iterator[Block]:
+    """What rests on what, where that is more than a few lines can say."""
+    outcomes = findings.outcomes
+    drawn = picture(outcomes, {o.claim: _box(findings.phrases, o) for o in outcomes})
+    if drawn.boxes and sum(line.tip for line in drawn.lines) < _EDGES:
+        return
+    yield Heading(("What rests on what",), "section.picture")
+    if not drawn.boxes:
+        yield Paragraph(("Each claim was decided from the equations of motion alone.",))
+        return
+    yield Paragraph(
+        ("A line leads from each statement to those that rest on it; lines implied by others "
+         f"are omitted. The frame tells the verdict: {_frames(outcomes)}. The formulas "
+         "of one display share a box, which shows the worst verdict among them.",),
+        leads=True,
+    )  # fmt: skip
+    yield Graph(drawn)
+    said: Text = ("The equations of motion underlie everything and are not drawn.",)
+    if findings.slips:
+        said = (*said, " What rests on a misprinted formula starts from its corrected form.")
+    if drawn.alone:
+        many = count_in_words(len(drawn.alone), "statement")
+        said = (*said, f" Omitted: {many} that neither rest on another nor carry one.")
+    yield Paragraph(said, "note")
+
+
+def _box(phrases: Phrases, outcome: Outcome) -> str:
+    """A number, and what is stated if that is short."""
+    name = phrases.names[outcome.claim]
+    if name.several > 1:
+        return name.number
+    said = [to_plain(f) for f in outcome.formulas if isinstance(f, Relation)]
+    words = print_prose(read_prose(outcome.words, phrases.vocabulary), str, to_plain)
+    for text in (", ".join(said), *(f"{one}, …" for one in said[:1]), words):
+        if _TYPED.fullmatch(text) and len(text) <= _SHORT:
+            return f"{name.number} {text}"
+    return name.number
+
+
+def _frames(outcomes: Sequence[Outcome]) -> str:
+    """What the frames of the boxes mean, of those that are drawn."""
+    verdicts = {outcome.verdict for outcome in outcomes}
+    said = [words for verdict, words in _FRAMES.items() if verdict in verdicts]
+    return ", ".join(said + ["dotted for the rest"] * (not verdicts <= {*_FRAMES}))

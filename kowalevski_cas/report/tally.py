@@ -1,0 +1,97 @@
+"""What was found, for a reader of the first lines: what is wrong where, and how many hold."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Final
+
+from kowalevski_cas.report.document import Paragraph
+from kowalevski_cas.report.findings import Findings, lacks
+from kowalevski_cas.report.sentences import capital, count_in_words, in_words, list_in_words
+from kowalevski_cas.verify.outcome import Outcome, Verdict
+
+_OPEN: Final = {
+    Verdict.PROBABLE: "true but for a named chance of error",
+    Verdict.ENCLOSED: "true within a named radius",
+    Verdict.UNDECIDED: "undecided",
+    Verdict.TIMEOUT: "not decided in the time allowed",
+    Verdict.ERROR: "not decided, because something went wrong",
+}
+
+
+def wrong_places(findings: Findings) -> Iterator[Paragraph]:
+    """Where something is misprinted, and what is false."""
+    phrases = findings.phrases
+    if findings.slips:
+        places = [phrases.found([outcome.claim for outcome in slip]) for slip in findings.slips]
+        yield Paragraph(("Misprinted: ", *list_in_words(places), "."))
+    for outcome in findings.false:
+        words = phrases.words(outcome.words.rstrip("."))
+        where = phrases.found([outcome.claim])
+        yield Paragraph(("False: ", *where, *((": ", *words) if words else ()), "."))
+
+
+def tally(findings: Findings) -> str:
+    """How many statements hold, in two sentences; of those that are ours, in two more."""
+    if not findings.outcomes:
+        return "Nothing was selected, so nothing is said."
+    ours = [outcome for outcome in findings.outcomes if outcome.ours]
+    if len(ours) == len(findings.outcomes):
+        return _tally(findings, ours)
+    said = [_tally(findings, [outcome for outcome in findings.outcomes if not outcome.ours])]
+    if ours:
+        said.append(_tally(findings, ours, " of our own"))
+    return " ".join(said)
+
+
+def _tally(findings: Findings, outcomes: Sequence[Outcome], whose: str = "") -> str:
+    """How many of these hold, and how."""
+    many = {v: sum(o.verdict is v for o in outcomes) for v in Verdict}
+    lacking = sum(map(lacks, outcomes))
+    where = many[Verdict.CONDITIONAL] - lacking
+    found = [
+        (many[Verdict.PROVED], "as stated here" if whose or not findings.copied else "as printed"),
+        (where, f"where {'its' if where == 1 else 'their'} denominators do not vanish"),
+        (lacking, "under a named condition" if whose else f"only under {_hypotheses(findings)}"),
+    ]
+    what = count_in_words(len(outcomes), "formula or statement", "formulas and statements")
+    wrong = _wrong(findings, outcomes)
+    if len(outcomes) == 1:
+        said = [f"holds {how}" for n, how in found if n] + [f"is {how}" for _, how in wrong]
+        return f"The only statement{whose} {said[0]}."
+    for n, how in found:
+        if n == len(outcomes):
+            every = f"All {what}" if n > 2 else "Both statements"
+            return f"{every}{whose} hold {how}."
+    holds = [f"{in_words(n)} hold{'s' * (n == 1)} {how}" for n, how in found if n]
+    fails = _joined([f"{in_words(n)} {'is' if n == 1 else 'are'} {how}" for n, how in wrong])
+    more = f" {capital(fails)}." if fails else ""
+    return f"Of {what}{whose}, {_joined(holds) or 'none is proved'}.{more}"
+
+
+def _hypotheses(findings: Findings) -> str:
+    """What is missing, and how many there are if there are several."""
+    many = len(findings.missing)
+    if many == 1:
+        return "a hypothesis that the paper does not state"
+    return f"hypotheses that the paper does not state ({in_words(many)} in all)"
+
+
+def _wrong(findings: Findings, outcomes: Sequence[Outcome]) -> list[tuple[int, str]]:
+    """How many statements do not hold, or are open, and why."""
+    slips = [slip for slip in findings.slips if any(outcome in outcomes for outcome in slip)]
+    spoiled = sum(len(slip) for slip in slips)
+    false = sum(outcome in findings.false for outcome in outcomes)
+    denied = sum(outcome in findings.denied for outcome in outcomes)
+    open_ones = [
+        (sum(outcome.verdict is verdict for outcome in outcomes), what)
+        for verdict, what in _OPEN.items()
+    ]
+    by = f"spoiled by {count_in_words(len(slips), 'misprint')}"
+    refuted = (spoiled, by), (false, "false"), (denied, "false, as expected")
+    return [one for one in (*refuted, *open_ones) if one[0]]
+
+
+def _joined(items: Sequence[str]) -> str:
+    """Words as a list, which may have commas of their own."""
+    return ", and ".join(filter(None, [", ".join(items[:-1]), *items[-1:]]))
