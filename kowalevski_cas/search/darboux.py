@@ -29,7 +29,7 @@ from kowalevski_cas.problem.polynomial_fields import (
     monomials,
     number_of_monomials,
 )
-from kowalevski_cas.problem.residues import ResidueField, Residues, product_of, unpacked
+from kowalevski_cas.problem.residues import ResidueField, Residues, product_of, unpack
 from kowalevski_cas.search.branches import Branch, solve_by_cases
 
 LARGEST = 500
@@ -319,7 +319,7 @@ def _weight(weights: Sequence[int], exponents: Sequence[int]) -> int:
 
 
 def _degree(terms: Residues) -> int:
-    return max((sum(unpacked(monomial)) for monomial in terms), default=0)
+    return max((sum(unpack(monomial)) for monomial in terms), default=0)
 
 
 def _sum_of_terms(left: Residues, right: Residues) -> Residues:
