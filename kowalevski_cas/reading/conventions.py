@@ -1,13 +1,15 @@
-"""What papers use and do not print: a letter in bold and its length, the imaginary unit."""
+"""What papers use and do not print: lengths of vectors, canonical brackets, the imaginary unit."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
 
-from kowalevski_cas.notation import read
+from kowalevski_cas.notation import PoissonBracket, read
 from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.implied import canonical_pairs
+from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.texts import Display
 from kowalevski_cas.reading.known import CONVENTION, Known, StatementRole
 from kowalevski_cas.reading.parts import Parts
@@ -43,11 +45,29 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
                 name = re.sub(r"\W+", "-", letter).strip("-")
                 tex = f"{letter}=|{vector}|"
                 yield _item(known, f"length-of-{name}{suffix}", tex), role
+    for q, p in _conjugate(known):
+        tex = rf"\{{{q},{p}\}}=1"
+        item = _item(known, re.sub(r"\W+", "-", f"bracket-of-{q}-{p}{suffix}"), tex)
+        why = "the canonical bracket, as the equations of motion are those of Hamilton"
+        yield item, StatementRole(CONVENTION, why, "", item.printed.heads.names)
     if "i" in scalars and not known.units and not known.moves("i"):
         yield (
             _item(known, f"unit{suffix}", "i^2=-1"),
             StatementRole(CONVENTION, "the imaginary unit", "unit", ("i",)),
         )
+
+
+def _conjugate(known: Known) -> list[tuple[str, str]]:
+    """The coordinates with their momenta of equations of Hamilton, if a bracket is not printed."""
+    printed = any(name.startswith(BRACKET) for name in known.definitions)
+    formulas = (item.formula for item in known.items if item.formula is not None)
+    if printed or not any(isinstance(n, PoissonBracket) for one in formulas for n in one.nodes()):
+        return []
+    laws = (*known.laws, *known.restated)
+    found = (
+        canonical_pairs([r.formula for r in law.rows if r.formula is not None]) for law in laws
+    )
+    return next(filter(None, found), [])
 
 
 def _item(known: Known, id: str, tex: str) -> SourceStatement:
