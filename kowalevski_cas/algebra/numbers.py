@@ -106,7 +106,7 @@ class Substitution:
         if value is not None and (root := square_root(value)) is not None:
             return numbers.number(root)
         if value is None:
-            return self._adjoined(radicand)
+            return self._adjoin(radicand)
         whole = value.numerator * value.denominator
         found = numbers.number(Fraction(1, value.denominator))
         if whole < 0:
@@ -116,10 +116,10 @@ class Substitution:
         ):  # roots of primes do not depend on each other
             found = found * numbers.number(prime ** (exponent // 2))
             if exponent % 2:
-                found = found * self._adjoined(numbers.number(prime))
+                found = found * self._adjoin(numbers.number(prime))
         return found
 
-    def _adjoined(self, radicand: Element) -> Element:
+    def _adjoin(self, radicand: Element) -> Element:
         numbers = self.numbers
         name = rf"\sqrt{{{to_latex(formula_of(radicand, NUMBERS))}}}"
         return numbers.generator(name) if name in numbers.roots else numbers.adjoin(name, radicand)
@@ -146,9 +146,9 @@ class Substitution:
     def _polynomial(self, polynomial: Polynomial) -> Element:
         if self._image is not None:
             numbers, value = self.numbers, self._image(polynomial)
-            if not numbers.polynomials.occurring(value):
+            if not numbers.polynomials.occurring_places(value):
                 return numbers.element({0: value}, {})
-            return _reduced(numbers.polynomials.terms(value), numbers)
+            return _by_unit(numbers.polynomials.terms(value), numbers)
         terms = self.ring.polynomials.terms(polynomial)
         return substitute(terms, self.values.__getitem__, self.numbers)
 
@@ -188,7 +188,7 @@ def _gaussian(polynomials: Polynomials, values: Sequence[Element], numbers: Ring
     return polynomials.substitution(found, numbers.polynomials)
 
 
-def _reduced(terms: Terms, numbers: Ring) -> Element:
+def _by_unit(terms: Terms, numbers: Ring) -> Element:
     """The number that a polynomial in a letter for i is, by i² = −1."""
     parts = [Fraction(0), Fraction(0)]
     for (exponent,), value in terms.items():

@@ -153,7 +153,7 @@ def _complete(
     constraints: list[fmpq_mpoly], unknowns: int, values: Assignment
 ) -> Iterator[Assignment]:
     """The values with those of the unknown variables, which are solved for one after another."""
-    left = _entering(values, constraints)
+    left = _conditions_on_rest(values, constraints)
     if not unknowns:
         yield from [] if left else [values]
         return
@@ -196,7 +196,7 @@ def _coefficient(polynomial: fmpq_mpoly, variable: int | None) -> fmpq:
     return polynomial.to_dict().get(exponents, fmpq(0))
 
 
-def _entering(values: Assignment, constraints: list[fmpq_mpoly]) -> list[fmpq_mpoly]:
+def _conditions_on_rest(values: Assignment, constraints: list[fmpq_mpoly]) -> list[fmpq_mpoly]:
     """What constraints say of the other variables, if these have values."""
     entered: dict[str | int, fmpq] = {k: to_flint(value) for k, value in values.items()}
     return [c for c in (c.subs(entered) for c in constraints) if not c.is_zero()]
@@ -211,10 +211,10 @@ def _ratios() -> Iterator[Iterator[Fraction]]:
     pairs = [(a, b) for one in sides for a in one for b in one if a != b]
     for attempt in count(1):
         state = attempt * 69069 & 0x7FFFFFFF
-        yield _chosen(state, [Fraction(a, b) for a, b in pairs])
+        yield _choose(state, [Fraction(a, b) for a, b in pairs])
 
 
-def _chosen(state: int, numbers: Sequence[Fraction]) -> Iterator[Fraction]:
+def _choose(state: int, numbers: Sequence[Fraction]) -> Iterator[Fraction]:
     while True:
         state = state * 1103515245 + 12345 & 0x7FFFFFFF
         sign = 1 if state >> 12 & 1 else -1

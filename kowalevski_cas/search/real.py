@@ -43,7 +43,7 @@ class RealCoordinates:
             if name in names and name != "i"
         }
         inner = {bit for r in roots.values() for mask in r.parts for bit in _bits(mask)}
-        inner |= {bit for element in constraints for bit in _mixed_roots(element)}
+        inner |= {bit for element in constraints for bit in _roots_in_some(element)}
         moving = {*at.setting.coordinates, *pairs, *partners, *(ring.roots[bit] for bit in inner)}
         self.moving = [name for name in roots if name in moving]
         self.radicands = [roots[name] for name in roots if name not in moving]
@@ -119,7 +119,7 @@ def _bits(mask: int) -> Iterator[int]:
     return (bit for bit in range(mask.bit_length()) if mask >> bit & 1)
 
 
-def _mixed_roots(element: Element) -> Iterator[int]:
+def _roots_in_some(element: Element) -> Iterator[int]:
     """The roots that stand in some parts of an element and not in others."""
     for bit in range(len(element.ring.roots)):
         if len({mask >> bit & 1 for mask in element.parts}) == 2:

@@ -55,7 +55,7 @@ def check_motion(
             f"{len(laws)} equations for {unknowns} ({', '.join(moving)}): "
             "leave one out, or claim it as an identity"
         )
-    for name in (one for formula in formulas.values() for one in _derived(formula)):
+    for name in (one for formula in formulas.values() for one in _derivative_names(formula)):
         if name not in defined:
             raise ValueError(f"{name} is differentiated, and nothing defines it: add {name}=…")
 
@@ -162,7 +162,7 @@ def check_constant(scene: Scene, place: Printed, known: Container[str]) -> None:
                 raise ValueError(f"{place.tex} is no relation of constants, with {by}")
 
 
-def _derived(formula: Formula) -> list[str]:
+def _derivative_names(formula: Formula) -> list[str]:
     """The names of which partial derivatives are printed."""
     partial = (node.argument for node in formula.nodes() if isinstance(node, Partial))
     return [argument.name for argument in partial if isinstance(argument, Name)]
