@@ -75,7 +75,7 @@ def canonical_brackets(pairs: Iterable[tuple[str, str]]) -> list[str]:
 
 def canonical_pairs(formulas: Iterable[Formula]) -> list[tuple[str, str]]:
     """The coordinates with their momenta, by equations of Hamilton; none if others stand beside."""
-    rows = [formula for formula in formulas if _is_rate(formula)]
+    rows = [*filter(_is_rate, formulas)]
     by = {(x, y): sign for row in rows for x, y, sign in _gradient(row)}
     pairs = [(q, p) for (q, p), sign in by.items() if sign > 0 and by.get((p, q)) == -1]
     return pairs if 2 * len(pairs) == len(rows) else []
