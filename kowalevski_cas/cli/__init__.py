@@ -30,6 +30,7 @@ COMMANDS = {
     "motion": "follow a motion from any state: on N⁴ and O⁴ by its closed form",
     "pictures": "draw a motion, and the bifurcation diagrams of the whole top",
     "animation": "show the body as it moves on N⁴, as an animated GIF",
+    "lsp": "serve an editor: diagnostics and corrections while a paper is typed",
     "record": "search anew, and write the record of verdicts and the certificates",
 }
 
@@ -39,6 +40,8 @@ EXTRAS = {
     "matplotlib": "motion",
     "heyoka": "taylor",
     "distributed": "cluster",
+    "pygls": "editor",
+    "lsprotocol": "editor",
 }
 """Libraries that a plain install leaves out, and the extra that brings each."""
 
