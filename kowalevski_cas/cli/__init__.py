@@ -31,6 +31,7 @@ COMMANDS = {
     "pictures": "draw a motion, and the bifurcation diagrams of the whole top",
     "animation": "show the body as it moves on N⁴, as an animated GIF",
     "lsp": "serve an editor: diagnostics and corrections while a paper is typed",
+    "mcp": "serve an agent: audit, verify, find, check",
     "record": "search anew, and write the record of verdicts and the certificates",
 }
 
@@ -42,6 +43,7 @@ EXTRAS = {
     "distributed": "cluster",
     "pygls": "editor",
     "lsprotocol": "editor",
+    "mcp": "agents",
 }
 """Libraries that a plain install leaves out, and the extra that brings each."""
 

@@ -5,9 +5,6 @@ import sys
 from pathlib import Path
 
 import pytest
-
-pytest.importorskip("pygls")
-
 from lsprotocol import types as lsp
 from pygls.lsp.client import LanguageClient
 
@@ -34,7 +31,9 @@ class Editor:
         self.uri, self.version, self.text = self.path.as_uri(), 0, ""
         self.client = LanguageClient("editor", "1")
         self.told = asyncio.Queue()
-        self.client.feature(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)(lambda told: self.told.put_nowait(told))
+        self.client.feature(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)(
+            lambda told: self.told.put_nowait(told)
+        )
 
     async def __aenter__(self):
         await self.client.start_io(sys.executable, "-m", "kowalevski_cas", "lsp")
@@ -185,9 +184,12 @@ def test_every_paper_that_is_cut_off_gets_an_answer(tmp_path):
         for end in range(0, len(whole), 40):
             for one in await editor.type(whole[:end]):
                 assert one.message
-            assert await editor.client.text_document_hover_async(
-                lsp.HoverParams(editor.document, lsp.Position(0, 0))
-            ) is None
+            assert (
+                await editor.client.text_document_hover_async(
+                    lsp.HoverParams(editor.document, lsp.Position(0, 0))
+                )
+                is None
+            )
 
     with_editor(tmp_path, session)
 
