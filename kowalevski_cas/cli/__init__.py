@@ -20,6 +20,7 @@ COMMANDS = {
     "verify": "prove or refute the claims of a derivation and compare with its record",
     "report": "write the report of a derivation as a web page, LaTeX and PDF",
     "audit": "read a paper's TeX source and prove or refute each formula in it",
+    "review": "audit the papers of a repository, against what is known of them",
     "bundle": "put the evidence, the checker and the page into a folder to deposit with a paper",
     "find": "find what nobody has printed: integrals and the like",
     "prove": "find evidence for a problem that anybody wrote, and print its certificate",
