@@ -74,8 +74,8 @@ def follow(method: str, motion: Motion) -> Measured:
 
 def transverse(states: Array) -> tuple[Complex, Complex]:
     """F1, F2 (…, 2) and the matrices (…, 2, 2) of d(F1,F2)/dt at states (…, 9)."""
-    functions, rates = formulas.offered_values("across"), formulas.offered_values("across_rates")
-    known = formulas.offered_values("complex_variables")(*np.moveaxis(states, -1, 0), 1j)
+    functions, rates = formulas.values_of_offer("across"), formulas.values_of_offer("across_rates")
+    known = formulas.values_of_offer("complex_variables")(*np.moveaxis(states, -1, 0), 1j)
     root = np.sqrt(known[0] * known[1])  # of x1x2
     F1, F2, U1, U2 = functions(*known, root)
     columns = [rates(*unit, U1, U2, *known[:2], root) for unit in ((1.0, 0.0), (0.0, 1.0))]

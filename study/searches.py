@@ -222,7 +222,7 @@ def _by_cases(one: Published) -> Callable[[], int]:
 
 def _with_cofactors(one: Published) -> Callable[[], int]:
     equations, _ = _equations(one)
-    return lambda: len(Basis(equations, ()).interreduced())
+    return lambda: len(Basis(equations, ()).interreduce())
 
 
 def _by_flint(one: Published) -> Callable[[], int]:

@@ -18,7 +18,7 @@ from kowalevski_cas.verify.statement import Statement
 from tests.sample import sampled
 
 CHAPTERS = {name: load(name) for name in ("dlmf22", "dlmf4")}
-ROWS = [(name, claim) for name, one in CHAPTERS.items() for claim in one.claims if isinstance(claim, Identity) and "z_1" not in claim.scene.variables]  # fmt: skip
+ROWS = [(name, claim) for name, one in CHAPTERS.items() for claim in one.claims if isinstance(claim, Identity)]  # fmt: skip
 
 
 def jacobi(u, k):
@@ -43,6 +43,8 @@ def applied(function, u, *modulus):
         return of[name[0]] / of[name[1]]
     if name == "exp":
         return cmath.exp(u)
+    if name == "det":
+        return determinant(u)
     inverse = {
         "sec": "cos",
         "csc": "sin",
@@ -52,6 +54,21 @@ def applied(function, u, *modulus):
         "coth": "tanh",
     }
     return 1 / getattr(cmath, inverse[name])(u) if name in inverse else getattr(cmath, name)(u)
+
+
+def determinant(rows):
+    if not rows:
+        return 1
+    minors = ([row[:k] + row[k + 1 :] for row in rows[1:]] for k in range(len(rows)))
+    return sum((-1) ** k * rows[0][k] * determinant(minor) for k, minor in enumerate(minors))
+
+
+def quarter_period(k):
+    """K by the arithmetic and geometric mean."""
+    a, b = 1, (1 - k * k) ** 0.5
+    for _ in range(8):
+        a, b = (a + b) / 2, (a * b) ** 0.5
+    return cmath.pi / 2 / a
 
 
 def value(formula, at, step=5e-3):
@@ -72,8 +89,9 @@ def value(formula, at, step=5e-3):
     if isinstance(formula, Application):
         return applied(formula.function, *map(inner, formula.arguments))
     if kind == "Derivative":
+        by = formula.mark
         around = [
-            value(formula.argument, at | {"z": at["z"] + k * step}, step) for k in (-2, -1, 1, 2)
+            value(formula.argument, at | {by: at[by] + k * step}, step) for k in (-2, -1, 1, 2)
         ]
         return (around[0] - 8 * around[1] + 8 * around[2] - around[3]) / (12 * step)
     if kind == "Modulus":
@@ -84,6 +102,8 @@ def value(formula, at, step=5e-3):
         for one in below[1:]:
             total = total + one if kind == "Sum" else total * one
         return total
+    if kind == "Vector":
+        return below
     return {
         "Negative": lambda a: -a,
         "Quotient": lambda a, b: a / b,
@@ -97,8 +117,15 @@ def is_true(formula, definitions, tries=3):
     chance, seen = random.Random(5), None
     for _ in range(tries):
         k = chance.uniform(0.3, 0.8)
-        at = {n: chance.uniform(0.2, 0.9) for n in ("z", "u", "v", "x", "y")}
-        at |= {"k": k, "k'": (1 - k * k) ** 0.5, r"\pi": cmath.pi, "i": 1j, **definitions}
+        at = {n: chance.uniform(0.2, 0.9) for n in ("z", "u", "v", "x", "y", "z_1", "z_2", "z_3")}
+        at |= {
+            "k": k,
+            "k'": (1 - k * k) ** 0.5,
+            r"\pi": cmath.pi,
+            "i": 1j,
+            "K": quarter_period(k),
+            **definitions,
+        }
         try:
             values = [value(m, at) for m in formula.members if not isinstance(m, Constant)]
         except (ZeroDivisionError, OverflowError):
@@ -137,7 +164,7 @@ def verdict(name, neighbour):
     try:
         statement = Statement(neighbour.claim, session.on(neighbour.claim, neighbour.texts))
         return str(session.decider.outcome(statement, 0.0).verdict)
-    except (Meaningless, NotationError, Unproved, StopIteration):
+    except (Meaningless, NotationError, Unproved, StopIteration, TimeoutError):
         return "error"  # nothing is proved, of a claim that is none of the derivation
 
 
@@ -151,4 +178,4 @@ def test_the_page_of_rows_says_what_is_recorded():
     page = Path(__file__).parents[1] / "docs" / "dlmf"
     text = runpy.run_path(str(page.with_suffix(".py")))["page"]()
     assert page.with_suffix(".md").read_text(encoding="utf-8") == text
-    assert "refuted" not in text and text.count("not judged") == 7
+    assert "refuted" not in text and text.count("not judged") == 3

@@ -997,9 +997,9 @@ def test_darboux_polynomials_are_found_and_claimed(lorenz):
 def test_each_answer_has_its_time(capsys, monkeypatch):
     monkeypatch.undo()
     chain = System(r"\dot x=yz+x^2,\ \dot y=zx-y^2,\ \dot z=xy,\ \dot u=x-u^3,\ \dot v=u")
-    chain.seconds = 0.5
+    chain.seconds = 0.01
     found = chain.find_integrals(degree=12)
-    assert "it took more than 0.5 s" in capsys.readouterr().err
+    assert "it took more than 0.01 s" in capsys.readouterr().err
     assert [one.claim for one in found] == chain.section.claims
     chain.seconds = 1e-3
     assert chain.integral("(x+2y+3z+5u+7v)^{12}").verdict is Verdict.TIMEOUT

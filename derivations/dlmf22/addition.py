@@ -2,7 +2,7 @@ r"""22.8. Addition theorems."""
 
 from dataclasses import replace
 
-from kowalevski_cas.paper.derivation import Section
+from kowalevski_cas.paper.derivation import Scene, Section
 
 from .setting import dlmf, moduli
 
@@ -159,6 +159,53 @@ quarter = section.lemma(
     r"\operatorname{sn}(K,k)=1, \quad \operatorname{cn}(K,k)=0, \quad \operatorname{dn}(K,k)=k'",
     "https://dlmf.nist.gov/22.5.T1: the values at the quarter period",
 )
+at_half_period = section.lemma(
+    "half-22.8",
+    r"\operatorname{sn}(2K,k)=0, \quad \operatorname{cn}(2K,k)=-1, \quad \operatorname{dn}(2K,k)=1",
+    "what follows from the values at the quarter period",
+)
+of_sum_half_period = section.lemma(
+    "22.8.22", "z_4=2K-(z_1+z_2+z_3)", "https://dlmf.nist.gov/22.8.E22"
+)
+
+section.identity(
+    "22.8.23",
+    r"\begin{vmatrix}\operatorname{sn}(z_1,k)\operatorname{cn}(z_1,k)&\operatorname{sn}(z_1,k)\operatorname{dn}(z_1,k)&\operatorname{cn}(z_1,k)&\operatorname{dn}(z_1,k)\\\operatorname{sn}(z_2,k)\operatorname{cn}(z_2,k)&\operatorname{sn}(z_2,k)\operatorname{dn}(z_2,k)&\operatorname{cn}(z_2,k)&\operatorname{dn}(z_2,k)\\\operatorname{sn}(z_3,k)\operatorname{cn}(z_3,k)&\operatorname{sn}(z_3,k)\operatorname{dn}(z_3,k)&\operatorname{cn}(z_3,k)&\operatorname{dn}(z_3,k)\\\operatorname{sn}(z_4,k)\operatorname{cn}(z_4,k)&\operatorname{sn}(z_4,k)\operatorname{dn}(z_4,k)&\operatorname{cn}(z_4,k)&\operatorname{dn}(z_4,k)\end{vmatrix}=0",
+    on=replace(four, definitions={})
+    .having(constants=("K",))
+    .taking(quarter, at_half_period)
+    .defining(of_sum_half_period),
+    says=dlmf("22.8.23"),
+)
+
+# κ = dn(2K/3) as in 22.9.7; three times this argument is 2K, which gives the other values and k.
+by_third = section.lemma(
+    "third-22.8",
+    r"k^2=\frac{(1-\kappa)(1+\kappa)^3}{1+2\kappa}, \quad \sigma^2=1+2\kappa",
+    r"the modulus by $\kappa=\mathrm{dn}(2K/3,k)$",
+)
+at_third = section.lemma(
+    "thirds-22.8",
+    r"\operatorname{sn}(\frac{2K}{3},k)=\frac{\sigma}{1+\kappa}, \quad \operatorname{cn}(\frac{2K}{3},k)=\frac{\kappa}{1+\kappa}, \quad \operatorname{dn}(\frac{2K}{3},k)=\kappa, \quad \operatorname{sn}(\frac{4K}{3},k)=\frac{\sigma}{1+\kappa}, \quad \operatorname{cn}(\frac{4K}{3},k)=-\frac{\kappa}{1+\kappa}, \quad \operatorname{dn}(\frac{4K}{3},k)=\kappa",
+    "what follows from those at 2K",
+)
+by_thirds = section.lemma(
+    "22.8.24",
+    r"z_2=z_1-\frac23K, \quad z_3=z_1-\frac43K",
+    "what follows from https://dlmf.nist.gov/22.8.E24",
+)
+
+section.identity(
+    "22.8.25",
+    r"\frac{d}{dz_1}\frac{(\operatorname{dn}(z_2,k)+\operatorname{dn}(z_3,k))(\operatorname{dn}(z_3,k)+\operatorname{dn}(z_1,k))(\operatorname{dn}(z_1,k)+\operatorname{dn}(z_2,k))}{\operatorname{dn}(z_1,k)+\operatorname{dn}(z_2,k)+\operatorname{dn}(z_3,k)+\operatorname{dn}(z_1,k)\operatorname{dn}(z_2,k)\operatorname{dn}(z_3,k)}=0",
+    on=Scene("by thirds", constants=("K", r"\kappa"), time="z_1")
+    .solving("k", by_third[1])
+    .solving(r"\sigma", by_third[2])
+    .taking(at_half_period, at_third)
+    .defining(by_thirds),
+    says=dlmf("22.8.25"),
+)
+
 shifted = section.lemma(
     "22.8.26", r"z_3=z_1-K, \quad z_4=z_2-K", "what follows from https://dlmf.nist.gov/22.8.E26"
 )

@@ -6,8 +6,8 @@ from kowalevski_cas.paper.derivation import Scene
 from ..kharlamov2005.third_subsystem import with_constants
 from ..kharlamov2005.values import on_O4_values
 from ..kharlamov_savushkin2004.setting import complex_variables
-from .infinity import hats, hatted_fields, hatted_parts, hatted_velocity
-from .phase_point import radicals
+from .factors import by_halves, by_roots, factor_products, factored_parts
+from .infinity import hatted_fields, hatted_parts, hatted_velocity
 from .separation import root
 
 RADICALS = (
@@ -21,21 +21,20 @@ RADICALS = (
     "\\hat{K}_2",
 )
 PARTS = tuple(rf"\hat{{{name}}}" for name in (r"\Pi", "Y", "V", "d", "T", r"\Lambda", "N"))
+FACTORS = ("S_1", "D_1", "\\hat{S}_2", "\\hat{D}_2")
 COORDINATES = ("u_1", "n", "v")
 CONSTANTS = ("s", r"\tau_3", "p", "r")
 
 here = Scene(
     "phase point on O⁴, supplied",
-    variables=(
-        *COORDINATES,
-        *RADICALS,
-        r"\hat{E}",
-        *PARTS,
-        *CONSTANTS,
-        r"\sigma",
-        r"\kappa",
-        "vu_1-n",
-    ),
+    variables=(*COORDINATES, *RADICALS, r"\hat{E}", *PARTS, *CONSTANTS, "vu_1-n", *FACTORS),
+)
+
+ROOTS = ("P_1", "Q_1", "\\hat{P}_2", "\\hat{Q}_2")
+HALVES = ("a_1", "b_1", "a_2", "b_2")
+
+quotients = Scene(
+    "E on O⁴, supplied", variables=(*ROOTS, *HALVES, r"\sqrt{\sigma}", r"\rho", "vu_1+n")
 )
 
 values = Scene("constants of O⁴", variables=CONSTANTS)
@@ -45,7 +44,6 @@ plane = Scene("X, ξ, q", variables=("X", r"\xi", r"\tau_3", r"\sigma", "q"))
 
 def offer() -> HyperellipticForm:
     """The closed form, with the constants of the third subsystem."""
-    squares = (*(radicals[k] for k in (1, 3, 4, 7)), *hats)
     return HyperellipticForm(
         constants=Values(
             with_constants, ("s", r"\tau_3", "x_1x_2", "x_1x_2+z_1z_2"), complex_variables.variables
@@ -56,12 +54,22 @@ def offer() -> HyperellipticForm:
             plane.variables,
         ),
         integrals=Values(values, (*on_O4_values,), CONSTANTS),
-        squares=Values(
+        products=Values(here, (*factor_products,), ("K_1", r"\hat{K}_2", "s", r"\tau_3", "r")),
+        resolvents=Values(here, (factored_parts[1], factored_parts[2]), (*FACTORS, "s")),
+        parts=Values(
             here,
-            squares,
-            (*COORDINATES, r"\mu_1", r"\hat{\mu}_2", "s", r"\tau_3", "r", r"\sigma", r"\kappa"),
+            (*(factored_parts[k] for k in (3, 4, 5)), *(hatted_parts[k] for k in (5, 6, 7))),
+            ("v", *RADICALS, *CONSTANTS, r"\hat{d}"),
         ),
-        parts=Values(here, (*hatted_parts,), (*COORDINATES, *RADICALS, *CONSTANTS, r"\hat{d}")),
+        quotients=Values(
+            quotients,
+            (*by_roots,),
+            (*ROOTS, r"\sqrt{\sigma}", "vu_1+n"),
+            (r"\sqrt{\sigma}", "vu_1+n"),
+        ),
+        conjugate_quotients=Values(
+            quotients, (*by_halves,), (*HALVES, r"\rho", "vu_1+n"), ("vu_1+n",)
+        ),
         phase_point=Values(
             here,
             (*hatted_velocity, *hatted_fields),

@@ -7,8 +7,6 @@ from .separation import phi, separated
 
 section = Section("6", "Elliptic functions", copied=False)
 
-SN, CN, DN = r"\mathrm{sn}", r"\mathrm{cn}", r"\mathrm{dn}"
-
 roots_of_phi = section.display(
     "roots-of-phi", r"A = \frac{\ell+1}{2m}, \quad C = \frac{\ell-1}{2m}"
 )
@@ -31,16 +29,8 @@ k^2 = \frac{(A-B)(C-D)}{(A-C)(B-D)}, \quad n = \frac12\sqrt{m(A-C)(B-D)}, \quad
 solution = section.display(
     "solution",
     r"""
-s_1 = \frac{B-C\kappa\,{\rm sn}^2}{1-\kappa\,{\rm sn}^2}, \qquad
-s_2 = \frac{D(A-C)+A(C-D)\,{\rm sn}^2}{(A-C)+(C-D)\,{\rm sn}^2}""",
-)
-
-jacobi = section.lemma(
-    "jacobi",
-    r"""
-{\rm cn}^2 = 1-{\rm sn}^2, \quad {\rm dn}^2 = 1-k^2\,{\rm sn}^2, \quad
-\dot{\rm sn} = n\,{\rm cn}\,{\rm dn}""",
-    "Jacobi's elliptic functions of $n(t-t_j)$ with the modulus $k$",
+s_1 = \frac{B-C\kappa\,{\rm sn}^2(n(t-t_1),k)}{1-\kappa\,{\rm sn}^2(n(t-t_1),k)}, \qquad
+s_2 = \frac{D(A-C)+A(C-D)\,{\rm sn}^2(n(t-t_2),k)}{(A-C)+(C-D)\,{\rm sn}^2(n(t-t_2),k)}""",
 )
 
 quartic = section.lemma(
@@ -62,12 +52,10 @@ D = C-k^2(1-\kappa)\lambda""",
 any_regime = (
     Scene(
         "any regime",
-        variables=(SN,),
-        constants=("C", "k", r"\kappa", r"\lambda", "m"),
+        constants=("t_1", "t_2", "C", "k", r"\kappa", r"\lambda", "m"),
         nonzero=(r"\lambda", r"\kappa", r"1-\kappa", r"\kappa-k^2"),
     )
-    .moving(jacobi[3])
-    .adjoining(r"\sqrt{m(A-C)(B-D)}", jacobi[1], jacobi[2])
+    .adjoining(r"\sqrt{m(A-C)(B-D)}")
     .defining(by_modulus, parameters[2], solution)
 )
 
@@ -87,18 +75,6 @@ section.states(
 )
 
 section.states(
-    Identity,
-    section.lemma(
-        "jacobi-rates",
-        r"\dot{\rm cn} = -n\,{\rm sn}\,{\rm dn}, \quad \dot{\rm dn} = -nk^2\,{\rm sn}\,{\rm cn}",
-        "the derivatives of the other two",
-    ),
-    on=any_regime,
-    says=r"the derivatives of $\mathrm{cn}$ and $\mathrm{dn}$",
-    ids=("cn", "dn"),
-)
-
-section.states(
     Definition,
     solution,
     on=any_regime,
@@ -115,21 +91,20 @@ section.states(
 )
 
 one_variable = (
-    Scene(variables=(SN,))
-    .moving(jacobi[3])
-    .adjoining(parameters[1], r"\sqrt{m(A-C)(B-D)}", jacobi[1], jacobi[2])
+    Scene()
+    .adjoining(parameters[1], r"\sqrt{m(A-C)(B-D)}")
     .defining(parameters[2], parameters[3], solution, roots_of_phi, phi)
 )
 
 for_s1 = (
     one_variable.called("first variable")
-    .having(constants=("a", "m", r"\ell", "s"), nonzero=("m", "a"))
+    .having(constants=("t_1", "t_2", "a", "m", r"\ell", "s"), nonzero=("m", "a"))
     .defining(first)
 )
 
 for_s2 = (
     one_variable.called("second variable")
-    .having(constants=("b", "m", r"\ell"), nonzero=("m", "b"))
+    .having(constants=("t_1", "t_2", "b", "m", r"\ell"), nonzero=("m", "b"))
     .defining(second)
 )
 

@@ -26,7 +26,7 @@ def load(name: str) -> Arithmetic:
     """The arithmetic with this name; importing its module imports its library."""
     if name not in EXACT:
         raise ValueError(f"unknown arithmetic “{name}”; there are {', '.join(EXACT)}")
-    with _undisturbed():
+    with _uninterrupted():
         arithmetic: Arithmetic = import_module(f"{__name__}.{name}").Arithmetic
     return arithmetic
 
@@ -35,13 +35,13 @@ def load_points(name: str, seed: int = 1) -> Points:
     """The arithmetic of points with this name; ``seed`` chooses its points."""
     if name not in POINTS:
         raise ValueError(f"unknown arithmetic of points “{name}”; there are {', '.join(POINTS)}")
-    with _undisturbed():
+    with _uninterrupted():
         points: Points = import_module(f"{__name__}.{name}").Arithmetic(seed)
     return points
 
 
 @contextmanager
-def _undisturbed() -> Iterator[None]:
+def _uninterrupted() -> Iterator[None]:
     """An interruption waits: a compiled library that is half loaded may crash of one."""
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:

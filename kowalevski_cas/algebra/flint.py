@@ -77,7 +77,7 @@ class Arithmetic(Polynomials):
     def is_monomial(self, polynomial: fmpq_mpoly) -> bool:
         return len(polynomial) == 1
 
-    def occurring(self, polynomial: fmpq_mpoly) -> list[int]:
+    def occurring_places(self, polynomial: fmpq_mpoly) -> list[int]:
         return [place for place, degree in enumerate(polynomial.degrees()) if degree > 0]
 
     def terms(self, polynomial: fmpq_mpoly) -> Terms:
@@ -87,13 +87,13 @@ class Arithmetic(Polynomials):
         return polynomial_of(self.context, terms)
 
 
-def _restored(names: tuple[str, ...], order: str, terms: Terms) -> fmpq_mpoly:
+def _restore(names: tuple[str, ...], order: str, terms: Terms) -> fmpq_mpoly:
     return polynomial_of(_context(names, order), terms)
 
 
 def _plain(polynomial: fmpq_mpoly) -> tuple[Any, ...]:
     context = polynomial.context()
-    return _restored, (context.names(), context.ordering().value, terms_of(polynomial))
+    return _restore, (context.names(), context.ordering().value, terms_of(polynomial))
 
 
 def _context(names: tuple[str, ...], order: str) -> fmpq_mpoly_ctx:

@@ -109,7 +109,7 @@ class Arithmetic(Points):
         known = np.where(finite, ratios, 0)
         which, where = map(int, np.unravel_index(known.argmax(), known.shape))
         words = "left minus right side, in floating point, which is not to be trusted"
-        left = _shown(point(programs[which]), where)
+        left = _text(point(programs[which]), where)
         coordinates = _coordinates(question, point, where)
         return Answer(False, words, point=coordinates, left=left)
 
@@ -184,9 +184,9 @@ def ratio(value: Rounded) -> Array:
 def _coordinates(question: Question, point: Valuation, where: int) -> dict[str, str]:
     """The coordinates of one of the points."""
     found = point.coordinates(question.ring)
-    return {name: _shown(value, where) for name, value in found.items()}
+    return {name: _text(value, where) for name, value in found.items()}
 
 
-def _shown(value: Rounded, where: int) -> str:
+def _text(value: Rounded, where: int) -> str:
     found = complex(np.broadcast_to(value.value, POINTS)[where])
     return f"{found.real:.6g}{found.imag:+.6g}i"

@@ -17,7 +17,7 @@ LIMITS = (500, 10_000, 50_000)
 """Elements, terms of one and bits of a number with which a basis is given up that nobody made."""
 
 
-def reduced_groebner_basis(polynomials: Sequence[fmpq_mpoly]) -> list[fmpq_mpoly]:
+def reduce_groebner_basis(polynomials: Sequence[fmpq_mpoly]) -> list[fmpq_mpoly]:
     """The reduced Gröbner basis of polynomials, where nobody asks how it is made.
 
     Raises:
@@ -54,7 +54,7 @@ def vanish_on(elements: Sequence[Element], known: Sequence[Element]) -> list[boo
     context = fmpq_mpoly_ctx.get(flat.context.names(), Ordering.deglex)
     relations = (*map(flat.polynomial, given), *flat.relations())
     try:
-        basis = reduced_groebner_basis([context.from_dict(one.to_dict()) for one in relations])
+        basis = reduce_groebner_basis([context.from_dict(one.to_dict()) for one in relations])
     except TooLarge:
         return [False] * len(elements)
     dividends = (flat.polynomial(element).to_dict() for element in elements)

@@ -22,7 +22,7 @@ from flint import fmpz, nmod, nmod_mat
 from kowalevski_cas.algebra.bounds import Sizes
 from kowalevski_cas.algebra.points import Answer, NoPoint, Points, Question
 from kowalevski_cas.algebra.programs import Program, Programs
-from kowalevski_cas.algebra.residue_points import NoRoot, solved, valuation
+from kowalevski_cas.algebra.residue_points import NoRoot, satisfy, valuation
 from kowalevski_cas.algebra.valuation import Valuation
 
 LOWEST = 2**61
@@ -109,7 +109,7 @@ def residue_point(question: Question, prime: int, random: Random) -> Valuation:
         signs = {name: random.choice((1, -1)) for name in ring.roots}
         try:
             if question.given:
-                values = solved(question.given, values, signs, prime, random)
+                values = satisfy(question.given, values, signs, prime, random)
             point = valuation(values, signs, prime)
             if any(point(equation) != 0 for equation in question.given):
                 continue

@@ -62,7 +62,7 @@ class Polynomials(ABC):
         """Whether a polynomial that is not zero has one term only."""
 
     @abstractmethod
-    def occurring(self, polynomial: Polynomial) -> Collection[int]:
+    def occurring_places(self, polynomial: Polynomial) -> Collection[int]:
         """The places of the generators that stand in a polynomial."""
 
     @abstractmethod

@@ -54,7 +54,7 @@ def _read(element: Element, vocabulary: Vocabulary, polynomial: Polynomial) -> F
         if inner is None or any(not below.get(index) for index in inner):
             continue
         if terms and all(exponents[width + bit] for exponents in terms):
-            terms = {_lowered(exponents, width + bit): v for exponents, v in terms.items()}
+            terms = {_lower(exponents, width + bit): v for exponents, v in terms.items()}
             for index in inner:
                 below[index] -= 1
             shown.append(names[width + bit])
@@ -144,7 +144,7 @@ def _generators_of(radicand: Element, divisors: dict[int, Terms]) -> list[int] |
     return [singles[p] for p in places] if all(p in singles for p in places) else None
 
 
-def _lowered(exponents: tuple[int, ...], place: int) -> tuple[int, ...]:
+def _lower(exponents: tuple[int, ...], place: int) -> tuple[int, ...]:
     return (*exponents[:place], exponents[place] - 1, *exponents[place + 1 :])
 
 

@@ -73,7 +73,7 @@ class Rational:
         return Rational(self.below * other, self.above)
 
 
-def solved(
+def satisfy(
     equations: Sequence[Program],
     values: Mapping[str, nmod],
     signs: Mapping[str, int],

@@ -67,7 +67,7 @@ class Arithmetic(Polynomials):
     def is_monomial(self, polynomial: ExpandedExpression) -> bool:
         return not polynomial.value.is_Add
 
-    def occurring(self, polynomial: ExpandedExpression) -> set[int]:
+    def occurring_places(self, polynomial: ExpandedExpression) -> set[int]:
         return {self.index[symbol] for symbol in polynomial.value.free_symbols}
 
     def terms(self, polynomial: ExpandedExpression) -> Terms:

@@ -103,7 +103,7 @@ class Arithmetic(Polynomials):
     def is_monomial(self, polynomial: Scaled) -> bool:
         return len(polynomial.whole) == 1
 
-    def occurring(self, polynomial: Scaled) -> list[int]:
+    def occurring_places(self, polynomial: Scaled) -> list[int]:
         return [place for place, degree in enumerate(polynomial.whole.degrees()) if degree > 0]
 
     def terms(self, polynomial: Scaled) -> Terms:

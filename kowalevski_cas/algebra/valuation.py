@@ -103,11 +103,11 @@ class Valuation:
             value = self(inner)
             # What is of a lower level does not move.
             return value.derivative() if level_of(value) == self.level else self.number(ZERO)
-        flow = self.moving(field, depth(program, field))
+        flow = self.along_field(field, depth(program, field))
         value = flow(inner)
         return value.coefficients[1] if level_of(value) == flow.level else self.number(ZERO)
 
-    def moving(self, field: Mapping[str, Program], order: int) -> Valuation:
+    def along_field(self, field: Mapping[str, Program], order: int) -> Valuation:
         """The valuation where the point moves along a field, as a series up to this order."""
         known, flow = self._flows.get(id(field), (-1, self))
         if known < order:
@@ -120,7 +120,7 @@ class Valuation:
         rates = {name: rate for name, rate in field.items() if rate.number != 0}
         paths = {name: [self(rate.ring.generator(name))] for name, rate in rates.items()}
         for k in range(order):
-            point = self._moving_point(field, paths)
+            point = self._point_along_field(field, paths)
             factor = self.number(Fraction(1, k + 1))
             for name, rate in rates.items():
                 value = point(rate)
@@ -129,9 +129,9 @@ class Valuation:
                 elif k:
                     value = self.number(ZERO)
                 paths[name].append(value * factor)
-        return self._moving_point(field, paths)
+        return self._point_along_field(field, paths)
 
-    def _moving_point(
+    def _point_along_field(
         self, field: Mapping[str, Program], paths: Mapping[str, list[Any]]
     ) -> Valuation:
         """The valuation with series for the generators that move; roots follow their radicands."""

@@ -41,7 +41,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
-    results = _checked(arguments.certificates)
+    results = _check(arguments.certificates)
     for found in results if not arguments.quiet else ():
         for name, certificate in found.accepted.items():
             said = f"{name.removesuffix(certificate.claim)}{certificate.summary()}"
@@ -66,19 +66,19 @@ def tell(results: Sequence[Checked]) -> int:
     return NOTHING if not total else AS_RECORDED if certified == total else REJECTED
 
 
-def _checked(names: list[str]) -> list[Checked]:
+def _check(names: list[str]) -> list[Checked]:
     """What the checker says about files, and about each derivation."""
     files: dict[Path, list[Path]] = {}  # derivations may have claims of the same name
     for path in [Path(name) for name in names if name.endswith(".json")]:
         files.setdefault(path.parent.resolve(), []).append(path)
     folders = [name for name in names if not name.endswith(".json")] if names else available()
     derivations = [find(name) for name in folders]
-    found = session.map_in_processes(_committed, derivations)
+    found = session.map_in_processes(_check_committed, derivations)
     return [*(check_files(paths, _about(at)) for at, paths in files.items()), *found]
 
 
-def _committed(folder: Path) -> Checked:
-    derivation = session.loaded(folder, str(folder))
+def _check_committed(folder: Path) -> Checked:
+    derivation = session.load_named(folder, str(folder))
     return check_committed(folder, derivation, load_record(folder) or {})
 
 

@@ -33,7 +33,7 @@ from kowalevski_cas.cli.repository import changed_since, papers
 from kowalevski_cas.files import write
 from kowalevski_cas.report.badge import badge
 from kowalevski_cas.schema import head
-from kowalevski_cas.servers.commands import Answer, run_command
+from kowalevski_cas.servers.commands import CommandAnswer, run_command
 from kowalevski_cas.source.text import Region
 from kowalevski_cas.verify.diagnostic import ERROR, Diagnostic
 
@@ -67,7 +67,7 @@ class Review(NamedTuple):
     """What an audit says of a paper, and what of that was not known."""
 
     path: Path
-    answer: Answer
+    answer: CommandAnswer
     new: Sequence[Diagnostic]
     known: int
 

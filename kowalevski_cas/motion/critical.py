@@ -39,7 +39,7 @@ def residuals(states: Array) -> dict[str, Array]:
     omega, fields = (np.max(np.abs(part), axis=-1) for part in (states[..., :3], states[..., 3:]))
     unit = np.hypot(omega, np.sqrt(fields))
     unit[unit == 0] = 1.0
-    known = formulas.offered_values("complex_variables")(
+    known = formulas.values_of_offer("complex_variables")(
         *np.moveaxis(states[..., :3] / unit[..., None], -1, 0),
         *np.moveaxis(states[..., 3:] / unit[..., None] / unit[..., None], -1, 0),
         1j,
@@ -60,13 +60,13 @@ def bounds(theta: Number, r_fourth: Number, fields: Number, size: Number) -> tup
 
 
 def _on_M4(known: tuple[Complex, ...], largest: Array) -> Array:
-    first, _ = formulas.offered_values("M4", CriticalSets)(*known)
+    first, _ = formulas.values_of_offer("M4", CriticalSets)(*known)
     return _quotient(abs(first), abs(known[6]) ** 2 + largest)
 
 
 def _on_N4(known: tuple[Complex, ...], largest: Array) -> Array:
     """Not a number where x1x2 = 0 as good as exactly: there the equations say nothing."""
-    functions = formulas.offered_values("N4", CriticalSets)(*known)
+    functions = formulas.values_of_offer("N4", CriticalSets)(*known)
     x1, x2, _, y2, z1, *_ = known
     theta, r_fourth = abs(x1 * x2), abs(z1**2 + x1 * y2) ** 2
     squares = bounds(theta, r_fourth, largest, np.ones_like(theta))
@@ -79,7 +79,7 @@ def _on_N4(known: tuple[Complex, ...], largest: Array) -> Array:
 
 def _on_O4(known: tuple[Complex, ...], largest: Array) -> Array:
     """The least residual for any of the values of s that one of the equations gives."""
-    O4 = formulas.offered_values("O4", CriticalSets)
+    O4 = formulas.values_of_offer("O4", CriticalSets)
     below, here, above = (np.array(O4(*known, float(s))) for s in (-1, 0, 1))
     slope, square = (above - below) / 2, (above + below) / 2 - here
     omega3 = abs(known[8])

@@ -49,7 +49,7 @@ class Fields:
 
     def on_M4(self, h: Array, j: Array) -> tuple[Array, Array]:
         """The values of K and G on M⁴ at the energy h, where J₃ = j."""
-        k, gap = formulas.offered_values("M4_values", CriticalSets)(j)
+        k, gap = formulas.values_of_offer("M4_values", CriticalSets)(j)
         return k + 0 * h, (self._pr[0] ** 2 * h - gap) / 2
 
     def tori_on_M4(self, h: Array, j: Array) -> Integers:
@@ -60,7 +60,7 @@ class Fields:
         """
         p, r = self._pr
         places = np.arange(-2.0, 3.0)
-        polynomial = formulas.offered_values("polynomial", LevelsOnM4)
+        polynomial = formulas.values_of_offer("polynomial", LevelsOnM4)
         (values,) = polynomial(p * places[:, None], h.ravel(), j.ravel(), p, r)
         first, *rest = np.linalg.solve(np.vander(places), values)
         companion = np.zeros((h.size, 4, 4))
@@ -74,13 +74,13 @@ class Fields:
     def on_N4(self, h: Array, m: Array) -> tuple[Array, Array]:
         """The values of K and G on N⁴ at the energy h."""
         p, r = self._pr
-        k, gap = formulas.offered_values("N4_values", CriticalSets)(m, r)
+        k, gap = formulas.values_of_offer("N4_values", CriticalSets)(m, r)
         return k, (p**2 * h + gap) / 2
 
     def on_O4(self, s: Array, tau: Array) -> tuple[Array, Array, Array]:
         """The values of H, K and G on O⁴."""
         with np.errstate(divide="ignore", invalid="ignore"):
-            h, k, g = formulas.offered_values("integrals", HyperellipticForm)(s, tau, *self._pr)
+            h, k, g = formulas.values_of_offer("integrals", HyperellipticForm)(s, tau, *self._pr)
         return h, k, g
 
     def tau(self, s: Array, h: Array) -> Array:
@@ -146,7 +146,7 @@ class Fields:
 
     def j(self, h: Array, g: Array) -> Array:
         """The absolute value of J₃ on M⁴ by those of H and G."""
-        _, unit = formulas.offered_values("M4_values", CriticalSets)(1.0)
+        _, unit = formulas.values_of_offer("M4_values", CriticalSets)(1.0)
         with np.errstate(invalid="ignore"):
             square = np.array(self._pr[0] ** 2 * h - 2 * g) / unit
             square[abs(square) < 1e-12 * (1 + abs(g))] = 0.0

@@ -36,7 +36,7 @@ _loaded = cache(load)
 
 
 @cache
-def offered_values(name: str, kind: type = ClosedForm) -> Function:
+def values_of_offer(name: str, kind: type = ClosedForm) -> Function:
     """The values that an offer of a kind has under this name, as a function of numbers."""
     return compile_values(getattr(source(kind).offers[kind](), name), kind)
 

@@ -21,7 +21,7 @@ BITS = 320
 """To how many bits constants and phases are found where they are irrational."""
 
 
-def given_state(state: Sequence[Real]) -> list[Fraction]:
+def state_from_numbers(state: Sequence[Real]) -> list[Fraction]:
     """The nine numbers of a state (ω, α, β); raises ``ValueError`` for what is none."""
     given = [usable(value) for value in state]
     if len(given) != 9:

@@ -14,7 +14,7 @@ from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.o4.start import on_O4
 from kowalevski_cas.motion.parameters import Inadmissible, Real, exact
-from kowalevski_cas.motion.units import in_unit, rescaled, unit_of
+from kowalevski_cas.motion.units import in_unit, scale, unit_of
 
 _WEIGHTS: Final = {"a": 2, "b": 2, "c": 4, "h": 2, "k": 4, "g": 6}
 """The weights of the constants, of which the unit of time has the weight −1."""
@@ -36,7 +36,7 @@ class General:
         """The values of a, b, c and of the three integrals; in digits what no float holds."""
         unit = int(unit_of(np.array(self.point)))
         return {
-            name: rescaled(value, _WEIGHTS[name] * unit)
+            name: scale(value, _WEIGHTS[name] * unit)
             for name, value in self.constants_in_unit.items()
         }
 
@@ -45,7 +45,7 @@ class General:
         """The constants in a unit of time in which the size of the state is about 1."""
         state = np.array(self.point)
         state = in_unit(state, unit_of(state))
-        found = formulas.offered_values("integrals")(*state)
+        found = formulas.values_of_offer("integrals")(*state)
         values = dict(zip(formulas.INTEGRALS, map(float, found), strict=True))
         lengths = {"a": hypot(*state[3:6]), "b": hypot(*state[6:])}
         return {**lengths, "c": values["c"], **{name.lower(): values[name] for name in "HKG"}}

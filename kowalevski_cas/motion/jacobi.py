@@ -59,23 +59,35 @@ class _Elementary:
 
 
 class _Elliptic:
-    """The functions of modulus k, 0 < k < 1 (or k = 0), real period 4K."""
+    """The functions of modulus k, 0 < k < 1 (or k = 0), at the phases of times."""
 
     def __init__(self, oscillation: Oscillation, origin: arb, largest: float) -> None:
-        quarter, other = oscillation.quarter, oscillation.complementary_quarter
+        quarter = oscillation.quarter
         rate = oscillation.rate / quarter
         self.phase = Phase(rate, -rate * origin, parts_needed(float(rate), largest))
-        self.hyperbolic = bool(oscillation.modulus_square > 0.5)
-        self.complement = float(oscillation.complement_square.sqrt())
+        self.functions = JacobiFunctions(
+            quarter, oscillation.complementary_quarter, oscillation.complement_square
+        )
+
+    def __call__(self, t: Array) -> Quadruple:
+        return self.functions(*self.phase(t))
+
+
+class JacobiFunctions:
+    """The quadruple by the argument over K, which is a whole number from −2 to 2, and a rest."""
+
+    def __init__(self, quarter: arb, other: arb, complement_square: arb) -> None:
+        self.hyperbolic = bool(complement_square < 0.5)
+        self.complement = float(complement_square.sqrt())
         if self.hyperbolic:
             quarter, other = other, quarter
         nome = (-arb.pi() * other / quarter).exp()
         self.scale = float(arb.pi() / 2 * (other / quarter if self.hyperbolic else 1))
         self.polynomials = [[float(c) for c in series] for series in _series(nome)]
 
-    def __call__(self, t: Array) -> Quadruple:
-        quarter, y = self.phase(t)
-        y *= self.scale
+    def __call__(self, quarter: Array, rest: Array) -> Quadruple:
+        """T1, T2, T3, T4; the last two are positive."""
+        y = rest * self.scale
         sine, cosine = (np.sinh(y), np.cosh(y)) if self.hyperbolic else (np.sin(y), np.cos(y))
         square = -sine * sine if self.hyperbolic else sine * sine
         p1, p2, p3, p4 = (_horner(polynomial, square) for polynomial in self.polynomials)

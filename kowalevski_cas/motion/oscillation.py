@@ -111,12 +111,12 @@ class Oscillation:
     @cached_property
     def quarter(self) -> arb:
         """K, a quarter of the period of sn, by the arithmetic-geometric mean."""
-        return _complete(self.complement_square)
+        return complete_integral(self.complement_square)
 
     @cached_property
     def complementary_quarter(self) -> arb:
         """K′."""
-        return _complete(self.modulus_square)
+        return complete_integral(self.modulus_square)
 
     # -- s, S and f from sn, cn, dn --------------------------------------------------
 
@@ -181,7 +181,7 @@ class Oscillation:
         return abs(left * right).sqrt()
 
 
-def _complete(complement: arb) -> arb:
+def complete_integral(complement: arb) -> arb:
     """The complete elliptic integral by the square of the complementary modulus."""
     mean = acb(1).agm(acb(complement.sqrt())).real
     return arb.pi() / (2 * mean)

@@ -20,7 +20,7 @@ from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.critical import LEAST_THETA, TOLERANCE, bounds
 from kowalevski_cas.motion.formulas import exactly
-from kowalevski_cas.motion.frame import BITS, given_state, rotate, turn_of
+from kowalevski_cas.motion.frame import BITS, rotate, state_from_numbers, turn_of
 from kowalevski_cas.motion.methods.ball import enclosures
 from kowalevski_cas.motion.methods.closed import states
 from kowalevski_cas.motion.motion import Motion
@@ -57,10 +57,10 @@ def on_N4(state: Sequence[Real]) -> Motion:
     the distance, from rounding or because the state is only almost on N⁴, is the ``off`` of the
     motion.
     """
-    given = given_state(state)
+    given = state_from_numbers(state)
     infinite = _check(given)
     with precision(BITS):
-        _, _, a_square, b_square, c, *_ = exactly(formulas.offered_values("integrals"), given)
+        _, _, a_square, b_square, c, *_ = exactly(formulas.values_of_offer("integrals"), given)
         turn = turn_of(a_square, b_square, c)
         straight = _straight(given, turn)
         parameters, theta = _parameters(straight, infinite)
@@ -71,11 +71,13 @@ def on_N4(state: Sequence[Real]) -> Motion:
             found = [_motion_at(motion, at_infinity(straight, parameters, s)) for s in (1, -1)]
         else:
             found = [_motion_at(motion, variables(straight, parameters, theta))]
-        best = min((_returning(motion, given) for motion in found), key=lambda motion: motion.off)
+        best = min(
+            (_with_distance(motion, given) for motion in found), key=lambda motion: motion.off
+        )
         if best.off > ROUNDING:
             fields, size = _sizes(given)
             weights = np.repeat([float(size) ** -0.5, float(1 / fields)], (3, 6))
-            fitted = _returning(nearest(best, given, weights), given)
+            fitted = _with_distance(nearest(best, given, weights), given)
             best = min(best, fitted, key=lambda motion: motion.off)
     if not best.off <= TOLERANCE:
         raise Inadmissible(
@@ -98,7 +100,7 @@ def _motion_at(motion: Motion, values: tuple[Values, Values]) -> Motion:
     return replace(motion, origins=origins, signs=signs)
 
 
-def _returning(motion: Motion, given: list[Fraction]) -> Motion:
+def _with_distance(motion: Motion, given: list[Fraction]) -> Motion:
     """The motion with its distance from the state at t = 0."""
     return replace(motion, off=distance(states(motion, np.zeros(1))[0], given))
 
@@ -119,13 +121,13 @@ def nearest(motion: Motion, state: Sequence[Fraction], weights: Array) -> Motion
     times = (1 / as_fraction(oscillation.rate) for oscillation in oscillations)
     sizes = [abs(known.m), Fraction(1), *times]
 
-    def moved(values: Sequence[Fraction]) -> Motion:
+    def move(values: Sequence[Fraction]) -> Motion:
         m, ell, t1, t2 = values
         parameters = Parameters.of(known.a, known.b, m, ell)
         return replace(motion, parameters=parameters, origins=(t1, t2))
 
     def off(values: Sequence[Fraction]) -> list[Fraction]:
-        (there,) = enclosures(moved(values), [0.0], NEWTON_BITS)
+        (there,) = enclosures(move(values), [0.0], NEWTON_BITS)
         return [as_fraction(x) - y for x, y in zip(there, state, strict=True)]
 
     try:
@@ -141,7 +143,7 @@ def nearest(motion: Motion, state: Sequence[Fraction], weights: Array) -> Motion
                 x + Fraction(float(part)) * size
                 for x, part, size in zip(values, step, sizes, strict=True)
             ]
-        return moved(values)
+        return move(values)
     except (Inadmissible, ArithmeticError):
         return motion
 
@@ -167,8 +169,8 @@ def _check(state: list[Fraction]) -> bool:
 
     The left sides of (16) are compared with the size of the state, exactly.
     """
-    *_, first, second = exactly(formulas.offered_values("integrals"), state)
-    theta, *_, p_square, r_fourth = exactly(formulas.offered_values("constants"), state)
+    *_, first, second = exactly(formulas.values_of_offer("integrals"), state)
+    theta, *_, p_square, r_fourth = exactly(formulas.values_of_offer("constants"), state)
     if r_fourth == 0:
         raise Inadmissible("the fields are orthogonal and of equal size: r = 0, nothing separates")
     if theta * p_square <= Fraction(LEAST_THETA) * r_fourth:
@@ -196,9 +198,9 @@ def _straight(state: list[Fraction], turn: tuple[Fraction, Fraction]) -> list[Fr
 
 def _parameters(state: list[Fraction], infinite: bool) -> tuple[Parameters, arb]:
     """The constants at a state in fields at right angles, and the root of x1x2."""
-    _, _, a_square, b_square, *_ = exactly(formulas.offered_values("integrals"), state)
+    _, _, a_square, b_square, *_ = exactly(formulas.values_of_offer("integrals"), state)
     theta, total, w_square, h, g, p_square, r_fourth = exactly(
-        formulas.offered_values("constants"), state
+        formulas.values_of_offer("constants"), state
     )
     # 2g − p²h = r⁴m and ℓ² = 2p²m² + 2hm + 1: no division by x1x2.
     m = (2 * g - p_square * h) / r_fourth

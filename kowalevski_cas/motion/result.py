@@ -51,7 +51,7 @@ class Trajectory:
     def drift(self) -> dict[str, float]:
         """The largest change of each integral, relative to what it is for the size of the state."""
         states = in_unit(self.states, unit_of(self.states[0]))
-        values = formulas.offered_values("integrals")(*states.T)
+        values = formulas.values_of_offer("integrals")(*states.T)
         return {
             INTEGRALS[name]: float(np.max(np.abs(value - value[0])))
             for name, value in zip(formulas.INTEGRALS, map(np.atleast_1d, values), strict=True)

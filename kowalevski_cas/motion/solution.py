@@ -77,7 +77,7 @@ class PhasePoint:
         self._gap = number(ball(parameters.a - parameters.b))
         self._r = number(ball(parameters.r_square).sqrt())
         self._m = number(ball(parameters.m))
-        self._formulas = formulas.offered_values("phase_point")
+        self._formulas = formulas.values_of_offer("phase_point")
 
     def __call__(
         self,

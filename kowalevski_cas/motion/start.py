@@ -25,7 +25,7 @@ def variables(state: list[Fraction], parameters: Parameters, root: arb) -> tuple
     omega1, omega2, omega3, _, alpha2, alpha3, beta1, _, beta3 = map(ball, state)
     r_square, m, ell = ball(parameters.r_square), ball(parameters.m), parameters.ell
     r = r_square.sqrt()
-    _, total, *_ = map(ball, exactly(formulas.offered_values("constants"), state))
+    _, total, *_ = map(ball, exactly(formulas.values_of_offer("constants"), state))
     s1, s2 = (total + r_square) / (2 * root), (total - r_square) / (2 * root)
     d = r_square / root
     S1, S2 = alpha3 * d / r, beta3 * d / r

@@ -60,15 +60,15 @@ def degenerate(a: Real, b: Real, m: Real) -> Iterator[tuple[Regime, float]]:
     """
     from scipy.optimize import brentq
 
-    def signed(ell: float) -> float:
+    def with_sign(ell: float) -> float:
         return difference(Parameters.of(a, b, m, ell))
 
     for regime in all_regimes():
         low, high = ells(Parameters.of(a, b, m, 0), regime)
         margin = 1e-6 * (high - low)
         first, last = low + margin, high - margin
-        if low < first < last < high < np.inf and signed(first) * signed(last) < 0:
-            yield regime, brentq(signed, first, last, xtol=margin)
+        if low < first < last < high < np.inf and with_sign(first) * with_sign(last) < 0:
+            yield regime, brentq(with_sign, first, last, xtol=margin)
 
 
 def kind(parameters: Parameters) -> str:

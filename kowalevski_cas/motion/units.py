@@ -36,10 +36,10 @@ def in_unit(states: Array, exponents: Array) -> Array:
     return scaled
 
 
-def rescaled(value: float, exponent: int) -> float | str:
+def scale(value: float, exponent: int) -> float | str:
     """The number times a power of two; its digits where that is no float.
 
-    >>> rescaled(0.5, 3), rescaled(0.0, -5000), rescaled(-1.0, -2000)
+    >>> scale(0.5, 3), scale(0.0, -5000), scale(-1.0, -2000)
     (4.0, 0.0, '-8.709809816217217e-603')
     """
     with np.errstate(over="ignore"):

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 
 from kowalevski_cas.notation.cursor import END, Piece
+from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import (
     Application,
     Commutator,
@@ -25,9 +27,10 @@ from kowalevski_cas.notation.formula import (
 from kowalevski_cas.notation.macros import PARTNERS
 from kowalevski_cas.notation.symbols import Symbols
 from kowalevski_cas.notation.values import rank
-from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
+from kowalevski_cas.notation.vocabulary import MATRIX, SCALAR, VECTOR
 
 _LONGEST_NUMBER = 1000
+_NORM = re.compile(r"(?:\\left\s*)?\\(?:\||l?Vert)")
 _DETERMINANT = r"\det"
 _SIGNS = frozenset({"sign", "relation"})
 _BEFORE_DOTS = _SIGNS | {"comma", "cell", "row", "open", "{", "begin", END}
@@ -78,8 +81,11 @@ class Atoms(Symbols):
 
     def modulus(self, inner: Piece, start: int) -> Piece:
         """An absolute value, a length, or the determinant of a matrix."""
-        matrix = rank(inner[0], self.vocabulary) == MATRIX
-        node = Application(_DETERMINANT, (inner[0],)) if matrix else Modulus(inner[0])
+        whole = rank(inner[0], self.vocabulary)
+        if whole == SCALAR and _NORM.match(self.tex, start):
+            message = "the norm of a number? print |x|, or the vector in bold"
+            raise NotationError(message, self.tex, start)
+        node = Application(_DETERMINANT, (inner[0],)) if whole == MATRIX else Modulus(inner[0])
         return (node, start, self.tokens[self.at - 1].end, (inner,))
 
     def read_sum(self) -> Piece:

@@ -100,6 +100,9 @@ class Parser(Derivatives):
         multiplied = False
         while self.tokens[self.at].kind == "times":
             cross = self.take()
+            before, behind = self.tokens[self.at - 2], self.tokens[self.at]
+            broken = "\\\\" in self.tex[before.end : behind.start]  # a product over two rows
+            plain = broken or "number" in (before.kind, behind.kind)
             more = self.factors()
             right_rank = self.rank(more)
             if left_rank == right_rank == VECTOR:
@@ -113,6 +116,8 @@ class Parser(Derivatives):
                 left_rank = self.rank(factors)
             elif VECTOR in (left_rank, right_rank) and cross.text == r"\times":
                 raise self.error("a vector product of a vector and something else", cross)
+            elif cross.text == r"\times" and not plain:
+                raise self.error("a vector product? set the vectors in bold; else a dot", cross)
             elif multiplied and VECTOR in (left_rank, right_rank):
                 raise self.error("which vectors are multiplied first? set brackets", cross)
             else:

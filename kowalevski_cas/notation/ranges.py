@@ -16,6 +16,14 @@ from itertools import product
 
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.sums import Ranges, SumSign, outside_sums
+from kowalevski_cas.notation.tensors import (
+    SPACE,
+    add_sums,
+    has_tensors,
+    permuted,
+    put_tensors,
+    without_tensors,
+)
 from kowalevski_cas.notation.tokens import Token
 
 _SIGNS = {
@@ -55,6 +63,9 @@ def without_ranges(tokens: list[Token], tex: str) -> tuple[list[Token], Ranges]:
 
 def each_value(tokens: list[Token], ranges: Ranges, tex: str) -> Iterator[list[Token]]:
     """A statement for all values of the indices in it; itself, if it has none."""
+    tokens = add_sums(tokens, ranges, tex)
+    if not (tokens[0].text == r"\{" and permuted(tokens).isdisjoint(ranges)):
+        ranges = {**dict.fromkeys(sorted(permuted(tokens)), SPACE), **ranges}
     own = {n: v for n, v in ranges.items() if v and _is_index(outside_sums(tokens), n)}
     if own and (period := _PERIOD.fullmatch("".join(token.text for token in tokens))):
         length = int(period[3] or period[4])
@@ -119,23 +130,27 @@ def _expand_sum(sum_: SumSign, at: Mapping[str, int], ranges: Ranges, tex: str) 
     outer = {name: value for name, value in at.items() if name not in sum_.own}
     terms = sum_.terms(outer, ranges)
     mixed = not sum_.is_plain or any(_is_index(sum_.body, name) for name in outer)
+    mixed |= has_tensors(sum_.body)
     if terms is None or not mixed:
         yield from _substitute_values(sum_.head, outer, tex)
         yield from _substitute(sum_.body, outer, ranges, tex)
         return
     start = sum_.head[0].start
+    signed = [without_tensors(sum_.body, {**outer, **values}) for values in terms]
+    own = [pair for pair in zip(terms, signed, strict=True) if pair[1][0]]
     yield Token("open", "(", start, start)
-    for number, values in enumerate(terms):
-        yield from [Token("sign", "+", start, start)] if number else []
-        yield from _substitute(sum_.body, {**outer, **values}, ranges, tex)
-    yield from [] if terms else [Token("number", "0", start, start)]
+    for number, (values, (factor, body)) in enumerate(own):
+        sign = "-" if factor < 0 else "+"
+        yield from [Token("sign", sign, start, start)] if number or factor < 0 else []
+        yield from _substitute(body, {**outer, **values}, ranges, tex)
+    yield from [] if own else [Token("number", "0", start, start)]
     yield Token("close", ")", start, start)
 
 
 def _substitute_values(tokens: list[Token], at: Mapping[str, int], tex: str) -> list[Token]:
     """The tokens of what has no sums with values in the place of indices."""
     found: list[Token] = []
-    tokens = [*_without_deltas(tokens, at)]
+    tokens = [*put_tensors(tokens, at)]
     for k, token in enumerate(tokens):
         before = [t.kind for t in tokens[max(0, k - 2) : k]]
         if token.kind != "letter" or token.text not in at:
@@ -148,21 +163,6 @@ def _substitute_values(tokens: list[Token], at: Mapping[str, int], tex: str) -> 
         braces = [Token(kind, kind, token.start, token.end) for kind in "{}"] if group else []
         found += [*braces[:1], number, *braces[1:]]
     return [*_add_numbers(found, tokens, tex)]
-
-
-def _without_deltas(tokens: list[Token], at: Mapping[str, int]) -> Iterator[Token]:
-    """The tokens with the value of each Kronecker's delta of indices."""
-    behind = 0
-    for k, token in enumerate(tokens):
-        index = tokens[k + 1 : k + 6]
-        names = [token.text for token in index[2:4]]
-        shape = [token.kind for token in index] == ["_", "{", "letter", "letter", "}"]
-        if token.text == r"\delta" and shape and {*names} <= {*at}:
-            value = str(int(at[names[0]] == at[names[1]]))
-            yield Token("number", value, token.start, index[-1].end)
-            behind = k + 6
-        elif k >= behind:
-            yield token
 
 
 def _add_numbers(found: list[Token], tokens: list[Token], tex: str) -> Iterator[Token]:

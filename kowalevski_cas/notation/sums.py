@@ -1,8 +1,8 @@
 r"""Sums over indices: how far they reach, and over which values.
 
-Below the sign stand :math:`j=1`, with the last value above it, or :math:`j`, :math:`j\ne i`,
-:math:`i<j`, :math:`1\le i<j\le 3`, where indices have the ranges that are printed behind the
-statement.
+Below the sign stand :math:`j=1` or :math:`j,k=1`, with the last value above it, or :math:`j`,
+:math:`j\ne i`, :math:`i<j`, :math:`1\le i<j\le 3`, where indices have the ranges that are printed
+behind the statement.
 """
 
 from __future__ import annotations
@@ -103,7 +103,10 @@ class SumSign(NamedTuple):
 
     def _domain(self, name: str, at: Values, ranges: Ranges) -> range | tuple[int, ...]:
         """The values of an index; none if they are not known."""
-        for part in (one for one in self._below if name in one):
+        parts = self._below
+        if len(parts) > 1 and all(len(part) == 1 for part in parts[:-1]) and self._above:
+            parts = [[part[0], *parts[-1][1:]] for part in parts]  # as in j,k=1
+        for part in (one for one in parts if name in one):
             ends, between = [part[0], part[-1]], {*part[1::2]} <= {"<", r"\le"}
             if part[:2] == [name, "="]:
                 ends, between = [str(at.get(one, one)) for one in (*part[2:], *self._above)], True
@@ -111,7 +114,7 @@ class SumSign(NamedTuple):
                 return range(int(ends[0]), int(ends[1]) + 1)
             if "=" in part or self._above:
                 return ()
-        beside = (one for part in self._below if name in part for one in part)
+        beside = (one for part in parts if name in part for one in part)
         return next((ranges[one] for one in (name, *beside) if ranges.get(one)), ())
 
     def _holds(self, at: Values) -> bool:

@@ -158,7 +158,7 @@ class Symbols(Cursor):
         return self.scripts(piece) if opened else piece
 
     def phase(self) -> Piece | None:
-        r"""A product that ends with the time, as in \cos\omega t; ``None``, and no move, else.
+        r"""Constants and what moves, as in \cos\omega t or \sin kx; ``None``, and no move, else.
 
         Of what else stands side by side behind a function it cannot be seen how far it reaches.
         """
@@ -167,9 +167,11 @@ class Symbols(Cursor):
             while self.starts() and not self.ends_argument(self.tokens[self.at]):
                 factors.append(self.factor())
         *before, last = [factor[0] for factor in factors] or [Number(0)]
-        timed = isinstance(last, Name) and last.name in self.vocabulary.times
-        moving = self.vocabulary.moving if self.says_what_moves else frozenset[str]()
-        if before and timed and all(node.names().isdisjoint(moving) for node in before):
+        moving = self.vocabulary.times
+        if self.says_what_moves:
+            moving |= self.vocabulary.moving
+        moves = isinstance(last, Name) and last.name in moving
+        if before and moves and all(node.names().isdisjoint(moving) for node in before):
             return (Product((*before, last)), factors[0][1], factors[-1][2], tuple(factors))
         self.at, self.level = start, level
         return None

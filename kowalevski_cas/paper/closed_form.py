@@ -98,10 +98,15 @@ class HyperellipticForm:
         variables: :math:`q^2`, the numerators of :math:`u_1, u_2`, their denominator and the
             numerator of :math:`u_1u_2`, by :math:`X, \xi, \tau_3, \sigma, q`.
         integrals: h, k, g, by :math:`s, \tau_3, p, r`.
-        squares: those of the radicals and of :math:`\hat E`, by :math:`u_1, n, v, \mu_1, \hat\mu_2`
-            and :math:`s, \tau_3, r, \sigma, \kappa`.
-        parts: the parts of the phase point, by :math:`u_1, n, v`, the radicals, :math:`s, \tau_3,
-            p, r` and the fourth part, :math:`\hat d`.
+        products: of the sum and the difference of :math:`2s, \mu_1` and of :math:`2sv, \hat\mu_2`,
+            by :math:`K_1, \hat K_2, s, \tau_3, r`.
+        resolvents: :math:`\hat V, \hat d` by these sums and differences, and s.
+        parts: :math:`\hat\Pi`, two forms of :math:`\hat Y`, :math:`\hat T, \hat\Lambda, \hat N` by
+            v, the radicals, :math:`s, \tau_3, p, r` and :math:`\hat d`.
+        quotients: two forms of :math:`\hat E` by :math:`P_1, Q_1, \hat P_2, \hat Q_2,
+            \sqrt\sigma, vu_1+n`.
+        conjugate_quotients: two forms by :math:`a_1, b_1, a_2, b_2, \rho, vu_1+n`, for
+            :math:`\sigma=-\rho^2`.
         phase_point: the state by the radicals, :math:`\hat E`, the parts, :math:`s, \tau_3, r`
             and :math:`vu_1-n`; homogeneous of degree zero in n, v.
     """
@@ -109,6 +114,9 @@ class HyperellipticForm:
     constants: Values
     variables: Values
     integrals: Values
-    squares: Values
+    products: Values
+    resolvents: Values
     parts: Values
+    quotients: Values
+    conjugate_quotients: Values
     phase_point: Values

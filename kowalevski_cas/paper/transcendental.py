@@ -13,8 +13,9 @@ holds for the functions, and so does it that an equation fails, for no equation 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from functools import cached_property
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from functools import cached_property, partial
 from math import lcm
 from typing import NamedTuple
 
@@ -22,8 +23,10 @@ from kowalevski_cas.notation import (
     Application,
     Formula,
     Name,
+    Negative,
     Number,
     Power,
+    Sum,
     substitute,
     times,
     to_latex,
@@ -38,27 +41,35 @@ from kowalevski_cas.paper.arguments import (
     is_arithmetic,
     multiple,
     names_in,
+    product_of,
     single_name,
 )
 from kowalevski_cas.paper.families import (
     Generators,
     Imaginary,
     Kind,
+    PrintedValue,
     applications,
+    complementary,
     kind_of,
     real_part,
     template,
 )
+from kowalevski_cas.paper.known_values import KnownValues
+from kowalevski_cas.paper.phases import Phases
 from kowalevski_cas.problem.space import Adjoined, Meaningless
 
 PI = r"\pi"
 
 
 class Derived(NamedTuple):
-    """A generator by others: ``by`` says at what sum, as :func:`addition.theorem` takes it."""
+    """A generator by others: ``by`` says at what sum, as :func:`addition.theorem` takes it.
+
+    A family alone says that it is at i times an argument.
+    """
 
     formula: Formula
-    by: tuple[Family, bool, bool]
+    by: tuple[Family, bool, bool] | tuple[Family]
 
 
 class Transcendental:
@@ -78,24 +89,28 @@ class Transcendental:
         expanded: Callable[[Formula], Formula],
         printed: Iterable[tuple[Application, Formula]] = (),
     ) -> None:
-        self.printed = dict(printed)
         self.free, self.time, self.expanded = frozenset(free), time, expanded
+        self.phases: dict[Kind, Phases] = {}
+        self.known = KnownValues(printed, self._argument)
         self.variables, self.constants = (*variables, *([time] if time else [])), tuple(constants)
-        known = {*self.variables, *constants}
+        read = [one for one in self._applications(formulas) if self._is_read(one)]
+        arguments: dict[Kind, dict[Formula, Combination]] = {}
+        for one in read:
+            whole = self.expanded(one.arguments[0])
+            printed_as = whole if isinstance(one.arguments[0], Name) else one.arguments[0]
+            arguments.setdefault(kind_of(one), {})[printed_as] = combination(whole)
+        self.phases = {
+            kind: Phases(of, partial(self._is_phase, kind)) for kind, of in arguments.items()
+        }
+        self._rotated: dict[Formula, None] = {}
         found: dict[tuple[Kind, Monomial], int] = {}
         integrals = set[tuple[Kind, Monomial]]()
-        for application in self._applications(formulas):
-            kind, argument = kind_of(application), self._argument(application)
-            if not known.issuperset(n for monomial in argument for n in names_in(monomial)):
-                continue
-            if not all(is_arithmetic(formula) for monomial in argument for formula, _ in monomial):
-                continue
-            below = (name for one in kind.parameters for name in expanded(one).names())
-            if not {*constants}.issuperset(below):
-                continue  # what moves is no modulus: by it these functions are not derived
-            for monomial, factor in argument.items():
-                if monomial:
+        for application in read:
+            kind = kind_of(application)
+            for monomial, factor in self._argument(application).items():
+                if monomial and (kind, monomial) not in self.known:
                     own, real, over = self._real(kind, monomial) or (kind, monomial, 1)
+                    self._rotated |= dict.fromkeys(own.parameters if real != monomial else ())
                     over *= factor.denominator
                     found[own, real] = lcm(found.get((own, real), 1), over)
                     if MEANING[application.function] in kind.family.integrals:
@@ -103,9 +118,41 @@ class Transcendental:
         self.groups = tuple(Generators(*key, n, key in integrals) for key, n in found.items())
         self.derived: dict[str, Derived] = {}
 
+    def _is_read(self, application: Application) -> bool:
+        """Whether a function stands at names that are known, with a modulus that is constant."""
+        argument = combination(self.expanded(application.arguments[0]))
+        below = {n for one in kind_of(application).parameters for n in self.expanded(one).names()}
+        return (
+            all(map(is_arithmetic, (formula for monomial in argument for formula, _ in monomial)))
+            and {*self.variables, *self.constants}.issuperset(
+                name for monomial in argument for name in names_in(monomial)
+            )
+            and below.issubset(self.constants)  # by what moves these functions are not derived
+        )
+
+    def _is_phase(self, kind: Kind, terms: frozenset[Monomial]) -> bool:
+        """Whether one of some terms moves, and it is no angle; at the others nothing is known."""
+        if () in terms or any((kind, one) in self.known for one in terms):
+            return False
+        names = {name for one in terms for name in names_in(one)}
+        if not names.isdisjoint({PI, "i"} & {*self.constants}):
+            return False
+        moving = [one for one in terms if not {*self.constants}.issuperset(names_in(one))]
+        return len(moving) == 1 and not (kind.family.covers and single_name(moving[0]))
+
+    @property
+    def equations(self) -> Iterator[tuple[Formula, Formula]]:
+        """What values that are printed have to obey, and complementary moduli."""
+        yield from self.known.equations(self._at)
+        for modulus in self._rotated:
+            square = Power(complementary(modulus), Number(2))
+            yield square, Sum((Number(1), Negative(Power(modulus, Number(2)))))
+
     def _real(self, kind: Kind, monomial: Monomial) -> tuple[Kind, Monomial, int] | None:
-        """What an imaginary argument is i times; ``None`` where i is no unit."""
-        return real_part(kind, monomial) if "i" in self.constants else None
+        """What an imaginary argument is i times; ``None`` where i, or k', is not printed."""
+        found = real_part(kind, monomial) if "i" in self.constants else None
+        below = {name for one in (found[0].parameters if found else ()) for name in one.names()}
+        return found if below.issubset(self.constants) else None
 
     def _applications(self, formulas: Iterable[Formula]) -> Iterator[Application]:
         """The functions in formulas; in the place of degenerate ones those that they are."""
@@ -129,14 +176,15 @@ class Transcendental:
 
     def _argument(self, application: Application) -> Combination:
         """The argument of a function, in which no name is a defined one."""
-        return combination(self.expanded(application.arguments[0]))
+        argument, kind = combination(self.expanded(application.arguments[0])), kind_of(application)
+        return self.phases[kind](argument) if kind in self.phases else argument
 
     @cached_property
     def names_replaced(self) -> frozenset[str]:
         """The names in whose place generators stand."""
         alone = {single_name(group.monomial) for group in self.groups}
         used = {
-            n for g in self.groups if single_name(g.monomial) is None for n in g.argument.names()
+            n for g in self.groups if single_name(g.monomial) is None for n in self.names_under(g)
         }
         return frozenset(name for name in alone - used - self.free if name)
 
@@ -149,8 +197,8 @@ class Transcendental:
             beside = sum(single_name(other.monomial) == name for other in self.groups)
             if name not in self.names_replaced or beside > 1 or not group.kind.family.covers:
                 below = (n for one in group.kind.parameters for n in one.names())
-                found.update(group.names.values(), group.argument.names(), below)
-        return frozenset(found)
+                found.update(group.names.values(), self.names_under(group), below)
+        return frozenset(found.union(self.known.names()))
 
     def __contains__(self, name: str) -> bool:
         return name in self.names_replaced
@@ -164,7 +212,7 @@ class Transcendental:
     @property
     def depends_on_time(self) -> bool:
         """Whether the time stands in a formula."""
-        used = any(self.time in group.argument.names() for group in self.groups)
+        used = any(self.time in self.names_under(group) for group in self.groups)
         return bool(self.time) and (used or self.time in self.free)
 
     def products(self, moving: bool) -> Iterator[str]:
@@ -175,7 +223,11 @@ class Transcendental:
 
     def moves(self, group: Generators) -> bool:
         """Whether an argument has a name that is no constant."""
-        return not {*self.constants}.issuperset(group.argument.names())
+        return not {*self.constants}.issuperset(self.names_under(group))
+
+    def names_under(self, group: Generators) -> frozenset[str]:
+        """The names of which an argument is made."""
+        return frozenset(self.expanded(group.argument).names())
 
     @cached_property
     def roots(self) -> dict[str, Adjoined]:
@@ -204,7 +256,7 @@ class Transcendental:
 
     def knows(self, formulas: Iterable[Formula], free: Iterable[str]) -> bool:
         """Whether formulas with such names outside of functions bring in nothing new."""
-        beside = {self.time, *(n for group in self.groups for n in group.argument.names())}
+        beside = {self.time, *(n for group in self.groups for n in self.names_under(group))}
         if not self.free.issuperset(beside & {*free}):
             return False
         known = {(g.kind, g.monomial): g.over for g in self.groups}
@@ -212,6 +264,8 @@ class Transcendental:
         for application in self._applications(formulas):
             kind = kind_of(application)
             for monomial, factor in self._argument(application).items():
+                if (kind, monomial) in self.known:
+                    continue
                 own, real, over = self._real(kind, monomial) or (kind, monomial, 1)
                 if monomial and (own, real) not in known:
                     return False
@@ -234,19 +288,26 @@ class Transcendental:
         if (other := self._degenerate(formula)) is not None:
             return other
         kind = kind_of(formula)
-        multiples: list[tuple[Generators | Imaginary, int]] = []
-        for monomial, factor in self._argument(formula).items():
-            group = self._group(kind, monomial)
-            if group is None or (factor * group.over).denominator > 1:
-                raise Meaningless(
-                    f"{to_latex(formula)} is not known here: its argument has to be made of "
-                    "variables and constants of the scene, with whole coefficients or fractions"
-                )
-            multiples.append((group, int(factor * group.over)))
+        argument = self._argument(formula).items()
+        multiples = [self._multiple(kind, *term, formula) for term in argument]
         tex, values = MEANING[formula.function], self._at(kind, multiples)
         if not template(tex).names() <= {*values, *kind.family.parameters}:
             raise Meaningless(f"of {to_latex(formula)} no addition theorem is known")
         return kind.formula(tex, values)
+
+    def _multiple(
+        self, kind: Kind, monomial: Monomial, factor: Fraction, formula: Application
+    ) -> tuple[Generators | Imaginary | PrintedValue, int]:
+        """Generators at a part of a term in an argument, and how often it is taken."""
+        if (kind, monomial) in self.known:
+            return self.known.multiple((kind, monomial), factor)
+        group = self._group(kind, monomial)
+        if group is None or (factor * group.over).denominator > 1:
+            raise Meaningless(
+                f"{to_latex(formula)} is not known here: its argument has to be made of "
+                "variables and constants of the scene, with whole coefficients or fractions"
+            )
+        return group, int(factor * group.over)
 
     def _group(self, kind: Kind, monomial: Monomial) -> Generators | Imaginary | None:
         """The generators of a family at a product of names."""
@@ -256,41 +317,25 @@ class Transcendental:
             return found
         return Imaginary(kind, found, found.over // over)
 
-    def _values(self, group: Generators | Imaginary) -> dict[str, Formula]:
-        """The generators at an argument; some are known at a part of π, or where it is printed."""
+    def _values(self, group: Generators | Imaginary | PrintedValue) -> dict[str, Formula]:
+        """The generators at an argument; those at a part of π are known."""
+        if isinstance(group, Imaginary):
+            return self._derive(group.kind, group.argument, group.values, (group.kind.family,))
+        if not isinstance(group, Generators):
+            return group.values
         angles = group.kind.family.angles
-        if isinstance(group, Generators) and (values := self._printed(group)):
-            if group.over > 1 or values.keys() != group.kind.family.rates.keys():
-                raise Meaningless(f"print all values at {to_latex(group.argument)}")
-            return values
-        if isinstance(group, Imaginary) or not angles or not self._is_pi(group):
+        if not angles or not self._is_pi(group):
             return group.values
         if group.over not in angles:
             raise Meaningless(f"the values at {to_latex(group.argument)} are not known", PI)
         return {letter: template(tex) for letter, tex in angles[group.over].items()}
-
-    def _printed(self, group: Generators) -> dict[str, Formula]:
-        """The values of generators that the scene prints at a constant."""
-        return {
-            MEANING[one.function]: value
-            for one, value in self.printed.items()
-            if kind_of(one) == group.kind and self._argument(one).keys() == {group.monomial}
-        }
-
-    @property
-    def known_squares(self) -> Iterator[tuple[Formula, Formula]]:
-        """The squares of printed values, and what they have to be."""
-        for group in self.groups:
-            values = self._printed(group)
-            for letter, tex in group.kind.family.squares.items() if values else ():
-                yield Power(values[letter], Number(2)), group.kind.formula(tex, values)
 
     def _is_pi(self, group: Generators) -> bool:
         """Whether an argument is a part of π, which moves nowhere."""
         return single_name(group.monomial) == PI and PI in self.constants
 
     def _at(
-        self, kind: Kind, multiples: list[tuple[Generators | Imaginary, int]]
+        self, kind: Kind, multiples: Sequence[tuple[Generators | Imaginary | PrintedValue, int]]
     ) -> dict[str, Formula]:
         """The generators of a family at a sum of multiples of arguments."""
         if not multiples and kind.family.zero:
@@ -300,16 +345,25 @@ class Transcendental:
             return self._values(group)
         if not kind.family.sum:
             raise Meaningless(f"no addition theorem is known at {to_latex(group.argument)}")
-        names = kind.names(total(multiple(group.argument, n) for group, n in multiples))
-        if not {*names.values()} <= self.derived.keys():
-            added, rest = count > 0, count - 1 if count > 0 else count + 1
-            alone = not before and not rest
-            right = self._values(group) if added else kind.opposite(self._values(group))
-            if not alone:
-                left = self._at(kind, [*before, (group, rest)] if rest else before)
-                right = kind.sum(left, right)
-            by = (kind.family, added, alone)
-            self.derived |= {names[g]: Derived(right[g], by) for g in names}
+        argument = total(multiple(group.argument, n) for group, n in multiples)
+        added, rest = count > 0, count - 1 if count > 0 else count + 1
+        alone = not before and not rest
+        right = self._values(group) if added else kind.opposite(self._values(group))
+        if not alone:
+            left = self._at(kind, [*before, (group, rest)] if rest else before)
+            right = kind.sum(left, right)
+        return self._derive(kind, argument, right, (kind.family, added, alone))
+
+    def _derive(
+        self,
+        kind: Kind,
+        argument: Formula,
+        values: Mapping[str, Formula],
+        by: tuple[Family, bool, bool] | tuple[Family],
+    ) -> dict[str, Formula]:
+        """The generators at an argument, by names that stand for their values."""
+        names = kind.names(argument)
+        self.derived |= {name: Derived(values[letter], by) for letter, name in names.items()}
         return {letter: Name(name) for letter, name in names.items()}
 
     # -- derivatives -------------------------------------------------------------
@@ -318,7 +372,16 @@ class Transcendental:
         """The derivatives by a name of all generators that have it in their arguments."""
         found: dict[str, Formula] = {}
         for group in self.groups:
-            if name in group.argument.names():
-                by = by_name(group.monomial, name)
+            if name in self.names_under(group):
+                terms = combination(self.expanded(product_of(group.monomial))).items()
+                by = total(
+                    _times(factor, by_name(one, name))
+                    for one, factor in terms
+                    if name in names_in(one)
+                )
                 found |= {one: times(by, rate) for one, rate in group.rates().items()}
         return found
+
+
+def _times(factor: Fraction, formula: Formula) -> Formula:
+    return multiple(product_of(((formula, 1),), factor.denominator), factor.numerator)

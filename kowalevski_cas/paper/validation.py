@@ -89,8 +89,8 @@ def _roots(setting: Meaning) -> None:
 
 def _values(setting: Meaning) -> None:
     """Values of functions that are printed obey the relations of these functions."""
-    for square, other in setting.transcendental.known_squares:
-        if not _same(setting, setting.finder.scalar(setting.plain(square)), setting.plain(other)):
+    for left, right in setting.transcendental.equations:
+        if not _same(setting, setting.finder.scalar(setting.plain(left)), setting.plain(right)):
             what = "values of functions are printed that contradict each other"
             raise _refuse(setting, what, "mend the values")
 

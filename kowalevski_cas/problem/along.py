@@ -88,7 +88,7 @@ class InitialValueProblem:
         found = {
             ring.polynomials.generators[place]
             for part in (*element.parts.values(), *below)
-            for place in ring.polynomials.occurring(part)
+            for place in ring.polynomials.occurring_places(part)
         }
         bits = {
             bit for mask in element.parts for bit in range(mask.bit_length()) if mask >> bit & 1
@@ -98,7 +98,9 @@ class InitialValueProblem:
     def below(self, element: Element) -> set[str]:
         """The names in what an element is divided by."""
         ring = element.ring
-        occurring = (ring.polynomials.occurring(ring.divisors[k]) for k in element.denominator)
+        occurring = (
+            ring.polynomials.occurring_places(ring.divisors[k]) for k in element.denominator
+        )
         return {ring.polynomials.generators[place] for places in occurring for place in places}
 
 

@@ -68,7 +68,7 @@ def check_free(goal: Count, at: Evaluation, elements: Sequence[Element]) -> None
     counted = {polynomials.generators.index(name) for name in goal.names}
     granted = _inverses(at.granted)
     for divisor in at.ring.divisors_of([*elements, *granted]):
-        if not counted.isdisjoint(polynomials.occurring(divisor.parts[0])):
+        if not counted.isdisjoint(polynomials.occurring_places(divisor.parts[0])):
             raise Misplaced("a condition is about what is counted")
 
 

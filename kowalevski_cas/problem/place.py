@@ -78,7 +78,7 @@ class PointEvaluation:
         if not self._unknown:
             return True
         divisors = (ring.divisors[index] for index in element.denominator)
-        occurring = map(ring.polynomials.occurring, (*element.parts.values(), *divisors))
+        occurring = map(ring.polynomials.occurring_places, (*element.parts.values(), *divisors))
         return all(map(self._unknown.isdisjoint, occurring))
 
     def vanish(self, elements: Sequence[Element]) -> bool:

@@ -49,7 +49,7 @@ class PolynomialField:
         ring = self.at.ring
         moving = {ring.polynomials.generators.index(name) for name in self.names[: self.size]}
         for index in element.denominator:
-            if not moving.isdisjoint(ring.polynomials.occurring(ring.divisors[index])):
+            if not moving.isdisjoint(ring.polynomials.occurring_places(ring.divisors[index])):
                 raise Meaningless("a variable stands below the line")
         return self._times(element, element.denominator)
 

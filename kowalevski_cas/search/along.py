@@ -13,7 +13,9 @@ from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.search.place import Candidate, Good, PointFinder
 
 
-def beginning(goal: Along, finder: PointFinder, good: Good = lambda there: True) -> Point | None:
+def initial_point(
+    goal: Along, finder: PointFinder, good: Good = lambda there: True
+) -> Point | None:
     """A real point where the motion begins, all that is stated is defined, and all is good."""
     at = finder.of(goal.space)
     solved = InitialValueProblem(goal, at)
@@ -25,7 +27,7 @@ def equal(goal: Along, finder: PointFinder) -> At | None:
     """The beginning of the motion, if the two sides are equal."""
     with suppress(Misplaced):
         check_equal(InitialValueProblem(goal, finder.of(goal.space)))
-        point = beginning(goal, finder)
+        point = initial_point(goal, finder)
         return None if point is None else At(point)
     return None
 
@@ -42,7 +44,7 @@ def departure(goal: Along, finder: PointFinder) -> Departure | None:
             def part(there: Candidate, differences: list[Element] = differences) -> bool:
                 return not there.vanish(differences)
 
-            if (point := beginning(goal, finder, part)) is not None:
+            if (point := initial_point(goal, finder, part)) is not None:
                 return Departure(point, order)
             differences = [*map(at.derivative, differences)]
     return None

@@ -133,7 +133,7 @@ def _split_cases(
     if choice is not None and not (several and choice[2]):
         equation, place, unknown = choice
         left = [group for group in groups if group != (equation,)]
-        yield from _eliminated(equation, place, unknown, left, places, nonzero, solved)
+        yield from _eliminate(equation, place, unknown, left, places, nonzero, solved)
     elif several:
         first = min(several, key=lambda group: (sum(one.size for one in group), len(group)))
         left = [group for group in groups if group is not first]
@@ -194,7 +194,7 @@ def _linear(single: Sequence[_Factor], places: Sequence[int], nonzero: _Group) -
     return best
 
 
-def _eliminated(
+def _eliminate(
     equation: _Factor,
     place: int,
     unknown: _Group,

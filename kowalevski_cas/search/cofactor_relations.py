@@ -64,9 +64,9 @@ def exponential_factors(
             moved = (at.derivative(g) - cofactor * g for g in powers)
             columns = [_coefficients(field, one) for one in (*(below * x for x in light), *moved)]
             for vector in _nullspace(columns, field):
-                rate = -_combined(vector, light)
+                rate = -_combine(vector, light)
                 if span.relation(_coefficients(field, rate)) is None:
-                    above = _combined(vector[len(light) :], powers)
+                    above = _combine(vector[len(light) :], powers)
                     yield Exponential(above / below, rate, total == 0)
 
 
@@ -85,7 +85,7 @@ def relations(
         if multiplier and divergence.is_zero:
             continue
         if multiplier or not all(one.is_zero for one in exponents):  # no sum of G/P alone
-            exponential = _combined(vector[len(known) :], [e.exponent for e in exponentials])
+            exponential = _combine(vector[len(known) :], [e.exponent for e in exponentials])
             yield CofactorRelation(tuple(exponents), exponential, multiplier)
 
 
@@ -96,7 +96,7 @@ def _monomials(field: PolynomialField, degree: int) -> Iterator[Element]:
             yield field.element({(*e, *others): Fraction(1)})
 
 
-def _combined(vector: Sequence[Element], parts: Sequence[Element]) -> Element:
+def _combine(vector: Sequence[Element], parts: Sequence[Element]) -> Element:
     """The combination of as many parts as there are."""
     zero = vector[0].ring.zero
     return sum((a * b for a, b in zip(vector, parts, strict=False)), zero)

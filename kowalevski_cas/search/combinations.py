@@ -46,17 +46,17 @@ class Combinations:
         self.ring = ring = targets[0].ring
         self.flat = flat = Flat(ring)
         self.context = fmpq_mpoly_ctx.get(flat.context.names(), Ordering.deglex)
-        known = [*map(self._graded, generators)]
-        divisors = [*map(self._graded, (*units, *conditions))]
+        known = [*map(self._grade, generators)]
+        divisors = [*map(self._grade, (*units, *conditions))]
         units_at = {
             k for unit in divisors[: len(units)] if len(unit) == 1 for k in _variables(unit)
         }
         for place, radicand in zip(reversed(range(flat.roots)), ring.radicands, strict=True):
-            if len(shown := self._graded(radicand)) == 1 and units_at.issuperset(_variables(shown)):
+            if len(shown := self._grade(radicand)) == 1 and units_at.issuperset(_variables(shown)):
                 units_at.add(place)
         self.kept = [k for k, polynomial in enumerate(known) if not polynomial.is_zero()]
         self.contents = [_content(known[k], units_at) for k in self.kept]
-        polynomials = (*known, *divisors, *map(self._graded, targets))
+        polynomials = (*known, *divisors, *map(self._grade, targets))
         used = {k for polynomial in polynomials for k in _variables(polynomial)}
         relations = [
             _in(self.context, relation)
@@ -70,9 +70,9 @@ class Combinations:
         """The rows for powers of targets, or ``None`` if one is not found."""
         return complete(self.row(target**power) for target in targets)
 
-    def reduced(self) -> list[Element]:
+    def reduced_basis(self) -> list[Element]:
         """The elements of the reduced basis."""
-        found = [] if self.basis is None else self.basis.interreduced()
+        found = [] if self.basis is None else self.basis.interreduce()
         return [self.flat.element(_in(self.flat.context, one)) for one in found]
 
     def row(self, target: Element) -> list[Element] | None:
@@ -81,7 +81,7 @@ class Combinations:
             return None
         flat, one = self.flat, self.ring.one
         for factors in _multiples(self.units, self.conditions):
-            row = self.basis.cofactors(self._graded(prod((target, *factors), start=one)))
+            row = self.basis.cofactors(self._grade(prod((target, *factors), start=one)))
             if row is not None:
                 over = (factor.inverse() for factor in factors)
                 return self._entries(row, prod(over, start=flat.inverse_denominator(target)))
@@ -93,7 +93,7 @@ class Combinations:
         It is no combination of the generators, for that would vanish wherever these do; so a number
         has no such row.
         """
-        own, flat = self._graded(target), self.flat
+        own, flat = self._grade(target), self.flat
         if self.basis is None or own.is_constant():
             return None
         basis, one = self.basis.minimal_elements, self.context.constant(1)
@@ -122,7 +122,7 @@ class Combinations:
             entries[place] = entry * below * over.inverse()
         return entries
 
-    def _graded(self, element: Element) -> fmpq_mpoly:
+    def _grade(self, element: Element) -> fmpq_mpoly:
         """A numerator, with the roots as variables."""
         return _in(self.context, self.flat.polynomial(element))
 

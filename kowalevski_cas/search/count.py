@@ -72,7 +72,7 @@ class Builder:
     def roots(self) -> Roots | None:
         """The evidence; ``None`` if not all minors are sums of squares, or a step fails."""
         chosen = compress(self.system.unknowns, self.found.form)
-        solved = self._solved()
+        solved = self._solutions()
         if solved is None:
             return None
         draft = Roots(
@@ -99,7 +99,7 @@ class Builder:
             rows=rows, quotients=quotients, factors=factors, minors=minors, point=point
         )
 
-    def _solved(self) -> list[tuple[str, Formula, Formula]] | None:
+    def _solutions(self) -> list[tuple[str, Formula, Formula]] | None:
         """Each variable by numerator and denominator, if it is zero or plus or minus an unknown."""
         found = {
             name: (self.formula(above), self.formula(below))
@@ -110,10 +110,10 @@ class Builder:
         if any(self.at.scalar(below).is_zero for _, below in found.values()):
             return None
         for place, expression in self.system.solved:
-            found[self.at.names[place]] = self._expressed(expression, found)
+            found[self.at.names[place]] = self._express(expression, found)
         return [(name, *found[name]) for name in self.goal.names]
 
-    def _expressed(
+    def _express(
         self, expression: fmpq_mpoly, found: Mapping[str, tuple[Formula, Formula]]
     ) -> tuple[Formula, Formula]:
         """A polynomial in the unknowns and the constants, over one in the constants."""
@@ -213,7 +213,7 @@ class Builder:
         if row is None:
             return None
         bases = [self.at.scalar(base) for _, base in pairs]
-        return Factor(written, pairs, tuple(map(formula_in, row)), self._granted(bases))
+        return Factor(written, pairs, tuple(map(formula_in, row)), self._granted_zero(bases))
 
     def _in_variables(self, factor: Formula) -> Element | None:
         """A factor in which constants are replaced by what the equations set equal to them."""
@@ -221,21 +221,21 @@ class Builder:
         order = sorted(range(len(names)), key=lambda k: names[k] not in still)
         context = fmpq_mpoly_ctx.get([f"x{k}" for k in order], Ordering.lex)
 
-        def carried(element: Element) -> fmpq_mpoly:
+        def carry(element: Element) -> fmpq_mpoly:
             terms = element.terms().get(0, {})
             return polynomial_of(context, {tuple(e[k] for k in order): v for e, v in terms.items()})
 
         known = [
-            one for one in map(carried, self.known) if one and any(one.monomial(0)[: len(still)])
+            one for one in map(carry, self.known) if one and any(one.monomial(0)[: len(still)])
         ]
-        rest = remainder(carried(self.at.scalar(factor)), known)
+        rest = remainder(carry(self.at.scalar(factor)), known)
         if any(rest.degrees()[: len(still)]):
             return None
         places = [order.index(k) for k in range(len(names))]
         back = {tuple(e[k] for k in places): value for e, value in terms_of(rest).items()}
         return self.at.ring.from_terms({0: back})
 
-    def _granted(self, bases: Sequence[Element]) -> tuple[int, tuple[Formula, ...]] | None:
+    def _granted_zero(self, bases: Sequence[Element]) -> tuple[int, tuple[Formula, ...]] | None:
         """Something granted that would vanish where all bases do."""
         for place, formula in enumerate(self.at.setting.nonzero):
             target = self.at.scalar(formula)

@@ -148,7 +148,9 @@ class _DarbouxSearch:
                 span.extend(left)
             for k in range(first, len(own)):
                 if _degree(left) + _degree(own[k][0]) <= degree:
-                    waiting.append((product_of(left, own[k][0]), _added(total, own[k][1]), k))
+                    waiting.append(
+                        (product_of(left, own[k][0]), _sum_of_terms(total, own[k][1]), k)
+                    )
         return span.extend(target)
 
     def _values(self, one: Darboux) -> list[int]:
@@ -320,6 +322,6 @@ def _degree(terms: Residues) -> int:
     return max((sum(unpacked(monomial)) for monomial in terms), default=0)
 
 
-def _added(left: Residues, right: Residues) -> Residues:
+def _sum_of_terms(left: Residues, right: Residues) -> Residues:
     total = {m: (left.get(m, 0) + right.get(m, 0)) % PRIME for m in left.keys() | right.keys()}
     return {monomial: value for monomial, value in total.items() if value}

@@ -15,7 +15,7 @@ from flint import Ordering, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.elimination import TooLarge
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of
-from kowalevski_cas.algebra.ideals import reduced_groebner_basis
+from kowalevski_cas.algebra.ideals import reduce_groebner_basis
 from kowalevski_cas.algebra.polynomials import Terms, primitive
 from kowalevski_cas.search.combinations import complete
 
@@ -58,7 +58,7 @@ def _elimination_formulas(
     )
     given = [side - value for side, value in zip(sides, context.gens()[size:], strict=True)]
     try:
-        basis = reduced_groebner_basis(given)
+        basis = reduce_groebner_basis(given)
     except TooLarge:
         return None
     own = [

@@ -17,7 +17,7 @@ from operator import mul
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_flint, to_fraction
-from kowalevski_cas.algebra.ideals import reduced_groebner_basis
+from kowalevski_cas.algebra.ideals import reduce_groebner_basis
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -78,7 +78,9 @@ class LeadingPart:
             generators[: self.size],
             generators[field.names.index(letter)],
         )
-        self.weights = leading_weights([[e[: self.size] for e in rate] for rate in field.rates])
+        self.weights = weights_of_leading_terms(
+            [[e[: self.size] for e in rate] for rate in field.rates]
+        )
         self.multiple = self._polynomial(field.polynomial(field.multiple))
         if any(map(self.multiple.derivative, self.places)):
             raise Meaningless("quotients by variables stand in the motion")
@@ -152,7 +154,7 @@ class LeadingPart:
     def _basis(self, found: Branch) -> list[fmpq_mpoly]:
         """A Gröbner basis of what vanishes at the scale 1 where the rest does, and nothing else."""
         unit = prod(map(self._monic, found.nonzero), start=self.scale) - 1
-        basis = reduced_groebner_basis([*map(self._monic, found.rest), unit])
+        basis = reduce_groebner_basis([*map(self._monic, found.rest), unit])
         return [one for one in basis if not one.degrees()[0]]
 
     def _balance(self, sides: Sequence[fmpq_mpoly], equations: Branch) -> Balance:
@@ -187,7 +189,7 @@ class LeadingPart:
         return tuple(sorted(exponents)), tuple(others)
 
 
-def leading_weights(rates: Sequence[Sequence[tuple[int, ...]]]) -> tuple[Fraction, ...]:
+def weights_of_leading_terms(rates: Sequence[Sequence[tuple[int, ...]]]) -> tuple[Fraction, ...]:
     """The positive weights under which most terms lead, and none is heavier than these.
 
     Whole weights are rather taken than halves. A term leads if it is heavier by 1 than the variable

@@ -64,7 +64,7 @@ class Basis:
         """The elements whose leading monomials no later one divides."""
         return [self.elements[k] for k in self._kept]
 
-    def interreduced(self) -> list[fmpq_mpoly]:
+    def interreduce(self) -> list[fmpq_mpoly]:
         """A basis in which no monomial is divisible by the leading one of another element."""
         found = self.minimal_elements
         for k, own in enumerate(found):

@@ -114,7 +114,7 @@ class _IntegralSearch:
         if not self.others:
             rates, factor = self.field.rates, self.field.factor
             found = sorted(chain.from_iterable(self.solutions.values()), key=_size)
-            yield (terms for one in found if (terms := _lifted(one, rates, factor)))
+            yield (terms for one in found if (terms := _lift(one, rates, factor)))
             return
         for degree in range(CONSTANTS + 1):
             if size * (degree + 1) <= LARGEST:
@@ -134,15 +134,15 @@ class _IntegralSearch:
     def _span(self, weight: int) -> Echelon:
         """The polynomials in known integrals, up to a weight and but for constants."""
         of_integrals = self.factors is self.known
-        integrals = [self._weighted(f) for f in self.factors]
-        left = [(0, {0: 1})] if of_integrals else [self._weighted(f) for f in self.known]
+        integrals = [self._weigh(f) for f in self.factors]
+        left = [(0, {0: 1})] if of_integrals else [self._weigh(f) for f in self.known]
         found = chain.from_iterable(products(f, integrals, weight) for f in left)
         span = Echelon()
         for product in islice(found, of_integrals, None):
             span.extend(product)
         return span
 
-    def _weighted(self, terms: Terms) -> Weighted:
+    def _weigh(self, terms: Terms) -> Weighted:
         return weight_of(terms, self.weights), self.residues.residues(terms)
 
 
@@ -159,10 +159,10 @@ def _combinations(field: ResidueField, group: Sequence[Exponents]) -> list[Combi
 def _solutions(rates: Sequence[Terms], factor: Terms, group: Sequence[Exponents]) -> list[Terms]:
     """Those over the rational numbers, of monomials in the variables and the constants."""
     found = _combinations(ResidueField(rates, factor), group)
-    return [terms for one in found if (terms := _lifted(one, rates, factor))]
+    return [terms for one in found if (terms := _lift(one, rates, factor))]
 
 
-def _lifted(found: Combination, rates: Sequence[Terms], factor: Terms) -> Terms | None:
+def _lift(found: Combination, rates: Sequence[Terms], factor: Terms) -> Terms | None:
     """The polynomial with small coefficients, if the motion multiplies it by the factor."""
     terms, total = lift(found), defaultdict[Exponents, Fraction](Fraction)
     for exponents, value in terms.items():

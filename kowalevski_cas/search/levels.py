@@ -80,7 +80,7 @@ class LevelEquations:
     def makes_sense(self, found: Mapping[str, Fraction]) -> bool:
         """Whether what is granted of names that have values is not zero."""
         for element in self.at.granted:
-            occurring = map(element.ring.polynomials.occurring, element.parts.values())
+            occurring = map(element.ring.polynomials.occurring_places, element.parts.values())
             names = {self.at.names[place] for places in occurring for place in places}
             if element.parts.keys() == {0} and names <= found.keys():
                 if not self.value(element, found):

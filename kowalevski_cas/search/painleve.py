@@ -18,7 +18,7 @@ from operator import mul
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from kowalevski_cas.algebra.flint import coefficients, to_flint
-from kowalevski_cas.algebra.ideals import reduced_groebner_basis, remainder
+from kowalevski_cas.algebra.ideals import reduce_groebner_basis, remainder
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.branches import Branch, branches, without
 from kowalevski_cas.search.exponents import Balance, LeadingPart, determinant
@@ -88,9 +88,9 @@ class _Series:
         self.context = fmpq_mpoly_ctx.get(names, Ordering.lex)
         self.zero, gens = self.context.constant(0), self.context.gens()
         self.letters = [*gens[-self.size :]]
-        solved = [(place, self._lifted(one)) for place, one in balance.equations.solved]
-        self.rest = tuple(map(self._lifted, balance.equations.rest))
-        multiple = self._lifted(part.multiple)
+        solved = [(place, self._lift(one)) for place, one in balance.equations.solved]
+        self.rest = tuple(map(self._lift, balance.equations.rest))
+        multiple = self._lift(part.multiple)
         slopes = [multiple, *(one.derivative(place) for place, one in solved)]
         self.below = prod({str(one): one for one in slopes}.values(), start=self.zero + 1)
         self.inverse = gens[0] * (self.below / multiple)
@@ -102,9 +102,7 @@ class _Series:
                 (values[place] * slope - one) * gens[0] * (self.below / slope)
             )
         self.coefficients = [[values[place] for place in self.places]]
-        sides = list(
-            zip(map(self._lifted, part.leading), map(self._lifted, part.lower), strict=True)
-        )
+        sides = list(zip(map(self._lift, part.leading), map(self._lift, part.lower), strict=True))
         self.matrix = [
             [
                 self._short(self.inverse * leading.derivative(j).compose(*values, ctx=self.context))
@@ -115,7 +113,7 @@ class _Series:
         ]
         self.terms = [[*self._terms(leading + lower)] for leading, lower in sides]
 
-    def _lifted(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
+    def _lift(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
         more = (0,) * self.size
         return self.context.from_dict({(*e, *more): v for e, v in polynomial.to_dict().items()})
 
@@ -137,7 +135,7 @@ class _Series:
 
     def _nowhere(self, polynomial: fmpq_mpoly) -> bool:
         """Whether a polynomial vanishes at no point of the balance."""
-        basis = reduced_groebner_basis([*self.rest, polynomial])
+        basis = reduce_groebner_basis([*self.rest, polynomial])
         return not all(any(one.degrees()[: self.size + 1]) for one in basis)
 
     def extend(self, order: int) -> Vector | None:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import chain, count, islice, product
 
-from flint import fmpq, fmpq_mat, fmpq_mpoly
+from flint import fmpq, fmpq_mpoly
 
 from kowalevski_cas.algebra.flint import to_flint, to_fraction
 
@@ -45,9 +45,7 @@ def points(
     gone = {v for v, _ in eliminated}
     for values in _completions(rest, [v for v in variables if v not in gone]):
         if not any(constant(a, values) == 0 for a in avoided):
-            for variable, expression in reversed(eliminated):
-                values[variable] = constant(expression, values)
-            yield values
+            yield _with_eliminated(values, eliminated)
 
 
 def _completions(constraints: list[fmpq_mpoly], variables: Sequence[int]) -> Iterator[Assignment]:
@@ -153,15 +151,29 @@ def _complete(
     constraints: list[fmpq_mpoly], unknowns: int, values: Assignment
 ) -> Iterator[Assignment]:
     """The values with those of the unknown variables, which are solved for one after another."""
-    left = _entering(values, constraints)
+    left = _conditions_on_rest(values, constraints)
     if not unknowns:
         yield from [] if left else [values]
         return
     single = next((c for c in left if sum(1 for d in c.degrees() if d) == 1), None)
-    linear = [c for c in left if c.total_degree() == 1]
-    for found in [_solve_linear(linear)] if single is None else _solve_one(single):
-        if found:
-            yield from _complete(left, unknowns - len(found), {**values, **found})
+    if single is not None:
+        for found in _solve_one(single):
+            yield from _complete(left, unknowns - 1, {**values, **found})
+        return
+    occurring = sorted({k for c in left for k, d in enumerate(c.degrees()) if d})
+    rest, eliminated = eliminate(left, occurring)
+    if eliminated:
+        for found in _complete(rest, unknowns - len(eliminated), {}):
+            yield values | _with_eliminated(found, eliminated)
+
+
+def _with_eliminated(
+    values: Assignment, eliminated: Sequence[tuple[int, fmpq_mpoly]]
+) -> Assignment:
+    """Values with those of the eliminated variables."""
+    for variable, expression in reversed(eliminated):
+        values[variable] = constant(expression, values)
+    return values
 
 
 def _solve_one(polynomial: fmpq_mpoly) -> Iterator[Assignment]:
@@ -176,27 +188,7 @@ def _solve_one(polynomial: fmpq_mpoly) -> Iterator[Assignment]:
     return ({variable: root} for root in sorted(roots, reverse=not upwards))
 
 
-def _solve_linear(polynomials: list[fmpq_mpoly]) -> Assignment:
-    """The solution of a square linear system; nothing if it is singular."""
-    unknowns = sorted({k for p in polynomials for k, d in enumerate(p.degrees()) if d})
-    if not polynomials or len(unknowns) != len(polynomials):
-        return {}
-    matrix = [[_coefficient(p, k) for k in unknowns] for p in polynomials]
-    right = [[-_coefficient(p, None)] for p in polynomials]
-    try:
-        solution = fmpq_mat(matrix).solve(fmpq_mat(right))
-    except ZeroDivisionError:
-        return {}
-    return {k: to_fraction(solution[row, 0]) for row, k in enumerate(unknowns)}
-
-
-def _coefficient(polynomial: fmpq_mpoly, variable: int | None) -> fmpq:
-    size = polynomial.context().nvars()
-    exponents = tuple(int(k == variable) for k in range(size))
-    return polynomial.to_dict().get(exponents, fmpq(0))
-
-
-def _entering(values: Assignment, constraints: list[fmpq_mpoly]) -> list[fmpq_mpoly]:
+def _conditions_on_rest(values: Assignment, constraints: list[fmpq_mpoly]) -> list[fmpq_mpoly]:
     """What constraints say of the other variables, if these have values."""
     entered: dict[str | int, fmpq] = {k: to_flint(value) for k, value in values.items()}
     return [c for c in (c.subs(entered) for c in constraints) if not c.is_zero()]
@@ -211,10 +203,10 @@ def _ratios() -> Iterator[Iterator[Fraction]]:
     pairs = [(a, b) for one in sides for a in one for b in one if a != b]
     for attempt in count(1):
         state = attempt * 69069 & 0x7FFFFFFF
-        yield _chosen(state, [Fraction(a, b) for a, b in pairs])
+        yield _choose(state, [Fraction(a, b) for a, b in pairs])
 
 
-def _chosen(state: int, numbers: Sequence[Fraction]) -> Iterator[Fraction]:
+def _choose(state: int, numbers: Sequence[Fraction]) -> Iterator[Fraction]:
     while True:
         state = state * 1103515245 + 12345 & 0x7FFFFFFF
         sign = 1 if state >> 12 & 1 else -1

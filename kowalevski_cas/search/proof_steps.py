@@ -113,15 +113,13 @@ def entailment(
     divided = [entry for row in (*rows, *(step.row for step in steps)) for entry in row]
     finder = PointFinder(lambda setting: at)
     point = finder.point(at, zero, [*law(goal, at), *zero, *divided])
-    proof = Proof(tuple(tuple(map(_divided_formula, row)) for row in rows))
+    proof = Proof(tuple(tuple(map(_quotient, row)) for row in rows))
     for element, row, power in reversed(steps):
-        proof = Proof(
-            (tuple(map(_divided_formula, row)),), formula_rows([[element]]), (proof,), power
-        )
+        proof = Proof((tuple(map(_quotient, row)),), formula_rows([[element]]), (proof,), power)
     return None if point is None else Entailment(proof, point)
 
 
-def _divided_formula(element: Element) -> Formula:
+def _quotient(element: Element) -> Formula:
     """The formula of an element that is divided by one factor after another.
 
     Of a product of known divisors the checker knows each, but not each product of them.

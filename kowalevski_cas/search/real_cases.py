@@ -67,7 +67,7 @@ def _products(combinations: Combinations) -> Iterator[tuple[tuple[bool, int], li
     The best ones have a sum of squares in them, and few terms.
     """
     ring = combinations.ring
-    for element in combinations.reduced():
+    for element in combinations.reduced_basis():
         terms = element.terms()[0]
         factors = irreducible_factors(terms)
         groups = [

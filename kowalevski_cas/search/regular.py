@@ -75,7 +75,7 @@ def _sparse(functions: Sequence[Element], at: Evaluation) -> Matrix:
     matrix = [[ring.one if j == k else ring.zero for k in range(size)] for j in range(size)]
     rows = list(functions)
     for j in range(size):
-        key = None if rows[j].denominator else _leading(rows[j])
+        key = None if rows[j].denominator else _leading_minor(rows[j])
         if key is None:
             continue
         over = _coefficient(rows[j], key).inverse()
@@ -89,7 +89,7 @@ def _sparse(functions: Sequence[Element], at: Evaluation) -> Matrix:
     return matrix
 
 
-def _leading(element: Element) -> Key | None:
+def _leading_minor(element: Element) -> Key | None:
     return next(((mask, own) for mask, part in element.terms().items() for own in part), None)
 
 

@@ -14,7 +14,7 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.elimination import PRIME, Echelon, TooLarge
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_flint
-from kowalevski_cas.algebra.ideals import reduced_groebner_basis, remainder
+from kowalevski_cas.algebra.ideals import reduce_groebner_basis, remainder
 from kowalevski_cas.algebra.kernels import kernel
 from kowalevski_cas.algebra.polynomials import primitive
 from kowalevski_cas.algebra.tower import Element
@@ -65,7 +65,7 @@ class _RestrictedSearch:
         given = [one for one in whole if one]
         if not given:
             raise Meaningless("the relations hold everywhere")
-        self.basis = reduced_groebner_basis(given)
+        self.basis = reduce_groebner_basis(given)
         if any(one.is_constant() for one in self.basis):
             raise Meaningless("the relations hold nowhere")
         self.leads = [tuple(map(int, one.monomial(0))) for one in self.basis]

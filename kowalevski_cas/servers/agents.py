@@ -17,7 +17,7 @@ from mcp.server import MCPServer
 from mcp.server.mcpserver.exceptions import ToolError
 
 from kowalevski_cas import __version__
-from kowalevski_cas.servers.commands import Answer, run_command
+from kowalevski_cas.servers.commands import CommandAnswer, run_command
 
 INSTRUCTIONS = """\
 Formulas are LaTeX, as a paper on mechanics prints them. A verdict is one of: proved; conditional
@@ -156,7 +156,7 @@ def derivation(
     return "\n".join([*lines, ""])
 
 
-async def _with_file(program: str, *words: str, after: Sequence[str] = ()) -> Answer:
+async def _with_file(program: str, *words: str, after: Sequence[str] = ()) -> CommandAnswer:
     """What a command prints of a derivation in a file."""
     with TemporaryDirectory() as folder:
         file = Path(folder, "system.py")
@@ -165,7 +165,7 @@ async def _with_file(program: str, *words: str, after: Sequence[str] = ()) -> An
     return answer._replace(errors=answer.errors.replace(f"{folder}/", ""))
 
 
-def _document(answer: Answer) -> dict[str, Any]:
+def _document(answer: CommandAnswer) -> dict[str, Any]:
     if answer.document is None:
         raise ToolError(answer.errors or f"it ended with exit code {answer.code}")
     return answer.document

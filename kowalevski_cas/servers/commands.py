@@ -15,7 +15,7 @@ GRACE = 2.0
 """Seconds in which a command that is not wanted any more ends by itself."""
 
 
-class Answer(NamedTuple):
+class CommandAnswer(NamedTuple):
     """What a command printed, and its exit code."""
 
     code: int
@@ -31,7 +31,7 @@ class Answer(NamedTuple):
         return None
 
 
-async def run_command(*words: str, text: str | None = None) -> Answer:
+async def run_command(*words: str, text: str | None = None) -> CommandAnswer:
     """What a command prints, with a text as its standard input; it ends if this is cancelled.
 
     Raises:
@@ -50,7 +50,9 @@ async def run_command(*words: str, text: str | None = None) -> Answer:
         if process.returncode is None:
             await _end(process)
     assert process.returncode is not None
-    return Answer(process.returncode, output.decode(), errors.decode(errors="replace").strip())
+    return CommandAnswer(
+        process.returncode, output.decode(), errors.decode(errors="replace").strip()
+    )
 
 
 async def _end(process: asyncio.subprocess.Process) -> None:

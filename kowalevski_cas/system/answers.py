@@ -83,12 +83,14 @@ class SystemClaim(HasFormulas):
         return self.outcome.counterexample
 
     def __repr__(self) -> str:
-        return self._said(to_plain, str, "{}").strip()
+        return self._sentence(to_plain, str, "{}").strip()
 
     def _repr_html_(self) -> str:
-        return f"<p>{self._said(in_html, escape, '<b>{}</b>')}</p>"
+        return f"<p>{self._sentence(in_html, escape, '<b>{}</b>')}</p>"
 
-    def _said(self, shown: Callable[[Formula], str], said: Callable[[str], str], mark: str) -> str:
+    def _sentence(
+        self, shown: Callable[[Formula], str], said: Callable[[str], str], mark: str
+    ) -> str:
         """The verdict and its conditions, what is claimed, where it fails, what is not decided."""
         own = self.outcome
         words = read_prose(own.words, vocabulary((self.claim.scene,)))

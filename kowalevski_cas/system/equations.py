@@ -44,6 +44,8 @@ from kowalevski_cas.system.refused import (
     check_marks,
     check_motion,
     check_stars,
+    check_unit,
+    check_words,
 )
 from kowalevski_cas.system.vectors import Vectors, bold, names_only, vectors_of
 
@@ -62,23 +64,24 @@ def with_time(tex: str, vectors: Vectors, declared: Names = ()) -> str:
     display = Display("field", tex, "")
     words = _vocabulary(display, vectors, declared)
     formulas = [*_read(display, words).values()]
-    moving = {name for formula in formulas for name in _moving(formula)}
+    moving = {name for formula in formulas for name in _moving_names(formula)}
     for time in words.times - moving:
         if any(Name(time) in formula.nodes() for formula in formulas):
             return rf"{tex},\quad \frac{{d{time}}}{{d{time}}}=1"
     return tex
 
 
-def moving_by(display: Display, name: str, vectors: Vectors, declared: Names = ()) -> Scene:
+def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()) -> Scene:
     """The scene of equations of motion, and of what is defined and supposed beside them.
 
     Words are names if they are ``declared``, differentiated or defined there.
 
     Raises ``ValueError`` if they do not say what moves, and how.
     """
+    check_words(display.tex)
     words = _vocabulary(display, vectors, declared)
     formulas = _read(display, words)
-    moving = dict.fromkeys(one for formula in formulas.values() for one in _moving(formula))
+    moving = dict.fromkeys(one for formula in formulas.values() for one in _moving_names(formula))
     words = replace(words, moving=frozenset(moving))  # only these may be printed as x(t)
     formulas = {p: one for p, one in _read(display, words).items() if not names_only(one)}
     laws = tuple(place for place, formula in formulas.items() if _is_law(formula))
@@ -95,14 +98,15 @@ def moving_by(display: Display, name: str, vectors: Vectors, declared: Names = (
     fixed = [one for one in names if one not in defined and one not in words.matrices]
     parts = dict.fromkeys(part for one in fixed for part in vectors.get(one, (one,)))
     constants = tuple(one for one in parts if one not in variables and one not in defined)
-    check_indices((*variables, *constants))
+    check_indices((*variables, *constants), moving)
     check_derivatives(constants, defined, moving)
     check_stars(constants, {*variables, *constants, *defined})
     title, time = name or "the system", min(words.times)
     scene = Scene(title, vectors, variables, constants, laws, time)
     for place in others:
         scene = _with(scene, place, formulas[place])
-    return rooted(scene, display)
+    check_unit(scene.constants)
+    return with_roots(scene, display)
 
 
 def _vocabulary(display: Display, vectors: Vectors, declared: Names) -> Vocabulary:
@@ -129,7 +133,7 @@ def _with(scene: Scene, place: Printed, formula: Formula) -> Scene:
     """A scene with what is defined or supposed beside the equations of motion."""
     if {*place.heads.names} - {*scene.variables, *scene.constants}:
         return scene.defining(place)
-    if (supposing := _supposing(scene, place, formula)) is not None:
+    if (supposing := _suppose(scene, place, formula)) is not None:
         return supposing
     if len(place.heads.squares) == 1:
         return scene.adjoining(place)
@@ -137,7 +141,7 @@ def _with(scene: Scene, place: Printed, formula: Formula) -> Scene:
     raise ValueError(f"{place.tex} {what}; what is supposed is printed with \\ne")
 
 
-def _supposing(scene: Scene, place: Printed, formula: Formula) -> Scene | None:
+def _suppose(scene: Scene, place: Printed, formula: Formula) -> Scene | None:
     """A scene with what is supposed not to vanish, or with the imaginary unit."""
     match formula:
         case Relation((left, right), (r"\ne",)):
@@ -151,25 +155,25 @@ def _supposing(scene: Scene, place: Printed, formula: Formula) -> Scene | None:
 def _read(display: Display, words: Vocabulary) -> dict[Printed, Formula]:
     """The statements of a display, where any letter is a name; sums are written out."""
 
-    def written(formula: Formula) -> Formula:
+    def print_row(formula: Formula) -> Formula:
         formula = expand_sum(formula) if isinstance(formula, Summation) else formula
-        return formula.map_children(written)
+        return formula.map_children(print_row)
 
     found = read_display(display.tex, words, OpenParser)
-    return {place: written(one.formula) for place, one in zip(display, found, strict=True)}
+    return {place: print_row(one.formula) for place, one in zip(display, found, strict=True)}
 
 
 def _is_law(formula: Formula) -> bool:
     """Whether a rate stands in an equation, and no name for something else on its left."""
     first = formula.members[0] if isinstance(formula, Relation) else formula
-    return not isinstance(first, Name | Application) and bool(_moving(formula))
+    return not isinstance(first, Name | Application) and bool(_moving_names(formula))
 
 
-def _moving(formula: Formula) -> list[str]:
+def _moving_names(formula: Formula) -> list[str]:
     """The names that stand under a derivative, or by whose rates something is derived."""
     if isinstance(formula, Derivative) and isinstance(formula.argument, Name | Vector | Sum):
         return [one.name for one in formula.argument.nodes() if isinstance(one, Name)]
-    found = [name for child in formula.children() for name in _moving(child)]
+    found = [name for child in formula.children() for name in _moving_names(child)]
     by = formula.by if isinstance(formula, Partial) else ""
     return [name_of_rate(by), *found] if name_of_rate(by) != by else found
 
@@ -205,7 +209,7 @@ def with_levels(scene: Scene, place: Printed) -> Scene:
     return scene.having(constants=tuple(sorted(new)))
 
 
-def rooted(scene: Scene, display: Display) -> Scene:
+def with_roots(scene: Scene, display: Display) -> Scene:
     """A scene with the square roots that are printed in a display of its names.
 
     Raises ``ValueError`` if a name is defined there by two expressions, of which one would be lost,
@@ -219,28 +223,32 @@ def rooted(scene: Scene, display: Display) -> Scene:
     for formula in (node for one in waiting for node in one.nodes()):
         if isinstance(formula, Conjugate) and scene.unit is None:
             raise ValueError(f"{to_latex(formula)} is a conjugate, and all is real: rename it")
-        root = _root(formula, vocabulary((scene,)))
+        words = vocabulary((scene,))
+        complex_ = (
+            isinstance(formula, Modulus) and scene.unit and rank(formula.argument, words) != VECTOR
+        )
+        root = None if complex_ else _root(formula)
         if root is not None and (name := to_latex(root)) not in scene.roots:
             scene = scene.adjoining(name)
     return scene
 
 
-def _root(formula: Formula, words: Vocabulary) -> Root | None:
-    """The square root that a root, the length of a vector or a power 3/2 is made of."""
+def _root(formula: Formula) -> Root | None:
+    """The square root that a root, an absolute value, a length or a power 3/2 is made of."""
     match formula:
         case Root():
             return formula
-        case Modulus(argument) if rank(argument, words) == VECTOR:
+        case Modulus(argument):
             return Root(Power(argument, Number(2)))
         case Power(base, exponent) if half_power(exponent) is not None:
             return Root(base)
     return None
 
 
-def restricted(scene: Scene, place: Printed) -> Scene:
+def restrict(scene: Scene, place: Printed) -> Scene:
     """A scene with what a relation says of its constants."""
     formula = read(place.tex, vocabulary((scene,)), OpenParser)
-    if (supposing := _supposing(scene, place, formula)) is not None:
+    if (supposing := _suppose(scene, place, formula)) is not None:
         return supposing
     for name in (*place.heads.squares, *place.heads.names):
         if name in scene.constants:

@@ -20,11 +20,11 @@ from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.answers import Function, SystemClaim, in_html
 from kowalevski_cas.system.equations import (
     components,
-    moving_by,
-    restricted,
-    rooted,
+    restrict,
+    scene_by,
     with_levels,
     with_parameters,
+    with_roots,
     with_time,
 )
 from kowalevski_cas.system.refused import check_constant, names_of
@@ -69,7 +69,7 @@ class Field:
         words = [*self.symbols]
         parts = components(tex, vectors or {}, words)
         display = self.section.display(f"{self.prefix}field", with_time(tex, parts, words))
-        self._stand_on(moving_by(display, name, parts, words))
+        self._stand_on(scene_by(display, name, parts, words))
         moving, constant = self.scene.variables, self.scene.constants
         self.section.title = _echo(moving, constant, "${}$".format)
 
@@ -84,16 +84,16 @@ class Field:
         return tex
 
     def __repr__(self) -> str:
-        return self._echoed(to_plain)
+        return self._summary(to_plain)
 
     def _repr_latex_(self) -> str:
         return f"${in_latex(self._formulas(self.section.displays[0]))}$"
 
     def _repr_html_(self) -> str:
         equations = self._formulas(self.section.displays[0])
-        return f"<p>{', '.join(map(in_html, equations))}; {self._echoed(in_html)}</p>"
+        return f"<p>{', '.join(map(in_html, equations))}; {self._summary(in_html)}</p>"
 
-    def _echoed(self, shown: Callable[[Formula], str]) -> str:
+    def _summary(self, shown: Callable[[Formula], str]) -> str:
         """What moves, what is constant, and what is special, in words."""
         echo = _echo(
             self.scene.variables, self.scene.constants, lambda name: shown(self.read(name))
@@ -124,7 +124,7 @@ class Field:
         display = self.section.display(self._id("", tex), tex)
         if not [*display]:
             raise ValueError(f"“{tex}” defines no name")
-        self._stand_on(rooted(with_parameters(self.scene, display).defining(display), display))
+        self._stand_on(with_roots(with_parameters(self.scene, display).defining(display), display))
         name, formula = display[1].heads.names[0], self._formulas(display)[0]
         return Function(display[1], name, formula, self.symbols)
 
@@ -145,9 +145,9 @@ class Field:
                 else solve_for_constant(tex, scene) or tex
             )
             place = self._place("where", tex, IN_WORDS)
-            constants, scene = scene.constants, restricted(scene, place)
+            constants, scene = scene.constants, restrict(scene, place)
             check_constant(scene, place, constants)
-            scene = rooted(scene, place.display)
+            scene = with_roots(scene, place.display)
             special.special += (place.display,)
         special._stand_on(scene)
         return special
@@ -190,19 +190,19 @@ class Field:
         if expect and expect not in {*Verdict}:
             raise ValueError(f"expect “{expect}”: a verdict is one of {', '.join(Verdict)}")
 
-        def placed(formula: Tex) -> Printed:
+        def put_in(formula: Tex) -> Printed:
             return self._place(id, formula, IN_WORDS if finding.tex not in ("", formula) else "")
 
         if self.special:
             special = ", ".join(f"${display.tex}$" for display in self.special)
             finding = replace(finding, says=f"for {special}, {finding.says}")
-        claim = finding.claim(id, placed)
+        claim = finding.claim(id, put_in)
         if isinstance(claim, FirstIntegral):
             with suppress(ValueError):
                 claim = replace(claim, scene=with_levels(claim.scene, claim.own))
         for place in claim.places():
             with suppress(ValueError):  # what cannot be read is the outcome of the claim
-                claim = replace(claim, scene=rooted(claim.scene, place.display))
+                claim = replace(claim, scene=with_roots(claim.scene, place.display))
         self.section.claim(claim)
         if expect:
             self.section.expected[id] = expect

@@ -19,6 +19,14 @@ from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.paper.vocabulary import vocabulary
 
 _INDEX, _NEXT = re.compile("[i-n]"), re.compile(r"[a-z][-+]\d+")
+_SEVERAL, _SUM = re.compile("[i-n]{2,}"), "print the sums, and {}=1,2,3 behind"
+_MACRO = re.compile(
+    r"\\(?:[a-z]*(?:text|rm|it|sf|box|operatorname|begin|end)\s*\{[^{}]*\}|[A-Za-z]+)"
+)
+_WORD = re.compile(
+    r"(?<![A-Za-z])(?:sin|cos|tan|cot|exp|log|ln|sinh|cosh|tanh|sqrt|where|with|and|for|const|if)"
+    "(?![A-Za-z])"
+)
 _PERMUTATION = re.compile(r"\\(?:var)?epsilon_\{\d{3}\}")
 
 
@@ -45,7 +53,7 @@ def check_motion(
             f"{len(laws)} equations for {unknowns} ({', '.join(moving)}): "
             "leave one out, or claim it as an identity"
         )
-    for name in (one for formula in formulas.values() for one in _derived(formula)):
+    for name in (one for formula in formulas.values() for one in _derivative_names(formula)):
         if name not in defined:
             raise ValueError(f"{name} is differentiated, and nothing defines it: add {name}=…")
 
@@ -61,18 +69,41 @@ def check_marks(formulas: Iterable[Formula]) -> None:
         )
 
 
-def check_indices(names: Sequence[str]) -> None:
+def check_indices(names: Sequence[str], moving: Collection[str] = ()) -> None:
     """Refuse an index that may stand for numbers which other indices are."""
-    for name in names:
+    symbols = {name: symbol(name) for name in names}
+    running = {low for one in moving if _INDEX.fullmatch(low := symbol(one).index)}
+    for name, (head, low) in ((name, (one.head, one.index)) for name, one in symbols.items()):
         if _PERMUTATION.fullmatch(name):
             raise ValueError(f"{name} is a name here: write a vector product, or the terms")
-        head, low = symbol(name).head, symbol(name).index
         if _NEXT.fullmatch(low):
             raise ValueError(f"{name} has an index that runs: print {low[0]}=1,2,3 behind")
-        if _INDEX.fullmatch(low) and any(
-            other.head == head and other.index.isdigit() for other in map(symbol, names)
-        ):
+        beside = {one.index for one in symbols.values() if one.head == head and one.index != low}
+        if not _INDEX.fullmatch(low):
+            if running & {*low} and _SEVERAL.fullmatch(low):
+                raise ValueError(f"{name} has indices that run: {_SUM.format(low[-1])}")
+        elif any(one.isdigit() for one in beside):
             raise ValueError(f"{name} stands beside names with numbers: print {low}=1,2,3 behind")
+        elif running and any(map(_INDEX.fullmatch, beside)):
+            other = min(one for one in beside if _INDEX.fullmatch(one))
+            raise ValueError(f"{name} stands beside {head}_{other}: {_SUM.format(low)}")
+
+
+def check_unit(names: Collection[str]) -> None:
+    """Refuse a letter i of which nothing says whether it is the imaginary unit."""
+    if "i" in names:
+        said = "if it is the imaginary unit, print i^2=-1 beside the equations"
+        raise ValueError(f"i is a constant here: {said}; if not, rename it")
+
+
+def check_words(tex: str) -> None:
+    """Refuse words and functions that are typed as letters side by side: each would be a name."""
+    if typed := _WORD.search(_MACRO.sub(" ", tex)):
+        word = typed[0]
+        instead = (
+            rf"print \{word}" if rf"\{word}" in FUNCTIONS else "print words outside of formulas"
+        )
+        raise ValueError(f"“{word}” is a product of letters here: {instead}")
 
 
 def check_stars(constants: Iterable[str], others: Container[str]) -> None:
@@ -129,7 +160,7 @@ def check_constant(scene: Scene, place: Printed, known: Container[str]) -> None:
                 raise ValueError(f"{place.tex} is no relation of constants, with {by}")
 
 
-def _derived(formula: Formula) -> list[str]:
+def _derivative_names(formula: Formula) -> list[str]:
     """The names of which partial derivatives are printed."""
     partial = (node.argument for node in formula.nodes() if isinstance(node, Partial))
     return [argument.name for argument in partial if isinstance(argument, Name)]

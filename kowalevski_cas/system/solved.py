@@ -12,7 +12,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display, Texts
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.system.equations import rooted
+from kowalevski_cas.system.equations import with_roots
 
 
 def solve_for_constant(relation: str, scene: Scene) -> str:
@@ -20,7 +20,7 @@ def solve_for_constant(relation: str, scene: Scene) -> str:
 
     Its coefficient is a number; if there is none, or no equation, the string is empty.
     """
-    space = Elaborations(Texts(vocabulary((scene,))))(rooted(scene, Display("", relation, "")))
+    space = Elaborations(Texts(vocabulary((scene,))))(with_roots(scene, Display("", relation, "")))
     at = space.finder
     with suppress(Meaningless):
         difference, *more = at.differences(space.equations((relation,)))

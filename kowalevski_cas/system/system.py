@@ -72,20 +72,20 @@ class System(Field):
     def implication(self, equation: Tex, given: Texs, expect: str = "") -> SystemClaim:
         """An equation holds wherever the given ones do."""
         given = several(given)
-        says = f"this holds wherever {self._listed(given)}"
+        says = f"this holds wherever {self._list(given)}"
         return self.states(Implication, "implication", says, expect, equation, given=given)
 
     def integral(self, formula: Tex, given: Texs = (), expect: str = "") -> SystemClaim:
         """A function is constant along every motion, perhaps on an invariant set only."""
         given = several(given)
-        where = f" on the set where {self._listed(given)}" if given else ""
+        where = f" on the set where {self._list(given)}" if given else ""
         says = f"this is constant along every motion{where}"
         return self.states(FirstIntegral, "integral", says, expect, formula, given=given)
 
     def invariant(self, *relations: Tex, expect: str = "") -> SystemClaim:
         """No motion leaves the set on which these hold; a function stands for its zeros."""
         zero = tuple(f"{self._tex(F)}=0" if isinstance(F, Function) else F for F in relations)
-        says = f"no motion leaves the set where {self._listed(zero)}"
+        says = f"no motion leaves the set where {self._list(zero)}"
         return self.states(InvariantRelations, "invariant", says, expect, relations=zero)
 
     def darboux(self, formula: Tex, cofactor: Tex, expect: str = "") -> SystemClaim:
@@ -112,18 +112,18 @@ class System(Field):
 
     def involution(self, *functions: Tex, expect: str = "") -> SystemClaim:
         """Functions whose brackets with each other vanish."""
-        says = f"the brackets of {self._listed(functions)} with each other vanish"
+        says = f"the brackets of {self._list(functions)} with each other vanish"
         return self.states(Involution, "involution", says, expect, functions=functions)
 
     def integrable(self, *integrals: Tex, casimirs: Texs = (), expect: str = "") -> SystemClaim:
         """Integrability in the sense of Liouville; the first integral is the Hamiltonian."""
-        says = f"the motion is integrable in the sense of Liouville, by {self._listed(integrals)}"
+        says = f"the motion is integrable in the sense of Liouville, by {self._list(integrals)}"
         return self.states(
             LiouvilleIntegrable, "integrable", says, expect,
             integrals=integrals, casimirs=several(casimirs),
         )  # fmt: skip
 
-    def _listed(self, formulas: Sequence[Tex]) -> str:
+    def _list(self, formulas: Sequence[Tex]) -> str:
         return ", ".join(f"${self._tex(formula)}$" for formula in formulas)
 
     # -- questions ---------------------------------------------------------------
@@ -137,7 +137,7 @@ class System(Field):
         there are equations ``on`` which the motion is looked at, those on that invariant set.
         """
         given = tuple(map(self._tex, several(on)))
-        return self._found("integrals", degree=degree, weighted=weighted, on=given)
+        return self._claims_found("integrals", degree=degree, weighted=weighted, on=given)
 
     def find_darboux(
         self, degree: int, special: bool = False, cofactor: Tex = ""
@@ -147,21 +147,21 @@ class System(Field):
         Those for one ``cofactor`` only, if it is given, and that there are no others.
         """
         K = self._tex(cofactor)
-        return self._found("darboux", degree=degree, special=special, cofactor=K)
+        return self._claims_found("darboux", degree=degree, special=special, cofactor=K)
 
     def find_closure(self, seed: Tex, order: int = 4) -> list[SystemClaim]:
         """Invariant sets from a function and its derivatives, up to an order."""
-        return self._found("closure", seed=self._tex(seed), order=order)
+        return self._claims_found("closure", seed=self._tex(seed), order=order)
 
     def conditions(self, polynomial: Tex) -> list[SystemClaim]:
         """For which constants a polynomial divides its derivative: all cases, with cofactors."""
-        return self._found("parameters", polynomial=self._tex(polynomial))
+        return self._claims_found("parameters", polynomial=self._tex(polynomial))
 
     def find_exponents(self) -> list[SystemClaim]:
         """The weights, the balances of the leading terms, and the Kowalevski exponents of each."""
-        return self._found("exponents")
+        return self._claims_found("exponents")
 
-    def _found(self, name: str, **options: Any) -> list[SystemClaim]:
+    def _claims_found(self, name: str, **options: Any) -> list[SystemClaim]:
         """What the command ``find`` finds, as claims like any other.
 
         What is found in time is claimed; if something may be left, that is said.
@@ -173,11 +173,11 @@ class System(Field):
         forecast(self.scene, name, options.get("degree", 0))
         on = Elaborations(Texts(vocabulary((self.scene,))))
 
-        def answered(scene: Scene) -> tuple[Scene, list[Finding], str]:
+        def answer(scene: Scene) -> tuple[Scene, list[Finding], str]:
             search = question(name).search(on, scene, self.pool, **options)
             return scene, *collect(search, self.seconds)
 
-        ((scene, findings, unfinished),) = each(answered, [self.scene])
+        ((scene, findings, unfinished),) = each(answer, [self.scene])
         if unfinished:
             print(f"find {name}: {unfinished}", file=sys.stderr)
         here = (

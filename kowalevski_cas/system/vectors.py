@@ -44,7 +44,7 @@ def vectors_of(display: Display, known: Vectors, words: Vocabulary) -> dict[str,
     new -= matrices
     words = replace(words, vectors=words.vectors | new, matrices=words.matrices | matrices)
     formulas = [read(place.tex, words, OpenParser) for place in display if _readable(place, words)]
-    found = {**known, **dict(_named(formulas, new))}
+    found = {**known, **dict(_named_vectors(formulas, new))}
     nodes = [node for formula in formulas for node in formula.nodes()]
     names = {node.name for node in nodes if isinstance(node, Name)}
     spatial = any(isinstance(node, CrossProduct) for node in nodes)
@@ -67,7 +67,9 @@ def _readable(place: Printed, words: Vocabulary, vectors: Collection[str] = ()) 
     return True
 
 
-def _named(formulas: Sequence[Formula], new: Collection[str]) -> Iterator[tuple[str, Parts]]:
+def _named_vectors(
+    formulas: Sequence[Formula], new: Collection[str]
+) -> Iterator[tuple[str, Parts]]:
     """The vectors of which the components are named."""
     for formula in formulas:
         match formula:

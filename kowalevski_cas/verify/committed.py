@@ -22,7 +22,7 @@ from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.certificate import FOLDER
 from kowalevski_cas.verify.corrections import recorded_correction
 from kowalevski_cas.verify.interpretation import Interpretation
-from kowalevski_cas.verify.loci import failing
+from kowalevski_cas.verify.loci import goals_where_violated
 from kowalevski_cas.verify.outcome import CORRECTED, Run
 from kowalevski_cas.verify.statement import Statement
 
@@ -156,7 +156,7 @@ class Expected:
         same = statement is not None and statement.digest == certificate.digest
         checker.need(same, f"the derivation prints another statement of it; {stale}")
         assert statement is not None
-        expected = [*failing(statement)] if certificate.failures else []
+        expected = [*goals_where_violated(statement)] if certificate.failures else []
         about = [(failure.condition, failure.digest) for failure in certificate.failures]
         checker.need(
             all(one in expected for one in about),

@@ -51,9 +51,9 @@ def says_something(neighbour: Neighbour, statement: Statement, printed: Statemen
     """
     if _moves(printed) and not _moves(statement):
         return False
-    if _empty(statement) > _empty(printed) or _repeated(statement) > _repeated(printed):
+    if _empty(statement) > _empty(printed) or _count_repeated(statement) > _count_repeated(printed):
         return False
-    if _printed_twice(statement) > _printed_twice(printed):
+    if _count_printed_before(statement) > _count_printed_before(printed):
         return False
     edit = neighbour.edit
     if edit is None:
@@ -81,13 +81,13 @@ def _empty(statement: Statement) -> int:
     return sum(d.is_zero for space, some in given for d in finder_of(space).differences(some))
 
 
-def _printed_twice(statement: Statement) -> int:
+def _count_printed_before(statement: Statement) -> int:
     """How many formulas of a claim stand there before."""
     formulas = statement.claim.formulas(statement.on.texts)
     return len(formulas) - len({*formulas})
 
 
-def _repeated(statement: Statement) -> int:
+def _count_repeated(statement: Statement) -> int:
     """How many equations that are supposed or stated are multiples of another that is supposed."""
     count = 0
     for goal in statement.goals:

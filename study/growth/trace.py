@@ -91,8 +91,8 @@ class Recording(Polynomials):
     def is_monomial(self, polynomial: Recorded) -> bool:
         return self.plain.is_monomial(polynomial.value)
 
-    def occurring(self, polynomial: Recorded) -> Collection[int]:
-        return self.plain.occurring(polynomial.value)
+    def occurring_places(self, polynomial: Recorded) -> Collection[int]:
+        return self.plain.occurring_places(polynomial.value)
 
     def terms(self, polynomial: Recorded) -> Terms:
         return self.plain.terms(polynomial.value)

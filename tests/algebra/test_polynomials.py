@@ -55,7 +55,7 @@ def test_polynomials_are_equal_if_they_have_the_same_neutral_form(ring, a, b, c)
 @given(terms(least=1))
 def test_the_generators_in_a_polynomial_and_whether_it_has_one_term(ring, a):
     polynomial = ring.from_terms(a)
-    assert {*ring.occurring(polynomial)} == {k for e in a for k in range(3) if e[k]}
+    assert {*ring.occurring_places(polynomial)} == {k for e in a for k in range(3) if e[k]}
     assert ring.is_monomial(polynomial) == (len(a) == 1)
 
 

@@ -1,100 +1,27 @@
-"""What ``motion`` promises of O⁴ towards each edge, by whatever method follows the motion there."""
+"""What ``motion`` does with states and constants at the edges: other methods, other units."""
 
 from __future__ import annotations
 
 import json
 from decimal import Decimal
-from fractions import Fraction
-
-import numpy as np
-import pytest
-from hypothesis import assume, given, settings
-from hypothesis import strategies as st
 
 from kowalevski_cas.cli import main
-from kowalevski_cas.cli.motion import _states
-from kowalevski_cas.motion import Inadmissible, MethodError, MotionO4
-from kowalevski_cas.motion.methods.ball import loss
-from kowalevski_cas.motion.methods.integrators import initial_state
-from tests.motion.o4.levels import admissible
+from kowalevski_cas.motion.methods import closed as closed_form
 
-A, B = Fraction(6, 5), Fraction(7, 10)
-ROOTS = [(A - B) ** 2, (A + B) ** 2, Fraction(0)]
-"""Where σ vanishes, and τ."""
+FAST = "--a 1.2 --b 0.7 --s 1 --tau=-1e8 --until 10 --samples 3".split()
 
 
-@st.composite
-def edges(draw):
-    """Constants a, b, s, τ: at a distance of 10⁰ to 10⁻¹² of an edge, or far outside."""
-    near = Fraction(draw(st.sampled_from([1, -1]))) / 10 ** draw(st.integers(1, 12))
-    a, b, s, tau = A, B, Fraction(draw(st.integers(-30, 30)), 10), Fraction(1, 7)
-    kind = draw(st.sampled_from(["sigma", "fast", "a = b", "s = a", "kappa", "small s"]))
-    if kind == "sigma":
-        tau = draw(st.sampled_from(ROOTS)) + near
-    elif kind == "fast":
-        tau = -Fraction(10 ** draw(st.integers(1, 12)))
-    elif kind == "a = b":
-        b = a - abs(near)
-    elif kind == "s = a":
-        s, tau = A + near, -Fraction(draw(st.integers(1, 40)), 10)
-    elif kind == "small s":
-        s = near
-    else:  # κ² = σ + 4s²τ almost zero
-        tau = -Fraction(draw(st.integers(1, 20)), 10)
-        sigma = (tau - ROOTS[0]) * (tau - ROOTS[1])
-        s = Fraction(float(sigma / (-4 * tau)) ** 0.5) + near
-    assume(s and tau and admissible(a, b, s, tau))
-    return a, b, s, tau
+def test_a_fast_top_is_followed_in_closed_form(capfd):
+    assert main(["motion", *FAST]) == 0
+    out, err = capfd.readouterr()
+    assert not err and max(json.loads(out)["invariants"]["drift"].values()) < 1e-14
 
 
-def moving(known):
-    try:
-        return MotionO4.of(*known)
-    except Inadmissible:
-        assume(False)
-        raise
-
-
-def check_promise(known):
-    motion = moving(known)
-    rate = float(np.max(np.abs(initial_state(motion)[:3]))) + 1
-    times = np.linspace(0.0, 3 / rate, 3)
-    states, *radii = _states(motion, times, "closed", True)
-    lost = loss(motion, times, states)
-    assert lost <= 1e-12 or radii or np.isnan(lost)
-
-
-@settings(max_examples=5, deadline=None)
-@given(edges())
-def test_the_promise_is_kept_or_another_method_follows(known):
-    check_promise(known)
-
-
-@pytest.mark.slow
-@settings(max_examples=300, deadline=None)
-@given(edges())
-def test_the_promise_is_kept_or_another_method_follows_everywhere(known):
-    check_promise(known)
-
-
-@settings(max_examples=20, deadline=None)
-@given(edges())
-def test_any_integrator_starts_from_constants(known):
-    """At t = 0 the state has the fields that are asked for, however close two roots are."""
-    try:
-        state = initial_state(moving(known))
-    except MethodError:
-        assume(False)
-    alpha, beta = state[3:6], state[6:]
-    a, b = map(float, known[:2])
-    assert abs(np.linalg.norm(alpha) - a) < 1e-14 * a + 1e-15
-    assert abs(np.linalg.norm(beta) - b) < 1e-14 * b + 1e-15
-    assert abs(alpha @ beta) < 1e-14
-
-
-def test_a_fast_top_is_followed_otherwise_and_this_is_said(capfd):
-    fields = "--a 1.2 --b 0.7 --s 1 --tau=-1e8 --until 10 --samples 3"
-    assert main(["motion", *fields.split()]) == 0
+def test_where_the_closed_form_gives_up_balls_follow_the_motion_and_this_is_said(
+    capfd, monkeypatch
+):
+    monkeypatch.setattr(closed_form, "PROMISE", 1e-18)
+    assert main(["motion", *FAST]) == 0
     out, err = capfd.readouterr()
     assert "ball follows the motion" in err and '"radius"' in out
 

@@ -6,7 +6,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
-from kowalevski_cas.motion.formulas import offered_values
+from kowalevski_cas.motion.formulas import values_of_offer
 from tests.motion.test_critical import state_of
 
 STEPS, STEP = 1500, 0.02
@@ -94,7 +94,7 @@ def followed(states):
     """The states (STEPS / 5, N, 9) along the motions through states (N, 9)."""
 
     def rates(values):
-        return np.array(offered_values("equations")(*values))
+        return np.array(values_of_offer("equations")(*values))
 
     here, found = states.T, []
     for step in range(STEPS):

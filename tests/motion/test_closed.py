@@ -8,7 +8,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, Motion, Parameters, all_regimes, load
-from kowalevski_cas.motion.formulas import offered_values
+from kowalevski_cas.motion.formulas import values_of_offer
 from kowalevski_cas.motion.methods.ball import enclosures
 from kowalevski_cas.motion.point import on_N4
 from tests.motion.regions import EVERY_REGIME, SEPARATING, motion
@@ -79,7 +79,7 @@ def test_its_derivative_is_the_right_hand_side(motion, t):
         slope = [
             (w - 8 * x + 8 * y - z) / float(12 * h) for w, x, y, z in zip(a, b, d, e, strict=True)
         ]
-        expected = offered_values("equations")(*closed(motion, np.array([start]))[0])
+        expected = values_of_offer("equations")(*closed(motion, np.array([start]))[0])
         scale = 1 + np.linalg.norm(expected)
         assert np.linalg.norm(np.array(slope) - expected) < 1e-11 * scale
         assert c == [0.0] * 9
@@ -90,7 +90,7 @@ def test_its_integrals_have_the_values_of_its_constants_to_rounding(motion, t):
     states, known = closed(motion, t), motion.parameters
     expected = (known.h, known.k, known.a**2, known.b**2, 0, known.g, 0, 0)
     size = max(1.0, np.max(np.abs(states))) ** 6
-    for values, value in zip(offered_values("integrals")(*states.T), expected, strict=True):
+    for values, value in zip(values_of_offer("integrals")(*states.T), expected, strict=True):
         assert np.max(np.abs(values - float(value))) < 1e-13 * size
 
 

@@ -20,7 +20,7 @@ states = st.lists(st.fractions(-3, 3, max_denominator=8), min_size=9, max_size=9
 @pytest.mark.parametrize("name", ["equations", "integrals", "constants"])
 @given(states)
 def test_fractions_floats_arrays_and_balls_agree(name, state):
-    compiled = formulas.offered_values(name)
+    compiled = formulas.values_of_offer(name)
     exact = compiled(*state)
     floats = compiled(*map(float, state))
     arrays = compiled(*(np.array([float(x), 0.0]) for x in state))
@@ -38,7 +38,7 @@ def test_the_equations_are_those_of_the_paper(state):
     w1, w2, w3 = omega
     euler = [(w2 * w3 + beta[2]) / 2, -(w1 * w3 + alpha[2]) / 2, alpha[1] - beta[0]]
     poisson = [*np.cross(alpha, omega), *np.cross(beta, omega)]
-    assert list(formulas.offered_values("equations")(*state)) == euler + poisson
+    assert list(formulas.values_of_offer("equations")(*state)) == euler + poisson
 
 
 def test_roots_quotients_and_repeated_products_are_written():

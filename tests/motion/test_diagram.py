@@ -11,12 +11,12 @@ from hypothesis import strategies as st
 from kowalevski_cas.motion import Inadmissible, load
 from kowalevski_cas.motion.critical import residuals
 from kowalevski_cas.motion.diagram import Fields
-from kowalevski_cas.motion.formulas import INTEGRALS, offered_values
+from kowalevski_cas.motion.formulas import INTEGRALS, values_of_offer
 from kowalevski_cas.motion.o4.parameters import ParametersO4
 from kowalevski_cas.motion.o4.regimes import regime_of
 from kowalevski_cas.motion.pictures.regions import fill_regions
 from kowalevski_cas.motion.pictures.sections import rotations, section, values
-from kowalevski_cas.motion.pictures.subsystems import separating
+from kowalevski_cas.motion.pictures.subsystems import separating_curves
 from kowalevski_cas.pictures import new_figure
 from tests.motion.levels_on_M4 import at_level, by_chance, critical_levels, pieces
 from tests.motion.test_closed import motions
@@ -31,7 +31,7 @@ shares = st.floats(0.01, 0.99)
 
 
 def at(states):
-    return dict(zip(INTEGRALS, offered_values("integrals")(*np.atleast_2d(states).T), strict=True))
+    return dict(zip(INTEGRALS, values_of_offer("integrals")(*np.atleast_2d(states).T), strict=True))
 
 
 def points_on_O4(count, seed):
@@ -185,7 +185,7 @@ def test_the_regimes_of_a_grid_are_those_of_each_place(fields):
 
 
 def test_the_curves_are_where_roots_coincide():
-    for words, _, s, tau in separating(FIELDS, (-5.0, 5.0)):
+    for words, _, s, tau in separating_curves(FIELDS, (-5.0, 5.0)):
         sigma, kappa_square = FIELDS.squares(s, tau)
         inner = np.isfinite(tau) & (abs(tau) < 50)
         if words == "$k=0$":

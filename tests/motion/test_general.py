@@ -10,7 +10,7 @@ from hypothesis.extra.numpy import arrays
 
 from kowalevski_cas.motion import General, Inadmissible, Motion, load, through
 from kowalevski_cas.motion.diagram import Fields
-from kowalevski_cas.motion.formulas import INTEGRALS, offered_values
+from kowalevski_cas.motion.formulas import INTEGRALS, values_of_offer
 from kowalevski_cas.motion.frame import rotate
 from kowalevski_cas.motion.methods.integrators import integrate
 from kowalevski_cas.motion.regimes import tori
@@ -43,7 +43,7 @@ def test_every_state_is_followed_and_the_integrals_are_kept(state):
     assert max(result.drift.values()) < 1e-10
     assert ("none" in result.regime) == isinstance(motion, General)
     names = [name.strip("_12").lower() for name in INTEGRALS]
-    values = dict(zip(names, offered_values("integrals")(*state), strict=True))
+    values = dict(zip(names, values_of_offer("integrals")(*state), strict=True))
     for name in "hkg":
         assert result.invariants[name] == pytest.approx(values[name], rel=1e-9, abs=1e-9)
 
@@ -89,7 +89,7 @@ def test_the_fields_have_the_lengths_and_the_product_that_are_given(a, b, cosine
     except Inadmissible:
         assume(False)
     start = closed(motion, np.zeros(1))[0]
-    found = dict(zip(INTEGRALS, offered_values("integrals")(*start), strict=True))
+    found = dict(zip(INTEGRALS, values_of_offer("integrals")(*start), strict=True))
     expected = {"a^2": a**2, "b^2": b**2, "c": c}
     for name, exact in expected.items():
         assert found[name] == pytest.approx(float(exact), abs=1e-12)

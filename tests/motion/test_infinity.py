@@ -10,7 +10,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, load
-from kowalevski_cas.motion.formulas import offered_values
+from kowalevski_cas.motion.formulas import values_of_offer
 from kowalevski_cas.motion.parameters import precision
 from kowalevski_cas.motion.phases import as_fraction
 from kowalevski_cas.motion.point import on_N4
@@ -56,7 +56,7 @@ def test_relations_16_are_empty_there_but_a_state_off_the_manifold_is_refused(om
     state = [*omega, cos, sin, height, -sin, cos, 0.0]
     m = -(omega[0] ** 2 + omega[1] ** 2) / height**2
     assume(m < -1e-2)
-    *_, h, _, p_square, _ = offered_values("constants")(*state)
+    *_, h, _, p_square, _ = values_of_offer("constants")(*state)
     ell_square = 2 * p_square * m**2 + 2 * h * m + 1
     S2_square = (omega[2] - omega[0] / (m * height)) ** 2 / (-4 * m)
     x = omega[1] / (height * np.sqrt(-m))

@@ -9,7 +9,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Motion, Parameters, load
-from kowalevski_cas.motion.formulas import offered_values
+from kowalevski_cas.motion.formulas import values_of_offer
 from kowalevski_cas.motion.jacobi import jacobi
 from kowalevski_cas.motion.parameters import ball, precision
 from kowalevski_cas.motion.phases import Phase, as_fraction, parts_needed
@@ -111,7 +111,7 @@ def test_through_infinity_the_state_is_as_regular_as_elsewhere():
     a, b, c, d, e = closed(motion("-0.5", "0"), h * np.array([-2.0, -1, 0, 1, 2]))
     slope = (a - 8 * b + 8 * d - e) / (12 * h)
     assert abs(c[3] - c[7]) + abs(c[4] + c[6]) < 1e-15
-    assert np.max(np.abs(slope - np.array(offered_values("equations")(*c)))) < 1e-9
+    assert np.max(np.abs(slope - np.array(values_of_offer("equations")(*c)))) < 1e-9
 
 
 @given(motions(), st.floats(-1e280, 1e280))

@@ -14,11 +14,11 @@ from kowalevski_cas.motion import (
     load,
     regime_of,
 )
-from kowalevski_cas.motion.formulas import offered_values
+from kowalevski_cas.motion.formulas import values_of_offer
 from kowalevski_cas.motion.pictures import ON_N4, PICTURES, orbit, third
 from kowalevski_cas.motion.pictures import load as picture
 from kowalevski_cas.motion.pictures.atlas import examples
-from kowalevski_cas.motion.pictures.bifurcation import regime_at, separating
+from kowalevski_cas.motion.pictures.bifurcation import regime_at, separating_curves
 from kowalevski_cas.motion.pictures.space import View
 from kowalevski_cas.pictures import save, style
 from tests.motion.regions import EVERY_REGIME, SEPARATING, motion
@@ -85,7 +85,7 @@ def test_the_regions_of_the_diagram_are_the_regimes(m, ell):
 def test_the_separating_lines_are_those_of_the_paper():
     """ℓ = ±2am±1, ℓ = ±2bm±1 and ℓ = 0, for a = 1, b = 2/5."""
     m = np.array([-1.0, 0.5, 2.0])
-    found = [tuple(ell) for _, _, ell in separating(motion(*EVERY_REGIME[0]).parameters, m)]
+    found = [tuple(ell) for _, _, ell in separating_curves(motion(*EVERY_REGIME[0]).parameters, m)]
     lines = [s * 2 * e * m + t for e in (1.0, 0.4) for s in (1, -1) for t in (1, -1)]
     assert sorted(map(tuple, np.round(found, 12))) == sorted(
         map(tuple, np.round([*lines, 0 * m], 12))
@@ -103,9 +103,9 @@ def test_the_atlas_has_one_motion_in_each_regime_with_l_not_negative():
 @pytest.mark.parametrize("region", EVERY_REGIME)
 def test_the_net_lies_on_the_torus_and_its_lines_are_closed(region):
     here = motion(*region)
-    level = np.array(offered_values("integrals")(*load("closed")(here, np.zeros(1))[0]))
+    level = np.array(values_of_offer("integrals")(*load("closed")(here, np.zeros(1))[0]))
     for loop in orbit.net(here, 2, 7):
-        values = np.array(offered_values("integrals")(*loop.T))
+        values = np.array(values_of_offer("integrals")(*loop.T))
         assert np.max(np.abs(values - level[:, None])) < 1e-11
         np.testing.assert_allclose(loop[0], loop[-1], atol=1e-9)
 

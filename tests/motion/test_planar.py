@@ -11,7 +11,7 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, load
-from kowalevski_cas.motion.formulas import offered_values
+from kowalevski_cas.motion.formulas import values_of_offer
 from kowalevski_cas.motion.frame import rotate
 from kowalevski_cas.motion.point import on_N4
 from tests.motion.test_closed import relative
@@ -63,7 +63,7 @@ def test_a_pendulum_is_followed_and_stays_one(state):
     assert relative(there, ball(motion, T)) < 1e-13
     assert relative(there[1:3], dop853(motion, T[1:3])) < 1e-8
     assert (
-        np.ptp(np.array(offered_values("integrals")(*there.T)), axis=1).max()
+        np.ptp(np.array(values_of_offer("integrals")(*there.T)), axis=1).max()
         < 1e-11 * np.max(abs(there)) ** 6
     )
     # The axis and the field along it stand still, also after a long time on an unstable place.

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.optimize import brentq
 
 from kowalevski_cas.motion import Inadmissible, Motion, load
-from kowalevski_cas.motion.formulas import offered_values
+from kowalevski_cas.motion.formulas import values_of_offer
 from kowalevski_cas.motion.frame import rotate
 from kowalevski_cas.motion.methods.closed import Closed
 from kowalevski_cas.motion.point import on_N4
@@ -61,7 +61,7 @@ def test_the_fields_may_have_any_angle(motion, angle):
     oblique = np.array(rotate(list(straight.T), np.cos(angle), np.sin(angle))).T
     moved = on_N4(oblique[0].tolist())
     assert relative(closed(moved, START), oblique[:1]) < 1e-12
-    values = np.array(offered_values("integrals")(*closed(moved, LATER).T))
+    values = np.array(values_of_offer("integrals")(*closed(moved, LATER).T))
     assert np.ptp(values[2:5], axis=1).max() < 1e-13 * (1 + np.max(np.abs(oblique)) ** 2)
 
 

@@ -19,7 +19,7 @@ from kowalevski_cas.motion import (
     load,
     regime_of,
 )
-from kowalevski_cas.motion.formulas import offered_values
+from kowalevski_cas.motion.formulas import values_of_offer
 from kowalevski_cas.motion.parameters import ball, extreme_ell, precision
 from kowalevski_cas.motion.point import on_N4
 from kowalevski_cas.motion.regimes import coordinates, tori
@@ -172,10 +172,10 @@ def sampled(seed, count):
 
 def test_every_real_point_lies_in_a_regime_and_every_regime_has_points():
     states = sampled(3, 600)
-    *_, first, second = offered_values("integrals")(*states.T)
+    *_, first, second = values_of_offer("integrals")(*states.T)
     assert np.max(np.abs(first)) < 1e-12 and np.max(np.abs(second)) < 1e-11
     names = formulas.source().offers[ClosedForm]().constants.expressions
-    values = dict(zip(names, offered_values("constants")(*states.T), strict=True))
+    values = dict(zip(names, values_of_offer("constants")(*states.T), strict=True))
     m = (2 * values["G"] - values["p^2"] * values["H"]) / values["c_1c_2"]
     root = np.sqrt(values["x_1x_2"])
     ell = (values["w_1w_2"] + values["x_1x_2+z_1z_2"] * m) / root

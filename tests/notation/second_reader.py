@@ -195,11 +195,19 @@ def signs(row):
     """A row with the upper signs, and one with the lower; itself if there are none."""
     upper = {r"\pm": "+", r"\mp": "-"}
     lower = {r"\pm": "-", r"\mp": "+"}
-    if not any(item in upper for item in row if isinstance(item, str)):
-        return [row]
+    found = [put(row, of) for of in (upper, lower)]
+    return found if found[0] != row else [row]
+
+
+def put(row, of):
+    """A row, with what stands in its boxes, with other signs."""
     return [
-        [of.get(i, i) if isinstance(i, str) and not isinstance(i, Letter) else i for i in row]
-        for of in (upper, lower)
+        Box(i.macro, [put(one, of) for one in i.arguments])
+        if isinstance(i, Box)
+        else i
+        if isinstance(i, Letter | list)
+        else of.get(i, i)
+        for i in row
     ]
 
 

@@ -55,6 +55,7 @@ ONE_READING = {
     r"{x \over y}": Quotient(x, y),
     r"x{q+1 \over 2}": Product((x, Quotient(Sum((q, Number(1))), two))),
     r"\cos\omega t": Application(r"\cos", (Product((Name(r"\omega"), Name("t"))),)),
+    r"\sin\omega x": Application(r"\sin", (Product((Name(r"\omega"), Name("x"))),)),
     r"\cos2\omega t\,\sin\theta": Product(
         (
             Application(r"\cos", (Product((two, Name(r"\omega"), Name("t"))),)),
@@ -131,7 +132,6 @@ def test_two_signs_are_two_statements():
         (r"\sin\theta(x+y)", r"how far does \sin reach?"),
         (r"\frac{d}{dt}x\sin y", "how far does the derivative by t reach?"),
         (r"\sin\theta t", r"how far does \sin reach?"),
-        (r"\sin\omega x", r"how far does \sin reach?"),
         (r"\langle x, y\rangle", "declare the vectors of this product"),
         ("[x, y]", "a list in these brackets cannot be read"),
         ("|x|y||", "| is not expected here"),

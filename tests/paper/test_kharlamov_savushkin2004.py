@@ -19,7 +19,7 @@ CONDITIONS = {
     "m": [],
     "point.alpha": [],
     "fields.1": [r"\ell - 2ms_1", r"\ell - 2ms_2"],
-    "solution.1": [r"1 - \kappa\mathrm{sn}^2"],
+    "solution.1": [r"1 - \kappa\mathrm{sn}(n(t - t_1), k)^2"],
 }
 
 

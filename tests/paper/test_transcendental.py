@@ -481,11 +481,18 @@ def test_arguments_that_may_be_one_are_not_taken_for_two(function, left, right, 
 AT_QUARTER = (
     r"\operatorname{sn}(K,k)=1,\quad\operatorname{cn}(K,k)=0,\quad\operatorname{dn}(K,k)=k'"
 )
+AT_HALF = r",\quad\operatorname{sn}(2K,k)=0,\quad\operatorname{cn}(2K,k)=-1,\quad\operatorname{dn}(2K,k)=1"
 QUARTERS = [
     (AT_QUARTER, r"\operatorname{sn}(x+K,k)=\operatorname{cd}(x,k)", "conditional"),
     (AT_QUARTER, r"\operatorname{sn}(x+2K,k)=-\operatorname{sn}(x,k)", "conditional"),
     (AT_QUARTER, r"\operatorname{sn}(x+2K,k)=\operatorname{sn}(x,k)", "refuted"),
     (AT_QUARTER, r"\operatorname{sn}(\frac{K}{2},k)=1", "error"),  # of a half nothing is printed
+    (AT_QUARTER + AT_HALF, r"\operatorname{sn}(x+3K,k)=-\operatorname{cd}(x,k)", "conditional"),
+    (AT_HALF[6:], r"\operatorname{cn}(x+2K,k)=-\operatorname{cn}(x,k)", "proved"),
+    (AT_HALF[6:], r"\operatorname{cn}(x-2K,k)=\operatorname{cn}(x,k)", "refuted"),
+    (AT_HALF[6:], r"\operatorname{cn}(x+K,k)=0", "error"),
+    (AT_QUARTER + AT_HALF.replace("-1", "1"), r"\operatorname{cn}(x,k)=0", "error"),
+    (AT_QUARTER.replace("(K", "(x+K"), r"\operatorname{cn}(x,k)=0", "error"),
     (AT_QUARTER.replace("=1", "=2"), r"\operatorname{sn}(x+K,k)=\operatorname{cd}(x,k)", "error"),
     (
         AT_QUARTER.partition(r",\quad\operatorname{dn}")[0],
@@ -499,10 +506,63 @@ QUARTERS = [
 @pytest.mark.usefixtures("uncorrected")
 @pytest.mark.parametrize(("values", "tex", "verdict"), sampled(QUARTERS, 4))
 def test_values_that_are_printed_at_a_constant(values, tex, verdict):
-    """All of one family there, which obey its relations; nothing is known of other arguments."""
+    """All of one family there, which obey its relations; nothing is known of other arguments.
+
+    Values at several multiples obey the addition theorem.
+    """
     section = Section("1", "")
     moduli = section.display("moduli", "k^2+k'^2=1")
     scene = Scene(variables=("x",), constants=("k", "K")).solving("k'", moduli[1])
     scene = scene.taking(section.display("values", values))
+    [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
+    assert str(outcome.verdict) == verdict
+
+
+PHASES = [
+    (r"\frac{d}{dt}\operatorname{sn}(n(t-t_1),k)=n\operatorname{cn}(n(t-t_1),k)\operatorname{dn}(nt-nt_1,k)", "proved"),
+    (r"\frac{d}{dt}\operatorname{sn}(n(t-t_1),k)=n\operatorname{cn}(n(t+t_1),k)\operatorname{dn}(n(t-t_1),k)", "refuted"),
+    (r"\operatorname{sn}^2(n(t-t_1),k)+\operatorname{cn}^2(n(t_1-t),k)=1", "proved"),
+    (r"\operatorname{sn}(n(t-t_1),k)=\operatorname{sn}(n(t_1-t),k)", "refuted"),
+    (r"\operatorname{sn}(n(t-t_1),k)=\operatorname{sn}(nt,k)", "refuted"),
+    (r"\cos(2nt-2t_1)=1-2\sin^2(nt-t_1)", "proved"),
+    (r"\cos(2nt-2t_1)=1-2\sin^2(nt+t_1)", "refuted"),
+    (r"\sin(nt-t_1)=\sin nt\cos t_1-\cos nt\sin t_1", "proved"),
+    (r"\frac{d}{dt}\sin(\nu t-t_1)=n\cos(nt-t_1)", "proved"),
+    (r"\frac{\partial}{\partial n}\sin(nt-t_1)=t\cos(nt-t_1)", "proved"),
+    (r"\frac{\partial}{\partial n}\sin(nt-t_1)=n\cos(nt-t_1)", "refuted"),
+]  # fmt: skip
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize(("tex", "verdict"), sampled(PHASES, 5))
+def test_functions_at_a_phase(tex, verdict):
+    """It is taken as a whole if the functions stand nowhere else; by its terms if they do."""
+    section = Section("1", "")
+    same = section.display("same", r"\nu=2n-n")
+    scene = Scene(constants=("n", "t_1", "k")).defining(same)
+    [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
+    assert str(outcome.verdict) == verdict
+
+
+ROTATED = [
+    (r"\operatorname{sn}(ix,k)=i\operatorname{sc}(x,k')", "k^2+k'^2=1", "conditional"),
+    (r"\operatorname{cn}(ix,k)=\operatorname{nc}(x,k')", "k^2+k'^2=1", "conditional"),
+    (r"\operatorname{dn}(ix,k')=\operatorname{dc}(x,k)", "k^2+k'^2=1", "conditional"),
+    (r"\operatorname{sn}(x+ix,k)=\operatorname{sn}(x-ix,k)", "k^2+k'^2=1", "undecided"),
+    (r"\operatorname{sn}(ix,k)=-i\operatorname{sc}(x,k')", "k^2+k'^2=1", "undecided"),
+    (r"\operatorname{sn}(ix,k)=i\operatorname{sc}(x,k')", "k'^2-k^2=1", "error"),
+    (r"\operatorname{sn}(ix,k)=i\operatorname{sc}(x,k')", "k'^2=1-k", "error"),
+    (r"\operatorname{sn}(ix,k^2)=i\operatorname{sc}(x,k')", "k^2+k'^2=1", "error"),
+    (r"\cos(ix)=\cosh x", "k^2+k'^2=1", "proved"),
+    (r"\cos(ix)=\sinh x", "k^2+k'^2=1", "refuted"),
+]  # fmt: skip
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize(("tex", "moduli", "verdict"), sampled(ROTATED, 4))
+def test_an_imaginary_argument_leads_to_the_complementary_modulus(tex, moduli, verdict):
+    section = Section("1", "")
+    scene = Scene(variables=("x",), constants=("k",)).with_unit(section.display("i", "i^2=-1")[1])
+    scene = scene.solving("k'", section.display("moduli", moduli)[1])
     [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
     assert str(outcome.verdict) == verdict

@@ -14,7 +14,7 @@ from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.problem.polynomial_fields import PolynomialField
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.search.exponents import LeadingPart, leading_weights, pseudo_remainder
+from kowalevski_cas.search.exponents import LeadingPart, pseudo_remainder, weights_of_leading_terms
 from kowalevski_cas.system import System
 
 EULER = r"\dot x=yz,\quad \dot y=-2zx,\quad \dot z=xy"
@@ -192,7 +192,7 @@ monomials = st.tuples(*3 * [st.integers(0, 3)])
 @given(st.lists(st.lists(monomials, min_size=1, max_size=3), min_size=3, max_size=3))
 def test_no_term_is_heavier_than_the_leading_ones(rates):
     try:
-        weights = leading_weights(rates)
+        weights = weights_of_leading_terms(rates)
     except Meaningless:
         return
     excess = [

@@ -96,7 +96,7 @@ def audited(audit: Audit) -> str:
 
     value = {
         **head("audit"),
-        **_assumed(audit),
+        **_assumptions(audit),
         "formulas": [_formula(audit, formula) for formula in audit.formulas],
         "statements": [_statement(audit, outcome) for outcome in audit.statements],
         "diagnostics": [*map(_diagnostic, diagnostics(audit))],
@@ -129,7 +129,7 @@ def _comments(audit: Audit) -> Iterator[dict[str, Any]]:
         yield {"id": ids[id(typed)], **_region(audit.source.region(*interval)), "text": text}
 
 
-def _assumed(audit: Audit) -> dict[str, Any]:
+def _assumptions(audit: Audit) -> dict[str, Any]:
     """What a source that is its own derivation takes for granted."""
     if audit.reading is None:
         return {}

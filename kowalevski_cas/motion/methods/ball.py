@@ -14,9 +14,8 @@ from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.ball import SolutionO4, state_by_angles
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.oscillation import Oscillation
-from kowalevski_cas.motion.parameters import Inadmissible, MethodError, ball, exact, precision
+from kowalevski_cas.motion.parameters import MethodError, ball, exact, precision
 from kowalevski_cas.motion.solution import PhasePoint, Variable
-from kowalevski_cas.motion.units import in_unit, unit_of
 
 LARGEST_PRECISION = 1 << 17
 """Bits of working precision after which an enclosure is given up."""
@@ -56,23 +55,6 @@ def start_on_O4(motion: MotionO4) -> Array:
                 return np.array([0.0 if x.contains(0) else float(x.mid()) for x in state])
         working *= 2
     raise MethodError("no enclosure of the state at t = 0")
-
-
-def loss(motion: Motion | MotionO4, times: Array, states: Array) -> float:
-    """How far states are from enclosures at the first, a middle and the last time.
-
-    That is relative to the size of the state for ω, and to that of the fields for these. Not a
-    number where there is no enclosure.
-    """
-    places = np.unique([0, len(times) // 2, len(times) - 1])
-    try:
-        there, _ = enclose(motion, times[places])
-    except (MethodError, Inadmissible):
-        return float("nan")
-    apart = np.abs(states[places] - there)
-    fields = np.max(apart[:, 3:], axis=1) / np.max(np.abs(there[:, 3:]), axis=1)
-    omega = in_unit(apart, unit_of(there))[:, :3]
-    return float(max(np.max(omega), np.max(fields)))
 
 
 def enclosures(

@@ -4,18 +4,26 @@ from __future__ import annotations
 
 import numpy as np
 
+from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.frame import rotate
 from kowalevski_cas.motion.jacobi import jacobi
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.closed import ClosedO4
 from kowalevski_cas.motion.o4.motion import MotionO4
-from kowalevski_cas.motion.parameters import ball, precision
+from kowalevski_cas.motion.parameters import MethodError, ball, precision
 from kowalevski_cas.motion.phases import LARGEST
 from kowalevski_cas.motion.solution import PhasePoint, Variable, VariableValues
+from kowalevski_cas.motion.units import in_unit, unit_of
 
 BITS = 256
 """The precision of the constants before they are rounded."""
+
+PROMISE = 1e-12
+"""The error on O⁴, of ω relative to the state and of the fields relative to these."""
+
+CHECKED = 4096
+"""At how many states at most, spread over the times, the integrals are compared."""
 
 
 class Closed:
@@ -58,7 +66,9 @@ class Closed:
 def states(motion: Motion | MotionO4, times: Array) -> Array:
     """The states at these times, an array of shape (N, 9); the error does not grow with time.
 
-    Raises ``ValueError`` for times that are not finite.
+    Raises ``ValueError`` for times that are not finite, and
+    :class:`~kowalevski_cas.motion.parameters.MethodError` where on O⁴ the integrals are not kept as
+    well as is promised.
     """
     t = np.ascontiguousarray(times, dtype=float)
     largest = float(np.max(np.abs(t), initial=0.0))
@@ -70,7 +80,32 @@ def states(motion: Motion | MotionO4, times: Array) -> Array:
     for start in range(0, len(t), closed.block):  # so that all arrays stay in the cache
         block = slice(start, start + closed.block)
         found[:, block] = closed(t[block])
+    some = found[:, :: -(-len(t) // CHECKED) or 1]
+    if isinstance(motion, MotionO4) and not _loss(some, motion) <= PROMISE:
+        raise MethodError("the closed form does not keep the integrals to twelve digits there")
     return found.T
+
+
+def _loss(states: Array, motion: MotionO4) -> float:
+    """How far the integrals of states (9, N) are from those of the motion, relative to sizes."""
+    units = unit_of(states.T)
+    H, K, a_square, b_square, c, G, *_ = formulas.values_of_offer("integrals")(
+        *in_unit(states.T, units).T
+    )
+    constants, fields = motion.constants, float(motion.parameters.p_square)
+    lost = [
+        np.abs(value - np.ldexp(constants[name], -weight * units))
+        for name, value, weight in (("h", H, 2), ("k", K, 4), ("g", G, 6))
+    ]
+    lost += [
+        np.abs(np.ldexp(value, 4 * units) - expected) / fields
+        for value, expected in (
+            (a_square, constants["a"] ** 2),
+            (b_square, constants["b"] ** 2),
+            (c, constants["c"]),
+        )
+    ]
+    return float(np.max(lost, initial=0.0))
 
 
 def _select(condition: Array, positive: Array, negative: Array) -> Array:

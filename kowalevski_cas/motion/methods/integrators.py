@@ -44,7 +44,7 @@ def integrate(method: str, start: Array, times: Array, tolerance: float = TOLERA
     """
     from scipy.integrate import solve_ivp
 
-    rates = formulas.offered_values("equations")
+    rates = formulas.values_of_offer("equations")
 
     def run(begin: Array, grid: Array) -> Array:
         if grid[-1] == 0:

@@ -26,7 +26,7 @@ def integrate(start: Array, times: Array, tolerance: float = TOLERANCE) -> Array
     import heyoka
 
     variables = heyoka.make_vars(*(f"x{index}" for index in range(9)))
-    system = list(zip(variables, formulas.offered_values("equations")(*variables), strict=True))
+    system = list(zip(variables, formulas.values_of_offer("equations")(*variables), strict=True))
     integrator = heyoka.taylor_adaptive(system, [0.0] * 9, tol=tolerance)
 
     def run(start: Array, times: Array) -> Array:

@@ -9,22 +9,24 @@ import numpy as np
 from flint import arb, arb_mat
 
 from kowalevski_cas.motion.frame import rotate
+from kowalevski_cas.motion.o4.arithmetic import BALLS
 from kowalevski_cas.motion.o4.motion import MotionO4
-from kowalevski_cas.motion.o4.point import PhasePointO4, VariableO4, cosines
+from kowalevski_cas.motion.o4.point import PhasePointO4
 from kowalevski_cas.motion.o4.quadrature import Quadratures
 from kowalevski_cas.motion.o4.series import DifferentialSeries, matrix
+from kowalevski_cas.motion.o4.uniformization import uniformize
 from kowalevski_cas.motion.parameters import ball
 
 
 def state_by_angles(motion: MotionO4) -> list[arb]:
     """The state at t = 0, where the motion has its angles: no quadrature is needed."""
     halves = [ball(angle) / 2 for angle in motion.angles]
-    point = PhasePointO4(motion.parameters, motion.regime, motion.signs, lambda x: x, arb.sqrt)
+    point = PhasePointO4(motion.parameters, motion.regime, motion.signs, BALLS)
     first, second = ((half.cos(), half.sin()) for half in halves)
-    return _turned_back(motion, list(point(first, second)))
+    return _turn_back(motion, list(point(first, second)))
 
 
-def _turned_back(motion: MotionO4, state: list[arb]) -> list[arb]:
+def _turn_back(motion: MotionO4, state: list[arb]) -> list[arb]:
     """The state in the fields as they were given."""
     cos, sin = motion.turn
     return rotate(state, ball(cos), ball(-sin)) if sin else state
@@ -35,13 +37,16 @@ class SolutionO4:
 
     def __init__(self, motion: MotionO4) -> None:
         self._motion, known = motion, motion.parameters
-        self._variables = [VariableO4(known, arc, lambda x: x) for arc in motion.arcs]
-        self._point = PhasePointO4(known, motion.regime, motion.signs, lambda x: x, arb.sqrt)
-        series = [DifferentialSeries(variable) for variable in self._variables]
-        self._means = matrix(series, motion.orientations)
-        self._sines = [one.sines() for one in series]
-        self._floats = Quadratures(motion, series)
-        self._origin = self._integrals([ball(angle) for angle in motion.angles])
+        self._arcs = [uniformize(known, arc) for arc in motion.arcs]
+        self._point = PhasePointO4(known, motion.regime, motion.signs, BALLS)
+        series = [DifferentialSeries(by) for by in self._arcs]
+        self._differentials = [one.differentials for one in series]
+        self._means = matrix([one.enclose_means() for one in series], motion.orientations)
+        self._sines = [one.enclose_sines() for one in series]
+        self._floats = Quadratures(series, motion.orientations)
+        self._origin = self._integrals(
+            [by.angle(ball(angle)) for by, angle in zip(self._arcs, motion.angles, strict=True)]
+        )
 
     def __call__(self, time: Fraction) -> list[arb]:
         """The state; balls that are not finite where no enclosure is found."""
@@ -50,13 +55,13 @@ class SolutionO4:
         turns = [(phase / turn).mid().floor() for phase in phases]
         aim -= self._means * arb_mat([[turn * count] for count in turns])
         near = [[float(phase - turn * k)] for phase, k in zip(phases, turns, strict=True)]
-        angles = self._enclosed(self._floats.angles(np.array(near))[:, 0].tolist(), aim)
+        angles = self._enclose(self._floats.angles(np.array(near))[:, 0].tolist(), aim)
         # After a turn the functions of half the angle have the other sign.
-        (sin_1, cos_1), (sin_2, cos_2) = (
-            ((angle + turn * count) / 2).sin_cos()
-            for angle, count in zip(angles, turns, strict=True)
+        first, second = (
+            by.at(angle + turn * count)
+            for by, angle, count in zip(self._arcs, angles, turns, strict=True)
         )
-        return _turned_back(self._motion, list(self._point((cos_1, sin_1), (cos_2, sin_2))))
+        return _turn_back(self._motion, list(self._point(first, second)))
 
     def _integrals(self, angles: Sequence[arb]) -> arb_mat:
         """Both integrals, a column."""
@@ -67,15 +72,15 @@ class SolutionO4:
 
     def _slopes(self, angles: Sequence[arb]) -> arb_mat:
         """The matrix of the differentials at these angles."""
-        columns = []
-        for sign, variable, angle in zip(
-            self._motion.orientations, self._variables, angles, strict=True
-        ):
-            values = variable.differentials(cosines(angle, arb.cos), arb.sqrt)
-            columns.append([sign * value for value in values])
+        columns = [
+            [sign * value for value in differentials(angle)]
+            for sign, differentials, angle in zip(
+                self._motion.orientations, self._differentials, angles, strict=True
+            )
+        ]
         return arb_mat(columns).transpose()
 
-    def _enclosed(self, start: Sequence[float], aim: arb_mat) -> list[arb]:
+    def _enclose(self, start: Sequence[float], aim: arb_mat) -> list[arb]:
         """The angles where the integrals are those aimed at.
 
         Newton's method, as long as its steps shrink, and then an interval Newton step: if it

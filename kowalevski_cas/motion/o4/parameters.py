@@ -20,6 +20,9 @@ from kowalevski_cas.paper.closed_form import HyperellipticForm
 MU, KAPPA, LOW, HIGH = ("-√σ", "√σ"), ("-κ", "κ"), "-τ-r²", "-τ+r²"
 """The roots of μ², of K², of A² and of B²."""
 
+OPPOSITE = {x: y for pair in (MU, KAPPA) for x, y in (pair, pair[::-1])}
+"""The roots −x beside x."""
+
 
 @dataclass(frozen=True)
 class ParametersO4(Lengths):
@@ -55,7 +58,7 @@ class ParametersO4(Lengths):
     def integrals(self) -> tuple[float, float, float]:
         """The values of H, K and G."""
         p, r = (float(ball(square).sqrt()) for square in (self.p_square, self.r_square))
-        integrals = formulas.offered_values("integrals", HyperellipticForm)
+        integrals = formulas.values_of_offer("integrals", HyperellipticForm)
         h, k, g = integrals(float(self.s), float(self.tau), p, r)
         return h, k, g
 
@@ -86,3 +89,11 @@ class ParametersO4(Lengths):
             return self.root(left) - self.root(right)
         difference = ball(abs(self.keys[left]) - abs(self.keys[right]))
         return difference / (self.root(left) + self.root(right))
+
+    def sum(self, left: str, right: str) -> arb:
+        """The sum of two roots, to full relative precision: a gap from the opposite of one."""
+        for name, other in ((left, right), (right, left)):
+            if name in OPPOSITE:
+                return self.gap(other, OPPOSITE[name])
+        of_r = {LOW: -self.r_square, HIGH: self.r_square}
+        return ball(of_r[left] + of_r[right] - 2 * self.tau)

@@ -3,113 +3,228 @@ r"""The two quadratures of O⁴ in floating point, and inverted.
 .. math:: \pm\frac{v_1\Delta_1}{y_1}\pm\frac{v_2\Delta_2}{y_2}=0, \qquad
     \pm\frac{n_1\Delta_1}{y_1}\pm\frac{n_2\Delta_2}{y_2}=-dt, \qquad \Delta_k=v_kdn_k-n_kdv_k
 
-Each differential is its mean by dφ and a series of cosines, which converges geometrically. By the
-inverse of the matrix of the means both integrals become :math:`\varphi_k+{}` sines
-:math:`=\theta_k`, with phases θ that are linear in time. The map φ ↦ θ is a diffeomorphism of the
-torus, for its determinant has the factor :math:`n_1v_2-n_2v_1`; so Newton's method with damping
-finds φ from anywhere.
+Each differential is its mean by dψ and a series of cosines, which converges geometrically. By the
+inverse of the matrix of the means both integrals become :math:`\psi_k+{}` sines
+:math:`=\theta_k`, with phases θ that are linear in time. The map ψ ↦ θ is a diffeomorphism of the
+torus, for its determinant has the factor :math:`n_1v_2-n_2v_1`.
+
+Newton's method with damping mostly finds ψ. Where a double root is near, whole regions of the torus
+are passed in no time; then two bisections find it: with n − ev in place of v, e between the
+arcs, each equation is monotone, the first one in :math:`\psi_2`, and the second one in
+:math:`\psi_1` when the first holds.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
+from flint import arb, arb_mat
 
 from kowalevski_cas.motion.arrays import Array
-from kowalevski_cas.motion.o4.motion import MotionO4
-from kowalevski_cas.motion.o4.point import VariableO4, cosines
+from kowalevski_cas.motion.jacobi import JacobiFunctions
+from kowalevski_cas.motion.o4.arithmetic import FLOATS, Pair
 from kowalevski_cas.motion.o4.series import DifferentialSeries, matrix
-from kowalevski_cas.motion.parameters import Inadmissible
+from kowalevski_cas.motion.o4.uniformization import Uniformization
+from kowalevski_cas.motion.parameters import MethodError
 
-BITS = 54
-"""How small the terms are that are left out."""
+SMALLEST = 2.0**-58
+"""The coefficients that are left out."""
 
 NEAR = 1e-10
 """A Newton step after which no other is needed."""
 
-STEPS = 100
-"""Newton steps, or halvings of one, after which the method gives up; it takes about six."""
+STEPS, HALVINGS = 12, 4
+"""Newton steps, and halvings of one, after which bisections go on; it takes about four."""
+
+NODES = 257
+"""Angles at which a phase is tabulated as if the other angle had no part in it."""
+
+LAST = 2.0**-51
+"""The length of a bracket, relative to π, in which nothing is to be found any more."""
 
 
 class Quadratures:
-    """The phases by the angles, and the angles by the phases."""
+    """The phases by the angles, and the angles by the phases.
 
-    def __init__(self, motion: MotionO4, series: Sequence[DifferentialSeries]) -> None:
-        means = matrix(series, motion.orientations)
-        self._means = np.array(means.tolist(), dtype=float)
-        self._variables = [VariableO4(motion.parameters, arc, float) for arc in motion.arcs]
-        self._signs = motion.orientations
-        inverse = np.array(means.inv().tolist(), dtype=float)
-        self._series = [
-            inverse @ (sign * _sines(variable, one.terms(BITS)))
-            for sign, variable, one in zip(self._signs, self._variables, series, strict=True)
-        ]
+    Raises :class:`~kowalevski_cas.motion.parameters.MethodError` if with half of the values the
+    series would not be the same.
+    """
+
+    def __init__(self, series: Sequence[DifferentialSeries], signs: Sequence[int]) -> None:
+        means = matrix([one.means() for one in series], signs)
+        inverse = means.inv()
+        self.rates = means.solve(arb_mat([[0], [-1]])).entries()
+        self._series = []
+        for sign, one in zip(signs, series, strict=True):
+            found = inverse * arb_mat([[sign * x for x in row] for row in one.sines()])
+            coefficients = np.array(found.tolist(), dtype=float)
+            large = np.flatnonzero(np.max(np.abs(coefficients), axis=0) > SMALLEST)
+            terms = int(large[-1]) + 1 if len(large) else 1
+            if 2 * terms > coefficients.shape[1]:
+                raise MethodError("half of the values do not tell the series of the quadratures")
+            self._series.append((coefficients[:, :terms], np.arange(1, terms + 1)))
+        self._forms = np.array(
+            (_monotone_forms([one.by for one in series]) * means).tolist(), dtype=float
+        )
+        self._tables = [self._table(place) for place in (0, 1)]
 
     def phases(self, angles: Array) -> Array:
-        """The phases θ (2, N) by the angles φ."""
-        one, two = map(_sum, self._series, angles)
-        found: Array = angles + one + two
-        return found
+        """The phases θ (2, N) by the angles ψ."""
+        return self._with_slopes(angles)[0]
 
     def angles(self, phases: Array) -> Array:
-        """The angles φ (2, N) by the phases θ.
-
-        Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible` if none are found.
-        """
-        found, left = phases.copy(), np.arange(phases.shape[1])
-        rest = phases - self.phases(found)
-        for _ in range(STEPS):
-            step = self._step(found[:, left], rest)
-            step, rest = self._damped(found[:, left], step, rest, phases[:, left])
-            found[:, left] += step
-            more = np.hypot(*step) > NEAR
-            left, rest = left[more], rest[:, more]
-            if not len(left):
-                return found
-        raise Inadmissible(
-            "Newton's method does not invert the quadratures: two roots are too close; s or τ "
-            "farther from those where the tori of O⁴ degenerate would do"
+        """The angles ψ (2, N) by the phases θ."""
+        turns = 2 * np.pi * np.rint(phases / (2 * np.pi))
+        aim = phases - turns
+        found = np.array(
+            [np.interp(phase, *table) for phase, table in zip(aim, self._tables, strict=True)]
         )
-
-    def _damped(self, start: Array, step: Array, rest: Array, aim: Array) -> tuple[Array, Array]:
-        """The step, or as much of it as diminishes the rest, and what then is left."""
-        before, after = np.hypot(*rest), aim - self.phases(start + step)
+        left = np.arange(phases.shape[1])
+        reached, slopes = self._with_slopes(found)
+        rest = aim - reached
         for _ in range(STEPS):
+            step, rest, slopes = self._damp(found[:, left], rest, slopes, aim[:, left])
+            found[:, left] += step
+            more = ~(np.hypot(*step) <= NEAR)
+            left, rest, slopes = left[more], rest[:, more], slopes[:, :, more]
+            if not len(left):
+                break
+        else:
+            found[:, left] = self._bisect(aim[:, left])
+        angles: Array = found + turns
+        return angles
+
+    def _damp(
+        self, start: Array, rest: Array, slopes: Array, aim: Array
+    ) -> tuple[Array, Array, Array]:
+        """A step, or as much of it as diminishes the rest; what then is left, and the slopes."""
+        (a, b), (c, d) = slopes
+        step = np.array([d * rest[0] - b * rest[1], a * rest[1] - c * rest[0]]) / (a * d - b * c)
+        before = np.hypot(*rest)
+        reached, slopes = self._with_slopes(start + step)
+        after = aim - reached
+        for _ in range(HALVINGS):
             worse = (np.hypot(*after) > before) & (np.hypot(*step) > NEAR)
             if not worse.any():
                 break
             step[:, worse] /= 2
-            after[:, worse] = aim[:, worse] - self.phases(start[:, worse] + step[:, worse])
-        return step, after
+            reached, slopes[:, :, worse] = self._with_slopes(start[:, worse] + step[:, worse])
+            after[:, worse] = aim[:, worse] - reached
+        return step, after, slopes
 
-    def _step(self, angles: Array, rest: Array) -> Array:
-        """Newton's step: the change of the angles that changes the phases by the rest."""
-        (a, c), (b, d) = (
-            [sign * value for value in variable.differentials(cosines(angle, np.cos), np.sqrt)]
-            for sign, variable, angle in zip(self._signs, self._variables, angles, strict=True)
-        )
-        x, y = self._means @ rest
-        step: Array = np.array([d * x - b * y, a * y - c * x]) / (a * d - b * c)
-        return step
+    def _bisect(self, aim: Array) -> Array:
+        """The angles by two monotone equations, one inside the other."""
+        wanted, (by_first, by_second) = self._forms @ aim, self._forms[0]
+        reach = 1 + sum(np.sum(np.abs(c[0])) for c, _ in self._series)
+        reach_of_form = sum(np.sum(np.abs(self._forms[0] @ c)) for c, _ in self._series)
+        half = 0.1 + reach_of_form / abs(by_second)
+        second = np.empty_like(aim[1])
+
+        def on_first_equation(first: Array) -> tuple[Array, Array]:
+            def inner(angle: Array) -> tuple[Array, Array]:
+                values, slopes = self._monotone(np.array([first, angle]))
+                return values[0] - wanted[0], slopes[0, 1]
+
+            middle = (wanted[0] - by_first * first) / by_second
+            second[:] = _monotone_root(inner, middle - half, middle + half)
+            values, slopes = self._monotone(np.array([first, second]))
+            (a, b), (c, d) = slopes
+            return values[1] - wanted[1], c - d * a / b
+
+        first = _monotone_root(on_first_equation, aim[0] - reach, aim[0] + reach)
+        on_first_equation(first)
+        return np.array([first, second])
+
+    def _monotone(self, angles: Array) -> tuple[Array, Array]:
+        """Both monotone forms and their derivatives by the angles."""
+        phases, slopes = self._with_slopes(angles)
+        return self._forms @ phases, np.einsum("ij,jkn->ikn", self._forms, slopes)
+
+    def _with_slopes(self, angles: Array) -> tuple[Array, Array]:
+        """The phases (2, N), and their derivatives (2, 2, N) by either angle."""
+        phases, slopes = angles.copy(), np.empty((2, 2, angles.shape[1]))
+        for place, ((coefficients, orders), angle) in enumerate(
+            zip(self._series, angles, strict=True)
+        ):
+            cosines, sines = _multiples(angle, len(orders))
+            phases += coefficients @ sines
+            slopes[:, place] = (coefficients * orders) @ cosines
+            slopes[place, place] += 1.0
+        return phases, slopes
+
+    def _table(self, place: int) -> tuple[Array, Array]:
+        """A phase and its angle, as if it were a function of this angle alone."""
+        coefficients, orders = self._series[place]
+        angle = np.linspace(-np.pi, np.pi, NODES)
+        _, sines = _multiples(angle, len(orders))
+        return np.maximum.accumulate(angle + coefficients[place] @ sines), angle
 
 
-def _sines(variable: VariableO4, terms: int) -> Array:
-    """The coefficients (2, terms) of sin φ, sin 2φ, … in the integrals of the differentials."""
-    samples = 4 * terms
-    angles = 2 * np.pi * np.arange(samples, dtype=float) / samples
-    values = np.array(variable.differentials(cosines(angles, np.cos), np.sqrt))
-    cosine = np.fft.rfft(values)[:, 1 : terms + 1].real * (2 / samples)
-    found: Array = cosine / np.arange(1, terms + 1)
-    return found
+class Halves:
+    """The pair (c, s) of a variable by arrays of angles ψ."""
+
+    def __init__(self, by: Uniformization) -> None:
+        self._by, self._quarters = by, by.quarters
+        self._functions = JacobiFunctions(by.quarter, by.other_quarter, by.complement_square)
+
+    def __call__(self, angles: Array) -> Pair:
+        """The pair; it changes its sign after a turn."""
+        turns = np.rint(angles / (2 * np.pi))
+        rest = (angles - 2 * np.pi * turns) / np.pi * self._quarters
+        quarter = np.rint(rest)
+        functions = self._functions(quarter, rest - quarter)
+        c, s = self._by.pair(functions, np.where(rest < 0, -1.0, 1.0), FLOATS)
+        sign = np.where(turns % 2, -1.0, 1.0)
+        return sign * c, sign * s
 
 
-def _sum(coefficients: Array, angle: Array) -> Array:
-    """Both series of sines (2, N)."""
-    sines, twice = np.empty((coefficients.shape[1] + 1, len(angle))), 2 * np.cos(angle)
-    sines[0], sines[1] = 0.0, np.sin(angle)
-    for before, here, after in zip(sines, sines[1:], sines[2:], strict=False):
-        np.multiply(twice, here, out=after)
-        after -= before
-    found: Array = coefficients @ sines[1:]
-    return found
+def _monotone_forms(arcs: Sequence[Uniformization]) -> arb_mat:
+    """A row for each of two numbers e between the arcs, of which n − ev is a combination.
+
+    Where both arcs are finite one of them is ∞. Otherwise the first one is in the wider gap.
+    """
+    known, (first, second) = arcs[0].known, (by.arc for by in arcs)
+    (x, y), (low, high) = ([known.root(name) for name in arc.ends] for arc in (first, second))
+    if not second.infinite:
+        inner = (y + low) / 2 if y < low else (high + x) / 2
+        return arb_mat([[1, 0], [-inner, 1]])
+    gaps = sorted([(low - y, y + low), (x - high, x + high)], key=lambda gap: -float(gap[0]))
+    return arb_mat([[-total / 2, arb(1)] for _, total in gaps])
+
+
+def _monotone_root(
+    function: Callable[[Array], tuple[Array, Array]], low: Array, high: Array
+) -> Array:
+    """The zero of a monotone function, with its derivative, in a bracket: by Newton or halving."""
+    rising = function(high)[0] > 0
+    place = (low + high) / 2
+    while True:
+        value, slope = function(place)
+        above = (value > 0) == rising
+        low, high = np.where(above, low, place), np.where(above, place, high)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            newton = place - value / slope
+        near = np.abs(newton - place) < (high - low) / 4
+        inside = (newton >= low) & (newton <= high) & near
+        after = np.where(inside, newton, (low + high) / 2)
+        if np.all((np.abs(after - place) <= LAST * np.pi) | (high - low <= LAST * np.pi)):
+            return after
+        place = after
+
+
+def _multiples(angle: Array, count: int) -> tuple[Array, Array]:
+    """The cosines and sines (count, N) of the first multiples, by doubling."""
+    cosines, sines = np.empty((2, count, len(angle)))
+    cosines[0], sines[0] = np.cos(angle), np.sin(angle)
+    known = 1
+    while known < count:
+        new = slice(known, min(2 * known, count))
+        some = slice(0, new.stop - known)
+        c, s = cosines[known - 1], sines[known - 1]
+        np.multiply(cosines[some], c, out=cosines[new])
+        cosines[new] -= sines[some] * s
+        np.multiply(sines[some], c, out=sines[new])
+        sines[new] += cosines[some] * s
+        known = new.stop
+    return cosines, sines

@@ -33,8 +33,8 @@ PRODUCTS = (
 )
 """The products of radicals, with E > 0, whose signs tell the points above (u1, u2) apart."""
 
-LEAST_GAP = 2.0**-40
-"""Between two roots, relative to the largest: with less floats do not tell a motion."""
+LEAST_GAP = 2.0**-400
+"""Between two roots, relative to the largest: what is less comes from rounding."""
 
 CHOSEN = ("K1", "mu2", "A2", "B2", "K2")
 """The radicals whose signs choose a torus, and the point on it."""
@@ -68,7 +68,7 @@ class RegimeO4:
     def invariant(self, signs: Sequence[int]) -> int:
         """What signs of K1, μ2, A2, B2, K2 on one torus have in common, and on no other."""
         negative = {name for name, sign in zip(CHOSEN, signs, strict=True) if sign < 0}
-        return _reduced(self._vector(negative), self._basis)
+        return _residue(self._vector(negative), self._basis)
 
     @property
     def _products(self) -> tuple[tuple[str, ...], ...]:
@@ -105,7 +105,7 @@ def regime_of(constants: ParametersO4) -> RegimeO4:
     """
     largest = max(abs(constants.root(name)) for name in constants.roots)
     for left, right in pairwise(constants.roots):
-        if constants.gap(right, left) <= LEAST_GAP * largest:
+        if not constants.gap(right, left) > LEAST_GAP * largest:
             raise Inadmissible(
                 f"{left} = {right}, or almost: the tori of O⁴ degenerate; another s or τ would do"
             )
@@ -158,12 +158,12 @@ def _independent(vectors: Iterable[int]) -> list[int]:
     """A basis over the field of two elements of vectors, each a number by its binary digits."""
     basis: list[int] = []
     for vector in vectors:
-        if rest := _reduced(vector, basis):
+        if rest := _residue(vector, basis):
             basis.append(rest)
     return basis
 
 
-def _reduced(vector: int, basis: Sequence[int]) -> int:
+def _residue(vector: int, basis: Sequence[int]) -> int:
     """What is left of a vector by a basis: the same for all that differ by a combination of it."""
     for known in basis:
         vector = min(vector, vector ^ known)

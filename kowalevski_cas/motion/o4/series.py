@@ -1,128 +1,161 @@
 r"""The Abelian differentials as series of cosines, in balls.
 
-A differential f(φ)dφ is even, and analytic in a strip :math:`|{\rm Im}\,\varphi|\le S`: each factor
-below its root, :math:`g_1\cos^2\frac\varphi2+g_2\sin^2\frac\varphi2`, is at least
-:math:`\frac12(|g_1|+|g_2|-|g_1-g_2|\cosh S)` there. If M is a bound of f in the strip, the
-coefficients of :math:`f=\sum a_k\cos k\varphi` are at most :math:`2Me^{-kS}`, and n values give
-:math:`a_k` up to :math:`4Me^{-(2n-k)S}/(1-e^{-2nS})`.
+A differential f(ψ)dψ is even and analytic in a strip :math:`|{\rm Im}\,\psi|\le S`, and largest on
+its edge. If M is a bound of f there, the coefficients of :math:`f=\sum a_k\cos k\psi` are at most
+:math:`2Me^{-kS}`, and 2n values give :math:`a_k` up to :math:`4Me^{-(2n-k)S}/(1-e^{-2nS})`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from math import acosh, ceil, log
+from functools import cached_property
+from math import ceil, log, sqrt
 
-from flint import arb, arb_mat, ctx
+from flint import acb, arb, arb_mat, ctx
 
-from kowalevski_cas.motion.o4.point import Pair, VariableO4, cosines
-from kowalevski_cas.motion.parameters import Inadmissible, MethodError
+from kowalevski_cas.motion.o4.arithmetic import BALLS, Pair
+from kowalevski_cas.motion.o4.uniformization import Uniformization
+from kowalevski_cas.motion.parameters import Inadmissible, MethodError, precision
 
-WIDEST, SHARE = 20.0, 0.98
-"""The greatest cosh S, and its share of the way from 1 to the nearest root."""
+SHARE = 0.85
+"""The share of the way to the nearest singularity."""
 
-MOST = 20000
+WIDEST = 3.0
+"""The greatest S: wider strips save few terms."""
+
+MOST = 1 << 14
 """Values of a differential, beyond which two roots are too close."""
 
-LARGEST_TRANSFORM = 2500
-"""Values that are transformed at most: the matrix for it is dense, and takes half a gigabyte."""
+GROWTH = 1e3
+"""How much larger a differential is taken to be on the edge than on the real line."""
+
+PIECES, MOST_PIECES = 40, 1 << 14
+"""Of the edge of the strip, as many by its width, and at most so many, in search of a bound."""
 
 
 class DifferentialSeries:
-    """Both differentials of a variable, v and n by dφ, at the precision of FLINT's context.
+    """Both differentials of a variable, v and n by dψ, at the precision of FLINT's context.
 
     Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible` if the series hardly converge.
     """
 
-    def __init__(self, variable: VariableO4) -> None:
-        factors = _moduli(variable)
-        nearest = min([WIDEST, *(float((x + y) / z) for x, y, z in factors if z > 0)])
-        self._width = arb(acosh(max(1 + SHARE * (nearest - 1), 1.0)))
-        cosh, square = self._width.cosh(), arb(1)
-        least = [(x + y - z * cosh) / 2 for x, y, z in factors]
-        for bound in least:
-            square *= bound
-        self._bounds = [
-            variable.scale * (abs(x + y) + abs(x - y) * cosh) / 2 / square.sqrt()
-            for x, y in reversed(variable.ends)
-        ]
-        if not (
-            self._width > 0 and all(bound > 0 for bound in least) and self.terms(ctx.prec) <= MOST
-        ):
+    def __init__(self, by: Uniformization) -> None:
+        self.by = by
+        self._width = min(float(by.width.lower()) * SHARE, WIDEST)
+        count = ceil((ctx.prec * log(2) + log(GROWTH)) / self._width) if self._width > 0 else MOST
+        if count >= MOST:
             raise Inadmissible(
-                "two roots are so close that the series of the quadratures hardly converge: s or τ "
-                "farther from those where the tori of O⁴ degenerate would do"
+                "two pairs of roots are so close that the series of the quadratures hardly "
+                "converge: s or τ farther from those where the tori of O⁴ degenerate would do"
             )
-        count = self.terms(ctx.prec)
-        self._values = [
-            variable.differentials(cosines(arb(2 * j + 1) / (2 * count), arb.cos_pi), arb.sqrt)
-            for j in range(count)
-        ]
+        self._count = count + 1
+        angles = [arb(j) / self._count * arb.pi() for j in range(self._count + 1)]
+        values = [self.differentials(angle) for angle in angles]
+        self._coefficients = [_cosines([x[place] for x in values]) for place in (0, 1)]
 
-    def terms(self, bits: int) -> int:
-        """How many coefficients there are that need not be smaller than 2^−bits."""
-        largest = log(1 + max(map(float, self._bounds)))
-        return ceil((bits * log(2) + largest) / float(self._width)) + 1
+    def differentials(self, angle: arb) -> Pair:
+        """Both at an angle."""
+        by = self.by
+        return by.differentials(by.at(angle), by.variable, by.rate, BALLS.root)
 
     def means(self) -> list[arb]:
-        """The means of both differentials."""
-        return [
-            sum(values, arb(0)) / len(values) + self._missing(place, 0)
-            for place, values in enumerate(zip(*self._values, strict=True))
-        ]
+        """The means of both differentials, but for what the number of values leaves."""
+        return [cosines[0] for cosines in self._coefficients]
 
-    def sines(self) -> Callable[[arb], Pair]:
-        """The integrals of both, less their means, as functions of φ.
+    def sines(self) -> list[list[arb]]:
+        """The coefficients of sin ψ, sin 2ψ, … in the integrals of both, but for the same."""
+        return [[a / k for k, a in enumerate(cosines) if k] for cosines in self._coefficients]
 
-        Raises :class:`~kowalevski_cas.motion.parameters.MethodError` for too many values.
-        """
-        count = len(self._values)
-        if count > LARGEST_TRANSFORM:
-            raise MethodError(
-                f"two roots are so close that an enclosure needs series of {count} terms, and "
-                f"{LARGEST_TRANSFORM} are the most that fit into memory; the other methods follow "
-                "the motion"
-            )
-        transform = arb_mat.dct(count) * arb_mat([list(pair) for pair in self._values])
-        scale = (arb(2) / count).sqrt()
-        terms = [
-            [(scale * transform[k, place] + self._missing(place, k)) / k for place in (0, 1)]
-            for k in range(1, count)
-        ]
-        beyond = 2 * (-count * self._width).exp() / (1 - (-self._width).exp()) / count
-        rest = [_around_zero(beyond * bound) for bound in self._bounds]
+    # -- enclosures -------------------------------------------------------------------------
 
-        def series(angle: arb) -> Pair:
-            first, second = rest
-            for k, (one, two) in enumerate(terms, 1):
-                sine = (k * angle).sin()
-                first, second = first + one * sine, second + two * sine
+    def enclose_means(self) -> list[arb]:
+        """Balls for the means."""
+        return [mean + self._error_ball(place, 0) for place, mean in enumerate(self.means())]
+
+    def enclose_sines(self) -> Callable[[arb], Pair]:
+        """The integrals of both, less their means, as functions of ψ that give balls."""
+        beyond = 2 * (-self._count * self._strip).exp() / (1 - (-self._strip).exp()) / self._count
+        series = []
+        for place, coefficients in enumerate(self.sines()):
+            known = [a + self._error_ball(place, k) / k for k, a in enumerate(coefficients[:-1], 1)]
+            series.append((_sum_of_sines(known), _around_zero(beyond * self._bounds[place])))
+
+        def integrals(angle: arb) -> Pair:
+            first, second = (sines(angle) + rest for sines, rest in series)
             return first, second
 
-        return series
+        return integrals
 
-    def _missing(self, place: int, k: int) -> arb:
+    @property
+    def _strip(self) -> arb:
+        return arb(self._width)
+
+    @cached_property
+    def _bounds(self) -> tuple[arb, arb]:
+        """Bounds of both in the strip: on its edge, where ψ runs from 0 to π, piece by piece."""
+        pieces = ceil(PIECES / self._width)
+        while pieces <= MOST_PIECES:
+            with precision(64):
+                found = [self._sizes(place, pieces) for place in range(pieces)]
+            if all(size.is_finite() for sizes in found for size in sizes):
+                first, second = (max(sizes, key=float) for sizes in zip(*found, strict=True))
+                return first, second
+            pieces *= 4
+        raise MethodError("no bound of the differentials: two pairs of roots are too close")
+
+    def _sizes(self, place: int, pieces: int) -> Pair:
+        """Bounds of both on a piece of the edge."""
+        half = arb.pi() / (2 * pieces)
+        angle = acb((2 * place + 1) * half + arb(0, half.upper()), self._strip)
+        by = self.by
+        c, s = by.pair(by.functions(angle), 1, BALLS)
+        quotient = s / c
+        squares = acb(1), quotient * quotient
+        n, v = by.variable.pair(squares)
+        common = by.rate / abs(by.below(by.variable, squares)).sqrt()
+        return (abs(v) * common).upper(), (abs(n) * common).upper()
+
+    def _error_ball(self, place: int, k: int) -> arb:
         """A ball for the error of a coefficient."""
-        count = len(self._values)
-        last = (-(2 * count - k) * self._width).exp() / (1 - (-2 * count * self._width).exp())
+        values, strip = 2 * self._count, self._strip
+        last = (-(values - k) * strip).exp() / (1 - (-values * strip).exp())
         return _around_zero(4 * self._bounds[place] * last)
 
 
-def matrix(series: Sequence[DifferentialSeries], signs: Sequence[int]) -> arb_mat:
+def matrix(means: Sequence[Sequence[arb]], signs: Sequence[int]) -> arb_mat:
     """The matrix of the means with their signs: a row an equation, a column a variable."""
-    columns = [[sign * x for x in one.means()] for sign, one in zip(signs, series, strict=True)]
+    columns = [[sign * x for x in pair] for sign, pair in zip(signs, means, strict=True)]
     return arb_mat(columns).transpose()
 
 
-def _moduli(variable: VariableO4) -> list[tuple[arb, arb, arb]]:
-    """Of each factor below the root: the moduli of g1, g2 and g1 − g2."""
-    found = [(abs(x), abs(y), abs(x - y)) for x, y in variable.factors]
-    if variable.sigma is None:
-        return found
-    # n² − σv² is a product of two conjugate factors.
-    (n1, n2), (v1, v2) = variable.ends
-    pairs = ((n1, v1), (n2, v2), (n1 - n2, v1 - v2))
-    x, y, z = ((n * n + variable.sigma * v * v).sqrt() for n, v in pairs)
-    return [*found, (x, y, z), (x, y, z)]
+def _cosines(values: Sequence[arb]) -> list[arb]:
+    """The coefficients of 1, cos ψ, cos 2ψ, … of an even function, by values from 0 to π."""
+    count = len(values) - 1
+    found = acb.dft([*values, *values[-2:0:-1]])[: count + 1]
+    first, *rest = (x.real / count for x in found)
+    return [first / 2, *rest]
+
+
+def _sum_of_sines(coefficients: Sequence[arb]) -> Callable[[arb], arb]:
+    """The series of sin ψ, sin 2ψ, … by blocks: a recursion would widen the balls at each step."""
+    width = ceil(sqrt(len(coefficients)))
+    padded = [*coefficients, *[arb(0)] * (-len(coefficients) % width)]
+    rows = arb_mat([padded[k : k + width] for k in range(0, len(padded), width)])
+
+    def series(angle: arb) -> arb:
+        inner = arb_mat([(k * angle).sin_cos() for k in range(1, width + 1)])
+        outer = [(k * width * angle).sin_cos() for k in range(rows.nrows())]
+        return sum(
+            (
+                sines * cosine + cosines * sine
+                for (sines, cosines), (sine, cosine) in zip(
+                    (rows * inner).tolist(), outer, strict=True
+                )
+            ),
+            arb(0),
+        )
+
+    return series
 
 
 def _around_zero(bound: arb) -> arb:

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from itertools import product
+from itertools import pairwise, product
 
 import numpy as np
 from flint import acb, arb
@@ -20,16 +20,20 @@ from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.critical import TOLERANCE, residuals
 from kowalevski_cas.motion.formulas import exactly
-from kowalevski_cas.motion.frame import BITS, given_state, rotate, turn_of
+from kowalevski_cas.motion.frame import BITS, rotate, state_from_numbers, turn_of
 from kowalevski_cas.motion.methods.closed import states
+from kowalevski_cas.motion.o4.arithmetic import BALLS, FLOATS
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.o4.parameters import ParametersO4
-from kowalevski_cas.motion.o4.point import PhasePointO4, VariableO4
-from kowalevski_cas.motion.o4.regimes import LEAST_GAP
+from kowalevski_cas.motion.o4.point import PhasePointO4
+from kowalevski_cas.motion.o4.variable import VariableO4
 from kowalevski_cas.motion.parameters import Inadmissible, Real, ball, precision, root
 from kowalevski_cas.motion.phases import as_fraction
 from kowalevski_cas.motion.point import distance
 from kowalevski_cas.paper.closed_form import HyperellipticForm
+
+LEAST_GAP = 2.0**-40
+"""Between two roots, relative to the largest: with less the rounding of a state parts them."""
 
 SIGNS = np.array(list(product((1.0, -1.0), repeat=5))).T
 """All signs that a phase point can have, a column each."""
@@ -44,21 +48,21 @@ def on_O4(state: Sequence[Real]) -> MotionO4:
     Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible` if the state is not on O⁴, or the
     tori of its constants degenerate. What is left of the distance is the ``off`` of the motion.
     """
-    given = given_state(state)
+    given = state_from_numbers(state)
     residual = float(residuals(np.array([given], dtype=float))["O4"][0])
     if not residual <= TOLERANCE:
         raise Inadmissible(
             f"the state is not on O⁴: its equations leave {residual:.3g} of its size"
         )
     with precision(BITS):
-        _, _, a_square, b_square, c, *_ = exactly(formulas.offered_values("integrals"), given)
+        _, _, a_square, b_square, c, *_ = exactly(formulas.values_of_offer("integrals"), given)
         turn = turn_of(a_square, b_square, c)
         straight = rotate(given, *turn)
         constants, pairs = _separate(straight)
         motion = MotionO4(constants, turn=turn, point=tuple(map(float, given)))
         # Either quotient may be u1.
         angles = [
-            [float(VariableO4(constants, arc, lambda x: x).angle(pair)) for pair in order]
+            [float(VariableO4(constants, arc, BALLS).angle(pair)) for pair in order]
             for arc, order in zip(motion.arcs, (pairs, pairs[::-1]), strict=True)
         ]
         motion = _best_fit(motion, np.array(angles), np.array(straight, dtype=float))
@@ -75,20 +79,23 @@ def _separate(state: list[Fraction]) -> tuple[ParametersO4, list[tuple[arb, arb]
     """The constants at a state in fields at right angles, and both variables as quotients."""
     if not any(state[:2]):
         raise Inadmissible("ω1 = ω2 = 0 at the state: it does not tell the constant s of O⁴")
-    known = formulas.offered_values("complex_variables")(*(acb(ball(x)) for x in state), acb(0, 1))
+    known = formulas.values_of_offer("complex_variables")(*(acb(ball(x)) for x in state), acb(0, 1))
     found = [
-        acb(value).real for value in formulas.offered_values("constants", HyperellipticForm)(*known)
+        acb(value).real
+        for value in formulas.values_of_offer("constants", HyperellipticForm)(*known)
     ]
     s, tau, X, total = map(as_fraction, found)
-    _, _, a_square, b_square, *_ = exactly(formulas.offered_values("integrals"), state)
+    _, _, a_square, b_square, *_ = exactly(formulas.values_of_offer("integrals"), state)
     constants = ParametersO4(root(a_square), root(b_square), s, tau)
     largest = abs(tau) + constants.r_square
-    for name, square in (("σ", constants.sigma), ("k", constants.kappa_square)):
-        if abs(square) <= LEAST_GAP * largest**2:  # two roots are its roots, which rounding parts
-            raise Inadmissible(f"{name} = 0 at the state, but for rounding: the tori degenerate")
+    names = constants.roots
+    close = [constants.gap(y, x) <= LEAST_GAP * ball(largest) for x, y in pairwise(names)]
+    squares = constants.sigma, constants.kappa_square
+    if any(close) or any(abs(square) <= LEAST_GAP * largest**2 for square in squares):
+        raise Inadmissible("two roots coincide at the state, but for rounding: the tori degenerate")
     xi = total - tau
     given = [X, xi, tau, constants.sigma]
-    variables = formulas.offered_values("variables", HyperellipticForm)
+    variables = formulas.values_of_offer("variables", HyperellipticForm)
     square, *_ = exactly(variables, [*given, Fraction(0)])
     q = root(max(square, Fraction(0)))
     _, *ends, v, both = exactly(variables, [*given, q])
@@ -101,8 +108,8 @@ def _best_fit(motion: MotionO4, angles: Array, state: Array) -> MotionO4:
     weights = np.repeat([max(abs(state[:3])) ** 2 + max(abs(state[3:]))], 9)
     weights[:3] **= 0.5
 
-    def missing(signs: Array, angles: Array) -> Array:
-        point = PhasePointO4(motion.parameters, motion.regime, list(signs), float, np.sqrt)
+    def difference(signs: Array, angles: Array) -> Array:
+        point = PhasePointO4(motion.parameters, motion.regime, list(signs), FLOATS)
         one, two = ((np.cos(angle / 2), np.sin(angle / 2)) for angle in angles)
         with np.errstate(invalid="ignore", divide="ignore"):  # signs for which E is not real
             found = np.array(np.broadcast_arrays(*point(one, two)))
@@ -110,11 +117,11 @@ def _best_fit(motion: MotionO4, angles: Array, state: Array) -> MotionO4:
         return wanted
 
     signs, starts = np.tile(SIGNS, angles.shape[1]), np.repeat(angles, SIGNS.shape[1], axis=1)
-    errors = np.linalg.norm(missing(signs, starts), axis=0)
+    errors = np.linalg.norm(difference(signs, starts), axis=0)
     best = np.argmin(np.nan_to_num(errors, nan=np.inf))
     signs, found = signs[:, best], starts[:, best]
     for _ in range(STEPS):
-        columns = missing(signs, found[:, None] + STEP * np.array([[0, 1, 0], [0, 0, 1]]))
+        columns = difference(signs, found[:, None] + STEP * np.array([[0, 1, 0], [0, 0, 1]]))
         if not np.isfinite(columns).all():
             raise Inadmissible(
                 "no phase point with the constants of the state is near: it is not on O⁴"

@@ -116,7 +116,7 @@ def _curves(axes: Axes, parameters: Parameters, ordinate: Map) -> None:
     low, high = axes.get_ylim()
     gap = 1e-6 * (high - low)
     drawn: set[str] = set()
-    for words, style, ell in separating(parameters, m):
+    for words, style, ell in separating_curves(parameters, m):
         sides = [regime_at(parameters, m, np.abs(ell + shift)) for shift in (gap, -gap)]
         parts = sides[0] != sides[1] if ell.any() else sides[0] >= 0
         y = ordinate(m, np.abs(ell))
@@ -140,7 +140,7 @@ def degenerate_curves(parameters: Parameters, reach: float) -> list[tuple[Array,
     return [(m, ell) for m, ell in curves]
 
 
-def separating(parameters: Parameters, m: Array) -> Iterator[tuple[str, int, Array]]:
+def separating_curves(parameters: Parameters, m: Array) -> Iterator[tuple[str, int, Array]]:
     """The separating curves as ℓ(m), with words and a style for each: which roots coincide."""
     for style, (words, ends) in enumerate(
         ((r"$\ell=\pm 2am\pm 1$", FIELD_1), (r"$\ell=\pm 2bm\pm 1$", FIELD_2))

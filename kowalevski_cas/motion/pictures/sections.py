@@ -146,12 +146,12 @@ def numbers(axes: Axes, curve: Curve, taken: Sequence[tuple[float, float]]) -> N
 def values(fields: Fields, h: float) -> tuple[Array, Array]:
     """The values of G and √K at states of an energy by chance."""
     states = fields.states(STATES)
-    rest = formulas.offered_values("integrals")(*states.T)[0]
+    rest = formulas.values_of_offer("integrals")(*states.T)[0]
     states, rest = states[rest < h], rest[rest < h]
     directions = np.random.default_rng(3).normal(size=(len(states), 3))
     directions *= np.sqrt((h - rest) / np.sum(directions**2, axis=1))[:, None]
     states[:, :3] = directions * (1, 1, np.sqrt(2))
-    _, k, _, _, _, g, *_ = formulas.offered_values("integrals")(*states.T)
+    _, k, _, _, _, g, *_ = formulas.values_of_offer("integrals")(*states.T)
     return g, np.sqrt(k)
 
 
@@ -160,9 +160,9 @@ def rotations(fields: Fields, h: float) -> list[tuple[float, float, bool]]:
     found = []
     for sign in (1.0, -1.0):
         state = np.array([0, 0, 0, float(fields.a), 0, 0, 0, sign * float(fields.b), 0])
-        rest = formulas.offered_values("integrals")(*state)[0]
+        rest = formulas.values_of_offer("integrals")(*state)[0]
         if rest <= h:
             state[2] = np.sqrt(2 * (h - rest))
-            _, k, _, _, _, g, *_ = formulas.offered_values("integrals")(*state)
+            _, k, _, _, _, g, *_ = formulas.values_of_offer("integrals")(*state)
             found.append((g, np.sqrt(k), bool(residuals(state[None])["O4"][0] > TOLERANCE)))
     return found

@@ -51,13 +51,13 @@ def draw(motion: Motion | MotionO4) -> Figure:
 
 def _curves(axes: Axes, fields: Fields, energies: bool) -> None:
     """Draw where regimes of O⁴ meet, and where motions end."""
-    for words, style, s, tau in separating(fields, axes.get_ylim()):
+    for words, style, s, tau in separating_curves(fields, axes.get_ylim()):
         real = np.where(fields.is_real(s, tau), tau, np.nan)
         y = fields.on_O4(s, real)[0] if energies else real
         axes.plot(s, y, **mark(style).line, lw=1.2, zorder=2, label=words)
 
 
-def separating(
+def separating_curves(
     fields: Fields, reach: tuple[float, float]
 ) -> Iterator[tuple[str | None, int, Array, Array]]:
     """The curves (s, τ₃) on which regimes of O⁴ meet, with words and a style for each."""

@@ -103,6 +103,7 @@ def _rates(group: Generators, space: Elaboration) -> dict[str, Formula]:
     """The rates of generators at a multiple of the time, by the time."""
     time = space.scene.time
     rates = space.transcendental.directions(time)
-    if group.argument.names() - {*space.constants, time} or time not in group.argument.names():
+    names = space.transcendental.names_under(group)
+    if names - {*space.constants, time} or time not in names:
         raise Meaningless("a function of a multiple of the time is expected on the right")
     return {name: rates[name] for name in group.names.values()}

@@ -1,6 +1,6 @@
 """The closed form on O⁴: at any time, in every regime, in floats and in balls."""
 
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 import pytest
@@ -9,10 +9,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, formulas, load
-from kowalevski_cas.motion.formulas import offered_values
+from kowalevski_cas.motion.formulas import values_of_offer
 from kowalevski_cas.motion.methods.ball import enclosures
-from kowalevski_cas.motion.o4.point import PhasePointO4, VariableO4
+from kowalevski_cas.motion.o4.arithmetic import BALLS
+from kowalevski_cas.motion.o4.point import PhasePointO4
 from kowalevski_cas.motion.o4.series import DifferentialSeries
+from kowalevski_cas.motion.o4.uniformization import ByConjugates, ByNeighbours, uniformize
+from kowalevski_cas.motion.o4.variable import VariableO4
 from kowalevski_cas.motion.parameters import ball, precision
 from kowalevski_cas.paper.closed_form import HyperellipticForm, Values
 from kowalevski_cas.paper.scene import Scene
@@ -54,7 +57,7 @@ def test_floats_are_as_exact_as_balls_at_any_time(known):
 @regime
 def test_the_integrals_and_the_constants_of_O4_are_kept(known):
     moving = motion(known)
-    values = offered_values("integrals")(*closed(moving, T).T)
+    values = values_of_offer("integrals")(*closed(moving, T).T)
     found = dict(zip(("h", "k", "a2", "b2", "c", "g"), values, strict=False))
     a, b, *_ = map(float, known)
     expected = {**moving.constants, "a2": a**2, "b2": b**2, "c": 0.0}
@@ -76,15 +79,16 @@ def test_balls_get_smaller_and_contain_each_other():
 def test_a_series_encloses_the_integral(known):
     with precision(128):
         for arc in motion(known).arcs:
-            variable = VariableO4(motion(known).parameters, arc, lambda x: x)
-            series, angle = DifferentialSeries(variable), arb(1) / 3
+            by = uniformize(motion(known).parameters, arc)
+            series, angle = DifferentialSeries(by), arb(1) / 3
 
-            def differential(z, analytic, place, variable=variable):
-                squares = (1 + z.cos()) / 2, (1 - z.cos()) / 2
-                return variable.differentials(squares, lambda x: x.sqrt(analytic=analytic))[place]
+            def differential(z, analytic, place, by=by):
+                pair = by.pair(by.functions(z), 1, BALLS)
+                root = partial(acb.sqrt, analytic=analytic)
+                return by.differentials(pair, by.variable, by.rate, root)[place]
 
-            for place, sines in enumerate(series.sines()(angle)):
-                found = series.means()[place] * angle + sines
+            for place, sines in enumerate(series.enclose_sines()(angle)):
+                found = series.enclose_means()[place] * angle + sines
                 exact = acb.integral(
                     lambda z, analytic, place=place: differential(z, analytic, place),
                     acb(0),
@@ -92,6 +96,19 @@ def test_a_series_encloses_the_integral(known):
                 )
                 assert found.overlaps(exact.real)
                 assert found.rad() < 1e-25
+
+
+@regime
+def test_both_uniformizations_give_the_same_pair_and_the_angle_of_a_pair_is_its_own(known):
+    with precision(128):
+        moving = motion(known)
+        for arc in moving.arcs:
+            kinds = (ByNeighbours, ByConjugates) if moving.parameters.sigma < 0 else (ByNeighbours,)
+            for given in (arb(-9) / 4, arb(1) / 3, arb(5) / 2, arb(7)):
+                for by in (kind(moving.parameters, arc) for kind in kinds):
+                    c, s = by.at(by.angle(given))
+                    assert (c * (given / 2).sin()).overlaps(s * (given / 2).cos())
+                    assert c * (given / 2).cos() + s * (given / 2).sin() > 0
 
 
 PARTS = (r"\Pi", "Y", "V", "T", r"\Lambda", "d", "N")
@@ -119,7 +136,7 @@ def test_the_phase_point_is_that_of_the_printed_formulas(known, first, second, c
     with precision(128):
         halves = [arb(float(x) / 2).sin_cos()[::-1] for x in (first, second)]
         (n1, v1), (n, v) = (
-            VariableO4(values, arc, lambda x: x).pair((cos**2, sin**2))
+            VariableO4(values, arc, BALLS).pair((cos**2, sin**2))
             for arc, (cos, sin) in zip(moving.arcs, halves, strict=True)
         )
         sign = 1 if v > 0 else -1
@@ -133,7 +150,7 @@ def test_the_phase_point_is_that_of_the_printed_formulas(known, first, second, c
         radicals = [s * x.sqrt() for s, x in zip(signed, squares(*at, *first_two), strict=True)]
         d = radicals[0] - radicals[1]
         expected = fields(*at, *radicals, *parts(*at, *radicals, d))
-        point = PhasePointO4(values, moving.regime, moving.signs, lambda x: x, arb.sqrt)
+        point = PhasePointO4(values, moving.regime, moving.signs, BALLS)
         for x, y in zip(point(*halves), expected, strict=True):
             assert x.overlaps(y)
             assert x.rad() < 1e-20

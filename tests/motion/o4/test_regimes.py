@@ -8,12 +8,11 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, MotionO4, ParametersO4, load
-from kowalevski_cas.motion.formulas import offered_values
-from kowalevski_cas.motion.o4.point import VariableO4
+from kowalevski_cas.motion.o4.arithmetic import FLOATS
 from kowalevski_cas.motion.o4.regimes import regime_of
 from kowalevski_cas.motion.o4.start import on_O4
+from kowalevski_cas.motion.o4.variable import VariableO4
 from kowalevski_cas.motion.parameters import precision
-from kowalevski_cas.paper.closed_form import HyperellipticForm
 from tests.motion.o4.levels import EVERY_REGIME, KNOWN, admissible, motion, point, points
 from tests.sample import sampled
 
@@ -54,25 +53,25 @@ def test_inside_the_arcs_the_squares_are_positive_and_at_the_ends_one_vanishes(k
     parameters = ParametersO4.of(*known)
     regime = regime_of(parameters)
     with precision(64):
-        one, two = (VariableO4(parameters, arc, float) for arc in (regime.u1, regime.u2))
+        one, two = (VariableO4(parameters, arc, FLOATS) for arc in (regime.u1, regime.u2))
         s, tau, sigma = map(float, (parameters.s, parameters.tau, parameters.sigma))
-    r, kappa = float(parameters.r_square) ** 0.5, float(parameters.kappa_square) ** 0.5
+    r_square, kappa_square = float(parameters.r_square), float(parameters.kappa_square)
 
     def squares(first, second):
+        """Those of μ, A, B, K for u1 and, times powers of v, for u2 = n/v; and of E."""
         (n1, v1), (n, v) = (
             variable.pair((np.cos(x / 2) ** 2, np.sin(x / 2) ** 2))
             for variable, x in ((one, first), (two, second))
         )
-        mu1, *_ = offered_values("squares", HyperellipticForm)(
-            n1 / v1, n, v, 0, 0, s, tau, r, sigma, kappa
-        )
-        hat = (n**2 - sigma * v**2) / tau
-        roots = abs(mu1) ** 0.5, -(abs(hat) ** 0.5)
-        return np.array(
-            offered_values("squares", HyperellipticForm)(
-                n1 / v1, n, v, *roots, s, tau, r, sigma, kappa
-            )
-        )
+        u = n1 / v1
+        mu1, mu2 = (u**2 - sigma) / tau, (n**2 - sigma * v**2) / tau
+        product = -np.sqrt(abs(mu1 * mu2))
+        return np.array([
+            mu1, u + tau + r_square, r_square - tau - u, (kappa_square - u**2) / (2 * s),
+            mu2, n + (tau + r_square) * v, n + (tau - r_square) * v,
+            (n**2 - kappa_square * v**2) / (2 * s),
+            2 * sigma / (sigma * v + n * u + tau * product),
+        ])  # fmt: skip
 
     inner = np.linspace(0.01, 3.13, 40)
     assert np.all(squares(*np.meshgrid(inner, inner)) > 0)

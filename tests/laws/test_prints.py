@@ -1,0 +1,139 @@
+r"""One law of motion in the prints of many authors: each is read as it is meant, or refused.
+
+What a print means is computed here by SymPy, from its parts; the package reads the print.
+"""
+
+import random
+from itertools import permutations
+
+import pytest
+from sympy import LeviCivita, Rational, Symbol, sympify
+
+from kowalevski_cas import System
+from kowalevski_cas.algebra.present import formula_of
+from kowalevski_cas.notation import Name
+from kowalevski_cas.notation.sympy import to_sympy
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.texts import Texts
+from kowalevski_cas.paper.vocabulary import vocabulary
+
+FEW = pytest.mark.parametrize("seed", [*range(4), *(pytest.param(k, marks=pytest.mark.slow) for k in range(4, 60))])  # fmt: skip
+
+
+def field(system):
+    """The rates of a system as it is read, by its variables."""
+    space = Elaborations(Texts(vocabulary((system.scene,))))(system.scene)
+    at = space.finder
+    rates = {name: at.derivative(at.scalar(Name(name))) for name in space.variables}
+    return {n: to_sympy(formula_of(rate, space.texts.vocabulary), {}) for n, rate in rates.items()}
+
+
+def differ(system, expected, seed):
+    """The variables that move otherwise than is expected, at a random point."""
+    found = field(system)
+    assert {*found} == {*expected}
+    values = {
+        s: Rational(random.Random(f"{seed}{s}").randint(2, 99), 7)
+        for one in (*found.values(), *map(sympify, expected.values()))
+        for s in one.free_symbols
+    }
+    return {name for name in found if (found[name] - expected[name]).subs(values).simplify() != 0}
+
+
+def vector(letter):
+    return [Symbol(f"{letter}_{k}") for k in (1, 2, 3)]
+
+
+# -- the sign of a permutation -------------------------------------------------------------------
+
+
+def permuted(seed):
+    """A print with the sign of a permutation, what it means, and the print with another sign."""
+    chance = random.Random(seed)
+    letters = chance.choice(["ijk", "abc", "lmn", "pqr", "jki"])
+    i, j, k = letters
+    sign = chance.choice([r"\varepsilon", r"\epsilon"])
+    order = chance.choice([*permutations(letters)])
+    second, third = chance.choice(["MM", "Mg", "gM", "gh", "hM"])
+    factor = chance.choice(["", "2", "-", r"\frac{1}{2}", "c"])
+    behind = chance.choice(["", f"+g_{i}", f"-cM_{i}"])
+    ranges = chance.choice(
+        ["", f",\\ {i}=1,2,3", f",\\ {i},{j},{k}=1,2,3", f"\\quad({i}=1,\\dots,3)"]
+    )
+    sums = chance.choice(["", "", rf"\sum_{{{j},{k}=1}}^3", rf"\sum_{{{j}=1}}^3\sum_{{{k}=1}}^3"])
+
+    def tex(order):
+        tensor = f"{sign}_{{{''.join(order)}}}{second}_{j}{third}_{k}"
+        return rf"\dot M_{i}={factor}{sums}{tensor}{behind}{ranges}"
+
+    place = {letter: order.index(letter) for letter in letters}
+    named = {one: vector(one) for one in "Mgh"}
+    scale = {"": 1, "2": 2, "-": -1, r"\frac{1}{2}": Symbol("c") * 0 + 1, "c": Symbol("c")}[factor]
+    meant = {}
+    for a in range(3):
+        value = 0
+        for b in range(3):
+            for c in range(3):
+                index = [0, 0, 0]
+                index[place[i]], index[place[j]], index[place[k]] = a, b, c
+                value += LeviCivita(*index) * named[second][b] * named[third][c]
+        value = value / 2 if "frac" in factor else value * scale
+        value += {"": 0, "+": named["g"][a], "-": -Symbol("c") * named["M"][a]}[behind[:1]]
+        meant[f"M_{a + 1}"] = value
+    odd = (order[1], order[0], order[2])
+    return tex(order), tex(odd), meant, second == third
+
+
+@FEW
+def test_indices_of_the_sign_of_a_permutation_are_summed_over(seed):
+    tex, other, meant, symmetric = permuted(seed)
+    assert not differ(System(tex), meant, seed), tex
+    assert symmetric or differ(System(other), meant, seed), other
+
+
+REFUSED = [
+    (r"\dot x_i=a_{ij}x_j", "print the sums"),
+    (r"\dot M_i=\varepsilon_{ijk}M_jM_k/I_k", "over what is summed"),
+    (r"\dot M_i=(\varepsilon_{ijk}M_jg_k)^2", "over what is summed"),
+    (r"\dot M_i=\varepsilon_{ijk}M_jg_k+g_j", "which indices are free"),
+    (r"i\dot a=b,\ i\dot b=a", "i\\^2=-1"),
+    (r"\dot a=-ib,\ \dot b=-ia", "i\\^2=-1"),
+    (r"I\dot\omega=I\omega\times\omega", "in bold"),
+    (r"\dot M=(M+\lambda)\times\omega", "in bold"),
+    (r"\ddot x=-\frac{x}{\|x\|^3}", "the vector in bold"),
+    (r"\ddot x=-x/\left\|x\right\|^3", "the vector in bold"),
+    (r"\dot x=y,\ \dot y=-sin x", "print .sin"),
+    (r"where\ \dot x=y,\ \dot y=-x", "words outside"),
+]
+
+
+@pytest.mark.parametrize(("tex", "instead"), REFUSED)
+@pytest.mark.parametrize("name", [str, lambda tex: tex.replace("x", "u").replace("M", "L")])
+def test_what_would_be_misread_is_refused_with_what_to_print(tex, instead, name):
+    with pytest.raises(ValueError, match=instead):
+        System(name(tex) if "sin x" not in tex else tex)
+
+
+@pytest.mark.parametrize(
+    "tex",
+    [
+        r"\dot x=3\times10y,\ \dot y=-x", "\\dot x=(a+b)\\\\ \\times(c+d)y", r"\dot q_i=p_i,\ \dot p_i=-q_i",
+        r"\dot x=x_{\text{for}},\ \dot y=sx", r"\dot x=\mathrm{i}y,\ i^2=-1,\ \dot y=x",
+    ],
+)  # fmt: skip
+def test_what_is_clear_is_not_refused(tex):
+    assert System(tex).scene.field
+
+
+@FEW
+def test_an_absolute_value_is_the_positive_root_of_the_square(seed):
+    chance = random.Random(seed)
+    bars = chance.choice(["|x|", r"\left|x\right|", r"\lvert x\rvert", r"\vert x\vert"])
+    power, scale = chance.choice([1, 2, 3]), chance.choice([1, 2, 3])
+    law = System(rf"\ddot x=-{scale}x{bars}^{power}")
+    energy = rf"(\dot x)^2+\frac{{{2 * scale}}}{{{power + 2}}}x^2{bars}^{power}"
+    assert law.integral(energy).verdict.green, energy
+    assert law.integral(energy.replace(bars, "x")).verdict == (
+        "proved" if power == 2 else "refuted"
+    )
+    assert law.integral(energy.replace("+", "-")).verdict == "refuted"
