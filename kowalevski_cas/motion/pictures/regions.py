@@ -60,6 +60,13 @@ def shade(
             )  # fmt: skip
 
 
+def hatch(axes: Axes, here: Mask) -> None:
+    """Hatch a part of a grid."""
+    x, y = mesh(axes)
+    if here.any():
+        axes.contourf(x, y, here, levels=(0.5, 1.5), colors="none", hatches=["////"], zorder=0.5)
+
+
 def fill_regions(
     axes: Axes, curves: Iterable[tuple[Array, Array]], points: tuple[Array, Array]
 ) -> Mask:
