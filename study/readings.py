@@ -84,7 +84,7 @@ class Score:
 
 
 def audit_entries(path: Path, timeout: float) -> list[Entry]:
-    """The formulas of an audit without a derivation.
+    """The formulas of an audit without a derivation, and what it judges of claims in words.
 
     Raises:
         CommandError: the audit ends without an answer.
@@ -93,13 +93,16 @@ def audit_entries(path: Path, timeout: float) -> list[Entry]:
     options = ["--format", "json", "--timeout", str(timeout)]
     try:
         done = subprocess.run([*command, *options], capture_output=True, timeout=LONGEST, text=True)
-        formulas: list[Entry] = json.loads(done.stdout)["formulas"]
+        found = json.loads(done.stdout)
     except subprocess.TimeoutExpired:
         raise CommandError(f"no answer in {LONGEST} s", NOTHING) from None
     except ValueError:
         last = (done.stderr.strip().splitlines() or ["nothing was said"])[-1]
         raise CommandError(f"exit code {done.returncode}, {last}", NOTHING) from None
-    return formulas
+    in_words = (
+        {**one, "role": "claim", "reason": ""} for one in found["statements"] if one["line"]
+    )
+    return [*found["formulas"], *in_words]
 
 
 def places(text: str, truth: list[Entry]) -> Iterator[tuple[int, int]]:

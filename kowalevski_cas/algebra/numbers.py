@@ -95,34 +95,8 @@ class Substitution:
         """The values of the roots, by their places in the ring."""
         for bit, name in enumerate(ring.roots if roots is None else ()):
             own = values.get(name)
-            self.roots[bit] = self.root(self(ring.radicands[bit])) if own is None else own
-
-    def root(self, radicand: Element) -> Element:
-        """A square root of a number, adjoined if it has to be."""
-        numbers = self.numbers
-        value = rational(radicand)
-        if value == -1:
-            return numbers.generator("i")
-        if value is not None and (root := square_root(value)) is not None:
-            return numbers.number(root)
-        if value is None:
-            return self._adjoin(radicand)
-        whole = value.numerator * value.denominator
-        found = numbers.number(Fraction(1, value.denominator))
-        if whole < 0:
-            found = found * numbers.generator("i")
-        for prime, exponent in prime_factors(
-            abs(whole)
-        ):  # roots of primes do not depend on each other
-            found = found * numbers.number(prime ** (exponent // 2))
-            if exponent % 2:
-                found = found * self._adjoin(numbers.number(prime))
-        return found
-
-    def _adjoin(self, radicand: Element) -> Element:
-        numbers = self.numbers
-        name = rf"\sqrt{{{to_latex(formula_of(radicand, NUMBERS))}}}"
-        return numbers.generator(name) if name in numbers.roots else numbers.adjoin(name, radicand)
+            radicand = ring.radicands[bit]
+            self.roots[bit] = root_in(numbers, self(radicand)) if own is None else own
 
     def __call__(self, element: Element) -> Element:
         """The value of an element; raises ``ZeroDivisionError`` on a zero of its denominator."""
@@ -151,6 +125,31 @@ class Substitution:
             return _by_unit(numbers.polynomials.terms(value), numbers)
         terms = self.ring.polynomials.terms(polynomial)
         return substitute(terms, self.values.__getitem__, self.numbers)
+
+
+def root_in(numbers: Ring, radicand: Element) -> Element:
+    """A square root of a number, adjoined to a ring of numbers if it has to be."""
+    value = rational(radicand)
+    if value == -1:
+        return numbers.generator("i")
+    if value is not None and (root := square_root(value)) is not None:
+        return numbers.number(root)
+    if value is None:
+        return _adjoin(numbers, radicand)
+    whole = value.numerator * value.denominator
+    found = numbers.number(Fraction(1, value.denominator))
+    if whole < 0:
+        found = found * numbers.generator("i")
+    for prime, exponent in prime_factors(abs(whole)):
+        found = found * numbers.number(prime ** (exponent // 2))
+        if exponent % 2:  # roots of primes do not depend on each other
+            found = found * _adjoin(numbers, numbers.number(prime))
+    return found
+
+
+def _adjoin(numbers: Ring, radicand: Element) -> Element:
+    name = rf"\sqrt{{{to_latex(formula_of(radicand, NUMBERS))}}}"
+    return numbers.generator(name) if name in numbers.roots else numbers.adjoin(name, radicand)
 
 
 def substitute(terms: Terms, value_of: Callable[[int], Element], ring: Ring) -> Element:

@@ -33,10 +33,10 @@ class Describer:
         self.texts = session.interpretation.texts
         self.refused = refused
         self.roles = Roles(session.interpretation.derivation)
-        self.broken: dict[str, list[str]] = {}
+        self.error_outcome: dict[str, list[str]] = {}
         for claim, causes in session.causes.places.items():
             for printed in causes:
-                self.broken.setdefault(printed.place, []).append(claim)
+                self.error_outcome.setdefault(printed.place, []).append(claim)
 
     def formulas(self, place: Correspondence) -> Iterator[Audited]:
         """The statements of one display."""
@@ -142,7 +142,7 @@ class Describer:
     ) -> None:
         """What a statement makes false, and what it no longer defines."""
         session = self.session
-        audited.breaks = tuple(self.broken.get(printed.place, ()))
+        audited.breaks = tuple(self.error_outcome.get(printed.place, ()))
         lost = idle = []
         if printed in session.changed:
             lost = undefined(role, formula)

@@ -33,6 +33,7 @@ from kowalevski_cas.reading import (
     Reading,
 )
 from kowalevski_cas.reading.uncovered import Uncovered, sentences
+from kowalevski_cas.source.text import Region
 from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.decider import Decider
 from kowalevski_cas.verify.interpretation import Interpretation
@@ -103,7 +104,7 @@ class ReadingSession:
         """The run of a session; what a wrong unit spoils is not corrected otherwise."""
         (outcomes,) = decide_together([session], only, self._heard)
         self._look_for_unit(session.interpretation, outcomes, causes)
-        blame = self._blame(session, outcomes, causes)
+        blame = self._blame(session, outcomes, causes, self._in_words)
         return session.result(correct_together(session, outcomes, blame))
 
     def _blaming(self, outcome: Outcome) -> Outcome:
@@ -145,14 +146,21 @@ class ReadingSession:
                 yield from ((place, edit) for edit in every if edit.formula == right)
                 return
 
+    @property
+    def _in_words(self) -> list[str]:
+        """The claims of sentences: nearly any other function would be independent, or at rest."""
+        return [f.claim.id for f in self.reading.statements if f.claim and f.span is not None]
+
     @staticmethod
-    def _blame(session: Session, outcomes: Sequence[Outcome], causes: Causes) -> Blame:
+    def _blame(
+        session: Session, outcomes: Sequence[Outcome], causes: Causes, in_words: Sequence[str]
+    ) -> Blame:
         """The search for what makes claims fail that stand on no misprint that is known."""
         verdicts = {outcome.claim: outcome.verdict for outcome in outcomes}
         misprints = causes.misprints.keys()
         waiting = {c.id for c in session.derivation.claims if c.reads() & misprints}
         explained = [o.claim for o in outcomes if o.correction or o.claim in waiting]
-        return Blame(session.decider.corrector, verdicts, explained)
+        return Blame(session.decider.corrector, verdicts, [*explained, *in_words])
 
     # -- what is mended elsewhere --------------------------------------------------------
 
@@ -198,17 +206,28 @@ def audit_reading(session: ReadingSession) -> Audit:
     said = (*paper.source.refused, *paper.expanded.notes)
     notes = [(paper.source.line(offset), reason) for offset, reason in said]
     return Audit(
-        paper.source, paper.expanded, places, found, author, notes, {},
+        paper.source, paper.expanded, places, found, author, notes, _regions(reading),
         perf_counter() - start, reading, uncovered(reading),
     )  # fmt: skip
+
+
+def _regions(reading: Reading) -> dict[str, Region]:
+    """Where the words stand that make claims."""
+    source, expanded = reading.paper.source, reading.paper.expanded
+    return {
+        one.claim.id: source.region(*expanded.origin(*one.span))
+        for one in reading.statements
+        if one.claim is not None and one.span is not None
+    }
 
 
 def uncovered(reading: Reading) -> list[Uncovered]:
     """The sentences that claim something, and by which no claim is made that is judged."""
     paper, said = reading.paper, reading.parts.said
     judged = [f for f in (*reading.formulas, *reading.statements) if f.claim is not None]
-    kinds = {(f.item.sentence, f.role.kind) for f in judged}
-    stated = sentences(paper.prose, paper.source, paper.expanded, said.skipped(paper.prose))
+    kinds = {(f.item.sentence, f.role.kind) for f in judged if f.span is None}
+    covered = [*said.skipped(paper.prose), *(f.span for f in judged if f.span is not None)]
+    stated = sentences(paper.prose, paper.source, paper.expanded, covered)
     return [one for span, kind, one in stated if (span, kind) not in kinds]
 
 

@@ -11,7 +11,7 @@ from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.verify.corrections import printed_of, statement_of
+from kowalevski_cas.verify.corrections import formulas_printed_by, statement_of
 from kowalevski_cas.verify.decider import Decider
 from kowalevski_cas.verify.outcome import Correction, Outcome
 from kowalevski_cas.verify.statement import Statement
@@ -59,7 +59,7 @@ class Restoration:
             return None
         with suppress(NotationError, Meaningless):
             for neighbour in claim.neighbours(on.texts):
-                if printed_of(neighbour) == good.formulas:
+                if formulas_printed_by(neighbour) == good.formulas:
                     return self._decider.corrector.correction_of(
                         neighbour, statement_of(neighbour, on)
                     )

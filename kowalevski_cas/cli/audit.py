@@ -41,7 +41,7 @@ from kowalevski_cas.source.files import read_source
 from kowalevski_cas.source.listing import listing
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.certificate import load_certificates
-from kowalevski_cas.verify.confirm import need_certificates, receiving
+from kowalevski_cas.verify.confirm import need_certificates, receive_here
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.verify.outcome_writer import disagreement
 
@@ -110,17 +110,17 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.list:
         return _list(source, arguments.format)
     if arguments.draft:
-        said, code = _drafted(source, arguments.beside)
+        said, code = _draft(source, arguments.beside)
         _write(said, source)
         return code
     alone = arguments.alone and arguments.derivation is None
-    known = None if alone else fitting(source, arguments.derivation)
+    known = None if alone else fitting_derivation(source, arguments.derivation)
     if known is None:
-        _, said, note, code = _told(arguments, _read(source, arguments))
+        _, said, note, code = _render(arguments, _read(source, arguments))
     else:
-        with receiving():
+        with receive_here():
             ((outcomes, said, note, code),) = session.map_in_processes(
-                lambda one: _told(arguments, audit(one, auditing(*known, arguments))), [source]
+                lambda one: _render(arguments, audit(one, audit_run(*known, arguments))), [source]
             )
         for outcome in outcomes:
             need_certificates(outcome)
@@ -139,7 +139,7 @@ def _write(text: str, source: Source) -> None:
     sys.stdout.buffer.write(text.encode(source.encoding, "replace"))
 
 
-def _drafted(source: Source, apart: bool) -> tuple[str, int]:
+def _draft(source: Source, apart: bool) -> tuple[str, int]:
     """All that is inferred of a source as comments, and the exit code."""
     from kowalevski_cas.reading.draft import beside, draft
 
@@ -148,11 +148,11 @@ def _drafted(source: Source, apart: bool) -> tuple[str, int]:
     return said, AS_RECORDED if found.formulas else NOTHING
 
 
-def _told(arguments: argparse.Namespace, found: Audit) -> tuple[list[Outcome], str, str, int]:
+def _render(arguments: argparse.Namespace, found: Audit) -> tuple[list[Outcome], str, str, int]:
     """The outcomes of an audit, what is to be printed and noted, and the exit code."""
     outcomes, code = [*found.outcomes.values()], exit_code(found, arguments.strict)
     notes = [outcome.note for outcome in outcomes if outcome.note]
-    notes += [_written(found, arguments.report)] if arguments.report is not None else []
+    notes += [_write_page(found, arguments.report)] if arguments.report is not None else []
     note = "\n".join(notes)
     if arguments.patch:
         from kowalevski_cas.audit.patch import patch
@@ -172,7 +172,7 @@ def _read(source: Source, arguments: argparse.Namespace) -> Audit:
         return audit_reading(run)
 
 
-def _written(found: Audit, folder: Path) -> str:
+def _write_page(found: Audit, folder: Path) -> str:
     """Write the page of an audit; where it is."""
     from kowalevski_cas.report.annotated import annotate
     from kowalevski_cas.report.html import render_html
@@ -182,7 +182,7 @@ def _written(found: Audit, folder: Path) -> str:
     return f"{page} is written"
 
 
-def fitting(source: Source, name: str | None) -> tuple[Path, Derivation] | None:
+def fitting_derivation(source: Source, name: str | None) -> tuple[Path, Derivation] | None:
     """The derivation that is named, or the one of the library that fits a source, if one does."""
     if name is not None:
         return session.derivations([name])[0]
@@ -191,9 +191,9 @@ def fitting(source: Source, name: str | None) -> tuple[Path, Derivation] | None:
     return next((pair for pair in candidates if pair[1] is found), None)
 
 
-def chosen(source: Source, name: str | None) -> tuple[Path, Derivation]:
+def choose(source: Source, name: str | None) -> tuple[Path, Derivation]:
     """The derivation that is named, or the one of the library that fits a source."""
-    found = fitting(source, name)
+    found = fitting_derivation(source, name)
     if found is None:
         said = "no derivation of the library fits this source; name one with --derivation"
         raise CommandError(f"{source.path}: {said}", NOTHING)
@@ -205,7 +205,7 @@ def arithmetics(name: str) -> tuple[str, ...]:
     return EXACT if name == "all" else (name,)
 
 
-def auditing(folder: Path, derivation: Derivation, arguments: argparse.Namespace) -> AuditSession:
+def audit_run(folder: Path, derivation: Derivation, arguments: argparse.Namespace) -> AuditSession:
     """The run of a derivation with which sources are compared."""
     stored, record = load_certificates(folder), session.readable_record(folder)
     explain, timeout = arguments.report is not None, arguments.timeout

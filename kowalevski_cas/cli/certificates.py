@@ -28,7 +28,7 @@ def run(arguments: argparse.Namespace) -> int:
     chosen = session.derivations(arguments.derivations)
     runs = [run for run, _ in session.runs(chosen, ["flint"], timeout=arguments.timeout)]
     for (folder, derivation), found, reasons in zip(
-        chosen, runs, session.map_in_processes(session.rejected, runs), strict=True
+        chosen, runs, session.map_in_processes(session.rejections, runs), strict=True
     ):
         open_ones = (outcome for outcome in found.outcomes if outcome.verdict not in DECIDED)
         reasons |= {outcome.claim: f"{outcome.verdict}: {outcome.message}" for outcome in open_ones}

@@ -42,7 +42,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 def translate(format: str, folder: Path, derivation: Derivation) -> tuple[dict[str, Json], Export]:
     """The certificates of a derivation and their export; what is left out is named on stderr."""
-    certificates = accepted_certificates(folder, derivation)
+    certificates = certificates_to_export(folder, derivation)
     export = load(format).files(certificates)
     if not export.texts:
         raise CommandError(f"no claim of {derivation.name} can be said in {format}", NOTHING)
@@ -53,7 +53,7 @@ def translate(format: str, folder: Path, derivation: Derivation) -> tuple[dict[s
     return certificates, export
 
 
-def accepted_certificates(folder: Path, derivation: Derivation) -> dict[str, Json]:
+def certificates_to_export(folder: Path, derivation: Derivation) -> dict[str, Json]:
     """The certificates in the folder of a derivation by name; all have to be as recorded."""
     record = load_record(folder)
     files = certificate_files(folder)

@@ -107,7 +107,7 @@ def run(arguments: argparse.Namespace) -> int:
     binary = arguments.format == "npz" and arguments.output is None
     if binary and sys.stdout.isatty():
         raise CommandError("npz is not for a terminal; give --output DIR, or send it to a file")
-    contents = FORMATS[arguments.format](_followed(arguments))
+    contents = FORMATS[arguments.format](_follow(arguments))
     if arguments.output is not None:
         path = arguments.output / f"motion.{arguments.format}"
         write(path, contents)
@@ -119,7 +119,7 @@ def run(arguments: argparse.Namespace) -> int:
     return AS_RECORDED
 
 
-def _followed(arguments: argparse.Namespace) -> Trajectory:
+def _follow(arguments: argparse.Namespace) -> Trajectory:
     if not 1 <= arguments.samples <= LARGEST_COUNT:
         raise CommandError(f"--samples has to be from 1 to {LARGEST_COUNT}")
     try:

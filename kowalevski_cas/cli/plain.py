@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from textwrap import TextWrapper
 from typing import Final
 
-from kowalevski_cas.cli.terminal import styled, width
+from kowalevski_cas.cli.terminal import width, with_style
 from kowalevski_cas.notation import (
     Formula,
     NotationError,
@@ -45,12 +45,12 @@ _COLOURS: Final = {
 
 def sign(verdict: Verdict, words: str = "") -> str:
     """The sign of a verdict, and words, in its colour on a terminal; all signs are as wide."""
-    return styled(f"{MARKS[verdict].sign:<3} {words}".ljust(4), _COLOURS.get(verdict, 33))
+    return with_style(f"{MARKS[verdict].sign:<3} {words}".ljust(4), _COLOURS.get(verdict, 33))
 
 
 def bold(line: str) -> str:
     """A line that stands out on a terminal."""
-    return styled(line, 1)
+    return with_style(line, 1)
 
 
 def formulas(found: Iterable[Formula], source: str = "") -> str:

@@ -43,12 +43,12 @@ def run(arguments: argparse.Namespace) -> int:
     except (OSError, ValueError, AttributeError, RecursionError) as error:
         raise CommandError(f"{path}: {error}") from None
 
-    def certified(one: Posed) -> str:
+    def certify(one: Posed) -> str:
         with time_limit(arguments.timeout):
             return _certificate(one)
 
     try:
-        (found,) = session.map_in_processes(certified, [posed])
+        (found,) = session.map_in_processes(certify, [posed])
         checker.check(found)
     except TimeoutError:
         raise CommandError(

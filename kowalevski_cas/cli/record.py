@@ -34,14 +34,14 @@ def run(arguments: argparse.Namespace) -> int:
     anew: list[dict[str, Stored]] = [{} for _ in chosen]
     both = session.runs(chosen, EXACT, timeout=arguments.timeout, stored=anew)
     runs = [run for run, _ in both]
-    rejected = session.map_in_processes(session.rejected, runs)
+    rejected = session.map_in_processes(session.rejections, runs)
     return max(
-        _write(folder, _decided(run, reasons))
+        _write(folder, _decide(run, reasons))
         for (folder, _), run, reasons in zip(chosen, runs, rejected, strict=True)
     )
 
 
-def _decided(found: Run, rejected: Mapping[str, str]) -> Run:
+def _decide(found: Run, rejected: Mapping[str, str]) -> Run:
     """A run in which what the checker, on its own, does not accept is an error."""
     for outcome in found.outcomes:
         if disagreement(outcome.verdicts):

@@ -52,7 +52,7 @@ def derivations(names: Sequence[str], only: Sequence[str] = ()) -> list[tuple[Pa
     names = names or available()
     if not names:
         raise CommandError("the library has no derivations", NOTHING)
-    found = [(find(name), loaded(find(name), name, anew=not k)) for k, name in enumerate(names)]
+    found = [(find(name), load_named(find(name), name, anew=not k)) for k, name in enumerate(names)]
     ids = {claim.id for _, derivation in found for claim in derivation.claims}
     for id in only:
         if id not in ids:
@@ -65,7 +65,7 @@ def derivations(names: Sequence[str], only: Sequence[str] = ()) -> list[tuple[Pa
     return [f for f in found if not only or any(claim.id in only for claim in f[1].claims)]
 
 
-def loaded(folder: Path, name: str, anew: bool = True) -> Derivation:
+def load_named(folder: Path, name: str, anew: bool = True) -> Derivation:
     """The derivation with this name; a paper is read as its own."""
     file = source(folder)
     if file.suffix != ".tex":
@@ -116,7 +116,7 @@ def readable_record(folder: Path) -> Mapping[str, Mapping[str, object]]:
         return {}
 
 
-def rejected(run: Run) -> dict[str, str]:
+def rejections(run: Run) -> dict[str, str]:
     """Why the checker, on its own, rejects certificates of a run; by the claims.
 
     It computes with Python's integers here, as it does wherever it is alone.

@@ -30,7 +30,7 @@ def printable(text: str) -> str:
     return _CONTROL.sub("?", text)
 
 
-def styled(words: str, style: int) -> str:
+def with_style(words: str, style: int) -> str:
     """Words in a style that terminals know by this number, if the output shows styles."""
     if not (isinstance(sys.stdout, Output) and sys.stdout.has_styles):
         return words

@@ -120,7 +120,7 @@ def _watch(arguments: argparse.Namespace) -> int:
     code, before = AS_RECORDED, None
     with suppress(KeyboardInterrupt):
         while True:
-            if (now := _saving_times(arguments.derivations)) != before:
+            if (now := _save_times(arguments.derivations)) != before:
                 try:
                     code = _verify(arguments)
                 except UserError as error:
@@ -132,7 +132,7 @@ def _watch(arguments: argparse.Namespace) -> int:
     return code
 
 
-def _saving_times(names: Sequence[str]) -> dict[Path, int]:
+def _save_times(names: Sequence[str]) -> dict[Path, int]:
     """When the files of derivations were saved, and those that they read."""
     sources = [source(find(name)) for name in names or available()]
     own = {

@@ -191,6 +191,10 @@ def is_word(letter: str) -> bool:
 
 
 def is_known(letter: str) -> bool:
-    """Whether it is a letter, in some type, and no macro of which nothing is known."""
-    parts = symbol(letter)
-    return parts.letter in GREEK or parts.letter.isalpha() or "{" in letter
+    r"""Whether it is a letter, whatever its type and accents, and no macro of another meaning.
+
+    >>> is_known(r"\hat{\mathbf{x}}"), is_known(r"\hat{\sin}")
+    (True, False)
+    """
+    inner = symbol(letter).letter
+    return inner in GREEK or inner.isalpha()

@@ -38,7 +38,7 @@ class Family:
     ``argument``
         the part of the argument at which the generators are taken.
     ``imaginary``
-        the generators at i times an argument, by those of another family at it.
+        the generators at i times an argument, by those at it of the family in :data:`ROTATED`.
     ``degenerate``
         the generators for special parameters, by functions of the argument x.
     ``integrals``
@@ -135,6 +135,7 @@ JACOBI = Family(
     },
     parameters=("k",),
     covers=False,
+    imaginary={"s": r"\frac{is}{c}", "c": r"\frac{1}{c}", "d": r"\frac{d}{c}"},
     degenerate={
         (0,): {"s": r"\sin x", "c": r"\cos x", "d": "1"},
         **{(one,): {"s": r"\tanh x", "c": _SECH, "d": _SECH} for one in (1, -1)},
@@ -148,6 +149,9 @@ WEIERSTRASS = Family(
     parameters=("g_2", "g_3"),
     covers=False,
 )
+
+ROTATED = {CIRCULAR: EXPONENTIAL, EXPONENTIAL: CIRCULAR, JACOBI: JACOBI}
+"""By which families those at i times an argument are known, with the complementary modulus."""
 
 FAMILIES = (CIRCULAR, EXPONENTIAL, JACOBI, WEIERSTRASS)
 

@@ -1,7 +1,8 @@
 r"""The addition theorems of the functions that a problem uses, as goals of their own.
 
 With v there move the functions of :math:`u+v` and those of v, by one system; where v is zero, those
-of :math:`u+v` are those of u. So do their expressions by the functions of u and v.
+of :math:`u+v` are those of u. So do their expressions by the functions of u and v. Those of iv
+are known in the same way by others of v.
 """
 
 from __future__ import annotations
@@ -9,20 +10,27 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from functools import cache
 
-from kowalevski_cas.notation import Formula, Name, Negative, Number, Sum
+from kowalevski_cas.notation import Formula, Name, Negative, Number, Product, Sum
 from kowalevski_cas.notation.functions import Family
-from kowalevski_cas.paper.families import Generators, Kind, template
+from kowalevski_cas.paper.families import (
+    Generators,
+    Imaginary,
+    Kind,
+    complementary,
+    rotated,
+    template,
+)
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.problem.goals import Along, Goal, simple
 from kowalevski_cas.problem.prune import Reach
-from kowalevski_cas.problem.space import EquationOfMotion, Space
+from kowalevski_cas.problem.space import Adjoined, EquationOfMotion, Space
 
 U, V = Name("u"), Name("v")
 
 
 def addition_theorems(goals: Iterable[Goal]) -> Iterator[Along]:
     """The theorems by which the functions in some goals are written out."""
-    used: dict[tuple[Family, bool, bool], None] = {}
+    used: dict[tuple[Family, bool, bool] | tuple[Family], None] = {}
     for setting in dict.fromkeys(one.space for goal in goals for one in simple(goal)):
         if isinstance(setting, Meaning) and setting.transcendental.derived:
             reach = Reach(setting)
@@ -32,8 +40,37 @@ def addition_theorems(goals: Iterable[Goal]) -> Iterator[Along]:
                         reach.goal(one)
             derived = setting.transcendental.derived
             used |= {derived[name].by: None for name in sorted(reach.names & derived.keys())}
-    for family, added, alone in used:
-        yield theorem(family, added, alone)
+    for by in used:
+        yield theorem(*by) if len(by) == 3 else rotation(*by)
+
+
+@cache
+def rotation(family: Family) -> Along:
+    """The functions of a family at iv, by those of another one at v, or with another modulus."""
+    unit, kind = Name("i"), Kind(family, tuple(map(Name, family.parameters)))
+    real = Generators(rotated(kind), ((V, 1),), family.argument)
+    imaginary = Imaginary(kind, real, 1)
+    names, conjugates = kind.names(Product((unit, V))), kind.names(Negative(Product((unit, V))))
+    rates: dict[str, Formula] = {**real.rates()}
+    rates |= {name: Product((unit, rate)) for name, rate in kind.rates(names).items()}
+    rates |= {n: Negative(Product((unit, rate))) for n, rate in kind.rates(conjugates).items()}
+    moving = (*real.moving, *names.values(), *conjugates.values())
+    initial = {real.names[g]: tex for g, tex in real.kind.family.zero.items()}
+    initial |= {name[g]: tex for name in (names, conjugates) for g, tex in family.zero.items()}
+    moduli = (
+        Adjoined(complementary(modulus).name, kind.formula("1-k^2", {}))
+        for modulus in kind.parameters
+    )
+    space = Space(
+        variables=moving,
+        constants=family.parameters,
+        nonzero=tuple(real.values[n] for n in real.kind.family.nonzero),
+        steps=(Adjoined("i", Negative(Number(1))), *moduli, *real.roots()),
+        field=tuple(EquationOfMotion((name,), Number(1), rates[name]) for name in moving),
+        conjugates=tuple((names[g], conjugates[g]) for g in names),
+    )
+    begin = tuple((name, template(tex)) for name, tex in initial.items())
+    return Along(space, begin, tuple((names[g], imaginary.values[g]) for g in names))
 
 
 @cache

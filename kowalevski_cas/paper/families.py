@@ -20,14 +20,7 @@ from kowalevski_cas.notation import (
     times,
     to_latex,
 )
-from kowalevski_cas.notation.functions import (
-    CIRCULAR,
-    EXPONENTIAL,
-    FAMILY_OF,
-    FUNCTIONS,
-    Family,
-    canonical,
-)
+from kowalevski_cas.notation.functions import FAMILY_OF, FUNCTIONS, ROTATED, Family, canonical
 from kowalevski_cas.paper.arguments import Monomial, product_of
 from kowalevski_cas.problem.space import Adjoined, Meaningless
 
@@ -102,9 +95,9 @@ class Imaginary(NamedTuple):
 
     @property
     def values(self) -> dict[str, Formula]:
-        """Their values, by Euler's formulas."""
-        euler = self.kind.family.imaginary
-        return {letter: self.kind.formula(tex, self.real.values) for letter, tex in euler.items()}
+        """Their values, by the formulas of Euler and Jacobi."""
+        formulas = self.kind.family.imaginary.items()
+        return {letter: self.kind.formula(tex, self.real.values) for letter, tex in formulas}
 
 
 class PrintedValue(NamedTuple):
@@ -119,11 +112,26 @@ def real_part(kind: Kind, monomial: Monomial) -> tuple[Kind, Monomial, int] | No
 
     They are taken at the argument over a number as well. ``None`` for any other argument.
     """
-    if (Name("i"), 1) not in monomial or kind.family not in (CIRCULAR, EXPONENTIAL):
+    if (Name("i"), 1) not in monomial or kind.family not in ROTATED:
         return None
-    other = EXPONENTIAL if kind.family is CIRCULAR else CIRCULAR
     rest = tuple(part for part in monomial if part[0] != Name("i"))
-    return Kind(other, ()), rest, kind.family.argument
+    return rotated(kind), rest, kind.family.argument
+
+
+def rotated(kind: Kind) -> Kind:
+    """The family of which functions stand at a real argument, for an imaginary one."""
+    return Kind(ROTATED[kind.family], tuple(map(complementary, kind.parameters)))
+
+
+def complementary(modulus: Formula) -> Name:
+    """The complementary modulus: k' for k, and k for k'.
+
+    Raises :class:`Meaningless` for a modulus that is no name.
+    """
+    match modulus:
+        case Name(name):
+            return Name(name.removesuffix(PRIME) if name.endswith(PRIME) else name + PRIME)
+    raise Meaningless(f"print the functions of the complementary modulus of {to_latex(modulus)}")
 
 
 @cache

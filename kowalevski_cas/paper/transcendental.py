@@ -13,13 +13,25 @@ holds for the functions, and so does it that an equation fails, for no equation 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property, partial
 from math import lcm
 from typing import NamedTuple
 
-from kowalevski_cas.notation import Application, Formula, Name, substitute, times, to_latex, total
+from kowalevski_cas.notation import (
+    Application,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Sum,
+    substitute,
+    times,
+    to_latex,
+    total,
+)
 from kowalevski_cas.notation.functions import FAMILY_OF, MEANING, Family
 from kowalevski_cas.paper.arguments import (
     Combination,
@@ -38,6 +50,7 @@ from kowalevski_cas.paper.families import (
     Kind,
     PrintedValue,
     applications,
+    complementary,
     kind_of,
     real_part,
     template,
@@ -50,10 +63,13 @@ PI = r"\pi"
 
 
 class Derived(NamedTuple):
-    """A generator by others: ``by`` says at what sum, as :func:`addition.theorem` takes it."""
+    """A generator by others: ``by`` says at what sum, as :func:`addition.theorem` takes it.
+
+    A family alone says that it is at i times an argument.
+    """
 
     formula: Formula
-    by: tuple[Family, bool, bool]
+    by: tuple[Family, bool, bool] | tuple[Family]
 
 
 class Transcendental:
@@ -86,6 +102,7 @@ class Transcendental:
         self.phases = {
             kind: Phases(of, partial(self._is_phase, kind)) for kind, of in arguments.items()
         }
+        self._rotated: dict[Formula, None] = {}
         found: dict[tuple[Kind, Monomial], int] = {}
         integrals = set[tuple[Kind, Monomial]]()
         for application in read:
@@ -93,6 +110,7 @@ class Transcendental:
             for monomial, factor in self._argument(application).items():
                 if monomial and (kind, monomial) not in self.known:
                     own, real, over = self._real(kind, monomial) or (kind, monomial, 1)
+                    self._rotated |= dict.fromkeys(own.parameters if real != monomial else ())
                     over *= factor.denominator
                     found[own, real] = lcm(found.get((own, real), 1), over)
                     if MEANING[application.function] in kind.family.integrals:
@@ -124,12 +142,17 @@ class Transcendental:
 
     @property
     def equations(self) -> Iterator[tuple[Formula, Formula]]:
-        """What values that are printed have to obey."""
-        return self.known.equations(self._at)
+        """What values that are printed have to obey, and complementary moduli."""
+        yield from self.known.equations(self._at)
+        for modulus in self._rotated:
+            square = Power(complementary(modulus), Number(2))
+            yield square, Sum((Number(1), Negative(Power(modulus, Number(2)))))
 
     def _real(self, kind: Kind, monomial: Monomial) -> tuple[Kind, Monomial, int] | None:
-        """What an imaginary argument is i times; ``None`` where i is no unit."""
-        return real_part(kind, monomial) if "i" in self.constants else None
+        """What an imaginary argument is i times; ``None`` where i, or k', is not printed."""
+        found = real_part(kind, monomial) if "i" in self.constants else None
+        below = {name for one in (found[0].parameters if found else ()) for name in one.names()}
+        return found if below.issubset(self.constants) else None
 
     def _applications(self, formulas: Iterable[Formula]) -> Iterator[Application]:
         """The functions in formulas; in the place of degenerate ones those that they are."""
@@ -296,6 +319,8 @@ class Transcendental:
 
     def _values(self, group: Generators | Imaginary | PrintedValue) -> dict[str, Formula]:
         """The generators at an argument; those at a part of π are known."""
+        if isinstance(group, Imaginary):
+            return self._derive(group.kind, group.argument, group.values, (group.kind.family,))
         if not isinstance(group, Generators):
             return group.values
         angles = group.kind.family.angles
@@ -320,16 +345,25 @@ class Transcendental:
             return self._values(group)
         if not kind.family.sum:
             raise Meaningless(f"no addition theorem is known at {to_latex(group.argument)}")
-        names = kind.names(total(multiple(group.argument, n) for group, n in multiples))
-        if not {*names.values()} <= self.derived.keys():
-            added, rest = count > 0, count - 1 if count > 0 else count + 1
-            alone = not before and not rest
-            right = self._values(group) if added else kind.opposite(self._values(group))
-            if not alone:
-                left = self._at(kind, [*before, (group, rest)] if rest else before)
-                right = kind.sum(left, right)
-            by = (kind.family, added, alone)
-            self.derived |= {names[g]: Derived(right[g], by) for g in names}
+        argument = total(multiple(group.argument, n) for group, n in multiples)
+        added, rest = count > 0, count - 1 if count > 0 else count + 1
+        alone = not before and not rest
+        right = self._values(group) if added else kind.opposite(self._values(group))
+        if not alone:
+            left = self._at(kind, [*before, (group, rest)] if rest else before)
+            right = kind.sum(left, right)
+        return self._derive(kind, argument, right, (kind.family, added, alone))
+
+    def _derive(
+        self,
+        kind: Kind,
+        argument: Formula,
+        values: Mapping[str, Formula],
+        by: tuple[Family, bool, bool] | tuple[Family],
+    ) -> dict[str, Formula]:
+        """The generators at an argument, by names that stand for their values."""
+        names = kind.names(argument)
+        self.derived |= {name: Derived(values[letter], by) for letter, name in names.items()}
         return {letter: Name(name) for letter, name in names.items()}
 
     # -- derivatives -------------------------------------------------------------

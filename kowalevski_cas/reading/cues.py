@@ -92,11 +92,13 @@ CUES: dict[str, str] = {
         does\s+not\s+(?:hold|vanish|follow) is\s+not\b are\s+not\b \bno\s+longer\b never\b
         wrong\w* incorrect\w* erroneous\w* false\b mistak\w+ misprint\w* contrary
         instead\s+of\s*(?:§|$) contradict\w+ if\s+it\s+were \bwere\b would\s+be fails?\b cannot\b
-        refut\w+ in\s+place\s+of\s*(?:§|$) \bneither\b невер\w+ ошиб\w+ ложн\w+ опечат\w+
+        \b(?:no|without)\s+(?:\w+\s+){0,2}integrals? refut\w+
+        in\s+place\s+of\s*(?:§|$) \bneither\b невер\w+ ошиб\w+ ложн\w+ опечат\w+
         вместо\s*(?:§|$) противореч\w+ не\s+явля\w+ не\s+сохраня\w+ нельзя не\s+выполн\w+
         неправильн\w+ не\s+верно не\s+име\w+\s+мест""",
     "quoted": r"""
-        \baccording\s+to\b \bclaims?\s+that \bclaimed\b \basserted?\b \bwrites\b \bconjectur\w+
+        \baccording\s+to\s+(?-i:(?!Theor|Lemma|Prop|Coroll|Eq|Sect|Newton|Hamilton|Euler|Liouv)[A-Z])
+        \bclaims?\s+that \bclaimed\b \basserted?\b \bwrites\b \bconjectur\w+
         one\s+might\s+(?:think|expect) \bbelieve[sd]?\b it\s+is\s+said утвержда\w+ по\s+мнению
         предположительно гипотез\w+""",
     "system": r"""

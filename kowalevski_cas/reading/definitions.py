@@ -184,7 +184,8 @@ def _integral_that_defines(
 ) -> StatementRole | None:
     """An integral with a name that is new: a claim, unless its rate is claimed elsewhere."""
     said = integral_words(item)
-    if not said or not known.varying(item.names - {*fresh}) or cue("where", item.lead):
+    moves = known.varying(item.names - {*fresh}) or item.derives
+    if not said or not moves or cue("where", item.lead):
         return None
     for one in known.paper.items:
         if one.order > item.order and one.order < item.order + 12 and ZERO in one.members:

@@ -165,6 +165,8 @@ class _Ladder:
 
     def integrals(self) -> Iterator[Rung]:
         """A function that does not move: everywhere, under the assumptions, or on a set."""
+        if not self.known.varying(self.item.names):
+            raise ValueError("it is called an integral, and nothing says how its names move")
         says = "this is constant along every motion"
         derived = self._derived()
         for assumptions in self._ways():

@@ -41,7 +41,7 @@ class Parts:
                 names,
                 laws,
                 items,
-                find_restated(items, laws),
+                find_restated([one for one in items if one not in paper.approximate], laws),
                 self.roles,
                 units=units,
                 said=said,
@@ -51,15 +51,15 @@ class Parts:
 
     def _place(self, item: SourceStatement) -> int:
         """The part of a statement: where it stands, or that of the only law that is cited."""
-        here = max(0, bisect_right(self.begins, item.typed.start) - 1)
+        here = self.part_at(item.typed.start)
         cited = {one for label in item.refs for one in self.paper.labels.get(label, ())}
-        found = {
-            max(0, bisect_right(self.begins, law.first.typed.start) - 1)
-            for law in self.laws
-            if cited & {*law.items}
-        }
+        found = {self.part_at(law.first.typed.start) for law in self.laws if cited & {*law.items}}
         is_row = any(item in law.items for law in self.laws)
         return found.pop() if len(found) == 1 and not is_row else here
+
+    def part_at(self, offset: int) -> int:
+        """The number of the part in which a place of the text is."""
+        return max(0, bisect_right(self.begins, offset) - 1)
 
     def of(self, item: SourceStatement) -> Known:
         """What is known in the part of a statement."""

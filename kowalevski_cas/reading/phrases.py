@@ -28,9 +28,17 @@ _AND = re.compile(r"[\s,;~]*(?:(?:and|or|и|или)[\s~]*)?(?:§[\s,;~]*(?:(?:an
 _BEFORE = re.compile(r"§(?:[\s,;~]|\b(?:and|or|и|или)\b)*$")
 
 
+def _own_lead(item: SourceStatement) -> str:
+    """The words before a statement, without those that say something of the one before it."""
+    if "§" in item.before and VERB.match(item.lead):
+        return _CLAUSE.split(item.lead, maxsplit=1)[-1]
+    return item.lead
+
+
 def clause(item: SourceStatement) -> str:
-    """The words right around a statement."""
-    return f"{item.lead[-60:]} § {item.tail[:30]}"
+    """The words right around a statement; not those that say something of the one before it."""
+    tail = item.tail.lstrip(" ,")
+    return f"{_own_lead(item)[-60:]} § {_CLAUSE.split(tail, maxsplit=1)[0][:30]}"
 
 
 def supposing(item: SourceStatement) -> str:
@@ -57,7 +65,7 @@ def integral_words(item: SourceStatement) -> str:
     if not re.match(r"\s*(?:which|where|with|that)", tail) and (said := cue("integral", tail)):
         if last_cue("claim", item.lead[-30:]) < 0 or not item.typed.inline:
             return said
-    return cue("integral", item.lead) or (
+    return cue("integral", _own_lead(item)) or (
         cue("integral", item.before)
         if not item.typed.inline and item.lead.strip(" ,;") in ("", "and")
         else ""
@@ -66,8 +74,6 @@ def integral_words(item: SourceStatement) -> str:
 
 def _joined_tail(item: SourceStatement) -> str:
     """The words behind a statement, and behind those that only a comma or “and” joins to it."""
-    if not item.typed.inline:
-        return item.tail
     found = _AND.match(item.after)
     joined = item.after[found.end() :] if found else item.after
     return joined.partition("§")[0]
@@ -76,6 +82,12 @@ def _joined_tail(item: SourceStatement) -> str:
 _MAKES = re.compile(
     r"[\s~]*(?:define|form|give|determine|constitute|зада|образу)\w*\s", re.IGNORECASE
 )
+_LISTS = re.compile(
+    r"\b(?:has|have|admits?|possess(?:es)?|by|are|is|namely|following|име[её]т|имеют|допуска\w+|на)\b"
+    r"(?:\s+\w+){0,4}[\s:,~]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which a display lists what is something."""
 _CLAUSE = re.compile(r"[,;:.]|\b(?:and|but|и|а|но)\b")
 
 
@@ -84,8 +96,8 @@ def right_behind(item: SourceStatement) -> str:
     return _CLAUSE.split(item.tail[:40], maxsplit=1)[0]
 
 
-def set_words(item: SourceStatement, name: str) -> str:
-    """The words by which a set is said to be of some kind, right behind its equations or before.
+def words_of(item: SourceStatement, name: str) -> str:
+    """The words by which a statement is said to be something, right behind it or before.
 
     What they say of another formula, or of a set on which something holds, is not said of it.
     """
@@ -98,6 +110,13 @@ def set_words(item: SourceStatement, name: str) -> str:
     if end < 0 or cue("here", f"{item.before} ") or _CLAUSE.search(lead[end:].rstrip(" :~\n")):
         return ""
     return cue(name, lead[end:]) if len(lead[end:].split()) <= 5 else ""
+
+
+def listed_words(item: SourceStatement, name: str) -> str:
+    """The words before a display that lists what is something, as “has the integrals”."""
+    if item.typed.inline or not _LISTS.search(_joined_lead(item)):
+        return ""
+    return cue(name, item.before)
 
 
 def _joined_lead(item: SourceStatement) -> str:

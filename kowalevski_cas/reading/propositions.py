@@ -12,7 +12,7 @@ from kowalevski_cas.reading.phrases import (
     plain,
     reach,
     set_beside,
-    set_words,
+    words_of,
 )
 from kowalevski_cas.reading.statements import SourceStatement
 
@@ -66,7 +66,7 @@ def claimed_set(item: SourceStatement, known: Known) -> StatementRole | None:
     if isinstance(first, Name) and not known.is_known(first.name):
         return None  # it is a function that is defined
     for words, kind in (("invariant", "invariant"), ("equilibrium", "rest")):
-        if said := set_words(item, words):
+        if said := words_of(item, words):
             return StatementRole(CLAIM, f"“{said}” is said of the set", kind)
     return None
 

@@ -22,6 +22,7 @@ from kowalevski_cas.reading.comments import read_comments
 from kowalevski_cas.reading.conventions import enter_conventions
 from kowalevski_cas.reading.doubts import doubt_of
 from kowalevski_cas.reading.grammar import wrong
+from kowalevski_cas.reading.in_words import claims_in_words
 from kowalevski_cas.reading.known import CLAIM, CONVENTION, StatementRole
 from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.names import Names, vectors_of
@@ -50,6 +51,8 @@ class JudgedStatement:
     """How its claim may have been meant otherwise, if it may."""
     message: str = ""
     """Why a claim is not judged, if it is not."""
+    span: tuple[int, int] | None = None
+    """Where in the text the words stand that make the claim, if no formula makes it."""
 
 
 @dataclass(eq=False)
@@ -108,9 +111,10 @@ class _DerivationReader:
             self._formula(item, role, chosen.get(item))
             for item, role in sorted(self.parts.roles.items(), key=lambda pair: pair[0].order)
         )
-        statements = tuple(self._statements())
+        statements = (*self._statements(), *self._in_words())
         claims = (f.claim for f in (*formulas, *statements) if f.claim is not None)
-        doubts = {f.claim.id: f.doubt for f in formulas if f.claim and f.doubt}
+        judged = (*formulas, *statements)
+        doubts = {one.claim.id: one.doubt for one in judged if one.claim and one.doubt}
         derivation = replace(self._derivation(claims), doubts=doubts)
         return Reading(self.paper, derivation, formulas, self.parts, statements)
 
@@ -129,6 +133,24 @@ class _DerivationReader:
             except (ValueError, Meaningless) as error:
                 raise wrong(found.comment, str(error)) from None
             yield JudgedStatement(first, role, rung.claim, rung.on, rung.constants)
+
+    def _in_words(self) -> Iterator[JudgedStatement]:
+        """The claims that sentences make; one that has no meaning is told with its reason."""
+        for number, found in enumerate(claims_in_words(self.parts), 1):
+            first = found.about[0]
+            known = self.parts.of(first)
+            role = StatementRole(CLAIM, "these words claim it", found.name)
+            id = f"{found.name}-in-words-{number}"
+            try:
+                on = self.stages[known].scene(found.about, known.supposed(first))
+                claim = found.kind(id, on.scene, words=found.says, **found.values)  # type: ignore[arg-type]
+            except (ValueError, Meaningless) as error:
+                yield JudgedStatement(first, role, message=str(error), span=found.span)
+                continue
+            doubt = None if found.name == "independence" else Doubt.UNLESS_MENDED
+            yield JudgedStatement(
+                first, role, claim, on.assumptions, on.constants, doubt, span=found.span
+            )
 
     @contextmanager
     def _noting(self, item: SourceStatement) -> Iterator[None]:

@@ -17,7 +17,7 @@ from kowalevski_cas.reading.definitions import (
 )
 from kowalevski_cas.reading.known import CLAIM, NOTATION, OTHER, UNREAD, Known, StatementRole
 from kowalevski_cas.reading.obey import said_role
-from kowalevski_cas.reading.phrases import VERB, clause
+from kowalevski_cas.reading.phrases import VERB, clause, listed_words, words_of
 from kowalevski_cas.reading.propositions import (
     approximate,
     claimed_set,
@@ -49,13 +49,17 @@ def expression(item: SourceStatement, known: Known) -> StatementRole | None:
     """What is no relation: a name, or an expression, of which only words state something."""
     if isinstance(item.formula, Relation):
         return None
-    said = cue("integral", item.tail[:40]) if VERB.match(item.tail) else ""
-    if isinstance(item.formula, Name) and not (said and known.varies(item.formula.name)):
-        return StatementRole(NOTATION, "a name")
+    if isinstance(item.formula, Name):
+        said = cue("integral", item.tail[:40]) if VERB.match(item.tail) else ""
+        said = said or listed_words(item, "integral")
+        if not (said and known.varies(item.formula.name)):
+            return StatementRole(NOTATION, "a name")
+    else:
+        said = words_of(item, "integral") or listed_words(item, "integral")
     if said and known.varying(item.names):
         if role := unjudged(item, known):
             return role
-        return StatementRole(CLAIM, f"“{said}” stands behind it", "integral")
+        return StatementRole(CLAIM, f"“{said}” is said of it", "integral")
     return StatementRole(OTHER, "an expression: nothing is stated")
 
 

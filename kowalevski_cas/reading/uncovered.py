@@ -17,10 +17,13 @@ LONGEST = 500
 
 STATES: dict[str, str] = {
     "integral": r"""
-        \bintegral(?:s\b|\b(?!\s+(?:equation|curve|sign))) \bconserved\b \bpreserved\b \bconstant\b
-        integrable интеграл\w* сохраня\w+ постоян(?:на|но|ны|ен)\b""",
+        \bintegral(?:s\b|\b(?!\s+(?:equation|curve|sign))) \bconserved\b \bpreserved\b
+        (?:is|are|remains?|stays?)\s+(?:\w+\s+)?constant\b
+        constant\s+(?:along|on)\b integrable интеграл\w* сохраня\w+ постоян(?:на|но|ны|ен)\b""",
     "invariant": r"""
-        \binvarian\w+ \brelative\s+equilibri\w+ инвариантн\w+""",
+        \binvarian\w+ инвариантн\w+""",
+    "rest": r"""
+        \bequilibri\w+ states?\s+of\s+rest равновеси\w+""",
     "dimension": r"""
         dimension\w* \b\w+-?\s*parametri?c\w* \bmanifold\b двумерн\w* трехмерн\w* четырехмерн\w*
         размерност\w+ параметрическ\w+ многообрази\w+""",
@@ -44,8 +47,8 @@ STATES: dict[str, str] = {
         purely\s+imaginary \breal\b \bcomplex\b \bpositive\b \b(?:non-?)?negative\b веществен\w+
         мним\w+ действительн\w+ положительн\w+ отрицательн\w+""",
     "motion": r"""
-        \bperiodic\w* \bstable\b \bunstable\b \basymptotic\w+ \bequilibri\w+ \bbounded\b
-        периодич\w+ устойчив\w+ асимптотич\w+ равновеси\w+ ограничен\w+""",
+        \bperiodic\w* \bstable\b \bunstable\b \basymptotic\w+ \bbounded\b
+        периодич\w+ устойчив\w+ асимптотич\w+ ограничен\w+""",
     "degree": r"""
         \b(?:linear|quadratic|cubic|quartic|polynomial|rational|elliptic|homogeneous)\b
         \b(?:algebraic|transcendental)\b \bdegree\b линейн\w+ квадратичн\w+ степен\w+ полином\w+
@@ -62,9 +65,12 @@ STATES: dict[str, str] = {
 _KINDS = {
     kind: re.compile("|".join(words.split()), re.IGNORECASE) for kind, words in STATES.items()
 }
+_BRACED = r"\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}"
 _APART = re.compile(
-    r"\\(?:title|author|date|cite|label|ref|eqref|begin|end|bibitem)\b\*?\s*\{[^{}]*\}"
+    rf"\\(?:title|author|date|thanks|address|keywords|cite|label|ref|eqref|begin|end|bibitem"
+    rf"|(?:sub)*section|chapter|paragraph)\b\*?\s*(?:\[[^\]]*\])?\s*{_BRACED}"
 )
+"""What states nothing: headings, names and labels."""
 
 
 class Uncovered(NamedTuple):
@@ -82,7 +88,8 @@ def sentences(
 
     Each comes with its interval and its kind.
     """
-    spans = sorted(covered)
+    apart = (found.span() for found in _APART.finditer(prose.text, prose.start))
+    spans = sorted([*covered, *apart])
     for start, end in zip(prose.stops, [*prose.stops[1:], len(prose.text)], strict=True):
         words = prose.text[start:end]
         kind, match = _stated(words, [(a - start, b - start) for a, b in spans])
@@ -99,9 +106,8 @@ def sentences(
 
 def _stated(words: str, spans: Sequence[tuple[int, int]]) -> tuple[str, re.Match[str] | None]:
     """The kind of what some words state outside of some intervals, and the words that tell it."""
-    said = _APART.sub(lambda found: " " * len(found[0]), words)
     for kind, cues in _KINDS.items():
-        for match in cues.finditer(said):
+        for match in cues.finditer(words):
             if not any(start <= match.start() < end for start, end in spans):
                 return kind, match
     return "", None

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from hashlib import sha256
+from itertools import count
 from typing import Final
 
-from kowalevski_cas import __version__
 from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.reading import assumptions_of
 from kowalevski_cas.notation import Formula, NotationError, Vocabulary, read_display
@@ -18,6 +19,7 @@ from kowalevski_cas.report.document import (
     Block,
     Code,
     Document,
+    Emphasis,
     Equations,
     Heading,
     Inline,
@@ -28,6 +30,7 @@ from kowalevski_cas.report.document import (
     Text,
     anchor,
 )
+from kowalevski_cas.report.made import written_by
 from kowalevski_cas.report.paragraphs import FIRST, FormulaBlocks
 from kowalevski_cas.report.places import ReportItem, sections
 from kowalevski_cas.report.prose import read_article
@@ -88,6 +91,7 @@ class _Annotated:
         blocks = read_article(
             self._without_formulas(), [*map(self._one, self.typed)], self._labels()
         )
+        blocks = [*_with_headings(blocks)]
         found = {d.id for d in self.placed.values()}
         lost = [item for id, items in self.items.items() if id not in found for item in items]
         if lost:
@@ -95,15 +99,17 @@ class _Annotated:
             blocks += [block for item in lost for block in self.contents.passages.item(item)]
         head = [*self.contents.verdict(), *self._assumed(), Heading(("The paper",), "paper")]
         shown = (*head, *blocks, *trust(self.contents.phrases), *graph(self.contents.findings))
-        by: Text = (
-            f"The source {source.path.rpartition('/')[2]} with a verdict beside every formula, by "
-            f"kowalevski_cas {__version__}: ",
-            Code(f"kowalevski-cas audit {source.path.rpartition('/')[2]} --report DIR"), ".",
-        )  # fmt: skip
+        file = source.path.rpartition("/")[2]
+        by: Text = (*written_by(f"kowalevski-cas audit {file} --report DIR"), ".")
+        of: Text = (f"The source {file} (SHA-256 {self._digest()} …), a verdict at each formula.",)
         printed = _TITLE.search(self.text)
         name = run.title if run.author or not printed else printed[1]
         title = f"“{name}”, verified formula by formula"
-        return Document(title, title, ((run.author, "."), by) if run.author else (by,), shown)
+        return Document(title, title, (*[(run.author, ".")][: bool(run.author)], of, by), shown)
+
+    def _digest(self) -> str:
+        """The beginning of what binds the source."""
+        return sha256(self.audit.source.text.encode(self.audit.source.encoding)).hexdigest()[:16]
 
     def _assumed(self) -> Iterator[Block]:
         """What a source that is its own derivation takes for granted, and what rests on each."""
@@ -219,6 +225,35 @@ class _Annotated:
             item for item in items if display and item.display == display.id
         ]
         return own[0].anchor if own else "paper"
+
+
+def _with_headings(blocks: Sequence[Block]) -> Iterator[Block]:
+    """The blocks, where bold words at the head of a paragraph are the title of a section.
+
+    An article that has sections by name is left as it is.
+    """
+    if any(isinstance(block, Heading) and block.level == 1 for block in blocks):
+        yield from blocks
+        return
+    many = count(1)
+    for block in blocks:
+        match block:
+            case Paragraph(text=(Emphasis(text=title, strong=True), *rest)) if _ends(title):
+                yield Heading(_without_stop(title), f"part.{next(many)}")
+                yield block._replace(text=tuple(rest))
+            case _:
+                yield block
+
+
+def _ends(title: Text) -> bool:
+    """Whether words come to an end as a title does."""
+    return isinstance(title[-1], str) and title[-1].rstrip().endswith(".")
+
+
+def _without_stop(title: Text) -> Text:
+    *words, last = title
+    assert isinstance(last, str)
+    return (*words, last.rstrip().removesuffix("."))
 
 
 def _read(tex: str, vocabulary: Vocabulary) -> tuple[Formula, ...]:

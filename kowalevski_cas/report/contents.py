@@ -7,7 +7,6 @@ from textwrap import shorten
 from types import MappingProxyType
 from typing import Final
 
-from kowalevski_cas import __version__
 from kowalevski_cas.notation import print_prose, read_prose, to_plain
 from kowalevski_cas.report.dependence import graph
 from kowalevski_cas.report.document import (
@@ -26,6 +25,7 @@ from kowalevski_cas.report.document import (
 from kowalevski_cas.report.erratum import erratum
 from kowalevski_cas.report.figures import FigureFile
 from kowalevski_cas.report.findings import Findings
+from kowalevski_cas.report.made import written_by
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.passages import Passages
 from kowalevski_cas.report.places import PaperSection, labels, names
@@ -56,10 +56,15 @@ class Contents:
         programs: Sequence[Witness] = (),
         evidence: str = "",
     ) -> None:
-        self.run, self.sections, self.certified, self.programs = run, sections, certified, programs
+        self.run, self.sections, self.certified, self.programs = (
+            run,
+            sections,
+            certified,
+            programs,
+        )
         files = {claim: f"{evidence}/{claim}.json" for claim in certified} if evidence else {}
         self.phrases = Phrases(run.vocabulary, names(sections), labels(sections), files)
-        self.passages = Passages(self.phrases, certified, programs, run.expected)
+        self.passages = Passages(self.phrases, certified, programs, run)
         copied = any(section.copied for section in sections)
         self.findings = Findings(self.phrases, run.outcomes, copied, run.expected)
 
@@ -76,8 +81,7 @@ class Contents:
         title = print_prose(read_prose(run.title, run.vocabulary), str, to_plain)
         origin = ", ".join(filter(None, (run.author, run.source)))
         by: Text = (
-            f"Written by kowalevski_cas {__version__}: ",
-            Code(f"kowalevski-cas report {run.derivation}"),
+            *written_by(f"kowalevski-cas report {run.derivation}"),
             "; digest of the statements ", Code(run.digest[:16]), ".",
         )  # fmt: skip
         return Document(
@@ -157,13 +161,16 @@ class Contents:
             (section.number, tuple(dict.fromkeys(f for o in section.outcomes for f in o.granted)))
             for section in self.sections
         ]
-        said = [
-            (*list_in_words([(nonzero(one),) for one in formulas]),
-             f" in section{'s' * (len(numbers) > 1)} {list_in_words([(n,) for n in numbers])}")
-            for numbers, (formulas, *_) in group_alike([one for one in assumed if one[1]])
-        ]  # fmt: skip
+        said: Text = ()
+        for numbers, (formulas, *_) in group_alike([one for one in assumed if one[1]]):
+            where = ", ".join(numbers)
+            said += (
+                *("; " if said else "Assumed are ",),
+                *list_in_words([(nonzero(formula),) for formula in formulas]),
+                f" in section{'s' * (len(numbers) > 1)} {where}",
+            )
         if said:
-            yield Paragraph(("Assumed are ", *list_in_words(said, "; "), "."), "note")
+            yield Paragraph((*said, "."), "note")
 
     def _legend(self) -> Iterator[Block]:
         """What the marks mean, and “valid for”."""

@@ -80,6 +80,7 @@ class Equations(NamedTuple):
     On paper ``lead`` is what leads on to them, on the same line if there is room, and one that
     ``leads`` on to what is said of it stays with that.
     What is ``long`` stands in an appendix, where the format has no other way to fold it away.
+    ``erratum`` is what to print instead, in LaTeX, for who tells the author.
     """
 
     formulas: tuple[Formula, ...]
@@ -91,6 +92,7 @@ class Equations(NamedTuple):
     long: bool = False
     lead: Text = ()
     leads: bool = False
+    erratum: str = ""
 
 
 class Judgement(NamedTuple):

@@ -7,14 +7,26 @@ from collections.abc import Iterator
 from kowalevski_cas.report.compare import mark_differences
 from kowalevski_cas.report.document import Block, Equations, Link, Paragraph, Text
 from kowalevski_cas.report.findings import Findings
-from kowalevski_cas.report.sentences import capitalise
-from kowalevski_cas.verify.outcome import Outcome
+from kowalevski_cas.report.sentences import Phrases, capitalise
+from kowalevski_cas.verify.outcome import Outcome, Verdict, in_latex
 
 
 def erratum(findings: Findings) -> Iterator[Block]:
     """For each slip, and each false statement: what is printed, what to read, and why."""
     for block in _corrections(findings):
         yield block._replace(text=_unlinked(block.text)) if isinstance(block, Paragraph) else block
+
+
+def erratum_tex(phrases: Phrases, outcome: Outcome) -> str:
+    """What to print instead of a refuted statement, in a sentence of LaTeX; nothing if unknown."""
+    correction = outcome.correction
+    if outcome.verdict is not Verdict.REFUTED or correction is None:
+        return ""
+    where = "".join(map(str, _unlinked(capitalise(phrases.found([outcome.claim])))))
+    if correction.edit is None:
+        return f"{where}: it is false that {outcome.words}. Read: {correction.words}."
+    printed, meant = in_latex(correction.blamed or outcome.formulas), in_latex(correction.formulas)
+    return f"{where}: for ${printed}$ read ${meant}$."
 
 
 def _unlinked(text: Text) -> Text:

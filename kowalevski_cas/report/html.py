@@ -14,7 +14,8 @@ from pathlib import Path
 from typing import Final
 
 from kowalevski_cas.notation import Formula
-from kowalevski_cas.notation.mathml import MATHML, growing_bracket
+from kowalevski_cas.notation.mathml import MATHML, grow_bracket
+from kowalevski_cas.report.compare import without_marks
 from kowalevski_cas.report.document import (
     Document,
     Equations,
@@ -35,7 +36,7 @@ from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.pieces import Piece, pieces, source_of, width_of
 from kowalevski_cas.report.setting import SHORT, Typesetter
 from kowalevski_cas.report.writer import Writer
-from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.outcome import Verdict, in_latex
 
 _NARROW: Final = 19.0
 """The width of a telephone, in em of a formula."""
@@ -57,7 +58,7 @@ class HtmlSetter(Typesetter):
     gap = '<mo separator="true">,</mo><mspace width="1.5em"></mspace>'
 
     def opening_bracket(self, bracket: str, tall: bool) -> str:
-        return growing_bracket(bracket) if tall else bracket
+        return grow_bracket(bracket) if tall else bracket
 
     closing_bracket = opening_bracket
 
@@ -106,11 +107,14 @@ class HtmlWriter(Writer):
             for block in document.blocks
             if isinstance(block, Heading) and block.level == 1
         )
-        found = {**super().parts(document), "contents": "\n".join(links), "script": ""}
-        if '<form class="trial"' in found["body"]:
-            code = (files(__package__) / "pages" / "trial.js").read_text(encoding="utf-8")
-            found["script"] = f"<script>\n{code}</script>"
-        return found
+        found = {**super().parts(document), "contents": "\n".join(links)}
+        wanted = {"page.js": '<span class="copy"', "trial.js": '<form class="trial"'}
+        codes = (
+            (files(__package__) / "pages" / name).read_text(encoding="utf-8")
+            for name, use in wanted.items()
+            if use in found["body"]
+        )
+        return {**found, "script": "".join(f"<script>{{\n{code}}}</script>\n" for code in codes)}
 
     def escape(self, text: str) -> str:
         return escape(text.replace("'", "’"))
@@ -168,18 +172,38 @@ class HtmlWriter(Writer):
             inner = f"<s>{inner}</s>"
         sign = self.sign(block.verdict) if block.verdict else ""
         place = f' id="{block.anchor}"' if block.anchor else ""
-        label = f'<span class="label">{self.text(block.label)}</span>' if block.label else ""
+        label = self._label(block.label, block.anchor)
         kind = f" {block.verdict}" if block.verdict else ""
         return (
-            f'<div class="display{kind}"{place}>{sign}<div class="math">{inner}</div>{label}</div>'
+            f'<div class="display{kind}"{place}>{sign}<div class="math">{inner}</div>{label}'
+            f"{self._copies(block)}</div>"
         )
+
+    def _label(self, label: Text, place: str) -> str:
+        """What stands behind a formula: a number is the address of what it numbers."""
+        match label:
+            case ():
+                return ""
+            case (str(),) if place:
+                return f'<a class="label" href="#{place}">{self.text(label)}</a>'
+        return f'<span class="label">{self.text(label)}</span>'
+
+    def _copies(self, block: Equations) -> str:
+        """What can be copied of a display, for the script."""
+        tex = block.source or in_latex(map(without_marks, block.formulas))
+        texts = {"TeX": " ".join(tex.split()), "erratum": block.erratum}
+        buttons = " ".join(
+            f'<button type="button" data-text="{escape(text)}">copy {what}</button>'
+            for what, text in texts.items()
+            if text
+        )
+        return f'<span class="copy" hidden>{buttons}</span>'
 
     def judgement(self, block: Judgement) -> str:
         sign = self.sign(block.verdict) if block.verdict else ""
         place = f' id="{block.anchor}"' if block.anchor else ""
-        label = f'<span class="label">{self.text(block.label)}</span>' if block.label else ""
-        if label and block.anchor:  # the number is the address of what it numbers
-            label = f'<a class="label" href="#{block.anchor}">{self.text(block.label)}</a>'
+        first = next((b.anchor for b in block.blocks if isinstance(b, Equations)), "")
+        label = self._label(block.label, block.anchor or first)
         head = f'<div class="head">{sign}<p>{self.text(block.head)}</p>{label}</div>'
         body = self.blocks(block.blocks)
         if block.folded:

@@ -18,13 +18,14 @@ from kowalevski_cas.report.document import (
     Text,
     anchor,
 )
+from kowalevski_cas.report.erratum import erratum_tex
 from kowalevski_cas.report.evidence import Evidence
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.places import ClaimGroup, PaperSection, ReportItem
 from kowalevski_cas.report.sentences import Phrases, capital, group_alike, list_in_words, nonzero
 from kowalevski_cas.report.witnesses import Witness
 from kowalevski_cas.tools import title
-from kowalevski_cas.verify.outcome import Outcome, Verdict
+from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
 
 _ROLES: Final = {
     "vector field": "Equations of motion",
@@ -42,18 +43,18 @@ class Passages:
         phrases: the phrases in the paper's words.
         certified: the digests of the certificates that the checker accepts, by claim.
         programs: which programs confirm which certificates.
-        expected: the verdicts that the derivation itself expects.
+        run: what was decided.
     """
 
     def __init__(
-        self,
-        phrases: Phrases,
-        certified: Mapping[str, str],
-        programs: Sequence[Witness],
-        expected: Mapping[str, str],
+        self, phrases: Phrases, certified: Mapping[str, str], programs: Sequence[Witness], run: Run
     ) -> None:
         self.phrases, self.certified, self.programs = phrases, certified, programs
-        self.expected = expected
+        self.expected = run.expected
+        self.resting: dict[str, list[str]] = {}
+        for outcome in run.outcomes:
+            for claim in outcome.rests_on:
+                self.resting.setdefault(claim, []).append(outcome.claim)
 
     def section(self, section: PaperSection) -> Iterator[Block]:
         """A section of the paper: what it assumes, and its displays and claims in their order."""
@@ -103,6 +104,7 @@ class Passages:
                     list_in_words(beside, "; "),
                     f"claim.{anchor(own.claim)}" if own else "",
                     bool(own and own.verdict is Verdict.REFUTED),
+                    erratum=erratum_tex(self.phrases, own) if own else "",
                 )
             )
         head = self.phrases.sentence(*words) if len(words) == 1 else ()
@@ -116,7 +118,9 @@ class Passages:
         misprint = outcome.misprinted
         shown = []
         if row.formulas or row.source:
-            shown = [Equations(_slips(row.formulas, outcome), row.source, wrong=misprint)]
+            sent = erratum_tex(self.phrases, outcome)
+            formulas = _slips(row.formulas, outcome)
+            shown = [Equations(formulas, row.source, wrong=misprint, erratum=sent)]
         head = (*self.phrases.sentence(outcome.words), *_valid(self._where(outcome)))
         if not self._where(outcome) and outcome.verdict not in (
             Verdict.PROVED,
@@ -147,7 +151,11 @@ class Passages:
         return Judgement(verdict, place, head, (number,), (*shown, *told.first()), folded)
 
     def _records(self, outcomes: Sequence[Outcome]) -> Iterator[Paragraph]:
-        """Who confirms claims, and what they rest on; what holds of several is said once."""
+        """Who confirms claims, what they rest on, and what rests on them, each once."""
+        own = {outcome.claim for outcome in outcomes}
+        carried = dict.fromkeys(one for o in outcomes for one in self.resting.get(o.claim, ()))
+        if others := [claim for claim in carried if claim not in own]:
+            yield Paragraph(("What rests on it: ", *self.phrases.links(others), "."), "record")
         facts = [(outcome.claim, self._record(outcome)) for outcome in outcomes]
         for claims, (said, *_) in group_alike(facts):
             names: Text = list_in_words([(Code(claim),) for claim in claims])

@@ -141,9 +141,14 @@ def rows_of(
         return [], 1
     several = len(known) > 1
     rows = complete(combine(goal, known, () if several else main) for goal in goals)
-    if rows is not None or not several:
-        return None if rows is None else (rows, 1)
+    if rows is not None:
+        return rows, 1
+    if not several and not goals[0].ring.roots:
+        return None  # division finds all multiples of a polynomial
     made = combinations_of(goals, known)
+    if not several:
+        rows = made.rows(goals)
+        return None if rows is None else (rows, 1)
     rows = made.rows(goals) or complete(combine(goal, known, main) for goal in goals)
     if rows is not None:
         return rows, 1

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterator, Sequence
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from contextlib import suppress
+from fractions import Fraction
 from itertools import chain, combinations, count, islice
 
-from kowalevski_cas.algebra.numbers import Substitution, gaussian, number_ring
+from kowalevski_cas.algebra.numbers import Substitution, gaussian, number_ring, root_in
 from kowalevski_cas.algebra.points import ExactPoint
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Conjugate, Name
@@ -14,7 +15,7 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
 from kowalevski_cas.problem.place import Misplaced, Pieces, PointEvaluation, number_formula
 from kowalevski_cas.problem.space import Adjoined, Setting, all_names
-from kowalevski_cas.search.real import real_points
+from kowalevski_cas.search.real import points_with_squares, real_points
 
 Of = Callable[[Setting], Evaluation]
 Good = Callable[["Candidate"], bool]
@@ -32,13 +33,22 @@ ON_PIECES = 4
 class Candidate:
     """An exact point, before anybody has checked it: the values of elements there.
 
-    Roots that are ``negative`` there have the other one of two values.
+    Roots that are ``negative`` there have the other one of two values; of the generators that are
+    no rational numbers the ``squares`` are.
     """
 
-    def __init__(self, at: Evaluation, point: ExactPoint, negative: Container[str] = ()) -> None:
+    def __init__(
+        self,
+        at: Evaluation,
+        point: ExactPoint,
+        negative: Container[str] = (),
+        squares: Mapping[str, Fraction] = {},  # it is only read
+    ) -> None:
         self.at = at
         self.numbers = number_ring(at.polynomials)
         values = {name: gaussian(self.numbers, *value) for name, value in point.items()}
+        for name, square in squares.items():
+            values[name] = root_in(self.numbers, self.numbers.number(square))
         self._value = Substitution(at.ring, values, self.numbers)
         for bit, name in enumerate(at.ring.roots):
             if name in negative:
@@ -83,18 +93,26 @@ class PointFinder:
         """A real point where elements vanish, nothing is divided by zero, and all is good.
 
         It is sought among points in general position, and if ``most`` is not 0 where all variables
-        vanish, and then where some do, or all but some, as many as ``most``.
+        vanish, and then where some do, or all but some, as many as ``most``; and at last among
+        points at which variables are square roots.
         """
         avoid = [*at.granted, *at.norms, *at.ring.divisors_of(divided)]
         names = all_names(at.setting)
         norms = [self._norm(at, element) for element in (*zero, *_imaginary_parts(at, names))]
-        for further in self._sections(at, most):
-            for point in islice(real_points(at, names, [*norms, *further], avoid), TRIES):
-                for negative in _negative(at, point):
-                    with suppress(ZeroDivisionError, Misplaced):
-                        candidate = Candidate(at, point, negative)
-                        if candidate.vanish(zero) and good(candidate):
-                            return candidate.point(names)
+        rational: Iterator[tuple[ExactPoint, Mapping[str, Fraction]]] = (
+            (point, {})
+            for further in self._sections(at, most)
+            for point in islice(real_points(at, names, [*norms, *further], avoid), TRIES)
+        )
+        irrational = islice(points_with_squares(at, names, norms, avoid), TRIES)
+        for point, squares in chain(rational, irrational):
+            for negative in _negative(at, point):
+                with suppress(ZeroDivisionError, Misplaced):
+                    candidate = Candidate(at, point, negative, squares)
+                    if squares and any(candidate(one).is_zero for one in avoid):
+                        continue
+                    if candidate.vanish(zero) and good(candidate):
+                        return candidate.point(names)
         return None
 
     def on_pieces(self, known: Sequence[Element], certain: Callable[[Values], bool]) -> Good:

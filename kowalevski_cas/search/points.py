@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import chain, count, islice, product
 
-from flint import fmpq, fmpq_mat, fmpq_mpoly
+from flint import fmpq, fmpq_mpoly
 
 from kowalevski_cas.algebra.flint import to_flint, to_fraction
 
@@ -45,9 +45,7 @@ def points(
     gone = {v for v, _ in eliminated}
     for values in _completions(rest, [v for v in variables if v not in gone]):
         if not any(constant(a, values) == 0 for a in avoided):
-            for variable, expression in reversed(eliminated):
-                values[variable] = constant(expression, values)
-            yield values
+            yield _with_eliminated(values, eliminated)
 
 
 def _completions(constraints: list[fmpq_mpoly], variables: Sequence[int]) -> Iterator[Assignment]:
@@ -158,10 +156,24 @@ def _complete(
         yield from [] if left else [values]
         return
     single = next((c for c in left if sum(1 for d in c.degrees() if d) == 1), None)
-    linear = [c for c in left if c.total_degree() == 1]
-    for found in [_solve_linear(linear)] if single is None else _solve_one(single):
-        if found:
-            yield from _complete(left, unknowns - len(found), {**values, **found})
+    if single is not None:
+        for found in _solve_one(single):
+            yield from _complete(left, unknowns - 1, {**values, **found})
+        return
+    occurring = sorted({k for c in left for k, d in enumerate(c.degrees()) if d})
+    rest, eliminated = eliminate(left, occurring)
+    if eliminated:
+        for found in _complete(rest, unknowns - len(eliminated), {}):
+            yield values | _with_eliminated(found, eliminated)
+
+
+def _with_eliminated(
+    values: Assignment, eliminated: Sequence[tuple[int, fmpq_mpoly]]
+) -> Assignment:
+    """Values with those of the eliminated variables."""
+    for variable, expression in reversed(eliminated):
+        values[variable] = constant(expression, values)
+    return values
 
 
 def _solve_one(polynomial: fmpq_mpoly) -> Iterator[Assignment]:
@@ -174,26 +186,6 @@ def _solve_one(polynomial: fmpq_mpoly) -> Iterator[Assignment]:
     ]
     upwards = polynomial.leading_coefficient() < 0
     return ({variable: root} for root in sorted(roots, reverse=not upwards))
-
-
-def _solve_linear(polynomials: list[fmpq_mpoly]) -> Assignment:
-    """The solution of a square linear system; nothing if it is singular."""
-    unknowns = sorted({k for p in polynomials for k, d in enumerate(p.degrees()) if d})
-    if not polynomials or len(unknowns) != len(polynomials):
-        return {}
-    matrix = [[_coefficient(p, k) for k in unknowns] for p in polynomials]
-    right = [[-_coefficient(p, None)] for p in polynomials]
-    try:
-        solution = fmpq_mat(matrix).solve(fmpq_mat(right))
-    except ZeroDivisionError:
-        return {}
-    return {k: to_fraction(solution[row, 0]) for row, k in enumerate(unknowns)}
-
-
-def _coefficient(polynomial: fmpq_mpoly, variable: int | None) -> fmpq:
-    size = polynomial.context().nvars()
-    exponents = tuple(int(k == variable) for k in range(size))
-    return polynomial.to_dict().get(exponents, fmpq(0))
 
 
 def _conditions_on_rest(values: Assignment, constraints: list[fmpq_mpoly]) -> list[fmpq_mpoly]:

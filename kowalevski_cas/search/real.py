@@ -6,7 +6,7 @@ others real ones.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import islice
 from math import prod
@@ -167,3 +167,57 @@ def real_points(
             kept.append(point)
     yield from kept
     yield from (point for _, point in usable(found))
+
+
+def points_with_squares(
+    at: Evaluation,
+    names: Sequence[str],
+    zero: Sequence[Element] = (),
+    nonzero: Sequence[Element] = (),
+) -> Iterator[tuple[ExactPoint, dict[str, Fraction]]]:
+    """Points as of :func:`real_points`, and the rational squares of the other variables.
+
+    These are those of which all equations have even powers only; not all that does not vanish is
+    looked at. There is no such point where there is no such variable.
+    """
+    coordinates = RealCoordinates(at, zero, names)
+    constraints = [e for element in zero for e in coordinates.equations(element)]
+    constraints = distinct([*constraints, *coordinates.relations()])
+    radicands = [part for one in coordinates.radicands for part in coordinates.equations(one)]
+    squared = {
+        place
+        for place, name in enumerate(coordinates.names)
+        if name not in {*coordinates.moving, *coordinates.pairs, *coordinates.pairs.values()}
+        and any(one.degrees()[place] for one in constraints)
+        and _is_even([*constraints, *radicands], place)
+    }
+    if not squared:
+        return
+    halves = [_halved(one, squared) for one in (*constraints, *radicands)]
+    avoid = [
+        _halved(one, squared)
+        for element in nonzero
+        for one in coordinates.equations(element)[:1]
+        if all(_is_even([one], place) for place in squared)
+    ]
+    positive = [coordinates.context.gens()[place] for place in squared]
+    positive += halves[len(constraints) :]
+    for values in points(halves[: len(constraints)], range(len(coordinates.names)), avoid):
+        if all(constant(one, values) >= 0 for one in positive):
+            point = {**coordinates.point(values)}
+            found = {coordinates.names[place]: values[place] for place in squared}
+            yield {name: point[name] for name in point.keys() - found.keys()}, found
+
+
+def _is_even(polynomials: Sequence[fmpq_mpoly], place: int) -> bool:
+    return not any(int(exponents[place]) % 2 for one in polynomials for exponents in one.monoms())
+
+
+def _halved(polynomial: fmpq_mpoly, places: Container[int]) -> fmpq_mpoly:
+    """A polynomial in the squares of some variables, by these."""
+    return polynomial.context().from_dict(
+        {
+            tuple(int(e) // 2 if k in places else int(e) for k, e in enumerate(exponents)): value
+            for exponents, value in polynomial.to_dict().items()
+        }
+    )

@@ -75,26 +75,28 @@ class Arithmetics:
         """What an exact arithmetic accepts; raises :class:`Unproved` for evidence that fails."""
         judge = Judge(self._evaluations_in(arithmetic))
 
-        def undecided(message: str) -> Decided:
+        def undecide(message: str) -> Decided:
             return Decided(statement, None, judge.accepted, Verdict.UNDECIDED, message)
 
         if verdicts is None:
-            return undecided("neither a proof nor a point where it fails was found")
+            return undecide("neither a proof nor a point where it fails was found")
         try:
             if isinstance(verdicts, Denial):
                 judge.denies(statement.goals[verdicts.goal], verdicts.evidence)
                 denied = statement.claimed[verdicts.goal]
                 if not (statement.claim.refuted_by(verdicts) and decides(denied)):
-                    return undecided("what would prove it is false, which does not refute it")
+                    return undecide("what would prove it is false, which does not refute it")
                 return Decided(statement, verdicts, judge.accepted, Verdict.REFUTED)
             for goal, evidence in zip(statement.goals, verdicts, strict=True):
                 judge.holds(goal, evidence)
         except Vacuous as error:
-            from kowalevski_cas.verify.conditions import excluding  # what is decided needs none
+            from kowalevski_cas.verify.conditions import (
+                divisors_on_set,  # what is decided needs none
+            )
 
-            divided = ", ".join(map(to_plain, excluding(statement.goals, statement.legend)))
+            divided = ", ".join(map(to_plain, divisors_on_set(statement.goals, statement.legend)))
             nowhere = f"the motion is divided by {divided}, which vanishes on the whole set"
-            return undecided(nowhere if divided else str(error))
+            return undecide(nowhere if divided else str(error))
         except Unproved as error:
             message = f"the evidence does not prove it ({arithmetic}: {error})"
             raise Unproved(message) from None

@@ -90,7 +90,7 @@ def printed_formula(formula: Formula, setting: Elaboration) -> Formula:
     A dot stands on a name only, and only for the time t.
     """
     if isinstance(formula, Name):
-        return _printed_step(formula, setting.texts.vocabulary)
+        return _name_of_step(formula, setting.texts.vocabulary)
     if isinstance(formula, Derivative) and formula.mark == MARK:
         time, argument = setting.scene.time, printed_formula(formula.argument, setting)
         return Derivative(argument, MARK if time == "t" and isinstance(argument, Name) else time)
@@ -102,7 +102,7 @@ def printed_formula(formula: Formula, setting: Elaboration) -> Formula:
     return shown
 
 
-def _printed_step(name: Name, vocabulary: Vocabulary) -> Formula:
+def _name_of_step(name: Name, vocabulary: Vocabulary) -> Formula:
     """A name of a step, such as a power, as the paper prints it."""
     try:
         return name_formula(name.name, vocabulary)

@@ -124,7 +124,7 @@ class Blame:
         found: Repairs = {}
         failing = [claim for claim in self.open() if not self._is_expected(claim)]
         while len(failing) > 1:
-            best = self._proved(self._sought(failing, least=2), least=2)
+            best = self._proofs(self._search(failing, least=2), least=2)
             if not best:
                 break
             found |= best
@@ -137,8 +137,8 @@ class Blame:
         if own or self._is_expected(claim):
             return own
         others = [one for one in self._failing if one is not claim]
-        repairs = self._sought([claim, *others], least=1, one=claim)
-        return self._proved(repairs, least=1).get(claim.id, ())
+        repairs = self._search([claim, *others], least=1, one=claim)
+        return self._proofs(repairs, least=1).get(claim.id, ())
 
     # -- who fails ------------------------------------------------------------------
 
@@ -247,7 +247,7 @@ class Blame:
 
     # -- what mends -----------------------------------------------------------------
 
-    def _sought(
+    def _search(
         self, failing: Sequence[Claim], least: int, one: Claim | None = None
     ) -> list[Repair]:
         """The repairs that at points mend so many claims, perhaps this one, and break none."""
@@ -285,7 +285,7 @@ class Blame:
 
     # -- what is proved ---------------------------------------------------------------
 
-    def _proved(self, repairs: Iterable[Repair], least: int) -> Repairs:
+    def _proofs(self, repairs: Iterable[Repair], least: int) -> Repairs:
         """The corrections by the likeliest repairs that are proved and mend the same claims."""
         found: Repairs = {}
         for repair in repairs:

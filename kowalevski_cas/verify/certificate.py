@@ -47,7 +47,7 @@ class Stored:
     @cached_property
     def beside(self) -> Data:
         """What it has beside a problem and evidence, which are large, and seldom read again."""
-        return _heading_of(self.data)
+        return _heading(self.data)
 
     @property
     def data(self) -> Data:
@@ -78,7 +78,7 @@ class Stored:
         Raises :class:`FormatError` if the evidence cannot be read.
         """
         data = self.data
-        self.beside = _heading_of(data)
+        self.beside = _heading(data)
         if data.get("digest") != statement.digest:
             return None
         try:
@@ -98,7 +98,7 @@ class Stored:
         return [Stored(self.path, one) for one in entries if one.get("condition") == condition]
 
 
-def _heading_of(data: Data) -> Data:
+def _heading(data: Data) -> Data:
     return {key: data.get(key) for key in ("digest", "failures")}
 
 

@@ -76,7 +76,9 @@ def _divisor_factors(
             divisor = divisor.without(known)
             known |= divisor.factors.keys()
         if divisor.factors:
-            named = _printed(divisor, setting, below) or (_positive(divisor.element, setting),)
+            named = _printed_divisors(divisor, setting, below) or (
+                _positive(divisor.element, setting),
+            )
             found |= dict.fromkeys(named)
     for pair in setting.conjugates:
         first, second = map(setting.texts.expression, pair)
@@ -86,7 +88,7 @@ def _divisor_factors(
     return list(found)
 
 
-def _printed(
+def _printed_divisors(
     divisor: Divisor, setting: Elaboration, below: Callable[[], dict[Formula, Divisor]]
 ) -> tuple[Formula, ...]:
     """The printed denominators, one or several, that vanish together where the divisor does."""
@@ -114,7 +116,9 @@ def _positive(divisor: Element, setting: Elaboration) -> Formula:
     return formula_of(-divisor, words) if 2 * negative > len(terms) else formula
 
 
-def excluding(goals: Iterable[Goal], legend: Mapping[Setting, Elaboration]) -> tuple[Formula, ...]:
+def divisors_on_set(
+    goals: Iterable[Goal], legend: Mapping[Setting, Elaboration]
+) -> tuple[Formula, ...]:
     """What the motion is divided by that vanishes on a set of which a goal about it speaks."""
     found: dict[Formula, None] = {}
     for goal in goals:

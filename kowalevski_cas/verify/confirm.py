@@ -47,7 +47,7 @@ _received = False
 
 
 @contextmanager
-def receiving() -> Iterator[None]:
+def receive_here() -> Iterator[None]:
     """Processes that begin here have no certificates checked: what they say is received here."""
     global _received
     before, _received = _received, True
@@ -121,8 +121,8 @@ def need_certificates(outcome: Outcome, until: float = inf, known: Outcome | Non
         Disagreement: nothing that another process says is believed.
         TimeoutError: the checker takes longer.
     """
-    accepted = {} if known is None else dict.fromkeys(_issued(known))
-    for one in _issued(outcome):
+    accepted = {} if known is None else dict.fromkeys(_certificates_due(known))
+    for one in _certificates_due(outcome):
         if one in accepted:
             continue
         try:
@@ -132,9 +132,9 @@ def need_certificates(outcome: Outcome, until: float = inf, known: Outcome | Non
             raise Disagreement(said) from None
 
 
-def _issued(outcome: Outcome) -> Iterator[Issued]:
+def _certificates_due(outcome: Outcome) -> Iterator[Issued]:
     """The certificates that have to come with an outcome."""
-    if outcome.certified:
+    if outcome.needs_certificate:
         sign = "denied" if outcome.verdict is Verdict.REFUTED else "holds"
         yield Issued(outcome.claim, outcome.digest, sign, outcome.certificate, outcome.divided)
     for one in filter(None, (outcome.correction, *outcome.alternatives)):

@@ -51,7 +51,7 @@ def _own(claim: Claim, on: Elaborations, recorded: str) -> Iterator[Neighbour]:
         with suppress(NotationError):  # it may be several formulas, or words
             wanted = on.texts.expression(recorded)
     for neighbour in claim.neighbours(on.texts, wanted):
-        formulas = printed_of(neighbour)
+        formulas = formulas_printed_by(neighbour)
         same = formulas != own and wanted in formulas[:1]
         if same or as_recorded(formulas, neighbour.words, own) == recorded:
             yield neighbour
@@ -113,7 +113,7 @@ def true_ones(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Nei
             continue
 
 
-def printed_of(neighbour: Neighbour) -> tuple[Formula, ...]:
+def formulas_printed_by(neighbour: Neighbour) -> tuple[Formula, ...]:
     """The formulas that a corrected statement prints."""
     return neighbour.claim.formulas(neighbour.texts)
 

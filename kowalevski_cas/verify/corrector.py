@@ -17,7 +17,7 @@ from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.archive import Archive
 from kowalevski_cas.verify.arithmetics import Arithmetics, Decided
 from kowalevski_cas.verify.certify import certify
-from kowalevski_cas.verify.corrections import corrections, printed_of, recorded_correction
+from kowalevski_cas.verify.corrections import corrections, formulas_printed_by, recorded_correction
 from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.outcome import CORRECTED, Correction, Outcome, Verdict
 from kowalevski_cas.verify.statement import Statement
@@ -44,17 +44,17 @@ class Corrector:
 
     def known(self, printed: Statement) -> Sequence[Correction]:
         """What the derivation accepts, or else is recorded, decided in every arithmetic."""
-        return [*islice(self._proposed(self._known(printed)), 1)]
+        return [*islice(self._proposal(self._accepted_or_recorded(printed)), 1)]
 
     def near(self, printed: Statement, most: int) -> Iterator[Correction]:
         """The nearest true statements, so many at most, decided in every arithmetic."""
-        return islice(self._proposed(self._near(printed)), most)
+        return islice(self._proposal(self._near(printed)), most)
 
-    def _proposed(self, candidates: Iterable[tuple[Neighbour, Statement]]) -> Iterator[Correction]:
+    def _proposal(self, candidates: Iterable[tuple[Neighbour, Statement]]) -> Iterator[Correction]:
         found = (self.correction_of(*candidate) for candidate in candidates)
         return (one for one in found if one is not None)
 
-    def _known(self, printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:
+    def _accepted_or_recorded(self, printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:
         """What the derivation accepts, and what is recorded; true, or not."""
         claim = printed.claim
         known_by_place = self.interpretation.derivation.accepted
@@ -103,12 +103,12 @@ class Corrector:
     def correction_of(self, neighbour: Neighbour, statement: Statement) -> Correction | None:
         """A neighbour as a correction, if what it says is proved."""
         name = f"{CORRECTED}/{statement.claim.id}"
-        decided = self._archive.anew(statement, name, lambda: self._proved(statement, name))
+        decided = self._archive.anew(statement, name, lambda: self._accepts(statement, name))
         if decided is None:
             return None
         needed, text, divided = certify(decided, self._archive.certificates.get(name))
         place, edit = neighbour.printed, neighbour.edit
-        formulas, blamed = printed_of(neighbour), tuple[Formula, ...]()
+        formulas, blamed = formulas_printed_by(neighbour), tuple[Formula, ...]()
         if place is not None and edit is None:  # a relation of constants, which is not printed
             formulas = (neighbour.texts.formula(place),)
         elif edit is not None and place not in {*neighbour.claim.establishes()}:
@@ -119,7 +119,7 @@ class Corrector:
             certificate=text, divided=divided, blamed=blamed,
         )  # fmt: skip
 
-    def _proved(self, statement: Statement, name: str) -> Decided | None:
+    def _accepts(self, statement: Statement, name: str) -> Decided | None:
         """What FLINT accepts of a statement that is proved in every exact arithmetic."""
         verdicts = self._archive.evidence(statement, name)
         judge, exact = self._arithmetics.judge, self._arithmetics.exact

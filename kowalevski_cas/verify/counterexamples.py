@@ -103,7 +103,7 @@ def _words(
     assert isinstance(goal, Follows)
     own, other = values
     setting = statement.legend[place.at.setting]
-    left, right = (printed_formula(side, setting) for side in _failing(goal, place))
+    left, right = (printed_formula(side, setting) for side in _failing_equation(goal, place))
     order = 0
     while isinstance(left, Derivative):
         left, order = left.argument, order + 1
@@ -132,7 +132,7 @@ def _words(
     return f"{words}, though the hypotheses hold" if goal.given else words
 
 
-def _failing(goal: Follows, place: PointEvaluation) -> tuple[Formula, Formula]:
+def _failing_equation(goal: Follows, place: PointEvaluation) -> tuple[Formula, Formula]:
     """The first equation of the last conclusion that does not hold at a point."""
     return next(
         sides for sides in goal.conclusions[-1] if not place.vanish(place.at.differences((sides,)))

@@ -83,7 +83,7 @@ class Decider:
         on, corrections = self.interpretation.on(claim), corrections or self.corrector
         try:
             with time_limit(inf):  # if the process dies here, this claim is lost, and not the run
-                return corrections.accept(claim, self._corrected(claim, corrections))
+                return corrections.accept(claim, self._with_correction(claim, corrections))
         except TimeoutError as error:
             late = str(error) or f"not decided within {self.timeout:g} s"
             return self.writer.without_evidence(claim, on, Verdict.TIMEOUT, late)
@@ -92,16 +92,16 @@ class Decider:
         ) as error:  # fmt: skip
             return self.writer.without_evidence(claim, on, Verdict.ERROR, str(error))
         except (Exception, SystemExit) as error:
-            return self.broken(claim, error)
+            return self.error_outcome(claim, error)
 
-    def broken(self, claim: Claim, error: BaseException) -> Outcome:
+    def error_outcome(self, claim: Claim, error: BaseException) -> Outcome:
         """The outcome for a claim where something goes wrong that nobody has thought of."""
         said = f"it cannot be computed ({type(error).__name__}: {error})"
         on = self.interpretation.on(claim)
         outcome = self.writer.without_evidence(claim, on, Verdict.ERROR, said)
         return outcome._replace(stack=format_exc(limit=-FRAMES))
 
-    def _corrected(self, claim: Claim, corrections: Corrections) -> Outcome:
+    def _with_correction(self, claim: Claim, corrections: Corrections) -> Outcome:
         """The outcome for one claim, with the nearest true statement if it is refuted."""
         start = perf_counter()
         with time_limit(self.timeout):

@@ -35,14 +35,14 @@ class Finding:
     def claim(self, id: str, place: Callable[[Any], Printed]) -> Claim:
         """The claim with this id; ``place`` says where a formula stands."""
 
-        def placed(value: Any) -> Any:
+        def put_places(value: Any) -> Any:
             if isinstance(value, tuple):
-                return tuple(map(placed, value))
+                return tuple(map(put_places, value))
             return value if isinstance(value, int) else place(value)
 
         of_places = {field.name for field in fields(self.kind) if "Printed" in str(field.type)}
         attributes: dict[str, Any] = {
-            name: placed(value) if name in of_places else value
+            name: put_places(value) if name in of_places else value
             for name, value in self.attributes.items()
         }
         printed = None if self.tex == "" else place(self.tex)
@@ -59,15 +59,15 @@ class Finding:
         if letters:
             system = f"{system}.having({', '.join(letters)})"
         words = [self.kind.__name__, '"found"', repr(self.says)]
-        words += [f"printed={_quoted(self.tex)}"] if self.tex else []
-        words += [f"{name}={_quoted(value)}" for name, value in self.attributes.items()]
+        words += [f"printed={_quote(self.tex)}"] if self.tex else []
+        words += [f"{name}={_quote(value)}" for name, value in self.attributes.items()]
         return f"{system}.states({', '.join(words)})"
 
 
-def _quoted(value: Attribute) -> str:
+def _quote(value: Attribute) -> str:
     """A value in Python, with TeX as it stands."""
     if isinstance(value, tuple):
-        return f"({''.join(f'{_quoted(one)}, ' for one in value)})"
+        return f"({''.join(f'{_quote(one)}, ' for one in value)})"
     return f'r"{value}"' if isinstance(value, str) and '"' not in value else repr(value)
 
 

@@ -27,7 +27,7 @@ ORDERS = 3
 """Up to which order derivatives are looked at for a motion that leaves a set."""
 
 
-def failing(statement: Statement) -> Iterator[tuple[Tree, str]]:
+def goals_where_violated(statement: Statement) -> Iterator[tuple[Tree, str]]:
     """What may fail where a condition is violated: the condition, and the digest of a problem."""
     for setting in dict.fromkeys([*statement.legend.values(), statement.on(statement.claim.scene)]):
         for locus in setting.scene.loci:
@@ -94,11 +94,11 @@ def _candidates(
         if isinstance(goal, Exists):
             for one in goal.goals:
                 if isinstance(one, Follows) and one.given and one.space is setting:
-                    yield from _leaving(setting, one.given, there)
+                    yield from _leaves_set(setting, one.given, there)
     yield from (goal for goal in statement.claimed if isinstance(goal, Count))
 
 
-def _leaving(
+def _leaves_set(
     setting: Elaboration, relations: tuple[Equation, ...], there: tuple[Equation, ...]
 ) -> Iterator[Fails]:
     """That a derivative of a function of a set is not zero somewhere on it."""

@@ -36,7 +36,7 @@ def conditions(
     """
     found: list[Condition] = []
     failures: dict[Formula, Supported | None] = {}
-    for setting, formula, locus in _lacking(statement, accepted):
+    for setting, formula, locus in _conditions_with_loci(statement, accepted):
         condition = Condition(formula, "the formulas divide by it")
         if locus is not None:
             failure = failure_on(statement, setting, locus, stored)
@@ -50,7 +50,7 @@ def conditions(
     return own, failures
 
 
-def _lacking(
+def _conditions_with_loci(
     statement: Statement, accepted: Accepted
 ) -> Iterator[tuple[Elaboration, Formula, Locus | None]]:
     """What may not vanish, each with the declared locus where it does, if there is one."""

@@ -183,7 +183,7 @@ class Outcome(NamedTuple):
     stack: str = ""
 
     @property
-    def certified(self) -> bool:
+    def needs_certificate(self) -> bool:
         """Whether there has to be a certificate; what points say has none."""
         return self.verdict in DECIDED and not self.verdicts.keys() & {*POINTS}
 
@@ -193,7 +193,7 @@ class Outcome(NamedTuple):
         found = {self.claim: self.certificate}
         if self.correction is not None:
             found[f"{CORRECTED}/{self.claim}"] = self.correction.certificate
-        return found if self.certified else {}
+        return found if self.needs_certificate else {}
 
     @property
     def misprinted(self) -> bool:

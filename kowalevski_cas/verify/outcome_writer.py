@@ -66,9 +66,9 @@ class OutcomeWriter:
             return outcome._replace(
                 counterexample=first.counterexample, chance=first.chance, radius=first.radius
             )
-        return self._explained(outcome, statement, first)
+        return self._explain(outcome, statement, first)
 
-    def _explained(self, outcome: Outcome, statement: Statement, decided: Decided) -> Outcome:
+    def _explain(self, outcome: Outcome, statement: Statement, decided: Decided) -> Outcome:
         """An outcome with its conditions, its counterexample and its steps."""
         if outcome.verdict in DECIDED:
             if self._arithmetics.names[0] != "flint":

@@ -60,7 +60,7 @@ def open_ones(run: Run) -> list[Outcome]:
     return [o for o in run.outcomes if o.verdict in (Verdict.TIMEOUT, Verdict.ERROR)]
 
 
-def _unordered(value: object) -> object:
+def _sorted(value: object) -> object:
     """What is recorded, whatever the order in which conditions were found."""
     return sorted(map(str, value)) if isinstance(value, list) else value
 
@@ -97,7 +97,7 @@ def differences(
             result.append(Difference(claim, "not in the record", str(now["verdict"])))
             continue
         for key, value in now.items():
-            if _unordered(then.get(key)) != _unordered(value):
+            if _sorted(then.get(key)) != _sorted(value):
                 result.append(
                     Difference(claim, _words_for(key, then.get(key)), _words_for(key, value))
                 )

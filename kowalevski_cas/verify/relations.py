@@ -79,7 +79,7 @@ def relations(statement: Statement) -> Iterator[ConstantRelation]:
             for value in space.finder.differences(goal.conclusions[0])
         ]
         for factor in _factors(space, [p for value in values for p in value.parts.values()]):
-            yield from _solved(space, factor, statement.claim.scene)
+            yield from _solve(space, factor, statement.claim.scene)
 
 
 def _factors(space: Elaboration, polynomials: list[fmpq_mpoly]) -> Iterator[fmpq_mpoly]:
@@ -92,7 +92,7 @@ def _factors(space: Elaboration, polynomials: list[fmpq_mpoly]) -> Iterator[fmpq
         yield from (factor for factor, _ in common.factor()[1] if len(factor) > 1)
 
 
-def _solved(space: Elaboration, factor: fmpq_mpoly, scene: Scene) -> Iterator[ConstantRelation]:
+def _solve(space: Elaboration, factor: fmpq_mpoly, scene: Scene) -> Iterator[ConstantRelation]:
     """The relation that a polynomial vanishes, solved for a constant in which it is linear."""
     ring = space.finder.ring
     names = ring.polynomials.generators

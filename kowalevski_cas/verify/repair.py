@@ -30,7 +30,7 @@ def repair(
     """The outcomes with the corrections that are found in time."""
     found = {outcome.claim: outcome for outcome in outcomes}
     if failing := blame.open():
-        (shared,) = work(lambda _: _shared(blame, decider), ["shared"])
+        (shared,) = work(lambda _: _common_repair(blame, decider), ["shared"])
         for id, corrections in shared.items():
             found[id] = found[id].corrected_by(corrections)
         left = [claim for claim in failing if claim.id not in shared]
@@ -42,14 +42,14 @@ def repair(
                 with time_limit(inf):
                     return decider.correct(claim, found[claim.id], lambda: blame.alone(claim))
             except (Exception, SystemExit) as error:
-                return decider.broken(claim, error)
+                return decider.error_outcome(claim, error)
 
         for outcome in work(alone, range(len(left))):
             found[outcome.claim] = outcome
     return [*found.values()]
 
 
-def _shared(blame: Blame, decider: Decider) -> Repairs:
+def _common_repair(blame: Blame, decider: Decider) -> Repairs:
     """What mends several claims, if it is found in the time in which it is to be proved as well."""
     patience = decider.patience
     longest = decider.timeout if patience is None else PROVING * patience

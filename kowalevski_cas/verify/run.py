@@ -17,7 +17,7 @@ from kowalevski_cas.processes import each
 from kowalevski_cas.verify.archive import Archive
 from kowalevski_cas.verify.arithmetics import Arithmetics
 from kowalevski_cas.verify.certificate import Stored, load_certificates
-from kowalevski_cas.verify.confirm import is_received, receive, receiving
+from kowalevski_cas.verify.confirm import is_received, receive, receive_here
 from kowalevski_cas.verify.decider import Decider
 from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
@@ -54,16 +54,16 @@ def decide_together(
     tasks = [(session, claim) for session, claims in chosen for claim in claims]
     begun = count()
 
-    def decided(number: int) -> Outcome:
+    def decide_one(number: int) -> Outcome:
         session, claim = tasks[number]
         tell(claim.id)
         return session.outcome(claim)
 
-    def heard(claim: str, _: int) -> None:
+    def hear(claim: str, _: int) -> None:
         progress(claim, next(begun), len(tasks))
 
-    with receiving():
-        outcomes = enumerate(each(decided, range(len(tasks)), heard=heard))
+    with receive_here():
+        outcomes = enumerate(each(decide_one, range(len(tasks)), heard=hear))
         received = iter([receive(one, tasks[k][0].decider.timeout) for k, one in outcomes])
     return [[next(received) for _ in claims] for _, claims in chosen]
 
@@ -72,7 +72,7 @@ def correct_together(
     session: Session, outcomes: Sequence[Outcome], blame: Blame | None = None
 ) -> list[Outcome]:
     """The outcomes with corrections that other processes find, and are received from them."""
-    with receiving():
+    with receive_here():
         found = session.with_corrections(outcomes, each, blame)
     pairs = zip(outcomes, found, strict=True)
     return [new if new is old else receive(new, known=old) for old, new in pairs]

@@ -50,7 +50,7 @@ def screen(
             if answer.holds is False:
                 if not all(map(decides, statement.claimed)):
                     return Screened(Verdict.UNDECIDED, "a point does not refute it")
-                return _refuted(answer)
+                return _is_refuted(answer)
             answers.append(answer)
     except (NoPoint, Meaningless) as error:
         return Screened(Verdict.UNDECIDED, str(error))
@@ -67,7 +67,7 @@ def screen(
     return Screened(Verdict.PROBABLE, words, chance=max(bounds, default=None))
 
 
-def _refuted(answer: Answer) -> Screened:
+def _is_refuted(answer: Answer) -> Screened:
     values: dict[object, Value] = {Name(n): v for n, v in answer.point.items() if n}
     words = f"{answer.words}: {answer.left} and {answer.right}"
     found = Counterexample(PrintedPoint(values), answer.left, answer.right, words)  # type: ignore[arg-type] # numbers, no formulas
@@ -93,13 +93,13 @@ def questions(
                 unseen.append("what exists cannot be seen at points")
                 continue
             for one in goal.goals:
-                bound = _bound(one, found, at(one.space))
-                yield from _asked(one, bound, unseen)
+                bound = _bind(one, found, at(one.space))
+                yield from _questions(one, bound, unseen)
         else:
-            yield from _asked(goal, at(goal.space), unseen)
+            yield from _questions(goal, at(goal.space), unseen)
 
 
-def _bound(goal: Simple, found: Found, at: Sampled) -> Evaluation:
+def _bind(goal: Simple, found: Found, at: Sampled) -> Evaluation:
     values: dict[str, Element] = {}
     for name, formula in found.values.items():
         if any(name in one.names() for one in goal.formulas()):
@@ -110,7 +110,7 @@ def _bound(goal: Simple, found: Found, at: Sampled) -> Evaluation:
     return bound
 
 
-def _asked(goal: Simple, at: Evaluation, unseen: list[str]) -> Iterator[Question]:
+def _questions(goal: Simple, at: Evaluation, unseen: list[str]) -> Iterator[Question]:
     match goal:
         case Follows(given=(_, *_)) if goal.space.powers:
             unseen.append("what follows for symbolic exponents cannot be seen at points")

@@ -89,7 +89,7 @@ def _steps(statement: Statement, goal: Goal, evidence: Evidence) -> Iterator[Rep
     match goal, evidence:
         case Exists(), Found():
             yield from _root(claim, goal, evidence, statement)
-            yield from _found(goal, evidence, statement)
+            yield from _values_found(goal, evidence, statement)
         case Fails(), _:
             return
         case Follows(), Entailment(proof, _):
@@ -239,7 +239,7 @@ def _root(
         yield ReportedStep("The root that the program found:", (said,))
 
 
-def _found(goal: Exists, evidence: Found, statement: Statement) -> Iterator[ReportedStep]:
+def _values_found(goal: Exists, evidence: Found, statement: Statement) -> Iterator[ReportedStep]:
     """The equations that are linear in bound names."""
     for one in goal.goals:
         if not isinstance(one, Follows):
@@ -247,7 +247,7 @@ def _found(goal: Exists, evidence: Found, statement: Statement) -> Iterator[Repo
         for left, right in one.conclusions[0] if one.conclusions else ():
             terms = _linear(right, goal.bound)
             if terms is not None:
-                yield _bound(left, terms, evidence, statement.legend[one.space])
+                yield _bound_names(left, terms, evidence, statement.legend[one.space])
 
 
 def _linear(formula: Formula, bound: Sequence[str]) -> list[tuple[str, Formula]] | None:
@@ -262,7 +262,7 @@ def _linear(formula: Formula, bound: Sequence[str]) -> list[tuple[str, Formula]]
     return found
 
 
-def _bound(
+def _bound_names(
     left: Formula, terms: Sequence[tuple[str, Formula]], evidence: Found, setting: Elaboration
 ) -> ReportedStep:
     values = [setting.finder.scalar(evidence.values[name]) for name, _ in terms]

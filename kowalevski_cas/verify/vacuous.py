@@ -51,17 +51,16 @@ def says_something(neighbour: Neighbour, statement: Statement, printed: Statemen
     """
     if _moves(printed) and not _moves(statement):
         return False
-    if _empty(statement) > _empty(printed) or _repeated(statement) > _repeated(printed):
+    if _empty(statement) > _empty(printed) or _count_repeated(statement) > _count_repeated(printed):
         return False
-    if _printed_twice(statement) > _printed_twice(printed):
+    if _count_printed_before(statement) > _count_printed_before(printed):
         return False
     edit = neighbour.edit
     if edit is None:
         return True
     defined = set(neighbour.claim.scene.definitions)
     before, after = edit.statement.formula, edit.formula
-    constants = frozenset(neighbour.claim.scene.constants)
-    if _idle(after, constants) > _idle(before, constants):
+    if _derives_what_stands(before, after, statement.on(neighbour.claim.scene)):
         return False
     replaced = (before.names() - after.names()) & defined
     if replaced and unlike(edit) and not edit.replacement.names() & defined:
@@ -81,13 +80,13 @@ def _empty(statement: Statement) -> int:
     return sum(d.is_zero for space, some in given for d in finder_of(space).differences(some))
 
 
-def _printed_twice(statement: Statement) -> int:
+def _count_printed_before(statement: Statement) -> int:
     """How many formulas of a claim stand there before."""
     formulas = statement.claim.formulas(statement.on.texts)
     return len(formulas) - len({*formulas})
 
 
-def _repeated(statement: Statement) -> int:
+def _count_repeated(statement: Statement) -> int:
     """How many equations that are supposed or stated are multiples of another that is supposed."""
     count = 0
     for goal in statement.goals:
@@ -106,10 +105,14 @@ def _is_multiple(element: Element, others: Sequence[Element]) -> bool:
     return not element.is_zero and any(vanish_on([element], [one]) == [True] for one in others)
 
 
-def _idle(formula: Formula, constants: frozenset[str]) -> int:
-    """How many derivatives of constants are printed."""
-    rates = (one for one in formula.nodes() if isinstance(one, Derivative))
-    return sum(one.argument.names() <= constants for one in rates)
+def _derives_what_stands(before: Formula, after: Formula, on: Elaboration) -> bool:
+    """Whether an edit brings in a derivative that is zero by itself, as that of a constant."""
+    rates = [one for one in after.nodes() if isinstance(one, Derivative)]
+    if len(rates) <= sum(isinstance(one, Derivative) for one in before.nodes()):
+        return False
+    old = {*before.nodes()}
+    new = [(on.plain(one), Number(0)) for one in rates if one not in old]
+    return any(rest.is_zero for rest in on.finder.differences(new))
 
 
 def _trivial(formula: Formula) -> bool:

@@ -15,7 +15,7 @@ from collections import Counter
 from pathlib import Path
 
 from kowalevski_cas.cli import session
-from kowalevski_cas.cli.audit import chosen
+from kowalevski_cas.cli.audit import choose
 from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, UNDECIDED, USAGE, CommandError
 from kowalevski_cas.library import find
 from kowalevski_cas.source.files import read_source
@@ -65,7 +65,7 @@ def run(arguments: argparse.Namespace) -> int:
         return _alone(arguments, seed)
     if arguments.source is not None and arguments.source.exists():
         source = read_source(arguments.source)
-        folder, derivation = chosen(source, arguments.derivation)
+        folder, derivation = choose(source, arguments.derivation)
     else:
         name = [] if arguments.derivation is None else [arguments.derivation]
         folder, derivation = session.derivations(name)[0]
@@ -76,8 +76,8 @@ def run(arguments: argparse.Namespace) -> int:
 
     def measure_source(source: Source) -> Measurement:
         work = Measure(folder, source.path, source.text, arguments.timeout)
-        chosen = random.Random(seed)
-        mutants = every(work.base) if arguments.all else sample(work.base, arguments.sample, chosen)
+        choose = random.Random(seed)
+        mutants = every(work.base) if arguments.all else sample(work.base, arguments.sample, choose)
         return measure(work, list(mutants), pool)
 
     (found,) = session.map_in_processes(measure_source, [source])

@@ -12,7 +12,7 @@ import pytest
 
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.cli import main
-from kowalevski_cas.cli.session import pool, rejected, runs
+from kowalevski_cas.cli.session import pool, rejections, runs
 from kowalevski_cas.library import available, find, load
 from kowalevski_cas.processes import each
 from kowalevski_cas.verify.certificate import FOLDER, load_certificates
@@ -82,4 +82,4 @@ def test_what_is_found_anew_is_what_is_committed(name):
         file.relative_to(folder / FOLDER).with_suffix("").as_posix(): file.read_text("utf-8")
         for file in certificate_files(folder)
     }
-    assert run.certificates == committed and not rejected(run)
+    assert run.certificates == committed and not rejections(run)

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kowalevski_cas.cli.terminal import Output, output, styled, width
+from kowalevski_cas.cli.terminal import Output, output, width, with_style
 
 STYLE = re.compile(r"\x1b\[\d+m")
 
@@ -31,16 +31,16 @@ def test_only_styles_of_our_own_control_a_terminal(parts):
     screen = Terminal()
     with redirect_stdout(Output(screen)):
         for words, style in parts:
-            print(words if style is None else styled(words, style))
+            print(words if style is None else with_style(words, style))
     seen = STYLE.sub("", screen.getvalue())
     assert not re.search(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]", seen)
     assert sum(map(len, STYLE.findall(screen.getvalue()))) <= len(screen.getvalue()) - len(seen)
 
 
 def test_styles_have_no_width_and_are_shown_on_terminals_only():
-    assert styled("proved", 32) == "proved"
+    assert with_style("proved", 32) == "proved"
     with redirect_stdout(Output(Terminal())):
-        assert width(styled("proved", 32)) == len("proved") < len(styled("proved", 32))
+        assert width(with_style("proved", 32)) == len("proved") < len(with_style("proved", 32))
 
 
 @pytest.mark.parametrize(

@@ -14,6 +14,9 @@ FONTS = (
     r"\operatorname{%s}", r"\mathrm{%s}", r"{\rm %s}", r"\mathop{\rm %s}", r"\mathit{%s}",
     r"\mathsf{%s}", r"\operatorname*{%s}",
 )  # fmt: skip
+OVER = (
+    "%s", r"\hat{%s}", r"\tilde %s", r"\widehat{\mathrm{%s}}", r"\mathcal{%s}", r"\check{\mathsf{%s}}",
+)  # fmt: skip
 ARGUMENTS = ("x", r"\,x", "(x)", r"\left(x\right)", "{x}", "^2x", "^2(x+y)", "2x", r"\frac{x}{2}")
 UNKNOWN = ("sgn", "erf", "Ai", "sinc", "Ra", "abc", "lg", "grad", "sl")
 KNOWN = sorted(
@@ -52,6 +55,26 @@ def test_a_word_that_names_a_function_is_never_a_name(many):
         assert not system.scene.constants, tex
         nodes = [n for one in system._formulas(system.section.displays[0]) for n in one.nodes()]
         assert any(isinstance(node, Application) for node in nodes), tex
+
+
+@pytest.mark.parametrize("over", OVER)
+def test_a_macro_is_no_constant_whatever_stands_over_it(over):
+    for macro in (
+        r"\foo",
+        r"\sin",
+        r"\partial",
+        r"\nabla",
+        r"\infty",
+        r"\int",
+        r"\ln",
+        r"\mathrm{tg}",
+    ):
+        for argument in ("x", "(x)", "^2x"):
+            try:
+                system = System(rf"\dot x=y,\ \dot y={over % macro}{argument}")
+            except (NotationError, ValueError):
+                continue  # as it is refused, or where the function that it is has no such argument
+            assert not system.scene.constants, (over, macro)
 
 
 @pytest.mark.parametrize("font", FONTS)

@@ -6,8 +6,8 @@ from dataclasses import replace
 import pytest
 
 from kowalevski_cas.notation import NotationError
-from kowalevski_cas.notation.functions import CIRCULAR, EXPONENTIAL, FAMILIES, JACOBI
-from kowalevski_cas.paper.addition import theorem
+from kowalevski_cas.notation.functions import CIRCULAR, EXPONENTIAL, FAMILIES, JACOBI, ROTATED
+from kowalevski_cas.paper.addition import rotation, theorem
 from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.codec import digest, evidence_data, problem_data
@@ -112,3 +112,31 @@ def test_it_begins_where_the_system_is_regular():
     for goal in (Along(true.space, initial, true.equations), Along(true.space, (), true.equations)):
         with pytest.raises(checker.Rejected):
             checker.check(certificate(goal, Finder(finder_of).proof(true)))
+
+
+@pytest.mark.parametrize("family", ROTATED)
+def test_functions_at_imaginary_arguments_are_proved(family):
+    goal = rotation(family)
+    evidence = Finder(finder_of).proof(goal)
+    Judge(finder_of).holds(goal, evidence)
+    assert checker.check(certificate(goal, evidence)).sign == "holds"
+
+
+@pytest.mark.parametrize(
+    ("family", "letter", "wrong"),
+    [
+        (CIRCULAR, "s", r"\frac{1}{2}(e^2-\frac{1}{e^2})"),
+        (CIRCULAR, "c", r"\frac{i}{2}(e^2+\frac{1}{e^2})"),
+        (EXPONENTIAL, "e", "c-is"),
+        (JACOBI, "s", r"\frac{s}{c}"),
+        (JACOBI, "c", r"\frac{d}{c}"),
+        (JACOBI, "d", r"\frac{1}{c}"),
+    ],
+)
+def test_other_functions_at_imaginary_arguments_are_not(family, letter, wrong, monkeypatch):
+    mutant = replace(family, imaginary={**family.imaginary, letter: wrong})
+    monkeypatch.setitem(ROTATED, mutant, ROTATED[family])
+    goal = rotation(mutant)
+    assert Finder(finder_of).proof(goal) is None
+    with pytest.raises(checker.Rejected):
+        checker.check(certificate(goal, Finder(finder_of).proof(rotation(family))))

@@ -542,3 +542,27 @@ def test_functions_at_a_phase(tex, verdict):
     scene = Scene(constants=("n", "t_1", "k")).defining(same)
     [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
     assert str(outcome.verdict) == verdict
+
+
+ROTATED = [
+    (r"\operatorname{sn}(ix,k)=i\operatorname{sc}(x,k')", "k^2+k'^2=1", "conditional"),
+    (r"\operatorname{cn}(ix,k)=\operatorname{nc}(x,k')", "k^2+k'^2=1", "conditional"),
+    (r"\operatorname{dn}(ix,k')=\operatorname{dc}(x,k)", "k^2+k'^2=1", "conditional"),
+    (r"\operatorname{sn}(x+ix,k)=\operatorname{sn}(x-ix,k)", "k^2+k'^2=1", "undecided"),
+    (r"\operatorname{sn}(ix,k)=-i\operatorname{sc}(x,k')", "k^2+k'^2=1", "undecided"),
+    (r"\operatorname{sn}(ix,k)=i\operatorname{sc}(x,k')", "k'^2-k^2=1", "error"),
+    (r"\operatorname{sn}(ix,k)=i\operatorname{sc}(x,k')", "k'^2=1-k", "error"),
+    (r"\operatorname{sn}(ix,k^2)=i\operatorname{sc}(x,k')", "k^2+k'^2=1", "error"),
+    (r"\cos(ix)=\cosh x", "k^2+k'^2=1", "proved"),
+    (r"\cos(ix)=\sinh x", "k^2+k'^2=1", "refuted"),
+]  # fmt: skip
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize(("tex", "moduli", "verdict"), sampled(ROTATED, 4))
+def test_an_imaginary_argument_leads_to_the_complementary_modulus(tex, moduli, verdict):
+    section = Section("1", "")
+    scene = Scene(variables=("x",), constants=("k",)).with_unit(section.display("i", "i^2=-1")[1])
+    scene = scene.solving("k'", section.display("moduli", moduli)[1])
+    [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
+    assert str(outcome.verdict) == verdict

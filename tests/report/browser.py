@@ -74,7 +74,7 @@ class Browser:
 
     def value(self, script: str) -> Any:
         """The value of an expression of JavaScript in the page."""
-        found = self("Runtime.evaluate", expression=script, returnByValue=True)
+        found = self("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True)
         assert "exceptionDetails" not in found, found
         return found["result"].get("value")
 

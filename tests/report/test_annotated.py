@@ -88,7 +88,17 @@ def test_the_command_writes_the_page(
     assert main(["audit", str(source), "--report", str(tmp_path / "out")]) == 1
     assert "some paper.html is written" in capsys.readouterr().err
     text = (tmp_path / "out" / "some paper.html").read_text(encoding="utf-8")
-    assert "The source some paper.tex with a verdict beside every formula" in text
+    assert "The source some paper.tex (SHA-256 " in text
+
+
+def test_bold_words_at_the_head_of_a_paragraph_are_sections() -> None:
+    document = page(FIRST, r"{\bf 7.\,A second part.} It begins. {\bf Not} this. " + FIRST)
+    parts = {b.anchor: said(b.text) for b in document.blocks if isinstance(b, Heading)}
+    assert "".join(parts["part.1"].split()) == "7.Asecondpart" and "part.2" not in parts
+
+
+def test_no_link_is_dead_when_the_page_is_sent_alone() -> None:
+    assert all(link.startswith("#") for link in Page(render_html(page())).links)
 
 
 def test_a_definition_that_spoils_what_rests_on_it_is_named() -> None:

@@ -95,9 +95,38 @@ def test_marks_and_formulas_are_in_the_accessibility_tree(browser: Browser) -> N
     assert sum(images[mark.word] for mark in MARKS.values()) == marks > 20
 
 
-def test_it_is_read_without_scripts_and_loads_nothing(browser: Browser) -> None:
-    assert browser.value("document.querySelectorAll('script, link, iframe').length") == 0
+def test_it_loads_nothing(browser: Browser) -> None:
+    assert browser.value("document.querySelectorAll('script[src], link, iframe').length") == 0
     assert browser.value("performance.getEntriesByType('resource').length") == 0
+
+
+POINT = """(([link, kind]) => { link.dispatchEvent(new PointerEvent(kind, {pointerType: 'mouse'}));
+  const glance = document.querySelector('.glance'), place = glance.getBoundingClientRect();
+  return [glance.hidden, glance.textContent.includes('(14)') || glance.querySelectorAll('math').length,
+    place.left >= 0 && place.right <= innerWidth, glance.querySelectorAll('[id]').length]; })"""
+PRESS = """(button => { let copied = ''; document.execCommand = () => {
+  copied = document.activeElement.value ?? document.querySelector('textarea').value; };
+  navigator.clipboard && (navigator.clipboard.writeText = async text => { copied = text; });
+  button.click(); return new Promise(done => setTimeout(() => done(copied), 50)); })"""
+
+
+def test_a_link_shows_what_it_leads_to(browser: Browser) -> None:
+    for pixels in (380, 1280):
+        browser.width(pixels)
+        link = 'document.querySelector(\'main > p a[href^="#claim"], .claim a[href^="#claim"]\')'
+        hidden, formulas, inside, ids = browser.value(f"{POINT}([{link}, 'pointerenter'])")
+        assert (hidden, inside, ids) == (False, True, 0) and formulas
+        assert browser.value(f"{POINT}([{link}, 'pointerleave'])")[0]
+
+
+def test_formulas_and_errata_are_copied_as_tex(browser: Browser) -> None:
+    buttons = "[...document.querySelectorAll('.copy button')]"
+    assert browser.value(f"{buttons}.every(one => !one.parentElement.hidden)")
+    texts = browser.value(f"{buttons}.map(one => [one.textContent, one.dataset.text])")
+    assert all(text for _, text in texts)
+    errata = [text for words, text in texts if words == "copy erratum"]
+    assert errata and all(": for $" in text or ": it is false that " in text for text in errata)
+    assert browser.value(f"{PRESS}({buttons}[0])") == texts[0][1]
 
 
 BARS = """[...document.querySelectorAll('.bar')].filter(bar => bar.getClientRects().length).map(bar => {

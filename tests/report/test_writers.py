@@ -179,8 +179,8 @@ class TestHtml:
         assert {f"claim.{outcome.claim}" for outcome in outcomes()} <= inner
         assert set(page.links) - {f"#{name}" for name in inner} == {"kharlamov2002.json"}
 
-    def test_nothing_is_loaded_and_nothing_runs(self, html: str) -> None:
-        assert not Page(html).names & {"script", "link", "iframe", "object"}
+    def test_nothing_is_loaded(self, html: str) -> None:
+        assert not Page(html).names & {"link", "iframe", "object"}
         assert not re.search(r"@import|url\(|\bsrc=|https?://(?!www\.w3\.org)", html)
         assert len(html.encode()) < 2_000_000
 
@@ -194,7 +194,8 @@ class TestHtml:
         formula = Relation((formula, Changed(Negative(Number(1)))), ("=",))
         shown = f'<math display="block">{to_mathml(formula)}</math>'
         assert shown.replace(" ", "") in html.replace(" ", "")
-        assert not re.search(r"\\(frac|sqrt|omega)", html)
+        shown = re.sub(r'data-text="[^"]*"', "", html)
+        assert not re.search(r"\\(frac|sqrt|omega)", shown)
 
     def test_what_is_wide_has_a_form_for_telephones(self, html: str) -> None:
         assert html.count('<div class="wide">') == html.count('<div class="narrow">') > 5

@@ -15,7 +15,7 @@ from kowalevski_cas.paper.claims import (
 from kowalevski_cas.paper.derivation import Derivation, Scene, Section
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.verify import corrections
-from kowalevski_cas.verify.corrections import printed_of, recorded_correction, true_ones
+from kowalevski_cas.verify.corrections import formulas_printed_by, recorded_correction, true_ones
 from kowalevski_cas.verify.outcome import in_latex
 from kowalevski_cas.verify.record import describe
 from kowalevski_cas.verify.run import Session
@@ -195,7 +195,8 @@ def true_neighbours(section, claim):
     """What is true one edit away from a claim, in LaTeX, be it vacuous or not."""
     texts = derivation(section).texts(None, *claim.scenes())
     return {
-        in_latex(printed_of(n)) for n in true_ones(claim.neighbours(texts), Elaborations(texts))
+        in_latex(formulas_printed_by(n))
+        for n in true_ones(claim.neighbours(texts), Elaborations(texts))
     }
 
 
@@ -256,10 +257,12 @@ def test_what_fails_at_points_is_not_decided_in_full(monkeypatch):
     on = Elaborations(texts)
     held, holds = [], Statement.holds
     monkeypatch.setattr(Statement, "holds", lambda self: held.append(self) or holds(self))
-    screened = [in_latex(printed_of(n)) for n in true_ones(claim.claim.neighbours(texts), on)]
+    screened = [
+        in_latex(formulas_printed_by(n)) for n in true_ones(claim.claim.neighbours(texts), on)
+    ]
     assert len(held) == len(screened) == 1
     monkeypatch.setattr(corrections, "_is_identity", lambda _: False)
-    every = [in_latex(printed_of(n)) for n in true_ones(claim.claim.neighbours(texts), on)]
+    every = [in_latex(formulas_printed_by(n)) for n in true_ones(claim.claim.neighbours(texts), on)]
     assert every == screened == ["M_1p_1 + M_2p_2 + M_3p_3"]
     assert len(held) > 50
 

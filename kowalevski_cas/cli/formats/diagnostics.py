@@ -20,7 +20,7 @@ def diagnostics(result: ComparedRun) -> Iterator[Diagnostic]:
         if outcome.verdict in (Verdict.ERROR, Verdict.UNDECIDED, Verdict.TIMEOUT):
             yield _diagnostic(result, rule, ERROR, outcome.claim, outcome.message)
         if outcome.verdict is Verdict.REFUTED:
-            yield _diagnostic(result, rule, NOTE, outcome.claim, _refuted(outcome))
+            yield _diagnostic(result, rule, NOTE, outcome.claim, _of_refuted(outcome))
 
 
 def _diagnostic(result: ComparedRun, rule: str, level: str, claim: str, message: str) -> Diagnostic:
@@ -29,7 +29,7 @@ def _diagnostic(result: ComparedRun, rule: str, level: str, claim: str, message:
     return Diagnostic(rule, level, claim, message, region, fingerprint=fingerprint)
 
 
-def _refuted(outcome: Outcome) -> str:
+def _of_refuted(outcome: Outcome) -> str:
     """A misprint and what it should be; of what is false besides, what it says."""
     correction = outcome.correction
     if correction is not None and correction.edit is not None:

@@ -37,13 +37,13 @@ def _annotation(one: Diagnostic) -> str:
         place["endLine"] = end_line
     elif column:
         place |= {"col": column, "endColumn": end_column}
-    told = ",".join(f"{key}={_escaped(str(value))}" for key, value in place.items())
+    told = ",".join(f"{key}={_escape(str(value))}" for key, value in place.items())
     level = "notice" if one.level == NOTE else one.level
     text = one.message.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
-    return f"::{level} {told},title={_escaped(one.id)}::{text}"
+    return f"::{level} {told},title={_escape(one.id)}::{text}"
 
 
-def _escaped(text: str) -> str:
+def _escape(text: str) -> str:
     for sign in "%\r\n:,":
         text = text.replace(sign, f"%{ord(sign):02X}")
     return text

@@ -96,7 +96,7 @@ def audited(audit: Audit) -> str:
 
     value = {
         **head("audit"),
-        **_assumed(audit),
+        **_assumptions(audit),
         "formulas": [_formula(audit, formula) for formula in audit.formulas],
         "statements": [_statement(audit, outcome) for outcome in audit.statements],
         "diagnostics": [*map(_diagnostic, diagnostics(audit))],
@@ -117,7 +117,7 @@ def audited(audit: Audit) -> str:
     return json.dumps(value, indent=2, ensure_ascii=False) + "\n"
 
 
-def _assumed(audit: Audit) -> dict[str, Any]:
+def _assumptions(audit: Audit) -> dict[str, Any]:
     """What a source that is its own derivation takes for granted."""
     if audit.reading is None:
         return {}

@@ -171,7 +171,7 @@ class AuditText:
             place = ":".join(map(str, filter(None, first.region[:2])))
             place = f"{place}: {self.called(first, ids)}: {first.verdict}"
             printed = () if first.formula is None else (first.formula,)
-            yield from self._finding(
+            yield from self._line_of(
                 f"{place}, {why}" if why else place, printed, first.tex,
                 (first.correction, *first.alternatives), first.counterexample,
             )  # fmt: skip
@@ -192,13 +192,13 @@ class AuditText:
         if causes := audit.session.causes.places.get(outcome.claim, ()):
             named = ", ".join(audit.located(cause.place) for cause in causes)
             why = f"; because of {named}"
-        yield from self._finding(
+        yield from self._line_of(
             f"{place}{plain.text(self.phrases.found([outcome.claim]))}: refuted: "
             f"{outcome.words}{why}", outcome.formulas,
             outcome.source, (outcome.correction, *outcome.alternatives), outcome.counterexample,
         )  # fmt: skip
 
-    def _finding(
+    def _line_of(
         self,
         head: str,
         printed: tuple[Formula, ...],
@@ -248,10 +248,10 @@ class AuditText:
         """How many there are of each verdict."""
         audit = self.audit
         claims = Counter(str(outcome.verdict) for outcome in audit.outcomes.values())
-        yield f"{plain.many(len(audit.formulas), 'formula')}: {_counted(audit.counts)}"
+        yield f"{plain.many(len(audit.formulas), 'formula')}: {_count(audit.counts)}"
         claimed = plain.many(len(audit.outcomes), "claim")
         checked = plain.many(len(audit.certificates), "certificate")
-        yield f"{claimed}: {_counted(claims)}; {checked} checked; {audit.seconds:.2f} s"
+        yield f"{claimed}: {_count(claims)}; {checked} checked; {audit.seconds:.2f} s"
 
 
 def _slip(formula: Audited) -> object:
@@ -261,5 +261,5 @@ def _slip(formula: Audited) -> object:
     return formula.correction.words, formula.place.display.id
 
 
-def _counted(counts: Mapping[str, int]) -> str:
+def _count(counts: Mapping[str, int]) -> str:
     return ", ".join(f"{count} {verdict}" for verdict, count in sorted(counts.items()))

@@ -38,13 +38,13 @@ def answer(audit: Audit) -> Iterator[str]:
     told = "; ".join(words.format(count) for count, words in parts if count)
     claims = plain.many(len(verdicts), "claim")
     yield from plain.wrap(f"{claims}. {told[:1].upper()}{told[1:]}." if told else f"{claims}.")
-    yield from _obeyed(audit)
+    yield from _comments(audit)
 
 
 def rest(audit: Audit, phrases: Phrases) -> Iterator[str]:
     """What is assumed, what is not decided, and what is not judged."""
-    yield from _assumed(audit, phrases)
-    yield from _undecided(audit, phrases)
+    yield from _assumptions(audit, phrases)
+    yield from _doubts(audit, phrases)
     yield from _open(audit)
     if found := unchecked(audit):
         shown = ", ".join(map(audit.called, found))
@@ -52,7 +52,7 @@ def rest(audit: Audit, phrases: Phrases) -> Iterator[str]:
         yield from ("", *plain.lines([Paragraph((said,))]))
 
 
-def _obeyed(audit: Audit) -> Iterator[str]:
+def _comments(audit: Audit) -> Iterator[str]:
     """How many comments there are of each kind, and those that contradict what is inferred."""
     assert audit.reading is not None
     said = audit.reading.parts.said
@@ -66,7 +66,7 @@ def _obeyed(audit: Audit) -> Iterator[str]:
             yield from plain.wrap(f"{formula.item.printed.place}: {formula.role.reason}")
 
 
-def _assumed(audit: Audit, phrases: Phrases) -> Iterator[str]:
+def _assumptions(audit: Audit, phrases: Phrases) -> Iterator[str]:
     from kowalevski_cas.audit.reading import assumptions_of
 
     listed = [one for one in assumptions_of(audit) if one.claims]
@@ -80,9 +80,11 @@ def _assumed(audit: Audit, phrases: Phrases) -> Iterator[str]:
         yield from (f"  {line}" for line in plain.wrap(plain.text(words)))
 
 
-def _undecided(audit: Audit, phrases: Phrases) -> Iterator[str]:
-    unclear = [f for f in audit.formulas if f.verdict in (Verdict.UNDECIDED, Verdict.TIMEOUT)]
-    if unclear:
+def _doubts(audit: Audit, phrases: Phrases) -> Iterator[str]:
+    open_verdicts = (Verdict.UNDECIDED, Verdict.TIMEOUT)
+    unclear = [f for f in audit.formulas if f.verdict in open_verdicts]
+    in_words = [one for one in audit.statements if one.verdict in open_verdicts]
+    if unclear or in_words:
         yield from ("", plain.bold("What is not decided"))
     for formula in unclear:
         yield from plain.wrap(f"{_where(audit, formula)}: {formula.message}")
@@ -90,6 +92,11 @@ def _undecided(audit: Audit, phrases: Phrases) -> Iterator[str]:
             yield from plain.lines([Equations((formula.formula,), formula.tex)], 2)
         if formula.counterexample is not None:
             yield from plain.lines([Paragraph(phrases.values(formula.counterexample))], 2)
+    for outcome in in_words:
+        region = audit.sentences.get(outcome.claim)
+        place = f"{region.path}:{region.line}" if region is not None else outcome.claim
+        said = outcome.message or str(outcome.verdict)
+        yield from plain.wrap(plain.text(phrases.words(f"{place}: {outcome.words}: {said}")))
 
 
 def _open(audit: Audit) -> Iterator[str]:

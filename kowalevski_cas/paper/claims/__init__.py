@@ -13,6 +13,7 @@ from kowalevski_cas.paper.claims.dimension import Dimension, Independence
 from kowalevski_cas.paper.claims.double_zero import DoubleZero
 from kowalevski_cas.paper.claims.equilibria import Equilibria, RestPoints
 from kowalevski_cas.paper.claims.equivalence import Equivalence
+from kowalevski_cas.paper.claims.everywhere import EverywhereIndependent
 from kowalevski_cas.paper.claims.exponents import SolvedExponents
 from kowalevski_cas.paper.claims.first_integral import FirstIntegral
 from kowalevski_cas.paper.claims.identity import Identity

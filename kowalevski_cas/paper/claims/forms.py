@@ -127,8 +127,9 @@ def function(on: Elaborations, space: Elaboration, printed: Printed) -> Formula:
 
 
 def first_member(on: Elaborations, space: Elaboration, printed: Printed) -> Formula:
-    """The first member of a printed chain."""
-    return space.plain(members(on.texts.relation(printed))[0])
+    """The first member of a printed chain, or the expression that is printed."""
+    formula = on.texts.formula(printed)
+    return space.plain(members(formula)[0] if isinstance(formula, Relation) else formula)
 
 
 def moving(space: Elaboration, formula: Formula) -> list[str]:

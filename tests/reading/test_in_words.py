@@ -1,0 +1,95 @@
+"""What sentences claim of formulas that they cite or name: claims in words, with verdicts."""
+
+import pytest
+
+from kowalevski_cas.audit.reading import ReadingSession, audit_reading
+from kowalevski_cas.verify.outcome import Verdict
+from tests.reading.test_reading import reading
+
+pytestmark = pytest.mark.usefixtures("here")
+
+LAW = r"""
+The equations are $$\dot p=-qr,\quad \dot q=2rp,\quad \dot r=-pq.$$
+The functions \begin{equation}\label{T} T=2p^2+q^2 \end{equation} and
+\begin{equation}\label{G} G=p^2-r^2\end{equation} are first integrals.
+"""
+
+
+def said(text):
+    """What the sentences claim, and what became of it."""
+    found = reading(LAW + text)
+    outcomes = ReadingSession(found, timeout=5).outcomes
+    return [
+        (one.role.kind, outcomes[one.claim.id].verdict) for one in found.statements if one.claim
+    ]
+
+
+PROVED, REFUTED = Verdict.PROVED, Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    ("words", "verdict"),
+    [
+        (r"The integrals \eqref{T} and \eqref{G} are independent.", PROVED),
+        (r"$T$ and $G$ are functionally independent.", PROVED),
+        (r"The functions $T$, $G$, $F=2T-G^2$ are independent.", REFUTED),
+        (r"The two integrals $T$, $G$ are independent at every point.", REFUTED),
+        (r"$T$, $G$ are independent at each point other than the origin.", REFUTED),
+        (r"Функции $T$ и $G$ являются независимыми.", PROVED),
+    ],
+)
+def test_independence(words, verdict):
+    assert said(words) == [("independence", verdict)]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"$T$ and $G$ are not independent.",
+        r"Are $T$ and $G$ independent?",
+        r"If $p=0$, then $T$ and $G$ are independent.",
+        r"$T$ and $G$ are independent at every point of the octant.",
+        r"$T$ and $G$ are independent everywhere except on the line of rest.",
+        r"The integral $T$ is known; independent ones are sought.",
+    ],
+)
+def test_what_is_denied_asked_or_conditioned_is_not_judged(words):
+    assert said(words) == []
+
+
+@pytest.mark.parametrize(
+    ("relations", "verdict"), [("p=0,\\quad q=0", PROVED), ("p=0", Verdict.UNDECIDED)]
+)
+def test_cited_relations_define_an_invariant_set(relations, verdict):
+    text = rf"Consider the relations \begin{{equation}}\label{{s}} {relations}. \end{{equation}} "
+    assert said(text + r"Equations \eqref{s} define an invariant set.") == [("invariant", verdict)]
+
+
+def test_a_number_of_states_of_rest_is_claimed():
+    law = r"The equations are $$\dot p=p^2-1,\quad \dot q=-q.$$ "
+    for number, green in (("two", True), ("three", False)):
+        found = reading(law + rf"The system has exactly {number} equilibria.")
+        (outcome,) = ReadingSession(found, timeout=5).outcomes.values()
+        assert outcome.verdict.green is green
+
+
+def test_a_claim_in_words_has_its_place_and_is_covered():
+    words = r"$T$ and $G$ are independent."
+    found = audit_reading(ReadingSession(reading(LAW + words), timeout=5))
+    (region,) = found.sentences.values()
+    assert region.line == 5
+    assert not [one for one in found.uncovered if "independen" in one.words]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"\section{Integrals and invariant sets}",
+        r"\title{Integrals\thanks{All points of the manifold are singular}}",
+        r"Here we take a constant $a$.",
+    ],
+)
+def test_headings_and_names_of_constants_claim_nothing(words):
+    before = audit_reading(ReadingSession(reading(LAW), timeout=5)).uncovered
+    found = audit_reading(ReadingSession(reading(LAW + words), timeout=5)).uncovered
+    assert [one.words for one in found] == [one.words for one in before]
