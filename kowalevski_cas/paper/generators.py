@@ -47,7 +47,7 @@ def functions_of(setting: Meaning) -> Transcendental:
     roots = (name for name in scene.roots if name not in scene.variables)
     unit = ("i",) if scene.unit is not None and _is_imaginary(setting, scene.unit) else ()
     constants = (*scene.constants, *scene.undefined, *roots, *unit)
-    free, expanded = free_names(setting, own), partial(_expanded, setting)
+    free, expanded = free_names(setting, own), partial(_expand, setting)
     return Transcendental(
         [*own, *defined], free, moving, constants, time, expanded, _values(setting)
     )
@@ -67,13 +67,13 @@ def _values(setting: Meaning) -> Iterator[tuple[Application, Formula]]:
         yield left, right
 
 
-def _expanded(setting: Meaning, formula: Formula, inside: tuple[str, ...] = ()) -> Formula:
+def _expand(setting: Meaning, formula: Formula, inside: tuple[str, ...] = ()) -> Formula:
     """A formula in which no name is a defined one."""
     if not isinstance(formula, Name) or formula.name not in setting.scene.definitions:
-        return formula.map_children(lambda child: _expanded(setting, child, inside))
+        return formula.map_children(lambda child: _expand(setting, child, inside))
     if formula.name in inside:
         raise Meaningless(f"{formula.name} is defined by itself", formula.name)
-    return _expanded(setting, setting.definition(formula.name), (*inside, formula.name))
+    return _expand(setting, setting.definition(formula.name), (*inside, formula.name))
 
 
 def _is_imaginary(setting: Meaning, unit: Printed) -> bool:

@@ -28,13 +28,17 @@ _AND = re.compile(r"[\s,;~]*(?:(?:and|or|и|или)[\s~]*)?(?:§[\s,;~]*(?:(?:an
 _BEFORE = re.compile(r"§(?:[\s,;~]|\b(?:and|or|и|или)\b)*$")
 
 
+def _own_lead(item: SourceStatement) -> str:
+    """The words before a statement, without those that say something of the one before it."""
+    if "§" in item.before and VERB.match(item.lead):
+        return _CLAUSE.split(item.lead, maxsplit=1)[-1]
+    return item.lead
+
+
 def clause(item: SourceStatement) -> str:
     """The words right around a statement; not those that say something of the one before it."""
-    lead = item.lead
-    if "§" in item.before and VERB.match(lead):
-        lead = _CLAUSE.split(lead, maxsplit=1)[-1]
     tail = item.tail.lstrip(" ,")
-    return f"{lead[-60:]} § {_CLAUSE.split(tail, maxsplit=1)[0][:30]}"
+    return f"{_own_lead(item)[-60:]} § {_CLAUSE.split(tail, maxsplit=1)[0][:30]}"
 
 
 def supposing(item: SourceStatement) -> str:
@@ -61,7 +65,7 @@ def integral_words(item: SourceStatement) -> str:
     if not re.match(r"\s*(?:which|where|with|that)", tail) and (said := cue("integral", tail)):
         if last_cue("claim", item.lead[-30:]) < 0 or not item.typed.inline:
             return said
-    return cue("integral", item.lead) or (
+    return cue("integral", _own_lead(item)) or (
         cue("integral", item.before)
         if not item.typed.inline and item.lead.strip(" ,;") in ("", "and")
         else ""

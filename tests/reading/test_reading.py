@@ -239,3 +239,34 @@ def test_a_constant_of_the_law_is_not_redefined_behind_it():
     (last,) = (f for f in found.formulas if f.item.printed.tex == "k=m^2")
     assert last.role.name == ASSUMPTION
     assert not any(last.item in f.on for f in found.formulas)
+
+
+@pytest.mark.parametrize("words", ["To the first order in $x$", "For small oscillations"])
+def test_what_holds_approximately_is_no_law_of_what_follows(words):
+    law = r"The equations are $$\dot x=ay,\quad \dot y=-bx+xy^2,\quad \dot z=0.$$ Suppose that $b>0$. "
+    first = rf"\paragraph{{Small}} {words} we have $$\ddot x=-abx.$$ "
+    then = r"\paragraph{Exact} Suppose that $b=2$. Then $$\dot x=ay,\quad \ddot x=-2ax+axy^2.$$"
+    found = verdicts(law + first + then)
+    assert found[r"\dot x=ay"].green and found[r"\ddot x=-2ax+axy^2"].green
+
+
+@pytest.mark.parametrize("said", ["is constant", "does not change", "is an integral"])
+def test_what_is_said_of_one_formula_is_not_said_of_the_next(said):
+    law = r"The equations are $$\dot x=y,\quad \dot y=-x.$$ "
+    found = reading(law + rf"Then $x^2+y^2$ {said} and $\ddot x+x=0$.")
+    assert [f.role.kind for f in found.formulas][-2:] == ["integral", "identity"]
+    denied = reading(law + r"Then $x$ is not an integral, and $x\dot x+y\dot y=0$.")
+    assert denied.formulas[-1].role.name == CLAIM
+
+
+@pytest.mark.parametrize("words", ["It has no integral", "There is no further integral"])
+def test_what_there_is_not_is_not_claimed(words):
+    found = roles(TOP + words + " $p+q$.")
+    assert found["p+q"] != CLAIM
+
+
+def test_a_list_of_integrals_is_claimed_function_by_function():
+    text = TOP.replace(r"c\,pq", "0") + r"It has the integrals \[ bp^2-aq^2,\qquad r. \] "
+    found = verdicts(text + r"It admits the integral $p^2+q^2$.")
+    assert found["bp^2-aq^2"] is found["r"] is Verdict.PROVED
+    assert found["p^2+q^2"] is Verdict.REFUTED
