@@ -24,4 +24,4 @@ def differentials(functions: Iterable[Element], at: Evaluation) -> list[list[Ele
 def minors(rows: list[list[Element]]) -> list[Element]:
     """The minors of all columns, so many at a time as there are rows."""
     columns = combinations(range(len(rows[0])), len(rows)) if rows else [()]
-    return [determinant([[row[k] for k in one] for row in rows]) for one in columns]
+    return [determinant([[row[k] for k in column] for row in rows]) for column in columns]

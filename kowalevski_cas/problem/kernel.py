@@ -67,9 +67,9 @@ class Ansatz:
     def known(self) -> list[Residues]:
         """The products that span the kernel; raises :class:`Misplaced` if one is no solution."""
         integrals = [self.solution(f, self.at.ring.zero) for f in self.goal.integrals]
-        integrals = [one for one in integrals if one[0] > 0]
+        integrals = [integral for integral in integrals if integral[0] > 0]
         solutions = [self.solution(f, self.factor) for f in self.goal.solutions]
-        return [one for f in solutions for one in products(f, integrals, self.goal.degree)]
+        return [product for f in solutions for product in products(f, integrals, self.goal.degree)]
 
     def solution(self, formula: Formula, factor: Element) -> Weighted:
         """A polynomial f with D f = factor f: its degree, and what it is at the point."""

@@ -57,7 +57,7 @@ def branches(
     is linear; it need not have a solution. Names that stand at no place are in general position.
     """
     granted = tuple(factor for one in nonzero for factor in _factors(one))
-    groups = [_factors(one) for one in equations if not one.is_zero()]
+    groups = [_factors(equation) for equation in equations if not equation.is_zero()]
     yield from maximal([*_split_cases(groups, tuple(places), granted, ())])
 
 
@@ -237,7 +237,7 @@ def _reduce_solutions(solved: Solved) -> Solved:
     for place, equation in reversed(solved):
         for other in found:
             equation = without(equation, *other)
-        own = next(one for one in _factors(equation) if one.degrees[place])
+        own = next(factor for factor in _factors(equation) if factor.degrees[place])
         found.insert(0, (place, own.polynomial))
     return tuple(found)
 
