@@ -18,6 +18,7 @@ from kowalevski_cas.notation.formula import (
     Power,
     Product,
 )
+from kowalevski_cas.notation.functions import LETTERS
 from kowalevski_cas.notation.macros import GREEK, INSTEAD
 from kowalevski_cas.notation.tokens import DEEPEST, Token
 from kowalevski_cas.notation.values import rank
@@ -67,6 +68,8 @@ class Symbols(Cursor):
             return self.exponential(token, on, accents)
         if on.primes and self.applied(primed := name + "'" * on.primes):  # as that of Weierstrass
             name, on.primes = primed, 0
+        if name in LETTERS and self.is_free(name) and self.tokens[self.at].kind == "open":
+            return self.application(LETTERS[name], token.start, on.power)
         if self.applied(name):
             if on.primes or accents:
                 raise self.error(
@@ -133,6 +136,10 @@ class Symbols(Cursor):
             and tokens[at + 1].text in self.vocabulary.times
             and tokens[at + 2].text == ")"
         )
+
+    def is_free(self, name: str) -> bool:
+        """Whether nothing that is declared has a name."""
+        return name not in self.names and name not in self.vocabulary.functions
 
     def applied(self, name: str) -> bool:
         """Whether a name is a function here, with an argument to follow."""
