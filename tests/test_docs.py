@@ -2,10 +2,14 @@
 
 import re
 import sys
+from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from subprocess import STDOUT, run
 
 import pytest
+
+from kowalevski_cas.library import available, find
+from kowalevski_cas.verify.record import load_record
 
 DOCS = Path(__file__).parents[1] / "docs"
 PAGES = sorted(
@@ -89,3 +93,27 @@ def test_every_block_of_a_page_says_what_is_printed(page, tmp_path):
 def test_the_pages_are_those_of_the_site():
     named = set(re.findall(r"[\w/]+\.md", (DOCS.parent / "mkdocs.yml").read_text(encoding="utf-8")))
     assert named == {str(page.relative_to(DOCS)) for page in DOCS.rglob("*.md")}
+
+
+def test_the_gallery_has_the_verdicts_that_are_recorded():
+    gallery = (DOCS / "gallery.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| \[`(\w+)`\]\(#\S+\) \| (\d+) \| (\d+) \| (\d+) \|$", gallery, re.M)
+    assert sorted(name for name, *_ in rows) == sorted(available())
+    for name, *counts in rows:
+        verdicts = [entry["verdict"] for entry in load_record(find(name)).values()]
+        kinds = ("proved", "conditional", "refuted")
+        assert [*map(int, counts)] == [verdicts.count(kind) for kind in kinds], name
+
+
+def test_the_home_page_shows_the_beginning_of_what_the_tutorial_runs():
+    home, tutorial = ((DOCS / f"{n}.md").read_text(encoding="utf-8") for n in ("index", "tutorial"))
+    (example,) = re.findall(r"^```text\n(.*?)^```$", home, re.M | re.S)
+    assert example in tutorial
+
+
+def test_roles_of_docstrings_are_code_on_the_site():
+    spec = spec_from_file_location("hooks", DOCS / "hooks.py")
+    hooks = module_from_spec(spec)
+    spec.loader.exec_module(hooks)
+    shown = hooks.on_page_content(":class:<code>~a.b.C</code>, :math:<code>x_1</code>")
+    assert shown == "<code>C</code>, <code>x_1</code>"

@@ -14,8 +14,9 @@ from pathlib import Path
 
 from kowalevski_cas.cli import plain, session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED
+from kowalevski_cas.cli.theorems import readable
 from kowalevski_cas.library import available, find, load, source
-from kowalevski_cas.problem.checker import printable
+from kowalevski_cas.problem.checker import Certificate, printable
 from kowalevski_cas.verify.certificate import FOLDER
 from kowalevski_cas.verify.committed import Checked, Expected, check_committed, check_files
 from kowalevski_cas.verify.outcome import CORRECTED
@@ -32,7 +33,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     how_much = parser.add_mutually_exclusive_group()
     how_much.add_argument(
-        "--full", action="store_true", help="say all of each theorem, not a line a certificate"
+        "--full", action="store_true", help="say all of each theorem, as the file has it"
     )
     how_much.add_argument(
         "-q", "--quiet", action="store_true", help="do not say what the certificates prove"
@@ -43,12 +44,24 @@ def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     results = _check(arguments.certificates)
     for found in results if not arguments.quiet else ():
+        if len(results) > 1 and found.derivation:
+            print(plain.bold(found.derivation))
         for name, certificate in found.accepted.items():
-            said = f"{name.removesuffix(certificate.claim)}{certificate.summary()}"
-            print(said if arguments.full else plain.shorten(said))
-            for line in certificate.lines() if arguments.full else ():
+            if not arguments.full:
+                print(plain.shorten(_line(found, name, certificate)))
+                continue
+            print(f"{name.removesuffix(certificate.claim)}{certificate.summary()}")
+            for line in certificate.lines():
                 print(line)
     return tell(results)
+
+
+def _line(found: Checked, name: str, certificate: Certificate) -> str:
+    """What a certificate proves, by the number of the equation that it is about if it has one."""
+    claim = certificate.claim
+    proved = readable(certificate.summary().removeprefix(f"{claim}: "))
+    corrected = ", corrected" if name != claim else ""
+    return f"{found.called.get(claim, claim)}{corrected}: {proved}"
 
 
 def tell(results: Sequence[Checked]) -> int:

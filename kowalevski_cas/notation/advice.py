@@ -23,7 +23,7 @@ def _word(names: Iterable[str]) -> str:
     return rf"{_BEFORE}({'|'.join(sorted(names))})(?![A-Za-z])"
 
 
-def _typed(macros: Iterable[str]) -> set[str]:
+def _typed_macros(macros: Iterable[str]) -> set[str]:
     """Macros without what begins them."""
     return {macro[1:] for macro in macros if macro[1:].isalpha()}
 
@@ -46,8 +46,8 @@ _INSTEAD: dict[str, str | Callable[[re.Match[str]], str]] = {
     _word(["sqrt"]) + r"\(?": r"\\sqrt{…}",
     "√": r"\\sqrt{…}",
     _word(["log"]) + r"\(?": r"\\ln",
-    _word(_typed(FUNCTIONS)) + r"\(?": r"\\\1",
-    _word(_typed(GREEK)) + r"\(?": r"\\\1",
+    _word(_typed_macros(FUNCTIONS)) + r"\(?": r"\\\1",
+    _word(_typed_macros(GREEK)) + r"\(?": r"\\\1",
     _word(["abs", "Abs"]) + r"\(?": "|…|",
     _word(["Rational"]) + r"\(?": r"\\frac{…}{…}",
     _word(["Eq"]) + r"\(?": "… = …",

@@ -69,7 +69,7 @@ class _Member(Cursor):
         try:
             name = self.bracket() if self.here(r"\{") else self.name()
             if self.here("("):
-                name += f"({self.listed(')')})"
+                name += f"({self.list_of_names(')')})"
             power = self.tokens[self.at].kind == "^" and self.power()
         except NotationError:
             return "", False
@@ -116,9 +116,9 @@ class _Member(Cursor):
 
     def bracket(self) -> str:
         """A bracket of names."""
-        return rf"\{{{self.listed(CLOSING)}\}}"
+        return rf"\{{{self.list_of_names(CLOSING)}\}}"
 
-    def listed(self, closing: str) -> str:
+    def list_of_names(self, closing: str) -> str:
         """Names in brackets, with commas between them."""
         self.at += 1
         names = [self.argument()]

@@ -57,7 +57,7 @@ class Derivatives(Atoms):
                 raise self.unexpected()
             self.at = behind
             end = self.tokens[behind - 1].end
-        piece = _derived(piece, d, by, start, end)
+        piece = _derivative(piece, d, by, start, end)
         return piece if applied else self.scripts(piece)
 
     def factor(self) -> Piece:
@@ -80,7 +80,7 @@ class Derivatives(Atoms):
         by = self.differential(token.text)
         if len(by) != order:
             raise self.error("the orders above and below differ", token)
-        return _derived(piece, token.text, by, token.start, self.tokens[self.at - 1].end)
+        return _derivative(piece, token.text, by, token.start, self.tokens[self.at - 1].end)
 
     def slash_derivative_begins(self) -> bool:
         """Whether a derivative with a slash begins here, as dx/dt."""
@@ -148,7 +148,7 @@ class Derivatives(Atoms):
         return int(digit.text) if len(digit.text) < 3 else 0
 
 
-def _derived(piece: Piece, d: str, by: list[str], start: int, end: int) -> Piece:
+def _derivative(piece: Piece, d: str, by: list[str], start: int, end: int) -> Piece:
     """The derivative by the variables, the last one first."""
     node = Derivative if d == "d" else Partial
     for name in reversed(by):

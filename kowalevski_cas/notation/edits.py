@@ -70,10 +70,10 @@ class Edit:
         for length in range(len(self.path), -1, -1):
             path = self.path[:length]
             tex = to_latex(subtree(wanted, path))
-            yield self._typed(path, tex)
-            yield self._typed(path, bracketed(tex))
+            yield self._retype(path, tex)
+            yield self._retype(path, bracketed(tex))
 
-    def _typed(self, path: Path, new: str) -> str:
+    def _retype(self, path: Path, new: str) -> str:
         """The source with what printed the node typed anew."""
         tex = self.statement.tex
         start, end = self.statement.spans[path]

@@ -58,7 +58,7 @@ def statements(tex: str) -> tuple[StatementTokens, ...]:
     With a ± in it, it is two statements, and one for each value of an index with a range.
     """
     tokens, ranges = without_ranges(scan(tex), tex)
-    found = [one for own in _printed_statement(tokens, tex) for one in each_value(own, ranges, tex)]
+    found = [one for own in _statement_of(tokens, tex) for one in each_value(own, ranges, tex)]
     groups = _groups(tex)
     return tuple(
         StatementTokens(one, *_interval(one, groups))
@@ -69,7 +69,7 @@ def statements(tex: str) -> tuple[StatementTokens, ...]:
 
 def printed_statements(tex: str) -> list[list[Token]]:
     """The tokens of each statement as it is printed: with ±, and for all values of its indices."""
-    return _printed_statement(without_ranges(scan(tex), tex)[0], tex)
+    return _statement_of(without_ranges(scan(tex), tex)[0], tex)
 
 
 def _groups(tex: str) -> list[tuple[int, int]]:
@@ -93,7 +93,7 @@ def _interval(tokens: list[Token], groups: list[tuple[int, int]]) -> tuple[int, 
     return start, end
 
 
-def _printed_statement(tokens: list[Token], tex: str) -> list[list[Token]]:
+def _statement_of(tokens: list[Token], tex: str) -> list[list[Token]]:
     rows = _join(_runs(tokens, tex), ("gap", "cell"), tex)
     return [run.tokens for run in _join(rows, ("row", "block"), tex)]
 
@@ -127,7 +127,7 @@ def _runs(tokens: list[Token], tex: str) -> list[_Run]:
     """What stands between the breaks outside all brackets; empty cells vanish."""
     runs = [_Run("comma")]
     broken = ""  # the last break inside brackets, where a sign may stand on both sides
-    for token, depth, matrix in _nesting(tokens, tex):
+    for token, depth, matrix in _depths(tokens, tex):
         run, kind = runs[-1], token.kind
         if kind in _BREAKS and not depth:
             if run.tokens:
@@ -140,7 +140,7 @@ def _runs(tokens: list[Token], tex: str) -> list[_Run]:
         else:
             run.relation |= kind == "relation" and not depth
             if broken:
-                if broken != "gap" and not _signed(run.tokens[-1], token):
+                if broken != "gap" and not _runs_on(run.tokens[-1], token):
                     raise NotationError(_UNCLEAR, tex, token.start)
                 _append(run.tokens, [token], broken)
                 broken = ""
@@ -152,7 +152,7 @@ def _runs(tokens: list[Token], tex: str) -> list[_Run]:
     return [run for run in runs if run.tokens]
 
 
-def _nesting(tokens: list[Token], tex: str) -> Iterator[tuple[Token, int, bool]]:
+def _depths(tokens: list[Token], tex: str) -> Iterator[tuple[Token, int, bool]]:
     """Each token, the number of brackets around it, and whether one of them is a matrix."""
     depth = matrices = 0
     for token in tokens:
@@ -180,7 +180,7 @@ def _append(tokens: list[Token], more: list[Token], before: str) -> None:
     tokens += more
 
 
-def _signed(last: Token, first: Token) -> bool:
+def _runs_on(last: Token, first: Token) -> bool:
     """Whether a sign, a bracket or a comma says how a formula runs on at a break."""
     return last.kind in _BINARY | BEGINNING | {"comma"} or first.kind in _BINARY | ENDING | {
         "comma"

@@ -17,7 +17,7 @@ _ONE_LETTER = re.compile(
 """The kinds of the tokens over which an accent can stand, for it stands over their letter."""
 
 
-def accented(accents: Sequence[str], letter: str) -> str:
+def set_over(accents: Sequence[str], letter: str) -> str:
     r"""A letter under accents, the outermost first.
 
     >>> accented([r"\hat", r"\tilde"], "x")
@@ -34,7 +34,7 @@ def set_accents(accents: Sequence[str], tokens: Sequence[Token], tex: str, start
     if not _ONE_LETTER.fullmatch(" ".join(kinds)):
         raise NotationError(f"{accents[-1]} stands over one letter", tex, start)
     letter = tokens[kinds.index("letter")]
-    letter.text = accented(accents, letter.text)
+    letter.text = set_over(accents, letter.text)
 
 
 def with_stars(tokens: list[Token]) -> list[Token]:
@@ -56,7 +56,7 @@ def with_stars(tokens: list[Token]) -> list[Token]:
 def _letter_before(tokens: list[Token], end: int) -> Token | None:
     """The letter that ends there, perhaps in the braces of its accents or before its index."""
     at = end - 1
-    begin = _opening(tokens, at)
+    begin = _opening_brace(tokens, at)
     if begin > 0 and tokens[begin - 1].kind == "_":
         at = begin - 2
     last = at
@@ -66,14 +66,14 @@ def _letter_before(tokens: list[Token], end: int) -> Token | None:
     if letter is None or letter.kind != "letter" or STAR in letter.text:
         return None
     for closing in range(at + 1, last + 1):  # each brace has an accent before it, and no other
-        opening = _opening(tokens, closing)
+        opening = _opening_brace(tokens, closing)
         between = {token.kind for token in tokens[opening:at]}
         if tokens[opening - 1].kind != "accent" or not between <= {"{", "accent"}:
             return None
     return letter
 
 
-def _opening(tokens: list[Token], at: int) -> int:
+def _opening_brace(tokens: list[Token], at: int) -> int:
     """The index of the brace that is closed at an index; that index, if none is."""
     depth = 0
     for k in range(at, -1, -1):

@@ -11,7 +11,7 @@ import re
 from typing import NamedTuple
 
 from kowalevski_cas.notation.errors import NotationError
-from kowalevski_cas.notation.letters import accented, set_accents, with_stars
+from kowalevski_cas.notation.letters import set_accents, set_over, with_stars
 from kowalevski_cas.notation.macros import (
     ACTIONS,
     ARGUMENTS,
@@ -118,7 +118,7 @@ class _Scanner:
     def add(self, kind: str, text: str, start: int) -> None:
         """Enter a token: the accents that await a letter stand over it, and over nothing else."""
         if kind == "letter":
-            text, self.accents = accented(self.accents, text), []
+            text, self.accents = set_over(self.accents, text), []
         elif kind != "accent":
             self.once = ""
             self.refuse_accents(start)

@@ -83,7 +83,7 @@ class MathML(Printer):
 
     def between(self, opening: str, text: str, closing: str) -> str:
         if _TALL.search(text):
-            opening, closing = growing_bracket(opening), growing_bracket(closing)
+            opening, closing = grow_bracket(opening), grow_bracket(closing)
         return f"<mrow>{opening}{text}{closing}</mrow>"
 
     def fraction(self, above: str, below: str) -> str:
@@ -125,7 +125,7 @@ class MathML(Printer):
         return self.between(self.round[0], f"<mtable>{cells}</mtable>", self.round[1])
 
 
-def growing_bracket(bracket: str) -> str:
+def grow_bracket(bracket: str) -> str:
     """A bracket that grows with what stands beside it; below a power it is tall by itself."""
     return bracket.replace(_AS_IT_IS, ' minsize="2.4em"' if "<msup>" in bracket else "", 1)
 

@@ -78,8 +78,8 @@ def misprints(
         partial(_moves, vocabulary),
         partial(_partials, names, vocabulary),
         partial(_terms, names, vocabulary),
-        partial(_missing, names, vocabulary),
-        _exchanged,
+        partial(_additions, names, vocabulary),
+        _exchanges,
     ):
         for place in places:
             yield from slips(place)
@@ -113,7 +113,7 @@ def _places(formula: Formula, wanted: Formula | None) -> Iterator[_NodePlace]:
                 waiting.append((_NodePlace((*place.path, index), child, place.node, raised), below))
 
 
-def _printed(formula: Formula) -> bool:
+def _prints(formula: Formula) -> bool:
     """Whether the formula is more than a zero, a word or an ellipsis."""
     return formula != Number(0) and not isinstance(formula, Constant | Unwritten | Relation)
 
@@ -122,7 +122,7 @@ def _term(place: _NodePlace) -> bool:
     """Whether the node is a term with a sign of its own, or a side of a relation."""
     node = place.node
     whole = place.parent is None or isinstance(place.parent, Relation | Sum | Negative)
-    return whole and _printed(node) and not isinstance(node, Negative)
+    return whole and _prints(node) and not isinstance(node, Negative)
 
 
 def _factors_of(node: Formula) -> tuple[Formula, ...]:
@@ -261,7 +261,7 @@ def _factors(vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
                 yield "factor", place.path, rest, words
 
 
-def _missing(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
+def _additions(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
     node = place.node
     if isinstance(node, Power) and isinstance(node.base, Name) and not place.raised:
         for name in names:
@@ -270,7 +270,7 @@ def _missing(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> Ite
     if place.raised or not (place.parent is None or isinstance(place.parent, _WHOLE)):
         return
     # What multiplies a quotient multiplies its numerator.
-    if not _printed(node) or isinstance(node, Negative | Quotient):
+    if not _prints(node) or isinstance(node, Negative | Quotient):
         return
     factors = _factors_of(node)
     if all(isinstance(factor, Name | Number | Power) for factor in factors):
@@ -303,7 +303,7 @@ def _terms(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> Itera
                 yield "missing", place.path, Sum((Name(name), node)), words
 
 
-def _exchanged(place: _NodePlace) -> Iterator[Misprint]:
+def _exchanges(place: _NodePlace) -> Iterator[Misprint]:
     """Two names, or the sine and the cosine, each in the place of the other in a whole member."""
     node = place.node
     if isinstance(node, Relation) or not isinstance(place.parent, Relation | None):
@@ -312,14 +312,14 @@ def _exchanged(place: _NodePlace) -> Iterator[Misprint]:
     names = [one.name for one in nodes if isinstance(one, Name)]
     functions = {one.function for one in nodes if isinstance(one, Application)}
     for pair in (*combinations(names, 2), *(one for one in _PAIRS if functions.issuperset(one))):
-        yield "exchange", place.path, _swapped(node, pair), f"exchange ${pair[0]}$ and ${pair[1]}$"
+        yield "exchange", place.path, _swap(node, pair), f"exchange ${pair[0]}$ and ${pair[1]}$"
 
 
-def _swapped(formula: Formula, pair: tuple[str, str]) -> Formula:
+def _swap(formula: Formula, pair: tuple[str, str]) -> Formula:
     """A formula with two names, or two functions, in each other's place."""
     if isinstance(formula, Name) and formula.name in pair:
         return Name(pair[pair[0] == formula.name])
-    changed = formula.map_children(lambda child: _swapped(child, pair))
+    changed = formula.map_children(lambda child: _swap(child, pair))
     if isinstance(changed, Application) and changed.function in pair:
         return Application(pair[pair[0] == changed.function], changed.arguments)
     return changed

@@ -37,7 +37,7 @@ class PlainText(Printer):
     word_form, fraction_form, sum_form = "{}", "{}/{}", "∑_({}={})^({}) "
 
     def name(self, formula: Name) -> str:
-        return _named(formula.name)
+        return _name_under(formula.name)
 
     def side_by_side(self, parts: Iterable[str]) -> str:
         """The parts side by side; words, and roots without brackets, need a space."""
@@ -50,11 +50,11 @@ class PlainText(Printer):
         return joined
 
     def factor(self, formula: Formula) -> str:
-        return self.in_brackets(self(formula)) if _slashed(formula) else super().factor(formula)
+        return self.in_brackets(self(formula)) if _has_slash(formula) else super().factor(formula)
 
     def quotient(self, formula: Quotient) -> str:
         above, text = formula.numerator, self.term(formula.numerator)
-        if _slashed(above) or isinstance(above, CrossProduct):
+        if _has_slash(above) or isinstance(above, CrossProduct):
             text = self.in_brackets(text)
         return self.fraction(text, self.factor(formula.denominator))
 
@@ -71,12 +71,12 @@ class PlainText(Printer):
 
     def conjugate(self, formula: Conjugate) -> str:
         if isinstance(formula.argument, Name):
-            return _named(formula.argument.name, _BAR)
+            return _name_under(formula.argument.name, _BAR)
         return f"conj({self(formula.argument)})"
 
     def with_dots(self, argument: Formula, order: int) -> str:
         if isinstance(argument, Name):
-            return _named(argument.name, _DOT * order)
+            return _name_under(argument.name, _DOT * order)
         return self.in_brackets(self(argument)) + "˙" * order
 
     def rows(self, rows: Sequence[Sequence[str]]) -> str:
@@ -84,7 +84,7 @@ class PlainText(Printer):
 
 
 @cache
-def _named(name: str, marks: str = "") -> str:
+def _name_under(name: str, marks: str = "") -> str:
     """A letter under marks, with its index."""
     parts = glyphs(name)
     letter = styled_letter(parts.letter, parts.font)
@@ -103,7 +103,7 @@ def _word(text: str) -> bool:
     return len(letters) > 1 and letters.isalpha()
 
 
-def _slashed(formula: Formula) -> bool:
+def _has_slash(formula: Formula) -> bool:
     """Whether a slash stands in the formula outside all brackets, and is no exponent."""
     written = isinstance(formula, Derivative) and formula.mark not in ("dot", "prime")
     return written or isinstance(formula, Quotient | Partial)

@@ -96,10 +96,10 @@ def _values(tokens: list[Token]) -> range | tuple[int, ...]:
 
 def _is_index(tokens: Iterable[Token], letter: str) -> bool:
     """Whether a letter stands in an index."""
-    return any(within and token.text == letter for token, within in _indexed(tokens))
+    return any(within and token.text == letter for token, within in _index_flags(tokens))
 
 
-def _indexed(tokens: Iterable[Token]) -> Iterator[tuple[Token, bool]]:
+def _index_flags(tokens: Iterable[Token]) -> Iterator[tuple[Token, bool]]:
     """Each token, and whether it stands in an index."""
     depth, before = 0, ""
     for token in tokens:
@@ -169,7 +169,7 @@ def _add_numbers(found: list[Token], tokens: list[Token], tex: str) -> Iterator[
     """The tokens with one number for each sum of numbers in an index, as in ``q_{1+1}``."""
     printed = {token.start for token in tokens if token.kind == "number"}
     waiting: list[Token] = []
-    for token, within in _indexed(found):
+    for token, within in _index_flags(found):
         if within and token.kind in ("number", "sign"):
             waiting.append(token)
             continue

@@ -39,11 +39,11 @@ class SumSign(NamedTuple):
             scripted = tokens[begin].kind in "^_" or tokens[begin - 1].kind in "^_"
             if not depth and not scripted:
                 break
-            depth += _nesting(tokens[begin])
+            depth += _depths(tokens[begin])
             begin += 1
         end = begin
         while end < len(tokens) and (depth or tokens[end].kind not in _BEHIND):
-            depth += _nesting(tokens[end])
+            depth += _depths(tokens[end])
             if depth < 0:
                 break
             end += 1
@@ -55,7 +55,7 @@ class SumSign(NamedTuple):
         found: list[list[str]] = [[]]
         depth, below = 0, False
         for token in self.head[1:]:
-            depth += _nesting(token)
+            depth += _depths(token)
             if token.kind in "^_" and not depth:
                 below = token.kind == "_"
             elif token.kind == "comma":
@@ -137,7 +137,7 @@ def outside_sums(tokens: list[Token]) -> Iterator[Token]:
         yield from outside_sums(tokens[found.end :])
 
 
-def _nesting(token: Token) -> int:
+def _depths(token: Token) -> int:
     return (token.kind in BEGINNING) - (token.kind in ENDING)
 
 

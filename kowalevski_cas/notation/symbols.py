@@ -62,15 +62,17 @@ class Symbols(Cursor):
             raise self.error(INSTEAD[token.text], token)
         self.at += braces
         accents_end = self.tokens[self.at - 1].end
-        on = self.scripted(token)
+        on = self.scripts_on(token)
         name = token.text + on.index
         if name == "e" and on.power is not None and "e" not in self.names:
             return self.exponential(token, on, accents)
-        if on.primes and self.applied(primed := name + "'" * on.primes):  # as that of Weierstrass
+        if on.primes and self.is_applied(
+            primed := name + "'" * on.primes
+        ):  # as that of Weierstrass
             name, on.primes = primed, 0
         if name in LETTERS and self.is_free(name) and self.tokens[self.at].kind == "open":
             return self.application(LETTERS[name], token.start, on.power)
-        if self.applied(name):
+        if self.is_applied(name):
             if on.primes or accents:
                 raise self.error(
                     f"by what is {name} derived? print \\partial {name}/\\partial x", token
@@ -82,11 +84,11 @@ class Symbols(Cursor):
         else:
             piece = (self.name_node(token.text, on.index, token), token.start, on.name_end, ())
         if accents:
-            piece = _accented(piece, accents, start, max(on.name_end, accents_end))
-        piece = _primed(piece, on.primes, on.primes_end)
-        return piece if on.power is None else self.powered(piece, on.power)
+            piece = _with_accents(piece, accents, start, max(on.name_end, accents_end))
+        piece = _with_primes(piece, on.primes, on.primes_end)
+        return piece if on.power is None else self.with_power(piece, on.power)
 
-    def scripted(self, token: Token) -> _Scripts:
+    def scripts_on(self, token: Token) -> _Scripts:
         """All that stands on a letter and behind it."""
         on = _Scripts(token.end)
         while (kind := self.tokens[self.at].kind) in ("_", "^", "prime") or (
@@ -141,7 +143,7 @@ class Symbols(Cursor):
         """Whether nothing that is declared has a name."""
         return name not in self.names and name not in self.vocabulary.functions
 
-    def applied(self, name: str) -> bool:
+    def is_applied(self, name: str) -> bool:
         """Whether a name is a function here, with an argument to follow."""
         if name not in self.vocabulary.functions:
             return False
@@ -200,7 +202,7 @@ class Symbols(Cursor):
             return self.symbol(tuple(accents), start, braces)
         self.at = first + 1
         argument = self.argument()
-        piece = _accented(argument, (accents[0],), start, self.tokens[self.at - 1].end)
+        piece = _with_accents(argument, (accents[0],), start, self.tokens[self.at - 1].end)
         return self.scripts(piece)
 
     # Scripts and arguments
@@ -212,14 +214,14 @@ class Symbols(Cursor):
                 raise self.error("an index stands on something that is not a letter")
             if kind == "prime":
                 self.at += 1
-                piece = _primed(piece, 1, self.tokens[self.at - 1].end)
+                piece = _with_primes(piece, 1, self.tokens[self.at - 1].end)
             elif more := self.primes():
-                piece = _primed(piece, more, self.tokens[self.at - 1].end)
+                piece = _with_primes(piece, more, self.tokens[self.at - 1].end)
             else:
                 power = self.exponent()
                 if self.tokens[self.at].kind in ("^", "prime"):
                     raise self.error("two powers in a row; set brackets")
-                return self.powered(piece, power)
+                return self.with_power(piece, power)
         return piece
 
     def number(self, piece: Piece) -> Piece:
@@ -228,7 +230,7 @@ class Symbols(Cursor):
             raise NotationError("a number is expected here, not a vector", self.tex, piece[1])
         return piece
 
-    def powered(self, piece: Piece, power: Piece) -> Piece:
+    def with_power(self, piece: Piece, power: Piece) -> Piece:
         """A power; it ends here, and behind the piece."""
         if power[0] != Number(2):  # the square of a vector is that of its length
             self.number(piece)
@@ -290,7 +292,7 @@ class Symbols(Cursor):
         return token.kind == "operator" or token.text in _DOTS or self.upright(token.text)
 
 
-def _accented(piece: Piece, accents: tuple[str, ...], start: int, end: int) -> Piece:
+def _with_accents(piece: Piece, accents: tuple[str, ...], start: int, end: int) -> Piece:
     """The piece under its accents, the outermost first."""
     for accent in reversed(accents):
         if accent == r"\overline":
@@ -301,7 +303,7 @@ def _accented(piece: Piece, accents: tuple[str, ...], start: int, end: int) -> P
     return piece
 
 
-def _primed(piece: Piece, primes: int, end: int) -> Piece:
+def _with_primes(piece: Piece, primes: int, end: int) -> Piece:
     """The piece with its primes."""
     for _ in range(primes):
         piece = (Derivative(piece[0], "prime"), piece[1], max(end, piece[2]), (piece,))

@@ -96,7 +96,7 @@ class Brackets:
             return
         stems = sorted({argument[:-1] for argument in arguments})
         for i, j in product(DIGITS, DIGITS):
-            terms = [self._indexed(formula, stems, i + j + k) for k in DIGITS]
+            terms = [self._with_indices(formula, stems, i + j + k) for k in DIGITS]
             found: Formula = Sum(tuple(terms))
             pair = []
             for argument, digit in zip(arguments, (i, j), strict=True):
@@ -105,7 +105,7 @@ class Brackets:
                 pair.append(variable)
             yield (pair[0], pair[1]), found
 
-    def _indexed(self, formula: Formula, stems: list[str], indices: str) -> Formula:
+    def _with_indices(self, formula: Formula, stems: list[str], indices: str) -> Formula:
         values: dict[str, Formula] = {
             f"{stem}{letter}": Name(f"{stem}{digit}")
             for stem in stems

@@ -61,7 +61,7 @@ class Divisors:
         for formula in _below(formulas):
             with suppress(Meaningless, ZeroDivisionError):
                 element = self.setting.finder.scalar(formula)
-                cancelled = _cancelled(element)
+                cancelled = _common_factors(element)
                 factors = factors_below(element.inverse()).items()
                 left = {shape: one for shape, one in factors if shape not in cancelled}
                 found[formula] = Divisor(element, left)
@@ -105,7 +105,7 @@ def factors_below(element: Element) -> dict[Shape, Element]:
     return {shape: factor for factors in found for shape, factor in factors.items()}
 
 
-def _cancelled(element: Element) -> set[Shape]:
+def _common_factors(element: Element) -> set[Shape]:
     """The factors of a numerator that its denominator has as often: it vanishes not by them."""
     counts: dict[Shape, int] = {}
     ring = element.ring

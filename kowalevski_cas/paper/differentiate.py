@@ -51,7 +51,7 @@ def derivative(
                 times(*factors[:k], rate, *factors[k + 1 :]) for k, rate in each if rate != ZERO
             )
         case Power(base, Number(exponent)) if exponent:
-            raised = times(Number(exponent), *_raised(base, exponent - 1))
+            raised = times(Number(exponent), *_rate_of_power(base, exponent - 1))
             return _times(raised, of(base))
         case Quotient(above, below):
             return _of_quotient(above, below, of)
@@ -87,7 +87,7 @@ def _over(rate: Formula, below: Formula) -> Formula:
     return rate if rate == ZERO else Quotient(rate, below)
 
 
-def _raised(base: Formula, exponent: int) -> tuple[Formula, ...]:
+def _rate_of_power(base: Formula, exponent: int) -> tuple[Formula, ...]:
     return () if exponent == 0 else (power(base, exponent),)
 
 

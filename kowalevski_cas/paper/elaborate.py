@@ -119,7 +119,7 @@ class Elaboration(Moving):
         element = self.finder.scalar(formula)
         parts, ring = element.parts, element.ring
         for index in element.denominator:
-            while (quotients := _divided(parts, ring.divisors[index])) is not None:
+            while (quotients := _divide(parts, ring.divisors[index])) is not None:
                 parts = quotients
         return formula_in(Element(ring, parts, {}))
 
@@ -167,12 +167,12 @@ class Elaboration(Moving):
                 raise Meaningless(f"{name} is defined by itself", name)
             self._open.append(name)
             try:
-                self._steps[name] = self._defined(name)
+                self._steps[name] = self._define(name)
             finally:
                 self._open.pop()
         return self._steps[name]
 
-    def _defined(self, name: str) -> Step | None:
+    def _define(self, name: str) -> Step | None:
         scene = self.scene
         if name in self.variables or name in self.constants:
             return None
@@ -185,9 +185,9 @@ class Elaboration(Moving):
             return Raised(name, Name(base), exponent)
         if name in self.zero:
             return self._let(name, Number(0), *scene.zero)
-        return self._defined_by(name)
+        return self._definition_of(name)
 
-    def _defined_by(self, name: str) -> Let:
+    def _definition_of(self, name: str) -> Let:
         """What a name stands for."""
         scene = self.scene
         if name in self.transcendental.derived:
@@ -323,7 +323,7 @@ class Elaboration(Moving):
         return tuple(equations)
 
 
-def _divided(parts: Parts, divisor: Polynomial) -> Parts | None:
+def _divide(parts: Parts, divisor: Polynomial) -> Parts | None:
     """A numerator over a polynomial, if the division leaves nothing."""
     both = {mask: divmod(part, divisor) for mask, part in parts.items()}
     if not both or any(rest for _, rest in both.values()):

@@ -28,13 +28,13 @@ class Elaborations:
     def __call__(self, scene: Scene) -> Elaboration:
         """The setting that a scene means."""
         if scene not in self._own:
-            setting = self._elaborated(scene, ())
+            setting = self._elaborate(scene, ())
             if not setting.transcendental.knows(self.met, free_names(setting, self.met)):
-                setting = self._elaborated(scene, self.met)
+                setting = self._elaborate(scene, self.met)
             self._own[scene] = setting
         return self._own[scene]
 
-    def _elaborated(self, scene: Scene, met: tuple[Formula, ...]) -> Elaboration:
+    def _elaborate(self, scene: Scene, met: tuple[Formula, ...]) -> Elaboration:
         key = (scene, self.texts.changes(scene.places), met)
         if key not in self._known:
             self._known[key] = Elaboration(scene, self.texts, self.meeting(met), met)

@@ -49,12 +49,12 @@ def functions_of(setting: Meaning) -> Transcendental:
     radicals: dict[str, frozenset[str]] = {}
     squares = [*_squares(setting)]
     for name, formulas in squares:
-        names = (_expanded(setting, one).names() for one in formulas)
+        names = (_expand(setting, one).names() for one in formulas)
         below = frozenset[str]().union(*names) - {name}
         radicals[name] = below.union(*(radicals.get(one, ()) for one in below))
         (constants if radicals[name].issubset(constants) else moving).append(name)
     printed = [formula for _, formulas in squares for formula in formulas]
-    free, expanded = free_names(setting, [*own, *printed]), partial(_expanded, setting)
+    free, expanded = free_names(setting, [*own, *printed]), partial(_expand, setting)
     values, formulas = _values(setting), [*own, *defined, *printed]
     return Transcendental(formulas, free, moving, constants, time, expanded, values, radicals)
 
@@ -84,13 +84,13 @@ def _values(setting: Meaning) -> Iterator[tuple[Application, Formula]]:
         yield left, right
 
 
-def _expanded(setting: Meaning, formula: Formula, inside: tuple[str, ...] = ()) -> Formula:
+def _expand(setting: Meaning, formula: Formula, inside: tuple[str, ...] = ()) -> Formula:
     """A formula in which no name is a defined one."""
     if not isinstance(formula, Name) or formula.name not in setting.scene.definitions:
-        return formula.map_children(lambda child: _expanded(setting, child, inside))
+        return formula.map_children(lambda child: _expand(setting, child, inside))
     if formula.name in inside:
         raise Meaningless(f"{formula.name} is defined by itself", formula.name)
-    return _expanded(setting, setting.definition(formula.name), (*inside, formula.name))
+    return _expand(setting, setting.definition(formula.name), (*inside, formula.name))
 
 
 def _is_imaginary(setting: Meaning, unit: Printed) -> bool:

@@ -41,7 +41,7 @@ def _independent(groups: list[Generators], setting: Meaning) -> bool:
     kinds = {group.kind for group in groups if group.kind.parameters}
     if any(_may_degenerate(one, setting) for kind in kinds for one in kind.parameters):
         return False
-    return len(kinds) < 2 and (len(groups) < 2 or _unrelated(groups, setting))
+    return len(kinds) < 2 and (len(groups) < 2 or _are_independent(groups, setting))
 
 
 def _may_degenerate(modulus: Formula, setting: Meaning) -> bool:
@@ -53,7 +53,7 @@ def _may_degenerate(modulus: Formula, setting: Meaning) -> bool:
     return any(_is_root(Name(name), setting) for name in expanded.names())
 
 
-def _unrelated(groups: list[Generators], setting: Meaning) -> bool:
+def _are_independent(groups: list[Generators], setting: Meaning) -> bool:
     """Whether no argument is a sum of multiples of the others; products of names are none.
 
     Roots may be each other's multiples, and that of a square is none. Over a sum stand terms

@@ -43,13 +43,13 @@ class InlinedDefinitions:
         waiting = [formula]
         while waiting:
             for one in _heads(waiting.pop()):
-                for name, place in self._meant(one):
+                for name, place in self._definitions_on_top(one):
                     if place not in found:
                         found.add(place)
                         waiting.append(self.setting.definition(name))
                         yield place
 
-    def _meant(self, formula: Formula) -> Sequence[tuple[str, Printed]]:
+    def _definitions_on_top(self, formula: Formula) -> Sequence[tuple[str, Printed]]:
         """The definitions of what stands on top of a formula."""
         match formula:
             case Name(name):

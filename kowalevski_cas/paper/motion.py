@@ -100,7 +100,7 @@ def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[EquationOfMot
     yield from rows
     if others:
         known = {name for row in rows for name in row.names}
-        yield from _solved(others, [n for n in setting.variables if n not in known], rows, setting)
+        yield from _solve(others, [n for n in setting.variables if n not in known], rows, setting)
 
 
 def _check_marks(setting: Meaning) -> None:
@@ -147,7 +147,7 @@ def marks(equations: Sequence[Formula]) -> set[str]:
     return {one.mark for one in nodes if isinstance(one, Derivative)}
 
 
-def _solved(
+def _solve(
     equations: Sequence[Equation],
     unknown: Sequence[str],
     known: Sequence[EquationOfMotion],

@@ -80,7 +80,7 @@ class Plain:
                 known = self.setting.transcendental(formula)
                 return self(value_of(formula, self.setting) if known is None else known)
             case Root(argument):
-                value = self._printed_value(formula)
+                value = self._value_in_print(formula)
                 return self._positive(Root(self(argument))) if value is None else value
             case Power(base, exponent) if (halves := half_power(exponent)) is not None:
                 power = Power(Root(base), Number(abs(halves)))
@@ -103,7 +103,7 @@ class Plain:
                 half, odd = divmod(exponent, 2)
                 even = Power(square, Number(half)) if half > 1 else square
                 return even if not odd else Power(Root(square), Number(exponent))
-            case Product(factors) if (product := self._applied_matrix(factors)) is not None:
+            case Product(factors) if (product := self._matrix_product(factors)) is not None:
                 return product
             case Modulus():
                 square = self._square(formula)
@@ -119,7 +119,7 @@ class Plain:
                 return Vector(tuple(derived(inner, name) for name in names))
         return None
 
-    def _applied_matrix(self, factors: tuple[Formula, ...]) -> Formula | None:
+    def _matrix_product(self, factors: tuple[Formula, ...]) -> Formula | None:
         """The product of a matrix by its rows and a vector; ``None`` for any other product."""
         ranks = [*map(self._rank, factors)]
         if VECTOR not in ranks or MATRIX not in ranks:
@@ -154,12 +154,12 @@ class Plain:
         if isinstance(argument, Name) and argument.name in velocities:
             return Name(velocities[argument.name])
         if isinstance(argument, Name) and argument.name in self.setting.transcendental:
-            return self._turning(argument.name)
+            return self._rate_in_place(argument.name)
         if isinstance(argument, Name) and velocities.keys() & {*vectors.get(argument.name, ())}:
             return Vector(tuple(self._rate(Name(name)) for name in vectors[argument.name]))
         return Derivative(argument, MARK)
 
-    def _turning(self, name: str) -> Formula:
+    def _rate_in_place(self, name: str) -> Formula:
         """The rate of a variable in whose place another one stands."""
         if self.setting.turning is None:
             _ = self.setting.field
@@ -181,7 +181,7 @@ class Plain:
             return ScalarProduct(value, other)
         return Power(value, Number(2)) if other is value else Product((value, other))
 
-    def _printed_value(self, root: Root) -> Formula | None:
+    def _value_in_print(self, root: Root) -> Formula | None:
         """What a place prints for a root that is no generator; its square is the radicand."""
         found = self.printed_root(root)
         if found is None:

@@ -114,11 +114,11 @@ class Scene:
         """Refuse names that are given twice; raises ``ValueError`` or ``TypeError``."""
         owner = f"the scene “{self.name}”"
         check_attributes(self, owner)
-        check_names(owner, self._given())
+        check_names(owner, self._meanings())
         if "i" in self.roots:
             raise ValueError(f"{owner}: i is the imaginary unit, and no other root: rename it")
 
-    def _given(self) -> Iterator[tuple[str, str]]:
+    def _meanings(self) -> Iterator[tuple[str, str]]:
         """Every name with what the scene says that it is."""
         yield from (("a variable", name) for name in self.variables)
         yield from (("a constant", name) for name in (*self.constants, *self.undefined))

@@ -123,7 +123,7 @@ def check_attributes(one: Any, owner: str) -> None:
                 f"{owner}: {field.name} is to hold statements, not the display {value.id}: "
                 f"write its variable as in {write}"
             )
-        if (wrong := _mistyped(value, kind)) is not None:
+        if (wrong := _type_error(value, kind)) is not None:
             raise TypeError(f"{owner}: {field.name} {wrong}")
 
 
@@ -134,7 +134,7 @@ _TYPES: Mapping[str, tuple[type, str]] = {
 }
 
 
-def _mistyped(value: object, kind: str) -> str | None:
+def _type_error(value: object, kind: str) -> str | None:
     """What a value has to be, if it is not of a type; only the types above are looked at."""
     kind, *others = kind.split(" | ") if "[" not in kind or kind[-1] != "]" else [kind]
     if ("None" in others and value is None) or type(value).__name__ in others:
@@ -154,7 +154,7 @@ def _mistyped(value: object, kind: str) -> str | None:
 
 def _first_mistyped(values: Iterable[object], kind: str) -> str | None:
     """What the first of some values has to be that is not of a type."""
-    wrong = (_mistyped(value, kind) for value in values)
+    wrong = (_type_error(value, kind) for value in values)
     return next((one.replace("to be", "to hold", 1) for one in wrong if one is not None), None)
 
 

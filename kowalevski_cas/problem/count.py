@@ -49,7 +49,7 @@ def check_roots(goal: Count, found: Roots, at: Evaluation) -> tuple[list[Element
     implied = []
     for factor, entry in zip(factors, found.factors, strict=True):
         if entry.granted is not None:
-            used += _granted(entry, *entry.granted, at, known)
+            used += _check_granted(entry, *entry.granted, at, known)
             implied.append(factor)
     left = [_without(element, implied) for element in (*factors, *below)]
     return [*used, *_inverses([*factors, *below])], [*used, *_inverses(left)]
@@ -83,7 +83,7 @@ def _without(element: Element, factors: list[Element]) -> Element:
     return element
 
 
-def _granted(
+def _check_granted(
     entry: Factor, place: int, row: Row, at: Evaluation, known: list[Element]
 ) -> list[Element]:
     """Check that a factor does not vanish, for something granted would vanish with it."""
@@ -123,7 +123,7 @@ def _roots_of_solutions(found: Roots, at: Evaluation, known: list[Element]) -> l
     return used
 
 
-def solved_rests(
+def remainders(
     found: Roots, inner: Evaluation, at: Evaluation, known: Sequence[Element]
 ) -> tuple[dict[str, Element], list[Element]]:
     """The unknowns through the root, and what is left of the equations and of the form by them."""
@@ -140,7 +140,7 @@ def _solutions_of_roots(
     found: Roots, inner: Evaluation, at: Evaluation, known: list[Element]
 ) -> Iterator[Element]:
     """Check that roots are solutions; one over what the evidence divides by is yielded."""
-    solved, rests = solved_rests(found, inner, at, known)
+    solved, rests = remainders(found, inner, at, known)
     equation = eliminant_value(found, inner)
     quotients = [inner.scalar(quotient) for quotient in found.quotients]
     for rest, quotient in zip(rests, quotients, strict=True):

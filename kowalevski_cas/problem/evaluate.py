@@ -88,12 +88,12 @@ class Evaluation(Fold):
                 raise Meaningless(f"{name} is defined by itself", name)
             self._open.add(key)
             try:
-                self._values[key] = self._defined(name, conjugated)
+                self._values[key] = self._define(name, conjugated)
             finally:
                 self._open.discard(key)
         return self._values[key]
 
-    def _defined(self, name: str, conjugated: bool) -> Value:
+    def _define(self, name: str, conjugated: bool) -> Value:
         step = self.setting.step(name)
         if isinstance(step, Let):
             return self(step.formula, conjugated)
@@ -180,7 +180,7 @@ class Evaluation(Fold):
                 raise Meaningless("a derivative stands in the equations of motion themselves")
             self._moving = True
             try:
-                self._rates = self._found_rates()
+                self._rates = self._solve_for_rates()
                 _ = self.time_sign
             except Meaningless:
                 self._rates = None  # whoever asks again is refused again
@@ -189,9 +189,9 @@ class Evaluation(Fold):
                 self._moving = False
         return self._rates
 
-    def _found_rates(self) -> Field:
+    def _solve_for_rates(self) -> Field:
         setting = self.setting
-        found = dict(self._carried()) if setting.change is not None else {}
+        found = dict(self._carry()) if setting.change is not None else {}
         for row in setting.field:
             found.update(self._row(row.names, row.factor, row.force))
         variables = {*setting.variables, *setting.roots}
@@ -255,7 +255,7 @@ class Evaluation(Fold):
         for name, numerator, divisor in zip(names, above, below, strict=True):
             yield name, numerator / divisor
 
-    def _carried(self) -> Iterator[tuple[str, Element]]:
+    def _carry(self) -> Iterator[tuple[str, Element]]:
         """The rates of new variables by the chain rule."""
         change = self.setting.change
         assert change is not None

@@ -142,7 +142,7 @@ class Pieces:
         given = {name: numbers.scalar(value) for name, value in values.items()}
         generators = {n: given.get(n, numbers.ring.zero) for n in at.ring.polynomials.generators}
         self._value = Substitution(at.ring, generators, numbers.ring, roots={})
-        fixed = self._fixed([*known, *self._bases()])
+        fixed = self._fixed_roots([*known, *self._bases()])
         for bit, name in enumerate(at.ring.roots):
             if name not in given:
                 continue
@@ -167,7 +167,7 @@ class Pieces:
             if isinstance(step, Raised) and name in self.place.point.values:
                 yield at.scalar(step.base)
 
-    def _fixed(self, known: Sequence[Element]) -> int:
+    def _fixed_roots(self, known: Sequence[Element]) -> int:
         """The roots in elements, and in the squares of such roots."""
         ring = self.place.at.ring
         fixed = reduce(or_, (mask for element in known for mask in element.parts), 0)

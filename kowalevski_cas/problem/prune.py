@@ -112,18 +112,18 @@ class Reach:
                     for name in pair:
                         self.name(name)
         for formula in self.setting.nonzero:
-            if self._reached(formula):
+            if self._is_reached(formula):
                 self.formula(formula)
 
     def assumed(self) -> Iterator[Formula]:
         """What is granted in letters that are not reached, if those that are say it too."""
         for formula in self.setting.nonzero:
-            if not self._reached(formula):
+            if not self._is_reached(formula):
                 other = self.setting.numerator(formula)
-                if other.names() and self._reached(other):
+                if other.names() and self._is_reached(other):
                     yield other
 
-    def _reached(self, formula: Formula) -> bool:
+    def _is_reached(self, formula: Formula) -> bool:
         """Whether a formula speaks of names that are reached only."""
         trial = Reach(self.setting)
         trial.names = {*self.names}  # with all to which they lead
@@ -150,7 +150,7 @@ def prune(goals: Iterable[Goal]) -> Problem:
     stated = {one.space for goal in goals for one in simple(goal)}
     for setting in _sources_first(reaches, stated):
         space = _space(reaches[setting], made)
-        made[setting] = setting.left.setdefault(_said(space), space)
+        made[setting] = setting.left.setdefault(_key(space), space)
     return Problem(tuple(_over(goal, made) for goal in goals))
 
 
@@ -221,7 +221,7 @@ def _space(reach: Reach, made: dict[Setting, Space]) -> Space:
     return Space(
         variables=tuple(n for n in setting.variables if n in known),
         constants=tuple(n for n in setting.constants if n in known),
-        nonzero=tuple(f for f in setting.nonzero if reach._reached(f)),
+        nonzero=tuple(f for f in setting.nonzero if reach._is_reached(f)),
         assumed=tuple(reach.assumed()),
         steps=tuple(reach.steps),
         field=setting.field if reach.moving else (),
@@ -232,12 +232,14 @@ def _space(reach: Reach, made: dict[Setting, Space]) -> Space:
         loci=tuple(
             (equations, condition)
             for equations, condition in setting.loci
-            if all(map(reach._reached, (condition, *(side for two in equations for side in two))))
+            if all(
+                map(reach._is_reached, (condition, *(side for two in equations for side in two)))
+            )
         ),
     )
 
 
-def _said(space: Space) -> object:
+def _key(space: Space) -> object:
     """All that a space says, as a key."""
     change = space.change
     come = None if change is None else (id(change.old), change.formulas, change.time)

@@ -53,7 +53,7 @@ class ResidueField:
 
     def derivative(self, exponents: Exponents) -> Residues:
         """What the field, less the factor, makes of a monomial in the variables."""
-        monomial = packed(exponents)
+        monomial = pack(exponents)
         found = {monomial + step: value for step, value in self._multiple}
         for exponent, steps in zip(exponents, self._steps, strict=False):
             for step, value in steps if exponent else ():
@@ -71,12 +71,12 @@ class ResidueField:
                     if base is None:
                         raise Misplaced("a constant is not rational at the point")
                     value = value * pow(base, exponent, PRIME) % PRIME
-            key = packed(exponents[:size])
+            key = pack(exponents[:size])
             found[key] = (found.get(key, 0) + value) % PRIME
         return {key: value for key, value in found.items() if value}
 
 
-def packed(exponents: Iterable[int]) -> int:
+def pack(exponents: Iterable[int]) -> int:
     """The number of a monomial; raises :class:`Misplaced` if an exponent is too large."""
     found = 0
     for place, exponent in enumerate(exponents):
@@ -86,7 +86,7 @@ def packed(exponents: Iterable[int]) -> int:
     return found
 
 
-def unpacked(monomial: int) -> list[int]:
+def unpack(monomial: int) -> list[int]:
     """The exponents of a monomial, up to the last that is not zero."""
     found = []
     while monomial:

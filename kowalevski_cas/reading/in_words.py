@@ -22,7 +22,7 @@ from kowalevski_cas.paper.claims import (
 )
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.known import CLAIM, SETS, Known
+from kowalevski_cas.reading.known import CLAIM, SETS, Known, StatementRole
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement
 
@@ -153,9 +153,13 @@ def _functions(items: Sequence[SourceStatement], known: Known) -> Iterator[Sourc
                 yield by
         elif item.formula is not None and known.varying(item.names) and not item.derives:
             role = known.roles.get(item)
-            named = role is not None and bool(role.names) and item.bare[:1] == role.names[:1]
-            if not item.members or named:
+            if not item.members or (role is not None and _names_first(item, role)):
                 yield item
+
+
+def _names_first(item: SourceStatement, role: StatementRole) -> bool:
+    """Whether the first member of an equation is the function, or the square, that it names."""
+    return role.kind == "square" or (bool(role.names) and item.bare[:1] == role.names[:1])
 
 
 def _independent(

@@ -41,7 +41,7 @@ class Parts:
                 names,
                 laws,
                 items,
-                find_restated(items, laws),
+                find_restated([one for one in items if one not in paper.approximate], laws),
                 self.roles,
                 units=units,
                 said=said,

@@ -28,13 +28,17 @@ _AND = re.compile(r"[\s,;~]*(?:(?:and|or|и|или)[\s~]*)?(?:§[\s,;~]*(?:(?:an
 _BEFORE = re.compile(r"§(?:[\s,;~]|\b(?:and|or|и|или)\b)*$")
 
 
+def _own_lead(item: SourceStatement) -> str:
+    """The words before a statement, without those that say something of the one before it."""
+    if "§" in item.before and VERB.match(item.lead):
+        return _CLAUSE.split(item.lead, maxsplit=1)[-1]
+    return item.lead
+
+
 def clause(item: SourceStatement) -> str:
     """The words right around a statement; not those that say something of the one before it."""
-    lead = item.lead
-    if "§" in item.before and VERB.match(lead):
-        lead = _CLAUSE.split(lead, maxsplit=1)[-1]
     tail = item.tail.lstrip(" ,")
-    return f"{lead[-60:]} § {_CLAUSE.split(tail, maxsplit=1)[0][:30]}"
+    return f"{_own_lead(item)[-60:]} § {_CLAUSE.split(tail, maxsplit=1)[0][:30]}"
 
 
 def supposing(item: SourceStatement) -> str:
@@ -57,11 +61,13 @@ def reach(item: SourceStatement) -> str:
 
 def integral_words(item: SourceStatement) -> str:
     """The words near a statement that call it an integral, if no other words stand between."""
+    if _SO.search(item.lead) and (said := cue("integral", item.before)):
+        return said
     tail = _joined_tail(item)[:60]
     if not re.match(r"\s*(?:which|where|with|that)", tail) and (said := cue("integral", tail)):
         if last_cue("claim", item.lead[-30:]) < 0 or not item.typed.inline:
             return said
-    return cue("integral", item.lead) or (
+    return cue("integral", _own_lead(item)) or (
         cue("integral", item.before)
         if not item.typed.inline and item.lead.strip(" ,;") in ("", "and")
         else ""
@@ -78,6 +84,8 @@ def _joined_tail(item: SourceStatement) -> str:
 _MAKES = re.compile(
     r"[\s~]*(?:define|form|give|determine|constitute|зада|образу)\w*\s", re.IGNORECASE
 )
+_SO = re.compile(r"\bso\s+(?:is|are|does|do)\b(?:\s+\w+){0,3}\s*$|\bкак\s+и\b\s*(?:\w+\s*){0,2}$")
+"""How words end behind which stands what is the same as what was spoken of before."""
 _LISTS = re.compile(
     r"\b(?:has|have|admits?|possess(?:es)?|by|are|is|namely|following|име[её]т|имеют|допуска\w+|на)\b"
     r"(?:\s+\w+){0,4}[\s:,~]*$",
@@ -97,6 +105,8 @@ def words_of(item: SourceStatement, name: str) -> str:
 
     What they say of another formula, or of a set on which something holds, is not said of it.
     """
+    if _SO.search(item.lead):
+        return cue(name, item.before)
     tail = _joined_tail(item)[:80]
     if VERB.match(tail) or _MAKES.match(tail):
         if said := cue(name, _CLAUSE.split(tail, maxsplit=1)[0]):

@@ -51,6 +51,7 @@ def expression(item: SourceStatement, known: Known) -> StatementRole | None:
         return None
     if isinstance(item.formula, Name):
         said = cue("integral", item.tail[:40]) if VERB.match(item.tail) else ""
+        said = said or listed_words(item, "integral")
         if not (said and known.varies(item.formula.name)):
             return StatementRole(NOTATION, "a name")
     else:

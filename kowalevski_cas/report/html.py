@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Final
 
 from kowalevski_cas.notation import Formula
-from kowalevski_cas.notation.mathml import MATHML, growing_bracket
+from kowalevski_cas.notation.mathml import MATHML, grow_bracket
 from kowalevski_cas.report.compare import without_marks
 from kowalevski_cas.report.document import (
     Document,
@@ -58,7 +58,7 @@ class HtmlSetter(Typesetter):
     gap = '<mo separator="true">,</mo><mspace width="1.5em"></mspace>'
 
     def opening_bracket(self, bracket: str, tall: bool) -> str:
-        return growing_bracket(bracket) if tall else bracket
+        return grow_bracket(bracket) if tall else bracket
 
     closing_bracket = opening_bracket
 

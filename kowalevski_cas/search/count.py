@@ -20,7 +20,7 @@ from kowalevski_cas.algebra.present import (
 from kowalevski_cas.algebra.squares import sum_of_squares
 from kowalevski_cas.algebra.tower import Element, Ring
 from kowalevski_cas.notation import Formula, Name, Number, times, total
-from kowalevski_cas.problem.count import eliminant_value, solved_rests
+from kowalevski_cas.problem.count import eliminant_value, remainders
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Evidence, Factor, Point, Roots
 from kowalevski_cas.problem.goals import Count
@@ -153,7 +153,7 @@ class Builder:
     def _quotients(self, draft: Roots) -> tuple[Formula, ...] | None:
         """What shows that a root gives a solution."""
         inner = self.inner
-        _, rests = solved_rests(draft, inner, self.at, self.known)
+        _, rests = remainders(draft, inner, self.at, self.known)
         equation = eliminant_value(draft, inner).parts[0]
         found = []
         for rest in rests:

@@ -34,12 +34,15 @@ class Checked:
     """What the checker says about certificates.
 
     ``accepted`` has what it accepts by claim, corrections after a slash; ``rejected`` says why
-    for the others, by file; ``without`` lists the recorded claims that have none.
+    for the others, by file; ``without`` lists the recorded claims that have none. They are those of
+    a ``derivation``, in which some claims are ``called`` by the number of an equation.
     """
 
     accepted: dict[str, checker.Certificate] = field(default_factory=dict)
     rejected: dict[str, str] = field(default_factory=dict)
     without: tuple[str, ...] = ()
+    derivation: str = ""
+    called: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def total(self) -> int:
@@ -99,7 +102,8 @@ def certificates_of(record: Record) -> list[str]:
 
 def check_files(paths: Sequence[Path], about: Expected | None = None) -> Checked:
     """Check certificates; those of a derivation have to be about what is expected."""
-    found = Checked()
+    of = about.derivation if about is not None else None
+    found = Checked(derivation=of.name, called=equation_numbers(of)) if of else Checked()
     for done, path in enumerate(paths):
         tell(path.stem, done, len(paths))
         corrected = path.parent.name == CORRECTED
@@ -117,6 +121,20 @@ def check_files(paths: Sequence[Path], about: Expected | None = None) -> Checked
             continue
         found.accepted[name] = certificate
     return found
+
+
+def equation_numbers(derivation: Derivation) -> dict[str, str]:
+    """The claims about what has a number in the paper, each by this number; one by each."""
+    found: dict[str, str] = {}
+    for claim in derivation.claims:
+        own = claim.printed
+        displays = {one.display for one in ([own] if own else claim.establishes())}
+        label = displays.pop().label if len(displays) == 1 else ""
+        if own and len([*own.display]) > 1:
+            label = f"{label}, formula {own.number}" if label else ""
+        if label:
+            found.setdefault(label, claim.id)
+    return {claim: number for number, claim in found.items()}
 
 
 @dataclass(frozen=True)

@@ -60,8 +60,7 @@ def says_something(neighbour: Neighbour, statement: Statement, printed: Statemen
         return True
     defined = set(neighbour.claim.scene.definitions)
     before, after = edit.statement.formula, edit.formula
-    constants = frozenset(neighbour.claim.scene.constants)
-    if _idle(after, constants) > _idle(before, constants):
+    if _derives_what_stands(before, after, statement.on(neighbour.claim.scene)):
         return False
     replaced = (before.names() - after.names()) & defined
     if replaced and unlike(edit) and not edit.replacement.names() & defined:
@@ -106,10 +105,14 @@ def _is_multiple(element: Element, others: Sequence[Element]) -> bool:
     return not element.is_zero and any(vanish_on([element], [one]) == [True] for one in others)
 
 
-def _idle(formula: Formula, constants: frozenset[str]) -> int:
-    """How many derivatives of constants are printed."""
-    rates = (one for one in formula.nodes() if isinstance(one, Derivative))
-    return sum(one.argument.names() <= constants for one in rates)
+def _derives_what_stands(before: Formula, after: Formula, on: Elaboration) -> bool:
+    """Whether an edit brings in a derivative that is zero by itself, as that of a constant."""
+    rates = [one for one in after.nodes() if isinstance(one, Derivative)]
+    if len(rates) <= sum(isinstance(one, Derivative) for one in before.nodes()):
+        return False
+    old = {*before.nodes()}
+    new = [(on.plain(one), Number(0)) for one in rates if one not in old]
+    return any(rest.is_zero for rest in on.finder.differences(new))
 
 
 def _trivial(formula: Formula) -> bool:

@@ -64,15 +64,17 @@ def test_all_committed_certificates_belong_to_the_record(capsys):
     assert capsys.readouterr().out == f"certificates: CERTIFIED {number} of {number}\n"
 
 
-def test_a_line_says_what_is_proved_in_the_order_of_the_paper(copy, capsys, monkeypatch):
+def test_a_line_says_what_is_proved_in_the_order_and_the_numbers_of_the_paper(
+    copy, capsys, monkeypatch
+):
     monkeypatch.setenv("COLUMNS", "500")
     assert main(["check", str(copy)]) == 0
     out = capsys.readouterr().out
     lines = out.splitlines()
-    assert lines[0].startswith("eq6: D(J_1 ^ 2 + J_2 ^ 2) = 0; the differentials of ")
-    assert lines[1].startswith("eq7: there are expressions M_{11}, ")
-    assert lines[2].startswith("eq14: it is false that ") and ", for " in lines[2]
-    assert lines[3].startswith("corrected/eq14: D(")
+    assert lines[0].startswith("(6): D(J₁² + J₂²) = 0; the differentials of ")
+    assert lines[1].startswith("(7): there are expressions M₁₁, ")
+    assert lines[2].startswith("(14): it is false that ") and ", for x₁, x₂ ≠ 0" in lines[2]
+    assert lines[3].startswith("(14), corrected: D(")
     assert lines[4:] == ["certificates: CERTIFIED 4 of 4"]
     monkeypatch.setenv("COLUMNS", "60")
     main(["check", str(copy)])

@@ -28,9 +28,9 @@ class Coefficient(Claim):
         read = on.texts.relation if self.derivative_of is None else on.texts.formula
         formula = read(self.own)
         chain = members(formula) if isinstance(formula, Relation) else [formula]
-        sides = [space.plain(_written(member)) for member in chain]
+        sides = [space.plain(_without_ellipsis(member)) for member in chain]
         if self.derivative_of is None:
-            if any(_written(member) is not member for member in chain):
+            if any(_without_ellipsis(member) is not member for member in chain):
                 sides = [Partial(side, self.variable) for side in sides]
             yield identity(space, (sides[0], sides[1]))
             return
@@ -39,7 +39,7 @@ class Coefficient(Claim):
         yield identity(space, *((generated, side) for side in sides), linear)
 
 
-def _written(formula: Formula) -> Formula:
+def _without_ellipsis(formula: Formula) -> Formula:
     """A sum without the terms that the author does not print."""
     if isinstance(formula, Sum) and any(isinstance(term, Unwritten) for term in formula.terms):
         return total(term for term in formula.terms if not isinstance(term, Unwritten))

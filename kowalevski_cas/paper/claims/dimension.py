@@ -88,7 +88,7 @@ class Dimension(Claim):
 
     @property
     def _with_multipliers(self) -> Scene:
-        return _having(self.scene, self._multipliers)
+        return _with_constants(self.scene, self._multipliers)
 
 
 def check_conjugates(functions: Sequence[Formula], space: Elaboration) -> None:
@@ -104,7 +104,7 @@ def check_conjugates(functions: Sequence[Formula], space: Elaboration) -> None:
 
 
 @cache
-def _having(scene: Scene, multipliers: tuple[str, ...]) -> Scene:
+def _with_constants(scene: Scene, multipliers: tuple[str, ...]) -> Scene:
     """The scene with more constants: complex ones, if it has complex variables."""
     if not scene.conjugates:
         return scene.having(constants=multipliers)

@@ -41,7 +41,7 @@ class Implication(Claim):
         conclusions = [stated]
         if self.root is not None:
             root = space.formula(self.root)
-            other = tuple((_flipped(a, root), _flipped(b, root)) for a, b in stated)
+            other = tuple((_flip(a, root), _flip(b, root)) for a, b in stated)
             _check_flipped(root, space, given, stated, other)
             conclusions.append(other)
         yield Follows(space, tuple(conclusions), given, self.main)
@@ -73,8 +73,8 @@ def _check_flipped(
             )
 
 
-def _flipped(formula: Formula, root: Formula) -> Formula:
+def _flip(formula: Formula, root: Formula) -> Formula:
     """The formula with the other value of a root."""
     if formula == root:
         return Negative(root)
-    return formula.map_children(lambda child: _flipped(child, root))
+    return formula.map_children(lambda child: _flip(child, root))

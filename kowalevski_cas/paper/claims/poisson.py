@@ -51,7 +51,7 @@ class Involution(Claim):
             raise Meaningless("two functions at least are in involution")
         space = on(self.scene)
         functions = [function(on, space, place) for place in self.functions]
-        yield identity(space, *_commuting(space, functions))
+        yield identity(space, *_commutation(space, functions))
 
     def establishes(self) -> Iterator[Printed]:
         yield from self.functions
@@ -91,7 +91,7 @@ class LiouvilleIntegrable(Claim):
         if casimirs:
             yield identity(space, *_central(space, casimirs))
         if len(integrals) > 1:
-            yield identity(space, *_commuting(space, integrals))
+            yield identity(space, *_commutation(space, integrals))
         functions = tuple(map(space.plain, (*integrals, *casimirs)))
         yield Rank(space, functions, (), len(functions))
         minors = (_pfaffian(space, some) for some in combinations(variables, rank))
@@ -123,7 +123,7 @@ def _central(space: Elaboration, functions: Sequence[Formula]) -> Iterator[Equat
         yield from (vanishes(_bracket(space, f, Name(x))) for x in space.variables)
 
 
-def _commuting(space: Elaboration, functions: Sequence[Formula]) -> Iterator[Equation]:
+def _commutation(space: Elaboration, functions: Sequence[Formula]) -> Iterator[Equation]:
     """That functions commute with each other."""
     return (vanishes(_bracket(space, f, g)) for f, g in combinations(functions, 2))
 

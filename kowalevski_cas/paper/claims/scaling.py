@@ -38,8 +38,8 @@ class Scaling(Claim):
         equations = []
         for row in simple.field:
             for name, factor, force in simple.components(row):
-                force = _measured(force, measured, simple)
-                factor = _measured(factor, measured, simple)
+                force = _measure(force, measured, simple)
+                factor = _measure(factor, measured, simple)
                 per_time = Quotient(force, time)
                 equations.append((times(factor, rate(measured[name])), per_time))
         yield identity(space, *equations)
@@ -50,11 +50,11 @@ class Scaling(Claim):
         return Quotient(times(variable, *[time] * -power), times(rest, *[time] * power))
 
 
-def _measured(formula: Formula, values: dict[str, Formula], simple: Elaboration) -> Formula:
+def _measure(formula: Formula, values: dict[str, Formula], simple: Elaboration) -> Formula:
     """A formula of the simple scene, its variables measured, its definitions written out."""
     if isinstance(formula, Name):
         if formula.name in values:
             return values[formula.name]
         step = simple.step(formula.name)
-        return _measured(step.formula, values, simple) if isinstance(step, Let) else formula
-    return formula.map_children(lambda child: _measured(child, values, simple))
+        return _measure(step.formula, values, simple) if isinstance(step, Let) else formula
+    return formula.map_children(lambda child: _measure(child, values, simple))

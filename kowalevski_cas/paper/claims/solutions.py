@@ -68,10 +68,10 @@ def _along(
     initial: dict[str, Formula] = {}
     field: dict[str, Formula] = {}
     for group in groups:
-        initial |= _beginning(group.kind, group.names)
+        initial |= _initial_values(group.kind, group.names)
         moving = {*group.moving} & initial.keys()
         field |= {n: rate for n, rate in _rates(group, space).items() if n in moving}
-    initial |= _beginning(kind, names)
+    initial |= _initial_values(kind, names)
     field |= kind.rates(names)
     moving = {*initial}
     for name in kind.names(Name(space.scene.time)).values():
@@ -95,7 +95,7 @@ def _along(
     )
 
 
-def _beginning(kind: Kind, names: dict[str, str]) -> dict[str, Formula]:
+def _initial_values(kind: Kind, names: dict[str, str]) -> dict[str, Formula]:
     return {names[letter]: template(tex) for letter, tex in kind.family.zero.items()}
 
 

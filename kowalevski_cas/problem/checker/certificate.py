@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from .evidence import locate
 from .polynomials import Ring
 from .problem import Problem, Theorem
-from .reading import Budget, Json, Rejected, integer, items, need, parsed, printable, record, say
+from .reading import Budget, Json, Rejected, integer, items, need, parse, printable, record, say
 
 
 @dataclass(frozen=True)
@@ -50,24 +50,24 @@ class Certificate:
 def check(text: str, budget: Budget | None = None) -> Certificate:
     """What the text of a certificate proves; raises Rejected if it proves nothing."""
     try:
-        return _judged(text, budget or Budget())
+        return _judge(text, budget or Budget())
     except Rejected:
         raise
     except Exception as error:  # whatever goes wrong, nothing is proved
         raise Rejected(f"it is malformed: {type(error).__name__}") from None
 
 
-def _judged(text: str, budget: Budget) -> Certificate:
-    data = parsed(text)
+def _judge(text: str, budget: Budget) -> Certificate:
+    data = parse(text)
     claim = data["claim"]
     named = type(claim) is str and re.fullmatch(r"[\w.-]+", claim, re.ASCII)
     need(named, "the claim has an odd name")
-    _, theorems = _shown(data, budget)
+    _, theorems = _show(data, budget)
     failures = [_failure(one, budget) for one in items(data.get("failures", []))]
     return Certificate(claim, data["digest"], data["sign"], theorems, failures)
 
 
-def _shown(data: Json, budget: Budget) -> tuple[Problem, list[Theorem]]:
+def _show(data: Json, budget: Budget) -> tuple[Problem, list[Theorem]]:
     """A problem, and what its evidence shows."""
     sign, evidence = data["sign"], items(data["evidence"])
     statement = {key: data[key] for key in ("spaces", "goals")}
@@ -90,7 +90,7 @@ def _failure(data: Json, budget: Budget) -> Failure:
     """A goal that fails, or a count that is denied, by points where a condition is violated."""
     record(data, "condition spaces goals sign evidence digest")
     (goal,), (entry,) = items(data["goals"], 1), items(data["evidence"], 1)
-    problem, (theorem,) = _shown(data, budget)
+    problem, (theorem,) = _show(data, budget)
     need((goal["goal"], data["sign"]) in FAILURES, "nothing fails")
     space = problem.stage(goal, {})
     with space.statement():

@@ -19,7 +19,7 @@ def read(path: str) -> str:
         raise Rejected(f"it cannot be read: {type(error).__name__}") from None
 
 
-def checked(path: str, seen: set[tuple[str, str]]) -> Certificate:
+def check_file(path: str, seen: set[tuple[str, str]]) -> Certificate:
     """What a file certifies, which has the name of the claim and is not among those seen."""
     found = check(read(path))
     need(os.path.basename(path) == f"{found.claim}.json", f"it is about {found.claim}")
@@ -33,7 +33,7 @@ def main(arguments: list[str]) -> int:
     paths, seen = [a for a in arguments if a != "--full"], set[tuple[str, str]]()
     for path in paths:
         try:
-            found = checked(path, seen)
+            found = check_file(path, seen)
         except Rejected as error:
             print(f"REJECTED {printable(ascii(path))}: {error}")
             continue

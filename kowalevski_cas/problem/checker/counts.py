@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from itertools import combinations
 from math import prod
 
-from .evidence import combined, locate, minors, numbers_of, squares_of
+from .evidence import is_combination, locate, minors, numbers_of, squares_of
 from .formulas import rational
 from .goals import Goal
 from .polynomials import Element
@@ -105,7 +105,7 @@ class Solutions:
         """The value of a formula in the root and the constants."""
         return only(self.space.scalar(tree), [self.root, *self.space.constants])
 
-    def eliminated(self, value: Element) -> Element:
+    def value_of_eliminant(self, value: Element) -> Element:
         """The value of the eliminant."""
         terms = (c * value**k for k, c in enumerate(self.eliminant))
         return self.space.ring.total((*terms, value ** len(self.eliminant)))
@@ -117,12 +117,14 @@ class Solutions:
 
     def solutions_are_roots(self) -> None:
         """The equations imply the eliminant of the form, and give the variables by the form."""
-        goals = [self.eliminated(self.form)]
+        goals = [self.value_of_eliminant(self.form)]
         for own, above, below in zip(self.own, self.above, self.below, strict=True):
             goals.append(below * own - self.put(above, {self.root: self.form}))
         rows = items(self.evidence["cofactors"], len(goals))
         for goal, row in zip(goals, rows, strict=True):
-            need(combined(self.space, goal, row, self.equations), "the two sides are not equal")
+            need(
+                is_combination(self.space, goal, row, self.equations), "the two sides are not equal"
+            )
 
     def roots_are_solutions(self) -> None:
         """The eliminant implies the equations, and that the form is the root."""
@@ -134,7 +136,7 @@ class Solutions:
         goals[-1] = goals[-1] - self.generator
         quotients = items(self.evidence["quotients"], len(goals))
         for goal, tree in zip(goals, quotients, strict=True):
-            rest = goal - self.polynomial(tree) * self.eliminated(self.generator)
+            rest = goal - self.polynomial(tree) * self.value_of_eliminant(self.generator)
             need(rest.vanishes(), "a root of the eliminant is no solution")
 
     def all_roots_are_real(self) -> None:
@@ -156,14 +158,14 @@ class Solutions:
         factor = self.constant(data["factor"])
         rest = factor - squares_of(self.space, data["squares"])
         row = data.get("cofactors", [])
-        need(combined(self.space, rest, row, self.equations), "a factor is no sum of squares")
+        need(is_combination(self.space, rest, row, self.equations), "a factor is no sum of squares")
         over = self.space.inverse(factor)
         if "granted" in data:  # where the factor vanishes, something granted would
             place, row = items(data["granted"], 2)
             granted = self.space.data.get("nonzero", [])
             gone = self.space.scalar(granted[integer(place, 0, len(granted) - 1)])
             bases = [self.space.scalar(base) for _, base in pairs(data["squares"])]
-            same = combined(self.space, gone, row, [*bases, *self.equations])
+            same = is_combination(self.space, gone, row, [*bases, *self.equations])
             need(same, "what is granted need not vanish with a factor")
             self.space.implied |= {*over.generators()} & self.space.known.keys()
         return factor

@@ -86,7 +86,7 @@ PROOF = "product cofactors cases power"
 LARGEST_POWER = 16
 
 
-def combined(space: Space, goal: Element, row: Json, known: list[Element]) -> bool:
+def is_combination(space: Space, goal: Element, row: Json, known: list[Element]) -> bool:
     """Whether a goal is the combination of known elements that a row of formulas gives."""
     need(len(items(row)) in (0, len(known)), "a row has another length")
     parts = (space.scalar(tree) * e for tree, e in zip(row, known, strict=False))
@@ -122,7 +122,7 @@ def settle(space: Space, goals: list[Element], known: list[Element], proof: Json
     power = integer(proof.get("power", 1), 1, LARGEST_POWER)
     rows = items(proof["cofactors"], len(goals)) if "cofactors" in proof else [[]] * len(goals)
     for goal, row in zip(goals, rows, strict=True):
-        need(combined(space, goal**power, row, known), "the two sides are not equal")
+        need(is_combination(space, goal**power, row, known), "the two sides are not equal")
 
 
 # -- matrices ----------------------------------------------------------------------

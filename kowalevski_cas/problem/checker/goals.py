@@ -7,7 +7,7 @@ from itertools import product
 from math import prod
 from typing import ClassVar
 
-from .evidence import PROOF, combined, independent, locate, minors, on_each_piece, settle
+from .evidence import PROOF, independent, is_combination, locate, minors, on_each_piece, settle
 from .formulas import Map
 from .reading import Json, items, names_in, need, pairs, part_of, record, say, say_all
 from .spaces import Space
@@ -126,7 +126,7 @@ class Rank(Goal):
         square = len(self.matrix) <= len(self.space.variables)
         found, space = minors(self.space.ring, self.matrix) if square else [], self.space.exact()
         for minor, row in zip(found, items(evidence["minors"], len(found)), strict=True):
-            need(combined(space, minor, row, self.given), "a minor may differ from zero")
+            need(is_combination(space, minor, row, self.given), "a minor may differ from zero")
 
     def _independent(self, evidence: Json) -> None:
         record(evidence, "point", "away")

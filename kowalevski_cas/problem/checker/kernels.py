@@ -45,7 +45,8 @@ class Kernel(Goal):
         at = locate(self.space, evidence["point"], [])
         columns = [*self._columns(at)]
         need(
-            self._rank(columns) + self._rank(self._known(at)) == len(columns), "one may be missing"
+            self._rank(columns) + self._rank(self._known_products(at)) == len(columns),
+            "one may be missing",
         )
 
     def denied(self, evidence: Json) -> None:
@@ -59,7 +60,7 @@ class Kernel(Goal):
             return
         degree, own = self._solution(self.space.scalar(evidence["further"]), self.factor, at)
         need(degree <= self.degree, "its degree is too large")
-        vectors = [*self._known(at), own]
+        vectors = [*self._known_products(at), own]
         need(self._rank(vectors) == len(vectors), "it may depend on what is known")
 
     # polynomials at the point
@@ -111,7 +112,7 @@ class Kernel(Goal):
         weights = (sum(w * (m >> shift & MASK) for w, shift in both) for m in element.terms)
         return max(weights, default=0)
 
-    def _known(self, at: Map) -> list[Residues]:
+    def _known_products(self, at: Map) -> list[Residues]:
         """The products, up to the degree."""
         zero = self.ring.number(0)
         integrals = [self._solution(f, zero, at) for f in self.integrals]
@@ -140,7 +141,7 @@ class Kernel(Goal):
     def _columns(self, at: Map) -> Iterator[Residues]:
         """What the field, less the factor, makes of each monomial, times one common divisor."""
         self.ring.spend(10 * self._size())
-        rates, factor = self._cleared(at)
+        rates, factor = self._clear_denominators(at)
         for exponents in self._exponents(len(self.units) - 1, self.degree):
             own = sum(e * unit for e, unit in zip(exponents, self.units, strict=True))
             found = {own + m: -v for m, v in factor.items()}
@@ -150,7 +151,7 @@ class Kernel(Goal):
             self.ring.spend(len(found))
             yield {m: v % PRIME for m, v in found.items() if v % PRIME}
 
-    def _cleared(self, at: Map) -> tuple[list[Residues], Residues]:
+    def _clear_denominators(self, at: Map) -> tuple[list[Residues], Residues]:
         """The rates and the factor, times their common denominator."""
         ring, marks = self.ring, list[Element]()
         for k in range(len(self.units) + 1):

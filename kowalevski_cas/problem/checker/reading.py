@@ -67,7 +67,7 @@ class Budget:
 # -- JSON --------------------------------------------------------------------------
 
 
-def parsed(text: str) -> Json:
+def parse(text: str) -> Json:
     """The data of a certificate of this format."""
     need(len(text) < SIZE, "it is too long")
     hooks: Json = {"parse_int": _integer, "parse_float": _no_number, "parse_constant": _no_number}

@@ -41,10 +41,10 @@ class Space(Formulas):
         steps = items(data.get("steps", []))
         self._generate(steps, pairs(data.get("conjugates", [])))
         conditions = [(names_in(tree), tree) for tree in items(data.get("nonzero", []))]
-        conditions = self._granted(conditions)
+        conditions = self._grant(conditions)
         for step in steps:
             self.step(*step)
-            conditions = self._granted(conditions)
+            conditions = self._grant(conditions)
         need(not conditions, "a condition has a name that is not defined")
         self.mirror = None
         old = self._change(before, data["change"]) if "change" in data else []
@@ -93,7 +93,7 @@ class Space(Formulas):
                 self.enter(own, name)
         self.env[name] = (own if value.terms or kind == "power" else value,)
 
-    def _granted(self, conditions: list[tuple[set[str], Json]]) -> list[tuple[set[str], Json]]:
+    def _grant(self, conditions: list[tuple[set[str], Json]]) -> list[tuple[set[str], Json]]:
         """Know that formulas do not vanish; returns those with names that are not defined yet."""
         waiting = []
         for names, tree in conditions:
