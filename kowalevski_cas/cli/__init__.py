@@ -20,6 +20,7 @@ COMMANDS = {
     "verify": "prove or refute the claims of a derivation and compare with its record",
     "report": "write the report of a derivation as a web page, LaTeX and PDF",
     "audit": "read a paper's TeX source and prove or refute each formula in it",
+    "review": "audit the papers of a repository, against what is known of them",
     "bundle": "put the evidence, the checker and the page into a folder to deposit with a paper",
     "find": "find what nobody has printed: integrals and the like",
     "prove": "find evidence for a problem that anybody wrote, and print its certificate",
@@ -30,6 +31,8 @@ COMMANDS = {
     "motion": "follow a motion from any state: on N⁴ and O⁴ by its closed form",
     "pictures": "draw a motion, and the bifurcation diagrams of the whole top",
     "animation": "show the body as it moves on N⁴, as an animated GIF",
+    "lsp": "serve an editor: diagnostics and corrections while a paper is typed",
+    "mcp": "serve an agent: audit, verify, find, check",
     "record": "search anew, and write the record of verdicts and the certificates",
 }
 
@@ -39,6 +42,9 @@ EXTRAS = {
     "matplotlib": "motion",
     "heyoka": "taylor",
     "distributed": "cluster",
+    "pygls": "editor",
+    "lsprotocol": "editor",
+    "mcp": "agents",
 }
 """Libraries that a plain install leaves out, and the extra that brings each."""
 

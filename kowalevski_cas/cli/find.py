@@ -23,7 +23,7 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pool import Pool
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.questions import QUESTIONS, collect, forecast, question
+from kowalevski_cas.questions import QUESTIONS, collect, forecast, nothing, question
 from kowalevski_cas.schema import head
 from kowalevski_cas.verify.finding import Finding, with_findings
 from kowalevski_cas.verify.outcome import Outcome, Run
@@ -126,6 +126,8 @@ def run(arguments: argparse.Namespace) -> int:
                 print(f"computed  {_shorten(plain.words(one, run.vocabulary), verbose)}")
         checked = plain.many(len(run.certificates), "certificate")
         print(f"{len(outcomes)} found; {checked} checked")
+        if not findings and not unfinished:
+            print(nothing(arguments.question, **_asked(arguments)))
     if unfinished:
         raise CommandError(unfinished, UNDECIDED)
     return AS_RECORDED if all(outcome.verdict.green for outcome in outcomes) else UNDECIDED
@@ -144,12 +146,16 @@ def _search(
     """What is found, and why nobody looked further, if something is left."""
     on = Elaborations(derivation.texts(derivation.corrected()))
     try:
-        keys = (key.lstrip("-") for key in ARGUMENTS[arguments.question])
-        asked = {key: getattr(arguments, key) for key in keys}
-        search = question(arguments.question).search(on, scene, pool, **asked)
+        search = question(arguments.question).search(on, scene, pool, **_asked(arguments))
         return collect(search, arguments.timeout)
     except (Meaningless, NotationError) as error:
         raise CommandError(f"scene “{scene.name}”: {error}") from None
+
+
+def _asked(arguments: argparse.Namespace) -> dict[str, Any]:
+    """What a question is asked with."""
+    keys = (key.lstrip("-") for key in ARGUMENTS[arguments.question])
+    return {key: getattr(arguments, key) for key in keys}
 
 
 def _in_python(findings: Sequence[Finding], run: Run, name: str, scene: Scene) -> str:

@@ -38,6 +38,12 @@ def question(name: str) -> ModuleType:
     return import_module(f"{__name__}.{name}")
 
 
+def nothing(name: str, **asked: object) -> str:
+    """What was searched, and where one could look further, after a search that found nothing."""
+    says = getattr(question(name), "nothing", None)
+    return str(says(**asked)) if says else "nothing was found"
+
+
 def with_constants(on: Elaborations, scene: Scene, *names: str) -> Elaboration:
     """What a scene means that has more constants."""
     words = on.texts.vocabulary

@@ -58,6 +58,11 @@ def search(
             yield Finding(FirstIntegral, scene, said, tex(integral))
 
 
+def nothing(seed: str, order: int) -> str:
+    """What was searched."""
+    return f"no chain of {order} derivatives of {seed} or fewer closes; --order allows longer ones"
+
+
 def _equation(closure: Closure, on: Elaborations, scene: Scene) -> Formula:
     """The rate of the last derivative as a combination of the chain."""
     chain, row = (

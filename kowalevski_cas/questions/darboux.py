@@ -101,6 +101,14 @@ def search(
         yield _product(relation, moving, scene, formula)
 
 
+def nothing(degree: int, special: bool, **_: object) -> str:
+    """What was searched, and what not."""
+    said = f"no polynomial up to degree {degree} with F' = KF was found"
+    if special:
+        return f"{said}, whatever the constants are"
+    return f"{said} for constants in general position; --special tries special values too"
+
+
 def _with_cofactor(
     on: Elaborations, scene: Scene, pool: Pool, degree: int, given: str
 ) -> Iterator[Finding]:

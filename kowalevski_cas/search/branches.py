@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from flint import fmpq_mpoly
 
-from kowalevski_cas.algebra.flint import coefficients, terms_of
+from kowalevski_cas.algebra.flint import terms_of
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.squares import sum_of_squares
 
@@ -44,7 +45,7 @@ class Branch:
 
     def is_part(self, other: Branch) -> bool:
         """Whether the equations of another branch are seen to hold here, and to be solved."""
-        slopes = (coefficient(equation, place, 1) for place, equation in other.solved)
+        slopes = (equation.derivative(place) for place, equation in other.solved)
         return all(map(self.vanishes, other.equations)) and not any(map(self.vanishes, slopes))
 
 
@@ -77,30 +78,40 @@ def solve_by_cases(
 
 
 class _Factor:
-    """An irreducible polynomial with leading coefficient 1, compared by its text."""
-
-    __slots__ = ("_definite", "degrees", "key", "linear", "polynomial", "size")
+    """An irreducible polynomial with leading coefficient 1."""
 
     def __init__(self, polynomial: fmpq_mpoly) -> None:
-        self.polynomial = polynomial
-        self.key, self.size = str(polynomial), len(polynomial)
+        self.polynomial, self.size = polynomial, len(polynomial)
         self.degrees = tuple(map(int, polynomial.degrees()))
-        terms = polynomial.to_dict()
-        self._definite = _is_positive(terms_of(polynomial))
-        products = [exponents for exponents in terms if sum(exponents) > 1]
-        places = [k for k, degree in enumerate(self.degrees) if degree == 1]
-        self.linear = [k for k in places if not any(exponents[k] for exponents in products)]
+        self._hash = hash((self.size, self.degrees))
+
+    @cached_property
+    def key(self) -> str:
+        """What puts factors of one size in order."""
+        return str(self.polynomial)
+
+    @cached_property
+    def linear(self) -> list[int]:
         """The places of unknowns of which a number is the coefficient."""
+        products = [exponents for exponents in self.polynomial.monoms() if sum(exponents) > 1]
+        places = [k for k, degree in enumerate(self.degrees) if degree == 1]
+        return [k for k in places if not any(exponents[k] for exponents in products)]
+
+    @cached_property
+    def _is_definite(self) -> bool:
+        """Whether it is seen to vanish at no real point; no degree is odd then."""
+        odd = any(degree % 2 for degree in self.degrees)
+        return not odd and _is_positive(terms_of(self.polynomial))
 
     def may_vanish(self, places: Sequence[int]) -> bool:
         """Whether it has an unknown in it, and is not seen to vanish at no real point."""
-        return not self._definite and any(self.degrees[place] for place in places)
+        return any(self.degrees[place] for place in places) and not self._is_definite
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Factor) and self.key == other.key
+        return isinstance(other, _Factor) and bool(self.polynomial == other.polynomial)
 
     def __hash__(self) -> int:
-        return hash(self.key)
+        return self._hash
 
 
 def _is_positive(terms: Terms) -> bool:
@@ -117,8 +128,20 @@ _Group = tuple[_Factor, ...]
 
 def _factors(polynomial: fmpq_mpoly) -> _Group:
     """The irreducible factors, each once; none of a number."""
-    factors = polynomial.factor()[1]
-    return tuple(_Factor(factor / factor.leading_coefficient()) for factor, _ in factors)
+    factors = _irreducible(polynomial)
+    return tuple(_Factor(factor / factor.leading_coefficient()) for factor in factors)
+
+
+def _irreducible(polynomial: fmpq_mpoly) -> list[fmpq_mpoly]:
+    """The irreducible factors, each once, but for numbers.
+
+    What is linear in an unknown is irreducible, but for what divides both of its coefficients.
+    """
+    place = next((k for k, degree in enumerate(polynomial.degrees()) if degree == 1), None)
+    if place is None:
+        return [factor for factor, _ in polynomial.factor()[1]]
+    content = polynomial.derivative(place).gcd(polynomial)
+    return [*(factor for factor, _ in content.factor()[1]), polynomial / content]
 
 
 def _split_cases(
@@ -141,7 +164,7 @@ def _split_cases(
             yield from _split_cases([(factor,), *left], places, (*nonzero, *first[:k]), solved)
     else:
         known = tuple(factor.polynomial for factor in nonzero)
-        yield Branch(_reduce_solutions(solved), tuple(one.polynomial for one in single), known)
+        yield Branch(reduce_solutions(solved), tuple(one.polynomial for one in single), known)
 
 
 def _clear_factors(
@@ -157,16 +180,16 @@ def _clear_factors(
         groups[left] = None
     single = {group[0] for group in groups if len(group) == 1}
     several = [group for group in groups if len(group) > 1 and not single & {*group}]
-    alone = _coprime(single)
+    alone = _coprime(single, places)
     return None if alone is None else [*((one,) for one in alone), *several]
 
 
-def _coprime(single: Iterable[_Factor]) -> list[_Factor] | None:
+def _coprime(single: Iterable[_Factor], places: Sequence[int]) -> list[_Factor] | None:
     """Equations, of which two in one and the same unknown alone have no solution."""
     found: list[_Factor] = sorted(single, key=lambda one: (one.size, one.key))
-    alone = [one for one in found if sum(map(bool, one.degrees)) == 1]
-    places = [next(k for k, degree in enumerate(one.degrees) if degree) for one in alone]
-    return None if len({*places}) < len(places) else found
+    unknowns = ([place for place in places if one.degrees[place]] for one in found)
+    alone = [own[0] for own in unknowns if len(own) == 1]
+    return None if len({*alone}) < len(alone) else found
 
 
 _Linear = tuple[_Factor, int, _Group]
@@ -184,7 +207,7 @@ def _linear(single: Sequence[_Factor], places: Sequence[int], nonzero: _Group) -
     for equation in in_order:
         for place in places:
             if equation.degrees[place] == 1:
-                slope = _factors(coefficient(equation.polynomial, place, 1))
+                slope = _factors(equation.polynomial.derivative(place))
                 unknown = tuple(
                     one for one in slope if one not in nonzero and one.may_vanish(places)
                 )
@@ -206,7 +229,7 @@ def _eliminate(
     """The cases in which the coefficient of an unknown vanishes, and where it does not."""
     polynomial = equation.polynomial
     for factor in unknown:
-        rest = coefficient(polynomial, place, 0)
+        rest = next(coefficients(polynomial, place))
         others = [] if rest.is_zero() else [_factors(rest)]
         yield from _split_cases([(factor,), *others, *left], places, nonzero, solved)
         nonzero = (*nonzero, factor)
@@ -231,37 +254,44 @@ def _substitute_factor(factor: _Factor, place: int, equation: fmpq_mpoly) -> _Gr
     return None if polynomial.is_zero() else _factors(polynomial)
 
 
-def _reduce_solutions(solved: Solved) -> Solved:
+def reduce_solutions(solved: Solved) -> Solved:
     """Equations for unknowns without those that later equations are solved for."""
     found: list[tuple[int, fmpq_mpoly]] = []
     for place, equation in reversed(solved):
-        for other in found:
-            equation = without(equation, *other)
+        degrees = equation.degrees()
+        for other in found:  # none of them stands in another one
+            if degrees[other[0]]:
+                equation = without(equation, *other)
         own = next(one for one in _factors(equation) if one.degrees[place])
         found.insert(0, (place, own.polynomial))
     return tuple(found)
 
 
-def coefficient(polynomial: fmpq_mpoly, place: int, power: int) -> fmpq_mpoly:
-    """The coefficient of a power of the unknown at a place."""
-    found = coefficients(polynomial, (place,))
-    return found.get((power,), polynomial.context().constant(0))
+def coefficients(polynomial: fmpq_mpoly, place: int) -> Iterator[fmpq_mpoly]:
+    """The coefficients of the powers of the unknown at a place, the lowest first."""
+    context = polynomial.context()
+    name, unknown = context.names()[place], context.gens()[place]
+    while not polynomial.is_zero():
+        lowest = polynomial.subs({name: 0})
+        yield lowest
+        polynomial = (polynomial - lowest) / unknown
 
 
 def without(polynomial: fmpq_mpoly, place: int, equation: fmpq_mpoly) -> fmpq_mpoly:
-    """A polynomial times a power of the coefficient of an unknown, which is replaced."""
+    """A polynomial times a power of the coefficient of an unknown, which is replaced.
+
+    If the coefficient is a number, nothing is multiplied.
+    """
     degree = int(polynomial.degrees()[place])
     if not degree:
         return polynomial
-    context, slope = polynomial.context(), equation.derivative(place)
-    values = list(context.gens())
+    slope = equation.derivative(place)
     if slope.is_constant():
-        values[place] -= equation / slope.leading_coefficient()
-        return polynomial.compose(*values, ctx=context)
-    rest = equation - slope * values[place]
-    total = context.constant(0)
-    for power in range(degree + 1):
-        total += (
-            coefficient(polynomial, place, power) * (-rest) ** power * slope ** (degree - power)
-        )
+        equation, slope = equation / slope.leading_coefficient(), slope.context().constant(1)
+    if degree == 1:
+        return slope * polynomial - polynomial.derivative(place) * equation
+    value = slope * slope.context().gens()[place] - equation  # times the coefficient
+    total, power = slope.context().constant(0), slope.context().constant(1)
+    for one in reversed([*coefficients(polynomial, place)]):
+        total, power = total * value + one * power, power * slope
     return total

@@ -30,7 +30,8 @@ from kowalevski_cas.problem.polynomial_fields import (
     number_of_monomials,
 )
 from kowalevski_cas.problem.residues import ResidueField, Residues, product_of, unpack
-from kowalevski_cas.search.branches import Branch, solve_by_cases
+from kowalevski_cas.search.ansatz import Ansatz, Ansatze
+from kowalevski_cas.search.branches import Branch
 
 LARGEST = 500
 """The largest number of unknown coefficients."""
@@ -64,10 +65,9 @@ def darboux_polynomials(
         TooLarge: what comes next has too many unknowns.
     """
     search = _DarbouxSearch(at, special)
-    ansatze, waiting = tee(search.ansatze(degree))
-    found = pool.map(solve_by_cases, map(search.task, waiting))
-    for cases, ansatz in zip(found, ansatze, strict=True):
-        yield from search.new(ansatz, cases)
+    leading, waiting = tee(search.leading_monomials(degree))
+    for monomial, cases in zip(leading, pool.map(search.ansatze.solve, waiting), strict=True):
+        yield from search.new(monomial, cases)
 
 
 class _DarbouxSearch:
@@ -77,39 +77,32 @@ class _DarbouxSearch:
         self.at, self.field, self.special = at, PolynomialField(at), special
         self.field.polynomial(self.field.multiple.inverse())  # else variables stand below
         self.found: list[Darboux] = []
-        self.cofactors = [*_lighter(self.field)]
-        self.gradings = self.field.weights
+        granted = [self.field.polynomial(e) for e in at.granted if self._is_constant(e)]
+        self.ansatze = Ansatze(
+            tuple(self.field.rates),
+            self.field.names[self.field.size :],
+            tuple(self.field.weights),
+            tuple(_lighter(self.field)),
+            tuple(granted),
+            special,
+        )
 
-    def ansatze(self, degree: int) -> Iterator[_Ansatz]:
-        """One for each leading monomial, by degree and then in the order of the variables."""
+    def leading_monomials(self, degree: int) -> Iterator[Exponents]:
+        """By degree and then in the order of the variables."""
         for size in range(1, degree + 1):
             if (count := number_of_monomials((1,) * self.field.size, size)) > LARGEST:
                 raise TooLarge(f"{count} unknown coefficients up to degree {size}")
-            for leading in monomials((1,) * self.field.size, size):
-                yield _Ansatz(self.field, self._below(leading), self.cofactors)
+            yield from monomials((1,) * self.field.size, size)
 
-    def task(self, ansatz: _Ansatz) -> tuple[list[fmpq_mpoly], list[int], list[fmpq_mpoly]]:
-        """The equations of an ansatz, with the places of their unknowns, and what is not zero."""
-        places = ansatz.places if self.special else ansatz.places[: ansatz.unknowns]
-        granted = [self.field.polynomial(e) for e in self.at.granted if self._is_constant(e)]
-        return ansatz.equations(), places, [ansatz.in_constants(terms) for terms in granted]
-
-    def new(self, ansatz: _Ansatz, cases: Iterable[Branch]) -> Iterator[Darboux]:
-        """What the solutions of its equations give besides what was found before."""
+    def new(self, leading: Exponents, cases: Iterable[Branch]) -> Iterator[Darboux]:
+        """What solutions for a leading monomial give besides what was found before."""
         for branch in cases:
-            solution = None if branch.rest else ansatz.solution(branch)
+            solutions = _Solutions(self.field, self.ansatze.of(leading))
+            solution = None if branch.rest else solutions(branch)
             one = None if solution is None else self._irreducible(solution)
             if one is not None and self._is_new(one):
                 self.found.append(one)
                 yield one
-
-    def _below(self, leading: Exponents) -> list[Exponents]:
-        """A monomial, and those below it with the same weights."""
-        size = (1,) * self.field.size
-        lower = (e for degree in range(sum(leading) + 1) for e in monomials(size, degree))
-        same = [_weight(w, leading) for w in self.gradings]
-        others = (e for e in lower if [_weight(w, e) for w in self.gradings] == same)
-        return [leading, *(e for e in others if (sum(e), e) < (sum(leading), leading))]
 
     def _is_constant(self, element: Element) -> bool:
         """Whether no variable and no root stands in an element."""
@@ -188,55 +181,14 @@ class _DarbouxSearch:
         return ResidueField(self.field.rates, self.field.factor, values).residues(terms)
 
 
-class _Ansatz:
-    """The coefficients of F and K as unknowns, in the names c, k, and those of the constants."""
+class _Solutions:
+    """What branches say of an ansatz."""
 
-    def __init__(
-        self, field: PolynomialField, powers: Sequence[Exponents], cofactors: Sequence[Exponents]
-    ) -> None:
-        self.field, self.monomials, self.cofactors = field, powers, cofactors
-        constants = field.names[field.size :]
-        self.unknowns = len(self.monomials) - 1 + len(cofactors)
-        self.width = self.unknowns + len(constants)
-        names = [*(f":{k}" for k in range(self.unknowns)), *constants]
-        self.context = fmpq_mpoly_ctx.get(names, Ordering.degrevlex)
-        self.places = [*range(self.unknowns), *reversed(range(self.unknowns, self.width))]
+    def __init__(self, field: PolynomialField, ansatz: Ansatz) -> None:
+        self.field, self.ansatz = field, ansatz
+        self.unknowns, self.context = ansatz.unknowns, ansatz.context
 
-    def in_constants(self, terms: Terms) -> fmpq_mpoly:
-        """A polynomial in the constants."""
-        before = (0,) * self.unknowns
-        found = {(*before, *e[self.field.size :]): v for e, v in terms.items()}
-        return polynomial_of(self.context, found)
-
-    def equations(self) -> list[fmpq_mpoly]:
-        """The coefficients of F′ − KF, those of the leading monomials first."""
-        found: dict[Exponents, dict[Exponents, Fraction]] = {}
-        size, others = self.field.size, (0,) * (self.width - self.unknowns)
-        for place, own in enumerate(self.monomials, -1):
-            for exponents, value in self.field.derivative((*own, *others)).items():
-                key = (*self._unit(place)[: self.unknowns], *exponents[size:])
-                self._add(found, exponents[:size], key, value)
-            for k, factor in enumerate(self.cofactors, len(self.monomials) - 1):
-                key = tuple(a + b for a, b in zip(self._unit(place), self._unit(k), strict=True))
-                total = tuple(a + b for a, b in zip(own, factor, strict=True))
-                self._add(found, total, key, Fraction(-1))
-        in_order = sorted(found, key=lambda e: (sum(e), e), reverse=True)
-        return [polynomial_of(self.context, found[key]) for key in in_order]
-
-    def _unit(self, place: int) -> Exponents:
-        return tuple(int(k == place) for k in range(self.width))
-
-    @staticmethod
-    def _add(
-        found: dict[Exponents, dict[Exponents, Fraction]],
-        place: Exponents,
-        key: Exponents,
-        value: Fraction,
-    ) -> None:
-        terms = found.setdefault(place, {})
-        terms[key] = terms.get(key, Fraction(0)) + value
-
-    def solution(self, branch: Branch) -> Darboux | None:
+    def __call__(self, branch: Branch) -> Darboux | None:
         """What a branch says of F, K and the constants; what it leaves open of F and K is small.
 
         There is none if a coefficient that is not zero stands in an equation of the constants: it
@@ -259,14 +211,14 @@ class _Ansatz:
             else:
                 name = field.names[field.size + place - self.unknowns]
                 equations.append((ring.generator(name), value))
-        terms = [values[k] * self._monomial(e) for k, e in enumerate(self.monomials, -1)]
-        later = enumerate(self.cofactors, len(self.monomials) - 1)
+        terms = [values[k] * self._monomial(e) for k, e in enumerate(self.ansatz.monomials, -1)]
+        later = enumerate(self.ansatz.cofactors, len(self.ansatz.monomials) - 1)
         factor = [values[k] * self._monomial(e) for k, e in later]
         cofactor = sum(factor, ring.zero) / field.multiple
         return Darboux(sum(terms, ring.zero), cofactor, tuple(equations))
 
     def _monomial(self, exponents: Exponents) -> Element:
-        others = (0,) * (self.width - self.unknowns)
+        others = (0,) * (self.ansatz.width - self.unknowns)
         return self.field.element({(*exponents, *others): Fraction(1)})
 
     def _open_values(self, branch: Branch) -> list[int]:

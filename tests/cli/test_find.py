@@ -84,6 +84,15 @@ def test_a_field_without_an_integral_is_answered_none(asked):
     )
 
 
+def test_a_search_that_finds_nothing_says_what_was_searched(asked):
+    *_, number, said = asked("darboux", LORENZ, "--degree", "2")
+    assert number == "0 found; 0 certificates checked"
+    assert said == (
+        "no polynomial up to degree 2 with F' = KF was found for constants in general position; "
+        "--special tries special values too"
+    )
+
+
 @pytest.mark.parametrize(
     ("words", "code", "said"),
     [

@@ -64,6 +64,16 @@ def test_all_that_are_known(system, degree, expected):
     assert {f: k for f, k, _ in found(system, degree)} == expected
 
 
+@pytest.mark.parametrize("speed", ["ax+by+c", "ax-by", "ax^2+by+c", "(a+1)x+bcy"])
+@pytest.mark.parametrize("rate", ["1", "x-3"])
+def test_a_circle_is_found_however_the_motion_turns_along_it(speed, rate):
+    """F = x² + y² − 1 has K = 2xk if ẋ = ye + kF, ẏ = −xe: no relation of constants is needed."""
+    scene = System(rf"\dot x=y({speed})+({rate})(x^2+y^2-1),\ \dot y=-x({speed})").scene
+    at = Elaborations(Texts(vocabulary((scene,))))(scene).finder
+    found = [shown(one.polynomial) for one in darboux_polynomials(at, 2) if not one.equations]
+    assert "x² + y² − 1" in found
+
+
 def test_what_splits_is_left_out():
     assert len([*found(VOLTERRA, 3)]) == 4  # neither xyz nor (x + y + z)² is listed
     assert all(k == "0" for _, k, _ in found(EULER, 2))

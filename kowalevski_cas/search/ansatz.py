@@ -1,0 +1,138 @@
+"""F′ = KF for polynomials F and K with unknown coefficients, as equations for these.
+
+All that stands here is plain data, so that equations are made where they are solved.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import reduce
+from itertools import chain
+from operator import add, mul
+
+from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
+
+from kowalevski_cas.algebra.flint import polynomial_of
+from kowalevski_cas.problem.polynomial_fields import Exponents, Terms, derivative, monomials
+from kowalevski_cas.search.branches import Branch, branches, maximal, reduce_solutions, without
+
+
+@dataclass(frozen=True)
+class Ansatze:
+    """The ansatz for each leading monomial of F.
+
+    Args:
+        rates: the components of the motion, in the variables and then the constants.
+        constants: their names.
+        gradings: the weights of the variables for which F is homogeneous.
+        cofactors: the monomials of K.
+        granted: polynomials in the constants that are not zero.
+        special: whether the constants are unknowns as well.
+    """
+
+    rates: tuple[Terms, ...]
+    constants: tuple[str, ...]
+    gradings: tuple[Exponents, ...]
+    cofactors: tuple[Exponents, ...]
+    granted: tuple[Terms, ...]
+    special: bool
+
+    def of(self, leading: Exponents) -> Ansatz:
+        """The ansatz with a leading monomial."""
+        return Ansatz(self, [leading, *self._below(leading)])
+
+    def solve(self, leading: Exponents) -> list[Branch]:
+        """The cases in which the equations of an ansatz hold: a task for a pool.
+
+        Those of the highest degree are solved first, if the constants are in general position: a
+        case in which an unknown is no rational function of them is left early.
+        """
+        ansatz = self.of(leading)
+        granted = tuple(ansatz.in_constants(terms) for terms in self.granted)
+        levels = ansatz.equations()
+        if self.special:
+            return [*branches(chain.from_iterable(levels), ansatz.places, granted)]
+        start, places = Branch((), (), granted), ansatz.places[: ansatz.unknowns]
+        return [*maximal([*_rational_cases(levels, places, start)])]
+
+    def _below(self, leading: Exponents) -> Iterator[Exponents]:
+        """The monomials before another one that have the same weights."""
+        same = self._grade(leading)
+        for degree in range(sum(leading) + 1):
+            for exponents in monomials((1,) * len(self.rates), degree):
+                before = (degree, exponents) < (sum(leading), leading)
+                if before and self._grade(exponents) == same:
+                    yield exponents
+
+    def _grade(self, exponents: Exponents) -> list[int]:
+        return [sum(map(mul, weights, exponents)) for weights in self.gradings]
+
+
+class Ansatz:
+    """The coefficients of F and K as unknowns, in the names c, k, and those of the constants."""
+
+    def __init__(self, ansatze: Ansatze, powers: Sequence[Exponents]) -> None:
+        self.rates, self.size = ansatze.rates, len(ansatze.rates)
+        self.monomials, self.cofactors = powers, ansatze.cofactors
+        self.unknowns = len(powers) - 1 + len(self.cofactors)
+        self.width = self.unknowns + len(ansatze.constants)
+        names = [*(f":{k}" for k in range(self.unknowns)), *ansatze.constants]
+        self.context = fmpq_mpoly_ctx.get(names, Ordering.degrevlex)
+        self.places = [*range(self.unknowns), *reversed(range(self.unknowns, self.width))]
+
+    def in_constants(self, terms: Terms) -> fmpq_mpoly:
+        """A polynomial in the constants."""
+        before = (0,) * self.unknowns
+        return polynomial_of(
+            self.context, {(*before, *e[self.size :]): v for e, v in terms.items()}
+        )
+
+    def equations(self) -> list[list[fmpq_mpoly]]:
+        """The coefficients of F′ − KF by degrees, those of the highest first."""
+        found: dict[Exponents, dict[Exponents, Fraction]] = {}
+        size, others = self.size, (0,) * (self.width - self.unknowns)
+        for place, own in enumerate(self.monomials, -1):
+            for exponents, value in derivative((*own, *others), self.rates, {}).items():
+                key = (*self._product(place)[: self.unknowns], *exponents[size:])
+                terms = found.setdefault(exponents[:size], {})
+                terms[key] = terms.get(key, Fraction(0)) + value
+            for k, factor in enumerate(self.cofactors, len(self.monomials) - 1):
+                terms = found.setdefault(tuple(map(add, own, factor)), {})
+                terms[self._product(place, k)] = Fraction(-1)
+        levels: dict[int, list[fmpq_mpoly]] = {}
+        for exponents in sorted(found, key=lambda e: (sum(e), e), reverse=True):
+            equation = polynomial_of(self.context, found[exponents])
+            levels.setdefault(sum(exponents), []).append(equation)
+        return [*levels.values()]
+
+    def _product(self, *places: int) -> Exponents:
+        """The monomial of unknowns at different places; at −1 there is the coefficient 1."""
+        exponents = [0] * self.width
+        for place in places:
+            if place >= 0:
+                exponents[place] = 1
+        return tuple(exponents)
+
+
+def _rational_cases(
+    levels: Sequence[Sequence[fmpq_mpoly]], places: Sequence[int], before: Branch
+) -> Iterator[Branch]:
+    """The cases of a case, if those of the first equations are separated before all others.
+
+    Where an equation is left in which one unknown stands alone, that is no rational function.
+    """
+    for one in before.rest:
+        degrees = one.degrees()
+        if sum(degrees[place] > 0 for place in places) == 1:
+            return
+    if not levels:
+        yield Branch(reduce_solutions(before.solved), before.rest, before.nonzero)
+        return
+    replaced = (reduce(lambda f, by: without(f, *by), before.solved, f) for f in levels[0])
+    for branch in branches([*replaced, *before.rest], places, before.nonzero):
+        solved = {place for place, _ in branch.solved}
+        rest = [place for place in places if place not in solved]
+        both = Branch((*before.solved, *branch.solved), branch.rest, branch.nonzero)
+        yield from _rational_cases(levels[1:], rest, both)
