@@ -20,7 +20,7 @@ def name_of(found: Terms, known: Sequence[Terms], named: Mapping[str, Terms], si
         named: the integrals that have names.
         size: how many names move; the others are constants.
     """
-    space = _Span(products(known, degree(found, size), size))
+    space = _Combinations(products(known, degree(found, size), size))
     rest = space.remainder(found)
     for name, terms in named.items():
         if degree(terms, size) == degree(found, size) and _is_multiple(
@@ -57,7 +57,7 @@ def products(known: Sequence[Terms], most: int, size: int) -> Iterator[Terms]:
                 yield _times(first, other)
 
 
-class _Span:
+class _Combinations:
     """The combinations of some polynomials, in echelon form."""
 
     def __init__(self, rows: Iterable[Terms]) -> None:
