@@ -6,14 +6,14 @@ import argparse
 import os
 import sys
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from importlib import import_module
 from signal import SIGINT, SIGTERM, default_int_handler, pthread_kill, signal
 from threading import Timer, current_thread, get_ident, main_thread
 from traceback import print_exception
 
 from kowalevski_cas import UserError, __version__
-from kowalevski_cas.cli.exits import AS_RECORDED, EXIT_CODES, FAILED, INTERRUPTED, USAGE
+from kowalevski_cas.cli.exits import AS_RECORDED, FAILED, INTERRUPTED, USAGE, exit_codes
 from kowalevski_cas.cli.terminal import output
 
 COMMANDS = {
@@ -33,6 +33,7 @@ COMMANDS = {
     "animation": "show the body as it moves on N⁴, as an animated GIF",
     "lsp": "serve an editor: diagnostics and corrections while a paper is typed",
     "mcp": "serve an agent: audit, verify, find, check",
+    "completion": "print what completes these commands in a shell",
     "record": "search anew, and write the record of verdicts and the certificates",
 }
 
@@ -45,6 +46,7 @@ EXTRAS = {
     "pygls": "editor",
     "lsprotocol": "editor",
     "mcp": "agents",
+    "shtab": "completion",
 }
 """Libraries that a plain install leaves out, and the extra that brings each."""
 
@@ -65,7 +67,10 @@ def run(program: str, module: str, words: Sequence[str]) -> int:
     def parser() -> argparse.ArgumentParser:
         command = import_module(module)
         found = argparse.ArgumentParser(
-            program, description=command.__doc__, epilog=EXIT_CODES, formatter_class=_HELP
+            program,
+            description=command.__doc__,
+            epilog=exit_codes(module.rpartition(".")[2]),
+            formatter_class=_HELP,
         )
         command.add_arguments(found)
         found.set_defaults(run=command.run)
@@ -141,12 +146,25 @@ def _exit_code(
     return code
 
 
+def whole_parser() -> argparse.ArgumentParser:
+    """A parser that knows all commands with their arguments, as far as what they need is there."""
+    parser = _overview()
+    (commands,) = (one for one in parser._actions if isinstance(one, argparse._SubParsersAction))
+    for name, command in commands.choices.items():
+        command.formatter_class, command.epilog = _HELP, exit_codes(name)
+        with suppress(ModuleNotFoundError):
+            module = import_module(f"{__name__}.{name}")
+            command.description = module.__doc__
+            module.add_arguments(command)
+    return parser
+
+
 def _overview() -> argparse.ArgumentParser:
     """A parser that knows what commands there are, and runs none."""
     parser = argparse.ArgumentParser(
         prog="kowalevski-cas",
         description="Printed derivations of mathematical mechanics, proved or refuted.",
-        epilog=EXIT_CODES,
+        epilog=f"`kowalevski-cas COMMAND --help` says more of a command.\n\n{exit_codes('')}",
         formatter_class=_HELP,
     )
 
