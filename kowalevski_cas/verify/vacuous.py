@@ -51,10 +51,9 @@ def says_something(neighbour: Neighbour, statement: Statement, printed: Statemen
     """
     if _moves(printed) and not _moves(statement):
         return False
-    if _empty(statement) > _empty(printed) or _count_repeated(statement) > _count_repeated(printed):
-        return False
-    if _count_printed_before(statement) > _count_printed_before(printed):
-        return False
+    for count in (_empty, _count_repeated, _count_printed_before):
+        if (many := count(statement)) and many > count(printed):
+            return False
     edit = neighbour.edit
     if edit is None:
         return True
