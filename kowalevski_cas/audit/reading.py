@@ -6,7 +6,7 @@ read otherwise than it was meant.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
 from time import perf_counter
@@ -35,6 +35,7 @@ from kowalevski_cas.reading import (
 from kowalevski_cas.reading.uncovered import Uncovered, sentences
 from kowalevski_cas.source.text import Region
 from kowalevski_cas.verify.blame import Blame
+from kowalevski_cas.verify.certificate import Stored
 from kowalevski_cas.verify.decider import Decider
 from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
@@ -66,9 +67,10 @@ class ReadingSession:
         explain: bool = False,
         timeout: float | None = None,
         heard: Progress = lambda *_: None,
+        certificates: Mapping[str, Stored] | None = None,
     ) -> None:
         self._session = Session(
-            reading.derivation, arithmetics, explain, timeout=timeout, patience=PATIENCE
+            reading.derivation, arithmetics, explain, certificates, timeout, patience=PATIENCE
         )
         self._heard = heard
         self.reading = reading

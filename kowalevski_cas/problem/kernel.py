@@ -33,7 +33,7 @@ LARGEST = 50_000
 """The largest number of monomials that anybody looks at."""
 
 
-class Ansatz:
+class KernelAtPoint:
     """The polynomials of a goal up to its degree, at a point of the constants, modulo a prime.
 
     Raises :class:`Misplaced` if there are too many, or if a value has no residue.
@@ -82,7 +82,7 @@ class Ansatz:
 
 def check_complete(goal: Kernel, at: Evaluation, place: PointEvaluation) -> None:
     """Check that nothing is missing; raises :class:`Misplaced`."""
-    ansatz = Ansatz(goal, at, place)
+    ansatz = KernelAtPoint(goal, at, place)
     known = ansatz.known()
     columns = [*ansatz.columns()]
     if rank(columns) + rank(known) != len(columns):
@@ -91,7 +91,7 @@ def check_complete(goal: Kernel, at: Evaluation, place: PointEvaluation) -> None
 
 def check_further(goal: Kernel, formula: Formula, at: Evaluation, place: PointEvaluation) -> None:
     """Check that a polynomial belongs to the kernel and is independent of what is known there."""
-    ansatz = Ansatz(goal, at, place)
+    ansatz = KernelAtPoint(goal, at, place)
     degree, own = ansatz.solution(formula, ansatz.factor)
     if degree > goal.degree:
         raise Misplaced("its degree is too large")
