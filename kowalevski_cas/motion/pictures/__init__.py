@@ -26,6 +26,7 @@ PICTURES = {
     "bifurcation": "diagrams in the planes of (m, h) and (m, ℓ)",
     "atlas": "of all regimes in these fields",
     "subsystems": "diagrams of O⁴ and M⁴",
+    "resonances": "maps of the rotation number over the diagrams of N⁴ and O⁴",
     "sections": "of the diagram of the whole top",
     "surfaces": "of critical values, that diagram in space",
     "third": "subsystem: hodographs of a motion on O⁴",
