@@ -7,6 +7,7 @@ from fractions import Fraction
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.collections import QuadMesh
 from matplotlib.figure import Figure
 
 from kowalevski_cas.motion.arrays import Array
@@ -19,8 +20,8 @@ from kowalevski_cas.pictures import INK, new_figure
 CAPTION = (
     "Rotation numbers: of the two frequencies of a torus the smaller one over the larger one, on "
     "$N^4$ over the plane of $(m,\\ell)$ and on $O^4$ over that of $(s,\\tau_3)$, in the fields "
-    "of the motion. On the lines they are in the ratio of small whole numbers, which is written there. "
-    "The paper is white where there is no motion."
+    "of the motion. On the lines they are in the ratio of small whole numbers, which is written "
+    "there. The paper is white where there is no motion."
 )
 
 POINTS = 64
@@ -50,7 +51,7 @@ def draw(motion: Motion | MotionO4) -> Figure:
     return figure
 
 
-def _map(axes: Axes, make: Callable[[float, float], Motion | MotionO4]) -> object:
+def _map(axes: Axes, make: Callable[[float, float], Motion | MotionO4]) -> QuadMesh:
     """The map of one diagram, shaded, with its resonances."""
     axes.grid(False)
     x, y = (
