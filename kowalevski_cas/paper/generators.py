@@ -127,7 +127,7 @@ def free_names(setting: Meaning, formulas: Iterable[Formula]) -> frozenset[str]:
         heads.setdefault(head(name)[0], []).append(name)
     while waiting:
         formula = waiting.pop()
-        applied = {one.function for one in formula.nodes() if isinstance(one, Application)}
+        applied = {node.function for node in formula.nodes() if isinstance(node, Application)}
         new = (outside(formula) | applied) - found
         found |= new
         found.update(part for name in new for part in scene.vectors.get(name, ()))
@@ -181,9 +181,9 @@ def _rate(
     argument = setting.plain(product_of(monomial))
     reach = Reach(setting)
     reach.formula(argument)
-    for one in setting.variables:
-        if one in reach.names and one not in rates:
-            raise Meaningless(f"solve the equations of motion for the rate of {one}", one)
+    for variable in setting.variables:
+        if variable in reach.names and variable not in rates:
+            raise Meaningless(f"solve the equations of motion for the rate of {variable}", variable)
     return ONE, derivative(argument, rates, setting.step)
 
 
