@@ -41,7 +41,7 @@ from kowalevski_cas.reading import CLAIM, read
 from kowalevski_cas.schema import head
 from kowalevski_cas.source.difference import difference
 from kowalevski_cas.source.files import COMMENTS, LARGEST, read_source
-from kowalevski_cas.source.listing import listing
+from kowalevski_cas.source.listing import list_formulas
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.certificate import Stored, load_certificates
 from kowalevski_cas.verify.confirm import need_certificates, receive_here
@@ -281,7 +281,7 @@ def _of_reading(found: Audit, strict: bool) -> int:
 
 def _list(source: Source, format: str) -> int:
     """Print the formulas of a source, and whether they can be read."""
-    found, notes = listing(source)
+    found, notes = list_formulas(source)
     if format == "json":
         value = {
             **head("listing"),
