@@ -6,7 +6,7 @@ read otherwise than it was meant.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
 from time import perf_counter
@@ -35,6 +35,7 @@ from kowalevski_cas.reading import (
 from kowalevski_cas.reading.uncovered import Uncovered, sentences
 from kowalevski_cas.source.text import Region
 from kowalevski_cas.verify.blame import Blame
+from kowalevski_cas.verify.certificate import Stored
 from kowalevski_cas.verify.decider import Decider
 from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
@@ -49,6 +50,7 @@ from kowalevski_cas.verify.run import (
 PATIENCE = 15.0
 """Seconds for what claims share, and for each that is corrected by itself."""
 NOT_JUDGED = "no goal states it yet"
+BY_MISPRINT = "it holds with the misprint on which it rests, and not with what that should read"
 
 
 class ReadingSession:
@@ -65,9 +67,10 @@ class ReadingSession:
         explain: bool = False,
         timeout: float | None = None,
         heard: Progress = lambda *_: None,
+        certificates: Mapping[str, Stored] | None = None,
     ) -> None:
         self._session = Session(
-            reading.derivation, arithmetics, explain, timeout=timeout, patience=PATIENCE
+            reading.derivation, arithmetics, explain, certificates, timeout, patience=PATIENCE
         )
         self._heard = heard
         self.reading = reading
@@ -93,8 +96,9 @@ class ReadingSession:
     def outcomes(self) -> dict[str, Outcome]:
         """What is said about each claim; processes share the work."""
         run = self._run(self._session, self.causes)
-        found = {one.claim: self._blaming(one) for one in run.outcomes}
+        found = {outcome.claim: self._blaming(outcome) for outcome in run.outcomes}
         self._mend(found)
+        self._doubt(found)
         return {
             id: one._replace(verdict=Verdict.UNDECIDED) if one.verdict is Verdict.ERROR else one
             for id, one in found.items()
@@ -122,9 +126,9 @@ class ReadingSession:
         claims = {claim.id: claim for claim in interpretation.derivation.claims}
         for place, edit in self._units(interpretation.texts):
             failing = [
-                claims[one.claim]
-                for one in outcomes
-                if one.verdict is Verdict.REFUTED and place in claims[one.claim].reads()
+                claims[outcome.claim]
+                for outcome in outcomes
+                if outcome.verdict is Verdict.REFUTED and place in claims[outcome.claim].reads()
             ]
             texts = interpretation.texts.with_edit(place, edit)
 
@@ -185,6 +189,27 @@ class ReadingSession:
                 failed = found[outcome.claim]._replace(verdict=Verdict.REFUTED, message="")
                 found[outcome.claim] = failed.corrected_by(corrections)
 
+    def _doubt(self, found: dict[str, Outcome]) -> None:
+        """Take the verdict from what is true of a misprint only, and not of what it should read."""
+        mended = {place: edit.formula for place, edit in self.causes.misprints.items()}
+        about = [
+            claim
+            for claim in self.interpretation.derivation.claims
+            if found[claim.id].verdict.green and claim.reads() & mended.keys()
+        ]
+        texts = self.interpretation.texts.reading(mended)
+
+        def holds(number: int) -> bool:
+            with suppress(TimeoutError), time_limit(PATIENCE):
+                return self.interpretation.holds(about[number], texts)
+            return False
+
+        for claim, true in zip(about, each(holds, range(len(about))), strict=True):
+            if not true:
+                found[claim.id] = found[claim.id]._replace(
+                    verdict=Verdict.UNDECIDED, message=BY_MISPRINT
+                )
+
     def _waits(self, outcome: Outcome) -> bool:
         """Whether a claim is false as it was read, or not decided, and nothing explains it."""
         open_ones = (Verdict.REFUTED, Verdict.TIMEOUT)
@@ -215,9 +240,9 @@ def _regions(reading: Reading) -> dict[str, Region]:
     """Where the words stand that make claims."""
     source, expanded = reading.paper.source, reading.paper.expanded
     return {
-        one.claim.id: source.region(*expanded.origin(*one.span))
-        for one in reading.statements
-        if one.claim is not None and one.span is not None
+        statement.claim.id: source.region(*expanded.origin(*statement.span))
+        for statement in reading.statements
+        if statement.claim is not None and statement.span is not None
     }
 
 
@@ -281,7 +306,11 @@ def unchecked(audit: Audit) -> list[Audited]:
     claims = [formula.claim for formula in reading.formulas if formula.claim is not None]
     read = frozenset().union(*(claim.reads() for claim in claims))
     defining = {f.item.printed for f in reading.formulas if f.role.name == DEFINITION}
-    return [one for one in audit.formulas if one.place in defining and one.place not in read]
+    return [
+        formula
+        for formula in audit.formulas
+        if formula.place in defining and formula.place not in read
+    ]
 
 
 def is_read(audit: Audit) -> bool:

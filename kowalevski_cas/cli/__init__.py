@@ -5,16 +5,18 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+import threading
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from importlib import import_module
 from signal import SIGINT, SIGTERM, default_int_handler, pthread_kill, signal
 from threading import Timer, current_thread, get_ident, main_thread
 from traceback import print_exception
 
 from kowalevski_cas import UserError, __version__
-from kowalevski_cas.cli.exits import AS_RECORDED, EXIT_CODES, FAILED, INTERRUPTED, USAGE
+from kowalevski_cas.cli.exits import AS_RECORDED, FAILED, INTERRUPTED, USAGE, exit_codes
 from kowalevski_cas.cli.terminal import output
+from kowalevski_cas.exit_guard import no_exit
 
 COMMANDS = {
     "verify": "prove or refute the claims of a derivation and compare with its record",
@@ -33,6 +35,7 @@ COMMANDS = {
     "animation": "show the body as it moves on N⁴, as an animated GIF",
     "lsp": "serve an editor: diagnostics and corrections while a paper is typed",
     "mcp": "serve an agent: audit, verify, find, check",
+    "completion": "print what completes these commands in a shell",
     "record": "search anew, and write the record of verdicts and the certificates",
 }
 
@@ -45,6 +48,7 @@ EXTRAS = {
     "pygls": "editor",
     "lsprotocol": "editor",
     "mcp": "agents",
+    "shtab": "completion",
 }
 """Libraries that a plain install leaves out, and the extra that brings each."""
 
@@ -65,7 +69,10 @@ def run(program: str, module: str, words: Sequence[str]) -> int:
     def parser() -> argparse.ArgumentParser:
         command = import_module(module)
         found = argparse.ArgumentParser(
-            program, description=command.__doc__, epilog=EXIT_CODES, formatter_class=_HELP
+            program,
+            description=command.__doc__,
+            epilog=exit_codes(module.rpartition(".")[2]),
+            formatter_class=_HELP,
         )
         command.add_arguments(found)
         found.set_defaults(run=command.run)
@@ -90,10 +97,14 @@ def _terminable() -> Iterator[None]:
 @_terminable()
 def _run(program: str, words: Sequence[str], parser: Callable[[], argparse.ArgumentParser]) -> int:
     """Run what the words ask a parser for; what goes wrong is told in the program's name."""
-    sys.unraisablehook = _unraisable
+    sys.unraisablehook, threading.excepthook = _unraisable, _tell_of_thread
     closed = sys.stdout is None
-    with output():
+    with output(), no_exit():
+        known = {*threading.enumerate()}
         code = _exit_code(program, words, parser)
+        for thread in {*threading.enumerate()} - known:  # as the interpreter does, unguarded
+            if not thread.daemon:
+                thread.join()
         if closed and code == AS_RECORDED:
             print(f"{program}: the output is closed", file=sys.stderr)
             return USAGE
@@ -141,12 +152,25 @@ def _exit_code(
     return code
 
 
+def whole_parser() -> argparse.ArgumentParser:
+    """A parser that knows all commands with their arguments, as far as what they need is there."""
+    parser = _overview()
+    (commands,) = (one for one in parser._actions if isinstance(one, argparse._SubParsersAction))
+    for name, command in commands.choices.items():
+        command.formatter_class, command.epilog = _HELP, exit_codes(name)
+        with suppress(ModuleNotFoundError):
+            module = import_module(f"{__name__}.{name}")
+            command.description = module.__doc__
+            module.add_arguments(command)
+    return parser
+
+
 def _overview() -> argparse.ArgumentParser:
     """A parser that knows what commands there are, and runs none."""
     parser = argparse.ArgumentParser(
         prog="kowalevski-cas",
         description="Printed derivations of mathematical mechanics, proved or refuted.",
-        epilog=EXIT_CODES,
+        epilog=f"`kowalevski-cas COMMAND --help` says more of a command.\n\n{exit_codes('')}",
         formatter_class=_HELP,
     )
 
@@ -165,6 +189,13 @@ def _overview() -> argparse.ArgumentParser:
 def _silence() -> None:
     """The reader has gone, or the disk is full: nothing more can be written, not even at exit."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _tell_of_thread(ended: threading.ExceptHookArgs) -> None:
+    """What goes wrong in a thread that a derivation has begun is told; the run goes on."""
+    if ended.exc_type is not SystemExit:
+        said = f"{ended.exc_type.__name__}: {ended.exc_value}"
+        print(f"kowalevski-cas: a thread has ended by an error: {said}", file=sys.stderr)
 
 
 def _unraisable(unraisable: sys.UnraisableHookArgs) -> None:

@@ -302,3 +302,23 @@ def test_a_list_of_integrals_is_claimed_function_by_function():
     found = verdicts(text + r"It admits the integral $p^2+q^2$.")
     assert found["bp^2-aq^2"] is found["r"] is Verdict.PROVED
     assert found["p^2+q^2"] is Verdict.REFUTED
+
+
+def test_what_is_true_of_a_misprint_only_is_not_green():
+    """The law has a wrong sign; by it a plane is invariant, and four true claims fail."""
+    law = r"The equations are $$\dot x=yz+ky,\qquad \dot y=xz+kx,\qquad \dot z=-xy.$$ "
+    true = r"The functions $x^2+y^2+2z^2$ and $x^2-y^2+4kz$ are integrals, "
+    true += r"and so is $(x^2+y^2+2z^2)(x^2-y^2+4kz)$. "
+    found = verdicts(law + true + r"The plane $x=y$ is invariant.")
+    assert found["x^2+y^2+2z^2"] is found["x^2-y^2+4kz"] is Verdict.REFUTED
+    assert found["x=y"] is Verdict.UNDECIDED
+    assert verdicts(law.replace("xz+kx", "xz-kx") + true)["x^2-y^2+4kz"] is Verdict.PROVED
+
+
+@pytest.mark.parametrize("function", ["the momentum $G=b^2p^2-abq^2$", "$bp^2-aq^2$"])
+def test_so_is_says_the_same_of_what_follows(function):
+    text = TOP + rf"The function $F=cp^2-ar^2$ is an integral, and so is {function}."
+    found = reading(text)
+    assert [f.role.kind for f in found.formulas][-2:] == ["integral", "integral"]
+    assert {*verdicts(text).values()} == {Verdict.PROVED}
+    assert Verdict.REFUTED in verdicts(text.replace("b^2p^2", "p^2").replace("$bp", "$p")).values()
