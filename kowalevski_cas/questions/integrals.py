@@ -2,7 +2,8 @@
 
 What is a polynomial in those found before is left out, what the scene has a name for is called by
 it, and the others are shortened by products of those before. That there are no others is claimed
-too; not so on the set of given relations (--on), where some polynomials vanish.
+too; not so on the set of given relations (--on), where some polynomials vanish, nor where functions
+or roots stand in the equations of motion: integrals are polynomials in these as well then.
 """
 
 from __future__ import annotations
@@ -11,8 +12,8 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from math import lcm
 
-from kowalevski_cas.algebra.present import formula_of
-from kowalevski_cas.notation import Name, to_latex
+from kowalevski_cas.algebra.present import formula_of, name_formula
+from kowalevski_cas.notation import Name, substitute, to_latex
 from kowalevski_cas.paper.claims import AllIntegrals, FirstIntegral
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -48,7 +49,13 @@ def search(
     if on:
         yield from _on_a_set(elaborations, scene, degree or DEGREE, tuple(on))
         return
-    at, found = elaborations(scene).finder, list[str]()
+    space = elaborations(scene)
+    if (space.transcendental.groups or space.roots) and "i" not in space.roots:
+        if weighted:
+            raise Meaningless("functions and roots have no weights: leave --weighted out")
+        yield from _in_functions(elaborations, scene, degree or DEGREE, pool)
+        return
+    at, found = space.finder, list[str]()
     weights = _weights(at) if weighted else ()
     if weights and not degree:
         weights, degree = _by_exponents(elaborations, scene, pool)
@@ -71,7 +78,7 @@ def search(
         words += ", for almost all values of the constants"
     if weights:
         counted = zip(at.setting.variables, weights, strict=True)
-        words += f", where {', '.join(f'${name}$ counts {weight}' for name, weight in counted)}"
+        words += f", where {', '.join(f'${name}$ has weight {weight}' for name, weight in counted)}"
     attributes: dict[str, Attribute] = {"integrals": tuple(found), "degree": degree}
     attributes["weights"] = weights
     yield Finding(AllIntegrals, scene, words, attributes=attributes, steps=True)
@@ -90,6 +97,18 @@ def _named(space: Elaboration, field: PolynomialField) -> dict[str, Terms]:
     return {name: terms for name, terms in found.items() if degree(terms, field.size)}
 
 
+def _in_functions(
+    elaborations: Elaborations, scene: Scene, degree: int, pool: Pool
+) -> Iterator[Finding]:
+    """The integrals that are polynomials in variables, functions and roots."""
+    from kowalevski_cas.search.polynomial_extension import integrals_in_functions
+
+    words = elaborations.texts.vocabulary
+    for formula in integrals_in_functions(elaborations(scene).finder, degree, pool):
+        printed = {name: name_formula(name, words) for name in formula.names()}
+        yield Finding(FirstIntegral, scene, EVERYWHERE, to_latex(substitute(formula, printed)))
+
+
 def _on_a_set(
     elaborations: Elaborations, scene: Scene, degree: int, relations: tuple[str, ...]
 ) -> Iterator[Finding]:
@@ -104,7 +123,7 @@ def _on_a_set(
             yield Finding(FirstIntegral, scene, EVERYWHERE, tex)
         else:
             where = ", ".join(f"${relation}$" for relation in relations)
-            says = f"it is constant along the motions with {where}"
+            says = f"it is constant along every motion while {where}"
             yield Finding(FirstIntegral, scene, says, tex, {"given": relations})
 
 

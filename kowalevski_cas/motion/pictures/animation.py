@@ -8,9 +8,10 @@ import numpy as np
 from matplotlib.animation import PillowWriter
 from matplotlib.patches import Polygon
 
+from kowalevski_cas.motion.attitude import frames
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.motion import MotionO4
-from kowalevski_cas.motion.pictures.orbit import frames, in_space, orbit
+from kowalevski_cas.motion.pictures.orbit import in_space, orbit
 from kowalevski_cas.motion.pictures.space import View, blank, triad
 from kowalevski_cas.pictures import INK, mark, new_figure, style
 
@@ -23,12 +24,15 @@ TRAIL = 60
 SIZE, DOTS = 4.2, 100
 
 
-def write(motion: Motion | MotionO4, path: Path) -> None:
-    """Write the animation of a motion to a file.
+def write(
+    motion: Motion | MotionO4, path: Path, count: int | None = None, dots: int = DOTS
+) -> None:
+    """Write the animation of a motion to a file, in so many frames, of so many dots to an inch.
 
     The disc is the plane of e1 and e2, on which the fields act, the rod the axis of symmetry.
     """
-    states = orbit(motion, TURNS, FRAMES)
+    count = count or FRAMES
+    states = orbit(motion, TURNS, count)
     body, omega = frames(states), in_space(states)
     view = View(40, 20)
     turn = np.linspace(0, 2 * np.pi, 61)
@@ -51,8 +55,8 @@ def write(motion: Motion | MotionO4, path: Path) -> None:
         arrow = axes.plot([], [], color=mark(1).colour, lw=2.0)[0]
         label = axes.text(0, 0, r"$\omega$", color=mark(1).colour, ha="center", va="center")
         writer = PillowWriter(fps=RATE)
-        with writer.saving(figure, path, DOTS):
-            for now in range(FRAMES):
+        with writer.saving(figure, path, dots):
+            for now in range(count):
                 plate.set_xy(view(disc @ body[now].T)[0])
                 places, near = view(tips @ body[now].T)
                 for line, (x, y), depth in zip(lines, places, near, strict=True):
