@@ -46,7 +46,7 @@ lint: $(VENV)/.dev ## Check style and types
 	@$(PY) -m ruff check . && $(PY) -m ruff format --check . && $(PY) -m mypy
 
 docs: $(VENV)/.dev ## Draw the pictures of the README; write the documentation as a site, build/site/index.html
-	@$(PY) docs/pictures.py && $(INSTALL) --editable ".[docs]" && $(PY) -m mkdocs build --quiet --strict
+	@$(PY) docs/pictures.py && COLUMNS=80 $(PY) docs/man.py && $(INSTALL) --editable ".[docs]" && $(PY) -m mkdocs build --quiet --strict
 
 rocq: $(VENV)/.installed ## Let Rocq confirm the certificates (DERIVATION=: of this one only)
 	@$(RUN) witness rocq $(DERIVATION)

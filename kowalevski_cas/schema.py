@@ -13,6 +13,7 @@ from typing import Any, Final
 VERSIONS: Final = {
     "verify": 1,
     "audit": 1,
+    "baseline": 1,
     "listing": 1,
     "find": 1,
     "motion": 1,

@@ -5,6 +5,7 @@ import os
 import pickle
 import signal
 from fcntl import LOCK_EX, flock
+from functools import wraps
 from pathlib import Path
 
 import pytest
@@ -14,8 +15,10 @@ from kowalevski_cas import forkserver
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.library import find, load
 from kowalevski_cas.verify.certificate import load_certificates
+from kowalevski_cas.verify.decider import Decider
 from kowalevski_cas.verify.record import load_record
 from kowalevski_cas.verify.run import Session
+from tests.law import is_asked, uphold
 
 for profile, examples in (("quick", 6), ("slow", 100)):
     settings.register_profile(
@@ -40,6 +43,23 @@ def pytest_configure(config):
 def pytest_collection_finish():
     """What is collected stays: no copy of this process looks through it for what is left over."""
     gc.freeze()
+
+
+@pytest.fixture(autouse=True)
+def _law(request, monkeypatch):
+    """Whatever is decided in a test obeys the law of verdicts, unless what it says is forged."""
+    if request.node.get_closest_marker("forged"):
+        return
+    decide, slow = (Decider.decide, request.config.option.markexpr != "not slow")
+
+    @wraps(decide)
+    def upheld(self, claim, corrections=None):
+        outcome = decide(self, claim, corrections)
+        if is_asked(outcome, slow):
+            uphold(self, claim, outcome)
+        return outcome
+
+    monkeypatch.setattr(Decider, "decide", upheld)
 
 
 @pytest.fixture(params=EXACT)

@@ -582,7 +582,8 @@ def test_what_moves_is_no_value_of_an_integral(side):
             r"\dot x=y, x>2",
             r"x>2 is no equation of motion, and defines no name; what is supposed is",
         ),
-        (r"H=p^2+q^2", "has no equation of motion: print one with a derivative"),
+        (r"E=p^2+q^2", "has no equation of motion: print one with a derivative, or H=…"),
+        (r"H=x^2+y^2", "it is not known which coordinates and momenta belong together"),
         (
             r"\dot q_i=p_i, \dot p_i=-q_1",
             "q_i stands beside names with numbers: print i=1,2,3 behind",

@@ -3,6 +3,7 @@
 from kowalevski_cas.paper.closed_form import HyperellipticForm, Values
 from kowalevski_cas.paper.derivation import Scene
 
+from ..kharlamov2005.stability import by_constants
 from ..kharlamov2005.third_subsystem import with_constants
 from ..kharlamov2005.values import on_O4_values
 from ..kharlamov_savushkin2004.setting import complex_variables
@@ -54,6 +55,7 @@ def offer() -> HyperellipticForm:
             plane.variables,
         ),
         integrals=Values(values, (*on_O4_values,), CONSTANTS),
+        curvature=Values(values, (by_constants[1],), CONSTANTS),
         products=Values(here, (*factor_products,), ("K_1", r"\hat{K}_2", "s", r"\tau_3", "r")),
         resolvents=Values(here, (factored_parts[1], factored_parts[2]), (*FACTORS, "s")),
         parts=Values(

@@ -212,6 +212,24 @@ def rank(matrix: list[list[Element]]) -> int:
     return found
 
 
+def dependence(matrix: list[list[Element]]) -> list[Element] | None:
+    """Numbers, not all zero, with which rows add up to zero; ``None`` if they are independent."""
+    size, width = len(matrix), max(map(len, matrix), default=0)
+    ring = matrix[0][0].ring if width else None
+    unit = [] if ring is None else [ring.zero, ring.one]
+    rows = [[*row, *(unit[j == k] for j in range(size))] for k, row in enumerate(matrix)]
+    while rows:
+        pivot = rows.pop()
+        column = next((k for k in range(width) if not pivot[k].is_zero), None)
+        if column is None:
+            return pivot[width:]
+        inverse = pivot[column].inverse()
+        rows = [
+            row if row[column].is_zero else _less(row, row[column] * inverse, pivot) for row in rows
+        ]
+    return None
+
+
 def independent(matrix: list[list[Element]]) -> bool:
     """Whether rows are certainly independent: by elimination with what has an inverse only.
 

@@ -49,6 +49,7 @@ from kowalevski_cas.verify.run import (
 PATIENCE = 15.0
 """Seconds for what claims share, and for each that is corrected by itself."""
 NOT_JUDGED = "no goal states it yet"
+BY_MISPRINT = "it holds with the misprint on which it rests, and not with what that should read"
 
 
 class ReadingSession:
@@ -95,6 +96,7 @@ class ReadingSession:
         run = self._run(self._session, self.causes)
         found = {one.claim: self._blaming(one) for one in run.outcomes}
         self._mend(found)
+        self._doubt(found)
         return {
             id: one._replace(verdict=Verdict.UNDECIDED) if one.verdict is Verdict.ERROR else one
             for id, one in found.items()
@@ -184,6 +186,27 @@ class ReadingSession:
                 corrections = () if outcome.correction is None else (outcome.correction,)
                 failed = found[outcome.claim]._replace(verdict=Verdict.REFUTED, message="")
                 found[outcome.claim] = failed.corrected_by(corrections)
+
+    def _doubt(self, found: dict[str, Outcome]) -> None:
+        """Take the verdict from what is true of a misprint only, and not of what it should read."""
+        mended = {place: edit.formula for place, edit in self.causes.misprints.items()}
+        about = [
+            claim
+            for claim in self.interpretation.derivation.claims
+            if found[claim.id].verdict.green and claim.reads() & mended.keys()
+        ]
+        texts = self.interpretation.texts.reading(mended)
+
+        def holds(number: int) -> bool:
+            with suppress(TimeoutError), time_limit(PATIENCE):
+                return self.interpretation.holds(about[number], texts)
+            return False
+
+        for claim, true in zip(about, each(holds, range(len(about))), strict=True):
+            if not true:
+                found[claim.id] = found[claim.id]._replace(
+                    verdict=Verdict.UNDECIDED, message=BY_MISPRINT
+                )
 
     def _waits(self, outcome: Outcome) -> bool:
         """Whether a claim is false as it was read, or not decided, and nothing explains it."""

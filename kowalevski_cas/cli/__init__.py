@@ -6,20 +6,21 @@ import argparse
 import os
 import sys
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from importlib import import_module
 from signal import SIGINT, SIGTERM, default_int_handler, pthread_kill, signal
 from threading import Timer, current_thread, get_ident, main_thread
 from traceback import print_exception
 
 from kowalevski_cas import UserError, __version__
-from kowalevski_cas.cli.exits import AS_RECORDED, EXIT_CODES, FAILED, INTERRUPTED, USAGE
+from kowalevski_cas.cli.exits import AS_RECORDED, FAILED, INTERRUPTED, USAGE, exit_codes
 from kowalevski_cas.cli.terminal import output
 
 COMMANDS = {
     "verify": "prove or refute the claims of a derivation and compare with its record",
     "report": "write the report of a derivation as a web page, LaTeX and PDF",
     "audit": "read a paper's TeX source and prove or refute each formula in it",
+    "review": "audit the papers of a repository, against what is known of them",
     "bundle": "put the evidence, the checker and the page into a folder to deposit with a paper",
     "find": "find what nobody has printed: integrals and the like",
     "prove": "find evidence for a problem that anybody wrote, and print its certificate",
@@ -30,6 +31,9 @@ COMMANDS = {
     "motion": "follow a motion from any state: on N⁴ and O⁴ by its closed form",
     "pictures": "draw a motion, and the bifurcation diagrams of the whole top",
     "animation": "show the body as it moves on N⁴, as an animated GIF",
+    "lsp": "serve an editor: diagnostics and corrections while a paper is typed",
+    "mcp": "serve an agent: audit, verify, find, check",
+    "completion": "print what completes these commands in a shell",
     "record": "search anew, and write the record of verdicts and the certificates",
 }
 
@@ -39,6 +43,10 @@ EXTRAS = {
     "matplotlib": "motion",
     "heyoka": "taylor",
     "distributed": "cluster",
+    "pygls": "editor",
+    "lsprotocol": "editor",
+    "mcp": "agents",
+    "shtab": "completion",
 }
 """Libraries that a plain install leaves out, and the extra that brings each."""
 
@@ -59,7 +67,10 @@ def run(program: str, module: str, words: Sequence[str]) -> int:
     def parser() -> argparse.ArgumentParser:
         command = import_module(module)
         found = argparse.ArgumentParser(
-            program, description=command.__doc__, epilog=EXIT_CODES, formatter_class=_HELP
+            program,
+            description=command.__doc__,
+            epilog=exit_codes(module.rpartition(".")[2]),
+            formatter_class=_HELP,
         )
         command.add_arguments(found)
         found.set_defaults(run=command.run)
@@ -135,12 +146,25 @@ def _exit_code(
     return code
 
 
+def whole_parser() -> argparse.ArgumentParser:
+    """A parser that knows all commands with their arguments, as far as what they need is there."""
+    parser = _overview()
+    (commands,) = (one for one in parser._actions if isinstance(one, argparse._SubParsersAction))
+    for name, command in commands.choices.items():
+        command.formatter_class, command.epilog = _HELP, exit_codes(name)
+        with suppress(ModuleNotFoundError):
+            module = import_module(f"{__name__}.{name}")
+            command.description = module.__doc__
+            module.add_arguments(command)
+    return parser
+
+
 def _overview() -> argparse.ArgumentParser:
     """A parser that knows what commands there are, and runs none."""
     parser = argparse.ArgumentParser(
         prog="kowalevski-cas",
         description="Printed derivations of mathematical mechanics, proved or refuted.",
-        epilog=EXIT_CODES,
+        epilog=f"`kowalevski-cas COMMAND --help` says more of a command.\n\n{exit_codes('')}",
         formatter_class=_HELP,
     )
 

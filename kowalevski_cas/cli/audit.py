@@ -37,7 +37,7 @@ from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.reading import CLAIM, read
 from kowalevski_cas.schema import head
 from kowalevski_cas.source.difference import difference
-from kowalevski_cas.source.files import read_source
+from kowalevski_cas.source.files import LARGEST, read_source
 from kowalevski_cas.source.listing import listing
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.certificate import load_certificates
@@ -53,6 +53,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--derivation",
         metavar="NAME",
         help="name in the library, or folder (if not given, the one that fits best)",
+    )
+    parser.add_argument(
+        "--stdin",
+        action="store_true",
+        help="read the text of PAPER.tex from standard input, as an editor has it",
     )
     parser.add_argument(
         "--macros",
@@ -106,7 +111,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
-    source = read_source(arguments.source, arguments.macros)
+    data = sys.stdin.buffer.read(LARGEST) if arguments.stdin else None
+    source = read_source(arguments.source, arguments.macros, data)
     if arguments.list:
         return _list(source, arguments.format)
     if arguments.draft:

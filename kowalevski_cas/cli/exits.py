@@ -16,17 +16,83 @@ NOTHING = 6
 FAILED = 7
 INTERRUPTED = 130
 
-EXIT_CODES = """exit codes:
-  0   as recorded; nothing is wrong that was not known to be
-  1   a verdict differs from the record, or (audit) a formula is refuted
-  2   wrong usage, or input that cannot be read
-  3   undecided or timed out, or (audit) a claim is not judged
-  4   the arithmetics disagree
-  5   a certificate is rejected, or not confirmed
-  6   nothing was selected, or (audit) a source has no equations of motion, or no claims
-  7   the program itself failed
-  130 interrupted
-"""
+_ALWAYS = {
+    USAGE: "wrong usage, or input that cannot be read",
+    FAILED: "the program itself failed",
+    INTERRUPTED: "interrupted",
+}
+_RUN = {
+    AS_RECORDED: "every verdict is as recorded, or as expected",
+    DIFFERENT: "a verdict is another one than the recorded or expected one",
+    UNDECIDED: "a claim is undecided, or timed out",
+    DISAGREEMENT: "the arithmetics disagree",
+    REJECTED: "with a report: a certificate is rejected",
+    NOTHING: "there is no such claim, or none at all",
+}
+_MEANINGS = {
+    "": {
+        AS_RECORDED: "as recorded: nothing is wrong that was not known to be",
+        DIFFERENT: "a verdict differs from the record, or a formula is false",
+        UNDECIDED: "undecided, timed out, or not judged",
+        DISAGREEMENT: "the arithmetics disagree",
+        REJECTED: "a certificate is rejected, or not confirmed",
+        NOTHING: "nothing was selected",
+    },
+    "verify": _RUN,
+    "report": _RUN,
+    "audit": {
+        AS_RECORDED: "all that is claimed is proved",
+        DIFFERENT: "a formula is false, or cannot be read",
+        UNDECIDED: "a claim is undecided, timed out, or is not judged",
+        DISAGREEMENT: "the arithmetics disagree",
+        NOTHING: "there are no equations of motion, or no claims",
+    },
+    "review": {
+        AS_RECORDED: "nothing is false that was not known to be",
+        DIFFERENT: "a formula is false that was not known to be",
+        UNDECIDED: "with --strict: something is undecided or not judged",
+        NOTHING: "there is no paper, or none that claims anything",
+    },
+    "bundle": {AS_RECORDED: "it is written", NOTHING: "there are no certificates"},
+    "find": {
+        AS_RECORDED: "the search came to its end, and what was found is proved",
+        UNDECIDED: "something may be left, or is undecided",
+        NOTHING: "there is no such scene",
+    },
+    "prove": {AS_RECORDED: "the certificate is printed", UNDECIDED: "no evidence was found"},
+    "check": {
+        AS_RECORDED: "every certificate is accepted",
+        REJECTED: "a certificate is rejected, or is about another statement",
+        NOTHING: "there are no certificates",
+    },
+    "certificates": {AS_RECORDED: "they are written", NOTHING: "there is nothing to write"},
+    "export": {
+        AS_RECORDED: "the files are written",
+        REJECTED: "a certificate is rejected",
+        NOTHING: "nothing can be said in that language",
+    },
+    "witness": {
+        AS_RECORDED: "every claim that can be said there is confirmed",
+        REJECTED: "a claim is not confirmed",
+        NOTHING: "nothing can be said in that language",
+    },
+    "motion": {AS_RECORDED: "the states are printed", UNDECIDED: "no method came to the end"},
+    "pictures": {AS_RECORDED: "they are drawn", NOTHING: "there is no such picture"},
+    "record": {
+        AS_RECORDED: "the record is written, and every claim has a verdict",
+        UNDECIDED: "the record is written, and something is undecided",
+        DISAGREEMENT: "the arithmetics disagree, and nothing is written",
+        NOTHING: "there are no claims",
+    },
+}
+
+
+def exit_codes(command: str) -> str:
+    """What the exit codes of a command mean, or of all, to stand at the end of a help."""
+    meanings = {AS_RECORDED: "done"} | _ALWAYS | _MEANINGS.get(command, {})
+    lines = (f"  {code:<3} {words}\n" for code, words in sorted(meanings.items()))
+    return "exit codes:\n" + "".join(lines)
+
 
 _URGENCY = (AS_RECORDED, DIFFERENT, REJECTED, UNDECIDED, USAGE, DISAGREEMENT)
 

@@ -83,6 +83,13 @@ class Fields:
             h, k, g = formulas.values_of_offer("integrals", HyperellipticForm)(s, tau, *self._pr)
         return h, k, g
 
+    def hyperbolic_on_O4(self, s: Array, tau: Array) -> Mask:
+        """Whether the tori of O⁴ are hyperbolic."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            (second,) = formulas.values_of_offer("curvature", HyperellipticForm)(s, tau, *self._pr)
+            found: Mask = s * tau * second > 0
+        return found
+
     def tau(self, s: Array, h: Array) -> Array:
         """The τ₃ on O⁴ at the energy h, which is linear in it."""
         start, end = self.on_O4(s, 0 * s)[0], self.on_O4(s, 0 * s + 1)[0]

@@ -14,6 +14,7 @@ from kowalevski_cas.motion.critical import SETS, on, residuals
 from kowalevski_cas.motion.diagram import Fields
 from kowalevski_cas.motion.general import AnyMotion, General
 from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.o4 import transverse as o4
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.parameters import precision
 from kowalevski_cas.motion.regimes import coincidences, tori
@@ -88,6 +89,7 @@ class Trajectory:
                 "u1": str(motion.regime.u1),
                 "u2": str(motion.regime.u2),
                 "tori": motion.regime.tori,
+                "transversely": o4.kind(motion.parameters),
             }
         regime = motion.regime
         with precision(64):

@@ -25,7 +25,7 @@ import numpy as np
 from flint import acb, arb
 
 from kowalevski_cas.motion.oscillation import Oscillation
-from kowalevski_cas.motion.parameters import Parameters, Real, ball, precision
+from kowalevski_cas.motion.parameters import Inadmissible, Parameters, Real, ball, precision
 from kowalevski_cas.motion.regimes import Regime, all_regimes, ells, regime_of
 
 
@@ -72,10 +72,25 @@ def degenerate(a: Real, b: Real, m: Real) -> Iterator[tuple[Regime, float]]:
 
 
 def kind(parameters: Parameters) -> str:
-    """Whether a torus is elliptic, hyperbolic, or degenerate: λ = 0."""
-    if difference(parameters) == 0:
-        return "degenerate"
-    return "elliptic" if parameters.m > 0 else "hyperbolic"
+    """Whether a torus is elliptic, hyperbolic, or degenerate: λ = 0, to the last digit of ℓ."""
+    if parameters.m > 0:
+        return "elliptic"
+    here = difference(parameters)
+    return "degenerate" if here == 0 or _vanishes_beside(parameters) else "hyperbolic"
+
+
+def _vanishes_beside(parameters: Parameters) -> bool:
+    """Whether λ = 0 between the floats below and above ℓ, inside one regime."""
+    ell = float(parameters.ell)
+    signs, regimes = set(), set()
+    for beside in (np.nextafter(ell, -np.inf), np.nextafter(ell, np.inf)):
+        try:
+            there = Parameters.of(parameters.a, parameters.b, parameters.m, float(beside))
+            regimes.add(regime_of(there))
+        except Inadmissible:
+            return False
+        signs.add(bool(difference(there) > 0))
+    return len(signs) == 2 and len(regimes) == 1
 
 
 def mean(oscillation: Oscillation) -> arb:

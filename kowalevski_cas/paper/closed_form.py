@@ -98,6 +98,7 @@ class HyperellipticForm:
         variables: :math:`q^2`, the numerators of :math:`u_1, u_2`, their denominator and the
             numerator of :math:`u_1u_2`, by :math:`X, \xi, \tau_3, \sigma, q`.
         integrals: h, k, g, by :math:`s, \tau_3, p, r`.
+        curvature: the second derivative of the polynomial of which s is a double root, by the same.
         products: of the sum and the difference of :math:`2s, \mu_1` and of :math:`2sv, \hat\mu_2`,
             by :math:`K_1, \hat K_2, s, \tau_3, r`.
         resolvents: :math:`\hat V, \hat d` by these sums and differences, and s.
@@ -114,6 +115,7 @@ class HyperellipticForm:
     constants: Values
     variables: Values
     integrals: Values
+    curvature: Values
     products: Values
     resolvents: Values
     parts: Values

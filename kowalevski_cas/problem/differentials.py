@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from itertools import combinations
 
 from kowalevski_cas.algebra.linear import determinant
 from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.notation import Name
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.goals import Rank
+from kowalevski_cas.problem.goals import Follows, Rank
+from kowalevski_cas.problem.space import Equation
 
 
 def functions_for_differentials(goal: Rank, at: Evaluation) -> list[Element]:
@@ -25,3 +27,20 @@ def minors(rows: list[list[Element]]) -> list[Element]:
     """The minors of all columns, so many at a time as there are rows."""
     columns = combinations(range(len(rows[0])), len(rows)) if rows else [()]
     return [determinant([[row[k] for k in one] for row in rows]) for one in columns]
+
+
+def multipliers(goal: Follows) -> list[str]:
+    """The names that should vanish by the conclusions."""
+    return [left.name for one in goal.conclusions for left, _ in one if isinstance(left, Name)]
+
+
+def factors_of_multipliers(goal: Follows, at: Evaluation) -> list[list[Element]]:
+    """What each of the multipliers has as its factors in the equations that are given."""
+    names = multipliers(goal)
+    combinations = at.differences([one for one in goal.given if has(one, names)])
+    return [[at.partial(e, name) for e in combinations] for name in names]
+
+
+def has(equation: Equation, names: Sequence[str]) -> bool:
+    """Whether one of some names stands in an equation."""
+    return any(side.names() & {*names} for side in equation)

@@ -1,25 +1,28 @@
-"""What papers use and do not print: a letter in bold and its length, the imaginary unit."""
+"""What papers use and do not print: lengths of vectors, canonical brackets, the imaginary unit."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
 
-from kowalevski_cas.notation import read
-from kowalevski_cas.notation.open import OpenParser
+from kowalevski_cas.notation import PoissonBracket
 from kowalevski_cas.notation.symbol import symbol
-from kowalevski_cas.paper.texts import Display
+from kowalevski_cas.paper.implied import canonical_pairs
+from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.reading.known import CONVENTION, Known, StatementRole
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement
-from kowalevski_cas.source.displays import TypedFormula
-
-SOURCE = "the usual convention"
+from kowalevski_cas.reading.unprinted import unprinted
 
 
 def enter_conventions(parts: Parts) -> None:
     """Give names their usual meaning in the parts of a paper where nothing says what they are."""
     for place, known in enumerate(parts.known):
+        for item in (
+            one for law in known.laws for one in law.items if one not in parts.paper.items
+        ):
+            parts.places[item] = place
+            parts.enter(item, StatementRole(CONVENTION, "an equation of motion that is implied"))
         for item, role in conventions(known, f"-{place + 1}" if place else ""):
             parts.places[item] = place
             parts.enter(item, role)
@@ -42,20 +45,27 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
                 )
                 name = re.sub(r"\W+", "-", letter).strip("-")
                 tex = f"{letter}=|{vector}|"
-                yield _item(known, f"length-of-{name}{suffix}", tex), role
+                yield unprinted(paper, f"length-of-{name}{suffix}", tex), role
+    for q, p in _conjugate(known):
+        tex = rf"\{{{q},{p}\}}=1"
+        item = unprinted(paper, re.sub(r"\W+", "-", f"bracket-of-{q}-{p}{suffix}"), tex)
+        why = "the canonical bracket, as the equations of motion are those of Hamilton"
+        yield item, StatementRole(CONVENTION, why, "", item.printed.heads.names)
     if "i" in scalars and not known.units and not known.moves("i"):
         yield (
-            _item(known, f"unit{suffix}", "i^2=-1"),
+            unprinted(paper, f"unit{suffix}", "i^2=-1"),
             StatementRole(CONVENTION, "the imaginary unit", "unit", ("i",)),
         )
 
 
-def _item(known: Known, id: str, tex: str) -> SourceStatement:
-    """A statement that the paper does not print."""
-    display = Display(id, tex, known.paper.displays[0][0].section, source=SOURCE)
-    formula = read(tex, known.paper.words, OpenParser)
-    start = known.paper.prose.start
-    return SourceStatement(
-        display[1], TypedFormula(tex, start, start, ""), formula, "", -1, (start, start),
-        "", "", "", "", 0, known.paper.prose.path(start), None,
-    )  # fmt: skip
+def _conjugate(known: Known) -> list[tuple[str, str]]:
+    """The coordinates with their momenta of equations of Hamilton, if a bracket is not printed."""
+    printed = any(name.startswith(BRACKET) for name in known.definitions)
+    formulas = (item.formula for item in known.items if item.formula is not None)
+    if printed or not any(isinstance(n, PoissonBracket) for one in formulas for n in one.nodes()):
+        return []
+    laws = (*known.laws, *known.restated)
+    found = (
+        canonical_pairs([r.formula for r in law.rows if r.formula is not None]) for law in laws
+    )
+    return next(filter(None, found), [])

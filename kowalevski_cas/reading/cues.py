@@ -113,7 +113,7 @@ CUES: dict[str, str] = {
         рассмотрим\s+(?:теперь|также) друг\w+\s+(?:систем|задач|пример)\w+
         приведенн\w+ полярн\w+""",
     "hamiltonian": r"""
-        \bhamilton\w* canonical\w* гамильтон\w* каноническ\w+""",
+        \bhamilton\w* canonical\w* \blagrang\w* гамильтон\w* каноническ\w+ лагранж\w*""",
     "map": r"""
         \bmaps?\b mapping\w* \bimages?\b отображени\w+""",
     "solution": r"""

@@ -163,7 +163,7 @@ def _is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
     first = known.seen.get(function)
     return (
         first is None
-        or (known.roles[first].name == LAW and first.sentence == item.sentence)
+        or (known.roles[first].name in (LAW, DEFINITION) and first.sentence == item.sentence)
         or (bool(cue("where", item.lead)) and _is_near(known.seen[function], item))
         or (new and not item.typed.inline)
     )

@@ -5,7 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Sequence
 
+from kowalevski_cas.notation import Number, PoissonBracket
 from kowalevski_cas.paper.derivation import Doubt
+from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, LAW, SETS, Known
 from kowalevski_cas.reading.ladder import Rung
@@ -31,7 +33,9 @@ def doubt_of(
         return Doubt.ALWAYS
     if role.kind == SAID:
         return None
-    if _is_conditioned(item, rung, known) or any(_implied(rung, known)):
+    if _has_usual_bracket(item, rung, known) or _is_conditioned(item, rung, known):
+        return Doubt.ALWAYS
+    if any(_implied(rung, known)):
         return Doubt.ALWAYS
     if _has_case(item, rung, {one for other in candidates for one in other.on}, known):
         return Doubt.ALWAYS
@@ -40,6 +44,15 @@ def doubt_of(
     sure = sure and _is_plain(rung, item, parts)
     sure = sure and not any(one.title == "abstract" for one in item.sections)
     return None if sure and (role.kind == "integral" or item.derives) else Doubt.UNLESS_MENDED
+
+
+def _has_usual_bracket(item: SourceStatement, rung: Rung, known: Known) -> bool:
+    """Whether a claim depends on the sign of a bracket that the paper does not print."""
+    usual = {p for name, p in rung.claim.scene.definitions.items() if name.startswith(BRACKET)}
+    usual -= {one.printed for one in known.paper.items}
+    nodes = item.formula.nodes() if item.formula is not None else ()
+    bracketed = any(isinstance(node, PoissonBracket) for node in nodes)
+    return bool(usual) and bracketed and Number(0) not in item.members
 
 
 def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:

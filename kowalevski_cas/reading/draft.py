@@ -20,18 +20,27 @@ _KINDS = {kind: word for word, kind in AS.items()}
 
 def draft(reading: Reading) -> Source:
     """The source with a comment for every role that is inferred."""
-    source, edits = reading.paper.source, dict[tuple[int, int], str]()
+    return reading.paper.source.edited({place: text for _, place, text in insertions(reading)})
+
+
+def insertions(reading: Reading) -> Iterator[tuple[TypedFormula, tuple[int, int], str]]:
+    """The formulas of which something is inferred, and where the comments on each are inserted.
+
+    Where a line begins with several formulas, the first one has the comments.
+    """
+    source, seen = reading.paper.source, set[int]()
     for typed, lines in comments(reading):
         place = _place(typed, reading.paper)
         begin = source.text.rfind("\n", 0, place) + 1
         indented = source.text[begin:place]
         written = "".join(f"{indented if indented.isspace() else ''}{line}\n" for line in lines)
         if not indented.strip():
-            edits.setdefault((begin, begin), written)
+            place = begin
         else:
-            ends = "\n" if indented[-1].isspace() else "%\n"
-            edits.setdefault((place, place), ends + written)
-    return source.edited(edits)
+            written = ("\n" if indented[-1].isspace() else "%\n") + written
+        if place not in seen:
+            seen.add(place)
+            yield typed, (place, place), written
 
 
 def beside(reading: Reading) -> str:

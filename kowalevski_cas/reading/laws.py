@@ -11,6 +11,7 @@ from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
+from kowalevski_cas.reading.unprinted import implied_rows
 
 
 @dataclass(eq=False)
@@ -63,9 +64,12 @@ def find_laws(paper: SourcePaper, names: Names, said: Said) -> list[Law]:
     """The closed sets of equations of motion, in the order of the paper.
 
     The first display with rates of names that nothing defines is grown until the rates of all that
-    moves in it are there. Another set has new variables, or is set up as another system.
+    moves in it are there. Another set has new variables, or is set up as another system. Where none
+    is printed, there may be that of a Hamiltonian.
     """
-    return [*_LawFinder(paper, names, said).laws()]
+    found = [*_LawFinder(paper, names, said).laws()]
+    rows = () if found else tuple(implied_rows(paper))
+    return [Law(rows, names)] if rows else found
 
 
 def find_restated(items: Sequence[SourceStatement], laws: Sequence[Law]) -> list[Law]:

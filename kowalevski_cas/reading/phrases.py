@@ -61,6 +61,8 @@ def reach(item: SourceStatement) -> str:
 
 def integral_words(item: SourceStatement) -> str:
     """The words near a statement that call it an integral, if no other words stand between."""
+    if _SO.search(item.lead) and (said := cue("integral", item.before)):
+        return said
     tail = _joined_tail(item)[:60]
     if not re.match(r"\s*(?:which|where|with|that)", tail) and (said := cue("integral", tail)):
         if last_cue("claim", item.lead[-30:]) < 0 or not item.typed.inline:
@@ -82,6 +84,8 @@ def _joined_tail(item: SourceStatement) -> str:
 _MAKES = re.compile(
     r"[\s~]*(?:define|form|give|determine|constitute|зада|образу)\w*\s", re.IGNORECASE
 )
+_SO = re.compile(r"\bso\s+(?:is|are|does|do)\b(?:\s+\w+){0,3}\s*$|\bкак\s+и\b\s*(?:\w+\s*){0,2}$")
+"""How words end behind which stands what is the same as what was spoken of before."""
 _LISTS = re.compile(
     r"\b(?:has|have|admits?|possess(?:es)?|by|are|is|namely|following|име[её]т|имеют|допуска\w+|на)\b"
     r"(?:\s+\w+){0,4}[\s:,~]*$",
@@ -101,6 +105,8 @@ def words_of(item: SourceStatement, name: str) -> str:
 
     What they say of another formula, or of a set on which something holds, is not said of it.
     """
+    if _SO.search(item.lead):
+        return cue(name, item.before)
     tail = _joined_tail(item)[:80]
     if VERB.match(tail) or _MAKES.match(tail):
         if said := cue(name, _CLAUSE.split(tail, maxsplit=1)[0]):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kowalevski_cas.notation import Constant, Derivative, Name, Number, Relation
+from kowalevski_cas.notation import Constant, Derivative, Name, Number, PoissonBracket, Relation
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, Known, StatementRole
 from kowalevski_cas.reading.phrases import (
@@ -97,6 +97,8 @@ def integral(item: SourceStatement, known: Known) -> StatementRole | None:
         return None
     if any(isinstance(member, Constant) for member in item.members):
         return StatementRole(CLAIM, "“const” stands at its end", "constant")
+    if all(isinstance(member, PoissonBracket) or member == ZERO for member in item.members):
+        return None  # it is said of what stands in the brackets
     assert isinstance(item.formula, Relation)
     if (said := integral_words(item)) and is_level(item, known):
         return StatementRole(CLAIM, f"“{said}” stands beside it", "integral")

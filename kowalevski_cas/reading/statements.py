@@ -8,11 +8,19 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from kowalevski_cas.notation import Derivative, Formula, Name, NotationError, Relation, Vocabulary
+from kowalevski_cas.notation import (
+    Derivative,
+    Formula,
+    Name,
+    NotationError,
+    Partial,
+    Relation,
+    Vocabulary,
+)
 from kowalevski_cas.notation.layout import StatementTokens
 from kowalevski_cas.notation.layout import statements as placed
 from kowalevski_cas.notation.open import OpenParser, is_exponential
-from kowalevski_cas.notation.symbol import BOLD
+from kowalevski_cas.notation.symbol import BOLD, name_of_rate
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.reading.cues import cue
@@ -254,11 +262,17 @@ def _is_derivative(tree: Formula, tex: str) -> bool:
 
 
 def _rates(formula: Formula) -> Iterator[tuple[str, int]]:
-    """The names that are derived by the time, and how often."""
+    r"""The names that are derived by the time, and how often.
+
+    Those by whose rates something is derived are among them where that is derived by the time, as
+    in the equations of Lagrange.
+    """
     inner, order = formula, 0
     while isinstance(inner, Derivative):
         inner, order = inner.argument, order + 1
     if order and isinstance(inner, Name):
         yield inner.name, order
+    if order and isinstance(inner, Partial) and name_of_rate(inner.by) != inner.by:
+        yield name_of_rate(inner.by), order + 1
     for child in inner.children():
         yield from _rates(child)

@@ -46,10 +46,11 @@ _NAMED = re.compile(
 _SUFFIX = {"documentclass": ".cls", "LoadClass": ".cls"}
 
 
-def read_source(path: Path, styles: Iterable[Path] = ()) -> Source:
+def read_source(path: Path, styles: Iterable[Path] = (), data: bytes | None = None) -> Source:
     """The source in a file, with all that it reads, and the comments beside it.
 
-    ``styles`` are files of macros that are read before it.
+    ``styles`` are files of macros that are read before it; ``data`` is what the file contains where
+    that is not saved.
 
     Raises:
         SourceError: for what is no file of text of a sensible size, or reads itself.
@@ -59,7 +60,7 @@ def read_source(path: Path, styles: Iterable[Path] = ()) -> Source:
         if style.is_symlink():
             raise SourceError(f"{style} is a link; name the file itself")
         reader.read(decode(str(style), _bytes(style)), True, (style,))
-    data = _bytes(path)
+    data = _bytes(path) if data is None else data
     main, reader.declared = decode(str(path), data), _declared(data)
     reader.read(main, False, (path,))
     comments = path.with_suffix(COMMENTS)

@@ -32,6 +32,7 @@ from kowalevski_cas.notation.open import OpenParser, independent, words_that_mov
 from kowalevski_cas.notation.symbol import name_of_rate
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
+from kowalevski_cas.paper.implied import implied_equations
 from kowalevski_cas.paper.names import BRACKET, head, is_bold, summation_indices
 from kowalevski_cas.paper.plain import half_power
 from kowalevski_cas.paper.scene import Scene
@@ -57,6 +58,13 @@ def components(tex: str, vectors: Vectors, declared: Names = ()) -> dict[str, tu
     display, known = Display("field", tex, ""), bold(vectors)
     words = replace(_vocabulary(display, known, declared), matrices=frozenset())
     return vectors_of(display, known, words)
+
+
+def with_motion(tex: str, vectors: Vectors, declared: Names = ()) -> str:
+    """Equations of motion, with those that what is printed implies."""
+    display = Display("field", tex, "")
+    formulas = _read(display, _vocabulary(display, vectors, declared)).values()
+    return r",\quad ".join((tex, *implied_equations([*formulas])))
 
 
 def with_time(tex: str, vectors: Vectors, declared: Names = ()) -> str:

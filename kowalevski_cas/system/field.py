@@ -23,6 +23,7 @@ from kowalevski_cas.system.equations import (
     restrict,
     scene_by,
     with_levels,
+    with_motion,
     with_parameters,
     with_roots,
     with_time,
@@ -68,6 +69,7 @@ class Field:
         tex = field if isinstance(field, str) else self._rows(field)
         words = [*self.symbols]
         parts = components(tex, vectors or {}, words)
+        tex = with_motion(tex, parts, words)
         display = self.section.display(f"{self.prefix}field", with_time(tex, parts, words))
         self._stand_on(scene_by(display, name, parts, words))
         moving, constant = self.scene.variables, self.scene.constants

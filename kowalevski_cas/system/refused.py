@@ -39,7 +39,9 @@ def check_motion(
 ) -> None:
     """Refuse equations that do not tell what moves, and names that are derived and not defined."""
     if not laws:
-        raise ValueError(f"“{display.tex}” has no equation of motion: print one with a derivative")
+        raise ValueError(
+            f"“{display.tex}” has no equation of motion: print one with a derivative, or H=…, L=…"
+        )
     for place in formulas:
         names = place.heads.names
         if names and place not in laws and {*names} <= {*moving}:

@@ -76,6 +76,14 @@ class Repair(NamedTuple):
     place: Printed
     mends: tuple[Claim, ...]
 
+    @property
+    def tolerates(self) -> int:
+        """How many true claims it may make false: of a law, fewer than half of what it mends.
+
+        What was claimed of a misprinted law may be true of that by chance.
+        """
+        return (len(self.mends) - 1) // 2 if self.suspect is Suspect.LAW else 0
+
     def of(self, claim: Claim, texts: Texts) -> Neighbour:
         """What a claim says with the repair."""
         if isinstance(self.change, ConstantRelation):
@@ -267,21 +275,26 @@ class Blame:
                 elif claim is one or (allowed := allowed - 1) < 0:
                     allowed = -1
                     break
-            if allowed >= 0 and len(mends) >= most and not self._breaks(repair):
+            repair = repair._replace(mends=tuple(mends))
+            if (
+                allowed >= 0
+                and len(mends) >= most
+                and len(self._broken(repair)) <= repair.tolerates
+            ):
                 most = len(mends)
-                found.append(repair._replace(mends=tuple(mends)))
+                found.append(repair)
         return sorted(found, key=_likelihood)
 
     def _passes(self, repair: Repair, claim: Claim) -> bool | None:
         on = self._on(claim)
         return passes(repair.of(claim, on.texts), on.apart(on.texts), {})
 
-    def _breaks(self, repair: Repair) -> bool:
-        """Whether a repair makes false what is true."""
+    def _broken(self, repair: Repair) -> list[Claim]:
+        """The true claims that a repair makes false, as points tell."""
         if isinstance(repair.change, ConstantRelation):
-            return False
+            return []
         about = (c for c in self._derivation.claims if repair.place in c.reads())
-        return any(self._holds(c) and self._passes(repair, c) is False for c in about)
+        return [c for c in about if self._holds(c) and self._passes(repair, c) is False]
 
     # -- what is proved ---------------------------------------------------------------
 
@@ -318,7 +331,8 @@ class Blame:
         """The true claims that stand on what a repair changes."""
         if not isinstance(repair.change, Edit):
             return ()
-        true = (c for c in self._derivation.claims if self._holds(c))
+        broken = self._broken(repair) if repair.tolerates else []
+        true = (c for c in self._derivation.claims if self._holds(c) and c not in broken)
         return tuple(c.id for c in true if repair.place in self._statement(c).stands_on)
 
     def _spoils(self, repair: Repair) -> bool:
@@ -327,8 +341,8 @@ class Blame:
         if not isinstance(edit, Edit):
             return False
         keeps = self.corrector.keeps
-        about = [c for c in self._derivation.claims if place in c.reads()]
-        if not all(keeps(claim, place, edit) for claim in about if self._holds(claim)):
+        true = [c for c in self._derivation.claims if place in c.reads() and self._holds(c)]
+        if sum(not keeps(claim, place, edit) for claim in true) > repair.tolerates:
             return True
         return any(self._stops(claim, repair) for claim in repair.mends)
 

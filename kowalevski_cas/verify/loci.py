@@ -73,27 +73,34 @@ def _evidence_at_locus(goal: Goal, condition: Formula) -> Verdicts | None:
     """Evidence that a goal fails, or is denied, where a condition is violated."""
     from kowalevski_cas.search.find import Finder  # most evidence is read
     from kowalevski_cas.search.levels import more_solutions
+    from kowalevski_cas.search.singular import dependence_at
 
     finder = Finder(finder_of)
     if isinstance(goal, Count):
         zero = finder_of(goal.space).scalar(condition)
         solutions = more_solutions(goal, finder, [zero])
         return None if solutions is None else Denial(0, solutions)
-    evidence = finder.proof(goal)
+    singular = dependence_at(goal) if isinstance(goal, Fails) else None
+    evidence = singular or finder.proof(goal)
     return None if evidence is None else (evidence,)
 
 
 def _candidates(
     statement: Statement, setting: Elaboration, locus: Locus
 ) -> Iterator[Fails | Count]:
-    """What may fail on a locus: conclusions, derivatives of a set that should stay, counts."""
-    there = setting.equations(locus.equations)
+    """What may fail on a locus: conclusions, derivatives of a set that should stay, counts.
+
+    The conclusions are those over any space with the locus, as one with more constants.
+    """
     for goal in statement.claimed:
-        if type(goal) is Follows and goal.space is setting:
-            yield Fails(setting, goal.conclusions, (*goal.given, *there))
+        space = getattr(goal, "space", None)
+        if type(goal) is Follows and isinstance(space, Elaboration) and locus in space.scene.loci:
+            there = (*space.equations(locus.equations), vanishes(space.formula(locus.condition)))
+            yield Fails(space, goal.conclusions, (*goal.given, *there))
         if isinstance(goal, Exists):
             for one in goal.goals:
                 if isinstance(one, Follows) and one.given and one.space is setting:
+                    there = setting.equations(locus.equations)
                     yield from _leaves_set(setting, one.given, there)
     yield from (goal for goal in statement.claimed if isinstance(goal, Count))
 

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import suppress
 
+from kowalevski_cas.algebra.numbers import rank
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Number
 from kowalevski_cas.paper.claims import Dimension
 from kowalevski_cas.paper.denominators import shape_of
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
-from kowalevski_cas.problem.evidence import Denial
+from kowalevski_cas.problem.differentials import factors_of_multipliers, multipliers
+from kowalevski_cas.problem.evidence import Denial, Point
 from kowalevski_cas.problem.examine import Accepted
+from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Fails, Rank
-from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.problem.place import PointEvaluation
+from kowalevski_cas.problem.space import Meaningless, all_names
 from kowalevski_cas.verify.as_printed import point
 from kowalevski_cas.verify.certificate import Stored, Supported
 from kowalevski_cas.verify.conditions import Divided, conditions_of, implies
@@ -22,8 +26,6 @@ from kowalevski_cas.verify.counterexamples import MANY, against
 from kowalevski_cas.verify.loci import failure_on, say_nothing_on
 from kowalevski_cas.verify.outcome import Condition, Counterexample
 from kowalevski_cas.verify.statement import Statement
-
-COMPUTED = "as computed, without a certificate"
 
 
 def conditions(
@@ -44,10 +46,7 @@ def conditions(
             if failure is not None:
                 condition = _where_it_fails(statement, setting, locus, formula, failure)
         found.append(condition)
-    known = [condition.expression for condition in found]
-    singular = {condition.expression: condition for condition in _singular(statement, known)}
-    own = tuple(singular.get(condition.expression, condition) for condition in found)
-    return own, failures
+    return tuple(found), failures
 
 
 def _conditions_with_loci(
@@ -84,6 +83,8 @@ def _where_it_fails(
     statement: Statement, setting: Elaboration, locus: Locus, formula: Formula, failure: Supported
 ) -> Condition:
     """A condition with a point of its locus where the statement fails."""
+    if isinstance(statement.claim, Dimension):
+        return _where_it_is_singular(statement, locus, formula, failure)
     (goal,), verdicts = failure.statement.goals, failure.verdicts
     evidence = verdicts.evidence if isinstance(verdicts, Denial) else verdicts[0]
     witness = against(failure.statement, goal, evidence, failure.accepted)
@@ -95,33 +96,31 @@ def _where_it_fails(
     return Condition(formula, words, witness)
 
 
-def _singular(statement: Statement, known: Sequence[Formula]) -> Iterator[Condition]:
-    """Loci of known conditions where a set has another dimension, or is singular; with points.
+def _where_it_is_singular(
+    statement: Statement, locus: Locus, formula: Formula, failure: Supported
+) -> Condition:
+    """A condition with a point of its locus where differentials of a set are dependent.
 
-    That is computed and not certified: the words say so.
+    That is certified; a dimension of the set on the locus is computed only, and the words say so.
     """
-    goal = statement.goals[0]
-    if not isinstance(statement.claim, Dimension) or not isinstance(goal, Rank):
-        return
-    from kowalevski_cas.verify.singular import drop_on, rank_on  # only sets are singular
+    from kowalevski_cas.verify.singular import dimension_at  # only sets are singular
 
-    setting = statement.legend[goal.space]
-    for locus, own in zip(setting.scene.loci, setting.loci, strict=True):
-        expression, (there, _) = setting.texts.expression(locus.condition), own
-        if expression not in known or own not in goal.space.loci:
-            continue
-        found = rank_on(goal, there)
-        if found is not None and found[0] < goal.rank:
-            count = len(goal.space.variables)
-            left, claimed = count - found[0], count - goal.rank
-            words = f"near this point the set has dimension {left}, not {claimed}"
-            at = point(found[1].values, setting)
-            against = Counterexample(at, Number(left), Number(claimed), words)
-            said = f"for {locus.words} the set has dimension {left}, {COMPUTED}"
-            yield Condition(expression, said, against)
-        elif dropped := drop_on(goal, there):
-            words = f"only {dropped[0]} of the {goal.rank} differentials are independent"
-            at = point(dropped[1].values, setting)
-            against = Counterexample(at, Number(dropped[0]), Number(goal.rank), words)
-            said = f"for {locus.words} the set is singular, {COMPUTED}"
-            yield Condition(expression, said, against)
+    (goal,), (place,) = failure.statement.goals, failure.accepted.places
+    assert isinstance(goal, Fails)
+    rows = factors_of_multipliers(goal, place.at)
+    count = rank([[*map(place, row)] for row in rows])
+    setting = failure.statement.legend[goal.space]
+    names = {*multipliers(goal)}
+    names |= {bar for name, bar in goal.space.conjugates if name in names}
+    values = {n: v for n, v in place.point.values.items() if n not in names}
+    says = f"only {count} of the {len(rows)} differentials are independent"
+    witness = Counterexample(point(values, setting), Number(count), Number(len(rows)), says)
+    words = f"for {locus.words} differentials are dependent"
+    level = statement.goals[0]
+    assert isinstance(level, Rank)
+    there = statement.legend[level.space].equations(locus.equations)
+    own = {name: values[name] for name in all_names(level.space) if name in values}
+    dimension = dimension_at(level, there, PointEvaluation(finder_of(level.space), Point(own)))
+    if dimension is not None:
+        words += f"; there the set has dimension {dimension}, which is computed, not certified"
+    return Condition(formula, words, witness)

@@ -16,7 +16,7 @@ NAMED = ("--derivation", "kharlamov2002")
 def decided(monkeypatch):
     """The derivation is decided once for all tests."""
     base().outcomes  # noqa: B018
-    monkeypatch.setattr("kowalevski_cas.cli.audit.auditing", lambda *_: base())
+    monkeypatch.setattr("kowalevski_cas.cli.audit.audit_run", lambda *_: base())
 
 
 @pytest.fixture

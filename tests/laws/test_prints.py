@@ -4,13 +4,14 @@ What a print means is computed here by SymPy, from its parts; the package reads 
 """
 
 import random
+import re
 from itertools import permutations
 
 import pytest
 from sympy import LeviCivita, Rational, Symbol, sympify
 
 from kowalevski_cas import System
-from kowalevski_cas.algebra.present import formula_of
+from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.notation import Name
 from kowalevski_cas.notation.sympy import to_sympy
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -25,7 +26,7 @@ def field(system):
     space = Elaborations(Texts(vocabulary((system.scene,))))(system.scene)
     at = space.finder
     rates = {name: at.derivative(at.scalar(Name(name))) for name in space.variables}
-    return {n: to_sympy(formula_of(rate, space.texts.vocabulary), {}) for n, rate in rates.items()}
+    return {re.sub(r"[\\{}]", "", n): to_sympy(formula_in(r), {}) for n, r in rates.items()}
 
 
 def differ(system, expected, seed):
@@ -89,6 +90,99 @@ def test_indices_of_the_sign_of_a_permutation_are_summed_over(seed):
     tex, other, meant, symmetric = permuted(seed)
     assert not differ(System(tex), meant, seed), tex
     assert symmetric or differ(System(other), meant, seed), other
+
+
+# -- what a Hamiltonian and a Lagrangian imply -----------------------------------------------------
+
+NAMES = [
+    [("q", "p")], [("x", "p")], [(r"\theta", "p")], [("q_1", "p_1"), ("q_2", "p_2")],
+    [("x", "p_x"), ("y", "p_y")], [("r", "p_r"), (r"\varphi", r"p_\varphi")], [("Q", "P")],
+    [("x_1", "p_1"), ("x_2", "p_2")],
+]  # fmt: skip
+
+
+def plain(name):
+    return Symbol(name.replace("\\", ""))
+
+
+def energy(chance, pairs, momenta):
+    """A polynomial as it is printed, and for SymPy; other signs in the first give another print."""
+    names = [name for pair in pairs for name in pair]
+    printed, value, other = "", 0, ""
+    squares = [([p, p], chance.choice([1, 2])) for p in momenta]
+    terms = squares + [
+        ([*chance.sample(names, 2), chance.choice(names)], chance.choice([-3, -1, 2]))
+        for _ in range(3)
+    ]
+    for factors, number in terms:
+        printed += f"{number:+}{' '.join(factors)}"
+        other += f"{-number if factors == terms[-1][0] else number:+}{' '.join(factors)}"
+        term = number
+        for one in factors:
+            term *= plain(one)
+        value += term
+    return printed.lstrip("+"), value, other.lstrip("+")
+
+
+@FEW
+def test_a_hamiltonian_implies_the_canonical_equations(seed):
+    chance = random.Random(seed)
+    pairs = chance.choice(NAMES)
+    printed, value, other = energy(chance, pairs, [p for _, p in pairs])
+    name = chance.choice(["H", r"\mathcal H", r"\mathcal{H}"])
+    brackets = ",\\ ".join(rf"\{{{q},{p}\}}=1" for q, p in pairs)
+    rates = ",\\ ".join(rf"\dot {x}=\{{{x},{name}\}}" for pair in pairs for x in pair)
+    gradient = ",\\ ".join(
+        rf"\dot {q}=\frac{{\partial {name}}}{{\partial {p}}},\ \dot {p}=-\frac{{\partial {name}}}{{\partial {q}}}"
+        for q, p in pairs
+    )
+    beside = chance.choice(["", brackets, rates, f"{brackets},\\ {rates}", gradient])
+    meant = {}
+    for q, p in pairs:
+        meant |= {str(plain(q)): value.diff(plain(p)), str(plain(p)): -value.diff(plain(q))}
+
+    def system(H):
+        parts = [f"{name}={H}", *([beside] if beside else [])]
+        return System(",\\ ".join(chance.sample(parts, len(parts))))
+
+    law = system(printed)
+    assert not differ(law, meant, seed), law
+    assert law.integral(name).verdict == "proved"
+    q, p = pairs[0]
+    assert law.identity(rf"\{{{q},{p}\}}=1").verdict == "proved"
+    assert law.identity(rf"\{{{p},{q}\}}=1").verdict == "refuted"
+    assert differ(system(other), meant, seed), other
+
+
+@FEW
+def test_a_lagrangian_implies_the_equations_of_lagrange(seed):
+    chance = random.Random(seed)
+    names = chance.choice([["q"], ["x", "y"], ["r", r"\varphi"], ["q_1", "q_2"]])
+    printed, value, other = energy(chance, [(name,) * 2 for name in names], [])
+    kinetic = "".join(rf"+\frac12\dot {name}^2" for name in names).lstrip("+")
+    name = chance.choice(["L", r"\mathcal L"])
+    form = chance.choice(
+        [
+            "{name}={kinetic}-({U})",
+            "{name}=T-U, T={kinetic}, U={U}",
+            "T={kinetic},\\ {name}=T-({U})",
+        ]
+    )
+    law = System(form.format(name=name, kinetic=kinetic, U=printed))
+    found = field(law)
+    assert len(found) == 2 * len(names)
+    forces = [-value.diff(plain(one)) for one in names]
+    assert all(any((own - one).expand() == 0 for own in found.values()) for one in forces)
+    assert law.integral(f"{kinetic}+{printed}").verdict == "proved"
+    assert law.integral(f"{kinetic}+{other}").verdict == "refuted"
+
+
+@pytest.mark.parametrize(
+    "tex", ["H=x^2+y^2", "H=p^2+P^2+q", "H=p_1^2+p^2+x_1", "H=ab", "L=q^2", r"K=\frac12p^2"]
+)
+def test_what_belongs_to_a_momentum_is_not_guessed(tex):
+    with pytest.raises(ValueError, match="print"):
+        System(tex)
 
 
 REFUSED = [

@@ -241,6 +241,38 @@ def test_a_constant_of_the_law_is_not_redefined_behind_it():
     assert not any(last.item in f.on for f in found.formulas)
 
 
+HAMILTONIAN = r"""
+\section{A chain} The motion is described by the Hamiltonian
+\[ H=\frac12(p_1^2+p_2^2)+U,\qquad U=\frac k2(q_1-q_2)^2 . \]
+"""
+CANONICAL = r"\[ \dot q_i=\frac{\partial H}{\partial p_i},\quad \dot p_i=-\frac{\partial H}{\partial q_i}\quad(i=1,2) \]"  # fmt: skip
+
+
+@pytest.mark.parametrize("printed", ["", CANONICAL])
+def test_a_hamiltonian_is_a_law_with_the_canonical_bracket(printed):
+    claims = r"Then $\ddot q_1=-k(q_1-q_2)$, $\{p_1+p_2,H\}=0$, $\{q_1,H\}=p_1$, $\{q_1-q_2,H\}=0$."
+    found = verdicts(HAMILTONIAN + printed + claims)
+    assert [*found.values()] == [Verdict.PROVED] * 3 + [Verdict.UNDECIDED]
+    false = claims.replace(r"-k(q_1-q_2)", r"-k(q_1+q_2)")
+    assert Verdict.PROVED not in [*verdicts(HAMILTONIAN + printed + false).values()][:1]
+
+
+def test_of_the_sign_of_a_bracket_that_is_not_printed_nothing_is_refuted():
+    (verdict,) = verdicts(HAMILTONIAN + CANONICAL + r"Then $\{H,q_1\}=p_1$.").values()
+    assert verdict is Verdict.UNDECIDED
+
+
+def test_a_lagrangian_is_a_law():
+    text = r"""\section{A particle} The Lagrangian is $$ L=\frac12(\dot r^2+r^2\dot\varphi^2)+\frac{m}{r} $$
+    We have $\ddot r=r\dot\varphi^2-\frac{m}{r^2}$ and $\ddot\varphi=%s\frac{\dot r\dot\varphi}{r}$."""
+    assert [*verdicts(text % "-2").values()] == [Verdict.CONDITIONAL] * 2
+    assert [*verdicts(text % "-").values()] == [Verdict.CONDITIONAL, Verdict.REFUTED]
+
+
+def test_a_lone_function_h_is_no_hamiltonian():
+    assert not reading(HAMILTONIAN.replace("Hamiltonian", "function")).parts.laws
+
+
 @pytest.mark.parametrize("words", ["To the first order in $x$", "For small oscillations"])
 def test_what_holds_approximately_is_no_law_of_what_follows(words):
     law = r"The equations are $$\dot x=ay,\quad \dot y=-bx+xy^2,\quad \dot z=0.$$ Suppose that $b>0$. "
@@ -270,3 +302,23 @@ def test_a_list_of_integrals_is_claimed_function_by_function():
     found = verdicts(text + r"It admits the integral $p^2+q^2$.")
     assert found["bp^2-aq^2"] is found["r"] is Verdict.PROVED
     assert found["p^2+q^2"] is Verdict.REFUTED
+
+
+def test_what_is_true_of_a_misprint_only_is_not_green():
+    """The law has a wrong sign; by it a plane is invariant, and four true claims fail."""
+    law = r"The equations are $$\dot x=yz+ky,\qquad \dot y=xz+kx,\qquad \dot z=-xy.$$ "
+    true = r"The functions $x^2+y^2+2z^2$ and $x^2-y^2+4kz$ are integrals, "
+    true += r"and so is $(x^2+y^2+2z^2)(x^2-y^2+4kz)$. "
+    found = verdicts(law + true + r"The plane $x=y$ is invariant.")
+    assert found["x^2+y^2+2z^2"] is found["x^2-y^2+4kz"] is Verdict.REFUTED
+    assert found["x=y"] is Verdict.UNDECIDED
+    assert verdicts(law.replace("xz+kx", "xz-kx") + true)["x^2-y^2+4kz"] is Verdict.PROVED
+
+
+@pytest.mark.parametrize("function", ["the momentum $G=b^2p^2-abq^2$", "$bp^2-aq^2$"])
+def test_so_is_says_the_same_of_what_follows(function):
+    text = TOP + rf"The function $F=cp^2-ar^2$ is an integral, and so is {function}."
+    found = reading(text)
+    assert [f.role.kind for f in found.formulas][-2:] == ["integral", "integral"]
+    assert {*verdicts(text).values()} == {Verdict.PROVED}
+    assert Verdict.REFUTED in verdicts(text.replace("b^2p^2", "p^2").replace("$bp", "$p")).values()

@@ -82,7 +82,7 @@ def test_formulas_that_nobody_knows_are_shown() -> None:
 def test_the_command_writes_the_page(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("kowalevski_cas.cli.audit.auditing", lambda *_: base())
+    monkeypatch.setattr("kowalevski_cas.cli.audit.audit_run", lambda *_: base())
     source = tmp_path / "some paper.tex"
     source.write_text(synthetic(base().interpretation.derivation).text, encoding="utf-8")
     assert main(["audit", str(source), "--report", str(tmp_path / "out")]) == 1

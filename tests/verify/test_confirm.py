@@ -12,6 +12,8 @@ from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.run import Session
 from tests.paper.small import Oscillator, derivation
 
+pytestmark = pytest.mark.forged
+
 ENERGY, FALSE, DIVIDED = "x^2+v^2", "x=v", r"\frac{x}{v}=\frac{x}{v}"
 
 

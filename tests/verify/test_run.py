@@ -52,6 +52,7 @@ def one(small, claim, **options):
     return outcome
 
 
+@pytest.mark.forged
 def test_arithmetics_that_disagree_are_an_error(small, monkeypatch):
     monkeypatch.setattr(Arithmetics, "judge", fickle)
     outcome = one(small, Identity("t", small.scene, "", printed=small("x=x")))

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 from kowalevski_cas.cli.formats import ComparedRun
 from kowalevski_cas.source.text import Region
-from kowalevski_cas.verify.diagnostic import ERROR, NOTE, Diagnostic
+from kowalevski_cas.verify.diagnostic import ERROR, NOTE, Diagnostic, Replacement
 from kowalevski_cas.verify.outcome import Outcome, Verdict, in_latex
 
 
@@ -21,6 +22,20 @@ def diagnostics(result: ComparedRun) -> Iterator[Diagnostic]:
             yield _diagnostic(result, rule, ERROR, outcome.claim, outcome.message)
         if outcome.verdict is Verdict.REFUTED:
             yield _diagnostic(result, rule, NOTE, outcome.claim, _of_refuted(outcome))
+
+
+def from_json(value: Mapping[str, Any]) -> Diagnostic:
+    """A diagnostic by what the JSON of an audit has of it."""
+    fixes = tuple(Replacement(_region(fix), fix["text"]) for fix in value["fixes"])
+    return Diagnostic(
+        value["rule"], value["level"], value["id"], value["message"], _region(value), fixes,
+        value["fingerprint"],
+    )  # fmt: skip
+
+
+def _region(value: Mapping[str, Any]) -> Region:
+    numbers = (value[key] or 0 for key in ("line", "column", "end_line", "end_column"))
+    return Region(value["file"], *numbers)
 
 
 def _diagnostic(result: ComparedRun, rule: str, level: str, claim: str, message: str) -> Diagnostic:

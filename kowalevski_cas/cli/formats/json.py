@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.cli.formats import ComparedRun
@@ -101,6 +101,7 @@ def audited(audit: Audit) -> str:
         "statements": [_statement(audit, outcome) for outcome in audit.statements],
         "diagnostics": [*map(_diagnostic, diagnostics(audit))],
         "uncovered": [one._asdict() for one in audit.uncovered],
+        "comments": [*_comments(audit)],
         "summary": {
             "source": audit.source.path,
             "derivation": audit.session.interpretation.derivation.name,
@@ -115,6 +116,17 @@ def audited(audit: Audit) -> str:
         },
     }
     return json.dumps(value, indent=2, ensure_ascii=False) + "\n"
+
+
+def _comments(audit: Audit) -> Iterator[dict[str, Any]]:
+    """The comments that say what is inferred of a source that is its own derivation."""
+    if audit.reading is None:
+        return
+    from kowalevski_cas.reading.draft import insertions
+
+    ids = {id(place.typed): place.display.id for place in audit.places}
+    for typed, interval, text in insertions(audit.reading):
+        yield {"id": ids[id(typed)], **_region(audit.source.region(*interval)), "text": text}
 
 
 def _assumptions(audit: Audit) -> dict[str, Any]:
@@ -162,6 +174,7 @@ def _formula(audit: Audit, formula: Audited) -> dict[str, Any]:
         "role": formula.role,
         "reason": formula.reason or None,
         "on": list(formula.on),
+        "reads": _reads(audit, formula),
         "tex": formula.tex,
         "verdict": formula.verdict,
         "claims": list(formula.claims),
@@ -173,6 +186,13 @@ def _formula(audit: Audit, formula: Audited) -> dict[str, Any]:
         "breaks": list(formula.breaks),
         "moved": formula.moved,
     }
+
+
+def _reads(audit: Audit, formula: Audited) -> list[str]:
+    """The formulas, other than itself, on which the verdict on a formula depends."""
+    claims = audit.session.interpretation.derivation.claims
+    read = {place for claim in claims if claim.id in formula.claims for place in claim.reads()}
+    return [f.id for f in audit.formulas if f.place in read and f is not formula]
 
 
 def _statement(audit: Audit, outcome: Outcome) -> dict[str, Any]:

@@ -93,22 +93,27 @@ class DifferentialSeries:
     @cached_property
     def _bounds(self) -> tuple[arb, arb]:
         """Bounds of both in the strip: on its edge, where ψ runs from 0 to π, piece by piece."""
-        pieces = ceil(PIECES / self._width)
-        while pieces <= MOST_PIECES:
-            with precision(64):
-                found = [self._sizes(place, pieces) for place in range(pieces)]
-            if all(size.is_finite() for sizes in found for size in sizes):
-                first, second = (max(sizes, key=float) for sizes in zip(*found, strict=True))
-                return first, second
-            pieces *= 4
-        raise MethodError("no bound of the differentials: two pairs of roots are too close")
+        count = ceil(PIECES / self._width)
+        pieces = [(arb(2 * place + 1) / (2 * count), arb(0.5) / count) for place in range(count)]
+        first, second, tried = arb(0), arb(0), 0
+        with precision(64):
+            while pieces:
+                middle, half = pieces.pop()
+                one, two = self._sizes(middle, half)
+                if one.is_finite() and two.is_finite():
+                    first, second = max(first, one), max(second, two)
+                else:
+                    pieces += [(middle - half / 2, half / 2), (middle + half / 2, half / 2)]
+                tried += 1
+                if tried > MOST_PIECES:
+                    raise MethodError("no bound of the differentials: roots are too close")
+        return first, second
 
-    def _sizes(self, place: int, pieces: int) -> Pair:
-        """Bounds of both on a piece of the edge."""
-        half = arb.pi() / (2 * pieces)
-        angle = acb((2 * place + 1) * half + arb(0, half.upper()), self._strip)
+    def _sizes(self, middle: arb, half: arb) -> Pair:
+        """Bounds of both on a piece of the edge, by its middle and half its length over π."""
+        piece = (middle + arb(0, half.upper())) * arb.pi()
         by = self.by
-        c, s = by.pair(by.functions(angle), 1, BALLS)
+        c, s = by.pair(by.functions(acb(piece, self._strip)), 1, BALLS)
         quotient = s / c
         squares = acb(1), quotient * quotient
         n, v = by.variable.pair(squares)

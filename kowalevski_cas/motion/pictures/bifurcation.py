@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from kowalevski_cas.motion.arrays import Array, Integers
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.parameters import Parameters
-from kowalevski_cas.motion.pictures.regions import GRID, mesh, shade
+from kowalevski_cas.motion.pictures.regions import GRID, hatch, mesh, shade
 from kowalevski_cas.motion.regimes import FIELD_1, FIELD_2, PHI, Regime, all_regimes, coordinates
 from kowalevski_cas.motion.transverse import degenerate
 from kowalevski_cas.pictures import FAINT, INK, mark, new_figure
@@ -27,8 +27,8 @@ CAPTION = (
     "Bifurcation diagrams of $N^4$ in the planes of $(m,h)$ and of $(m,\\ell)$; $\\ell$ and "
     "$-\\ell$ are the same motions. Numbers count the tori of a region; there is no motion where "
     "the paper is white. A separating curve is thick where it parts two regimes, and faint where "
-    "it does not. Tori with $m>0$ are elliptic; those with $m<0$ are hyperbolic, except where "
-    "$\\lambda=0$: on the dotted curve, and on $\\ell=0$. "
+    "it does not. Tori with $m>0$ are elliptic; those with $m<0$, hatched, are hyperbolic, except "
+    "where $\\lambda=0$: on the dotted curve, and on $\\ell=0$. "
     "The cross is the motion of the other pictures."
 )
 
@@ -66,6 +66,7 @@ def draw(motion: Motion) -> Figure:
         axes.grid(False)
         mesh_m, mesh_y = mesh(axes)
         kinds = regime_at(parameters, mesh_m, ell_of(mesh_m, mesh_y))
+        hatch(axes, (kinds >= 0) & (mesh_m < 0))
         shade(axes, kinds, [regime.tori for regime in all_regimes()], (m, here))
         _curves(axes, parameters, ordinate)
         for place, ell_there in curves:

@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 import numpy as np
+from matplotlib import rc_context
 from matplotlib.axes import Axes
+from matplotlib.patheffects import withStroke
 from scipy.ndimage import binary_closing, binary_dilation, distance_transform_edt, label
 
 from kowalevski_cas.motion.arrays import Array, Integers, Mask
+from kowalevski_cas.pictures import FAINT
 
 GREYS = {1: "#efefef", 2: "#d6d6d6", 4: "#b0b0b0"}
 """The shade of a region, by its number of tori."""
@@ -57,7 +60,20 @@ def shade(
             axes.text(
                 x[place], y[place], str(count),
                 ha="center", va="center", size=6 if small else 9, zorder=4,
+                path_effects=[withStroke(linewidth=2, foreground=GREYS[count])],
             )  # fmt: skip
+
+
+def hatch(axes: Axes, here: Mask) -> None:
+    """Hatch a part of a grid."""
+    x, y = mesh(axes)
+    if here.any():
+        with rc_context({"hatch.linewidth": 0.4}):
+            lines = axes.contourf(
+                x, y, here, (0.5, 1.5), colors="none", hatches=["///"], zorder=0.5
+            )
+        lines.set_edgecolor(FAINT)
+        lines.set_linewidth(0.0)
 
 
 def fill_regions(

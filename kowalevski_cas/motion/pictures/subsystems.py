@@ -12,7 +12,7 @@ from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.diagram import Fields
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.motion import MotionO4
-from kowalevski_cas.motion.pictures.regions import mesh, shade
+from kowalevski_cas.motion.pictures.regions import hatch, mesh, shade
 from kowalevski_cas.paper.closed_form import CriticalSets
 from kowalevski_cas.pictures import mark, new_figure
 
@@ -21,8 +21,9 @@ ABOUT = CriticalSets
 CAPTION = (
     "Bifurcation diagrams of $O^4$ in the planes of $(s,\\tau_3)$ and of $(s,h)$, and of $M^4$ in "
     "the plane of $(J_3,h)$, where the other sign of $J_3$ gives the same. Numbers count the tori "
-    "of a region, and there is no motion where the paper is white. On the curves of $M^4$ the "
-    "motions are on $O^4$ as well."
+    "of a region, and there is no motion where the paper is white. The tori of $O^4$ are "
+    "hyperbolic where it is hatched, and elliptic elsewhere. On the curves of $M^4$ the motions "
+    "are on $O^4$ as well."
 )
 
 
@@ -41,7 +42,9 @@ def draw(motion: Motion | MotionO4) -> Figure:
         axes.grid(False)
     for axes in (by_tau, by_h):
         s, y = mesh(axes)
-        kinds, regimes = fields.regimes(s, y if axes is by_tau else fields.tau(s, y))
+        tau = y if axes is by_tau else fields.tau(s, y)
+        kinds, regimes = fields.regimes(s, tau)
+        hatch(axes, (kinds >= 0) & fields.hyperbolic_on_O4(s, tau))
         shade(axes, kinds, [regime.tori for regime in regimes], least=0.018)
         _curves(axes, fields, energies=axes is by_h)
     _first(on_M4, fields)

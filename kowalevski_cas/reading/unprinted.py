@@ -1,0 +1,74 @@
+"""Statements that a paper does not print: conventions, and what a Hamiltonian implies."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kowalevski_cas.notation import Name, NotationError, PoissonBracket, read
+from kowalevski_cas.notation.open import OpenParser
+from kowalevski_cas.paper.implied import HAMILTONIANS, LAGRANGIANS, implied_equations
+from kowalevski_cas.paper.names import BRACKET
+from kowalevski_cas.paper.texts import Display
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
+from kowalevski_cas.source.displays import TypedFormula
+
+SOURCE = "the usual convention"
+
+
+def unprinted(
+    paper: SourcePaper, id: str, tex: str, beside: SourceStatement | None = None
+) -> SourceStatement:
+    """A statement that the paper does not print, beside one that it does, or before all."""
+    display = Display(id, tex, paper.displays[0][0].section, source=SOURCE)
+    formula = read(tex, paper.words, OpenParser)
+    start = beside.typed.start if beside is not None else paper.prose.start
+    order = beside.order if beside is not None else -1
+    return SourceStatement(
+        display[1], TypedFormula(tex, start, start, ""), formula, "", order, (start, start),
+        "", "", "", "", 0, paper.prose.path(start), None,
+    )  # fmt: skip
+
+
+def implied_rows(paper: SourcePaper) -> Iterator[SourceStatement]:
+    """The equations of motion of the Hamiltonian, or the Lagrangian, that words call so.
+
+    There are none where it is not known what belongs together.
+    """
+    for item in paper.items:
+        named = item.bare[:1] and item.members[0].names() & {*HAMILTONIANS, *LAGRANGIANS}
+        if not named or not cue("hamiltonian", item.words):
+            continue
+        about = [item, *_below(item, paper), *_brackets(paper)]
+        try:
+            found = implied_equations([one.formula for one in about if one.formula is not None])
+            yield from (
+                unprinted(paper, f"implied-{number}", tex, item)
+                for number, tex in enumerate(found, 1)
+                if not tex.startswith(BRACKET)
+            )
+        except (ValueError, NotationError):
+            continue
+        if found:
+            return
+
+
+def _below(item: SourceStatement, paper: SourcePaper) -> Iterator[SourceStatement]:
+    """What defines the names in a statement."""
+    names, waiting = set[str](), [item]
+    while waiting:
+        new = waiting.pop().names - names
+        names |= new
+        heads = ((one, one.members[:1]) for one in paper.items if one.order != item.order)
+        found = [one for one, first in heads if first and {*first} & {*map(Name, new)}]
+        yield from found
+        waiting += found
+
+
+def _brackets(paper: SourcePaper) -> Iterator[SourceStatement]:
+    """The brackets that a paper prints of names which it does not define."""
+    defined = {item.bare[0] for item in paper.items if item.bare}
+    for item in paper.items:
+        if item.members and isinstance(bracket := item.members[0], PoissonBracket):
+            if bracket.names().isdisjoint(defined):
+                yield item

@@ -1,0 +1,1 @@
+"""Servers for programs in which papers are written: editors, and agents."""
