@@ -16,7 +16,7 @@ PYTHON = $(shell for p in python3.13 python3.12 python3.11 python3; do \
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help verify motion report certificates mutants test lint docs record rocq witnesses study benchmark clean
+.PHONY: help verify motion report certificates mutants test coverage schemas sarif lint docs record rocq witnesses study benchmark clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
@@ -41,6 +41,20 @@ mutants: $(VENV)/.installed ## Change one token at a time: what does an audit no
 
 test: $(VENV)/.dev ## Run the tests (SLOW=1: also the slow ones; JUNIT=file: results as XML)
 	@$(PY) -m pytest -q -n auto --dist loadfile $(if $(SLOW),,-m "not slow") $(if $(JUNIT),--junit-xml="$(JUNIT)")
+
+coverage: $(VENV)/.dev ## Run the tests, and say which lines they run; build/coverage.xml
+	@$(PY) -m pytest -q -n auto --dist loadfile $(if $(SLOW),,-m "not slow") --cov --cov-report=term:skip-covered --cov-report=xml:build/coverage.xml
+
+schemas: $(VENV)/.dev ## Check workflows, action, forms and citation by their schemas
+	@$(PY) -m pytest -q tests/test_release.py
+
+sarif: $(VENV)/.installed ## Let Microsoft's multitool validate results as SARIF (needs npm)
+	@mkdir -p build/sarif && npm install --silent --no-audit --no-fund --prefix build/sarif @microsoft/sarif-multitool@5
+	@chmod u+x build/sarif/node_modules/@microsoft/sarif-multitool-*/Sarif.Multitool
+	@$(RUN) audit tests/data/papers/pendula.tex --format sarif > build/sarif/audit.sarif; test $$? -le 3
+	@$(RUN) verify kharlamov2002 --format sarif > build/sarif/verify.sarif
+	@DOTNET_SYSTEM_GLOBALIZATION_INVARIANT=1 build/sarif/node_modules/.bin/sarif-multitool validate build/sarif/*.sarif | tee build/sarif/validation.txt
+	@grep -q "completed successfully" build/sarif/validation.txt && ! grep -q ": error " build/sarif/validation.txt # it ends with 0 in any case
 
 lint: $(VENV)/.dev ## Check style and types
 	@$(PY) -m ruff check . && $(PY) -m ruff format --check . && $(PY) -m mypy

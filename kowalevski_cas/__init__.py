@@ -1,5 +1,6 @@
 """Printed derivations of mathematical mechanics, read, proved or refuted."""
 
+import os
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -7,6 +8,9 @@ if TYPE_CHECKING:
     from kowalevski_cas.system import System, display
 
 __version__ = "0.1.0"
+
+if os.name == "nt":
+    raise ImportError("kowalevski_cas runs on Linux and macOS; on Windows, inside of its WSL")
 
 __all__ = ["System", "UserError", "__version__", "display"]
 

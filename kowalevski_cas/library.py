@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import os
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from importlib import invalidate_caches
 from importlib.util import find_spec, module_from_spec, spec_from_file_location
@@ -12,6 +11,7 @@ from pathlib import Path
 from types import ModuleType
 
 from kowalevski_cas import UserError
+from kowalevski_cas.exit_guard import no_exit
 from kowalevski_cas.notation.errors import Undeclared
 from kowalevski_cas.paper.derivation import Derivation, Section
 from kowalevski_cas.paper.scene import Scene
@@ -81,7 +81,7 @@ MADE: list[Section] = []
 def _beside(path: Path) -> Path:
     """The folder of what is kept of a file; raises :class:`LibraryError` if two would share it."""
     others = [path.with_suffix(one) for one in SOURCES if one != path.suffix]
-    if shared := next((one for one in others if one.is_file()), None):
+    if shared := next((other for other in others if other.is_file()), None):
         raise LibraryError(f"{path} and {shared.name} would share one folder: rename one of them")
     return path.with_suffix(EVIDENCE)
 
@@ -104,9 +104,6 @@ def _module(name: str) -> Path | None:
 
 MEND = "Mend the formula, or declare its names; `having` declares constants."
 """What to do about a name that is not declared."""
-
-ENDS = ("_exit", "abort", "execv", "execve")
-"""What ends a process at once; another program takes its place by the last two."""
 
 SHELF = "kowalevski_cas_derivations"
 """The package below which derivations are loaded, beside those that they rest on."""
@@ -146,7 +143,7 @@ def load(name: str, anew: bool = True) -> Derivation:
     sys.modules[module_name] = module
     MADE.clear()
     try:
-        with _without_bytecode(not file.is_relative_to(library())), _no_exit():
+        with _without_bytecode(not file.is_relative_to(library())), no_exit():
             spec.loader.exec_module(module)
         return _derivation(module, file, folder.stem)
     except (LibraryError, KeyboardInterrupt):
@@ -178,31 +175,6 @@ def _without_bytecode(wanted: bool) -> Iterator[None]:
         yield
     finally:
         sys.dont_write_bytecode = before
-
-
-@contextmanager
-def _no_exit() -> Iterator[None]:
-    """Let nobody end this process at once: who asked would hear nothing, and take it for success.
-
-    A process that is begun meanwhile may end as it likes.
-    """
-    here, before = os.getpid(), {name: getattr(os, name) for name in ENDS}
-
-    def refuse(name: str) -> Callable[..., None]:
-        def end(*arguments: object) -> None:
-            if os.getpid() != here:
-                before[name](*arguments)
-            raise ValueError(f"os.{name} would end the program: leave it out")
-
-        return end
-
-    try:
-        for name in ENDS:
-            setattr(os, name, refuse(name))
-        yield
-    finally:
-        for name, function in before.items():
-            setattr(os, name, function)
 
 
 def owner(scene: Scene) -> tuple[Path, str] | None:

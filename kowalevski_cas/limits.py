@@ -9,6 +9,7 @@ from __future__ import annotations
 import pickle
 from collections.abc import Iterator
 from contextlib import contextmanager
+from math import inf
 from time import monotonic
 from typing import BinaryIO
 
@@ -25,8 +26,8 @@ class ProcessDied(UserError, RuntimeError):
 class Watched:
     """What a watched process knows: whom it tells, and the limits at which it gives up."""
 
-    def __init__(self, stream: BinaryIO) -> None:
-        self.stream = stream
+    def __init__(self, stream: BinaryIO, until: float = inf) -> None:
+        self.stream, self.until = stream, until
         self.given_up: dict[int, Exception] = {}
         self.limits = 0
 
@@ -37,6 +38,8 @@ class Watched:
 
 
 _here: Watched | None = None
+_until = inf
+"""When the run ends that is begun in this process."""
 
 
 def begin(here: Watched) -> None:
@@ -56,11 +59,29 @@ def tell(*words: object) -> None:
         _here.tell("words", *words)
 
 
+def run_end() -> float:
+    """When the run ends in which this process works; infinity if it has no limit."""
+    return _until if _here is None else _here.until
+
+
+@contextmanager
+def run_limit(seconds: float | None) -> Iterator[None]:
+    """A limit for all that processes do for a block: behind it every limit of time is over."""
+    global _until
+    before = _until
+    _until = before if seconds is None else min(before, monotonic() + seconds)
+    try:
+        yield
+    finally:
+        _until = before
+
+
 @contextmanager
 def time_limit(seconds: float | None) -> Iterator[None]:
     """A limit for a block, in a process that is watched; there is none elsewhere or with ``None``.
 
-    Limits nest. The blocks of a work have to come in the same order whenever it is done.
+    Limits nest. The blocks of a work have to come in the same order whenever it is done. None
+    reaches beyond the limit of the run.
 
     Raises:
         TimeoutError: the block takes longer; it is not entered.
@@ -70,11 +91,13 @@ def time_limit(seconds: float | None) -> Iterator[None]:
         yield
         return
     here = _here
+    if here.until <= (now := monotonic()):
+        raise TimeoutError("not decided before the limit of the run")
     here.limits += 1
     number = here.limits
     if number in here.given_up:
         raise here.given_up[number]
-    here.tell("begin", number, monotonic() + seconds)
+    here.tell("begin", number, min(now + seconds, here.until))
     try:
         yield
     finally:

@@ -23,7 +23,7 @@ from traceback import format_exc
 from typing import Generic, TypeVar
 
 from kowalevski_cas import forkserver
-from kowalevski_cas.limits import LENGTH, ProcessDied, Watched, begin, is_watched
+from kowalevski_cas.limits import LENGTH, ProcessDied, Watched, begin, is_watched, run_end
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -62,7 +62,7 @@ def each(
     """
     done = dict[int, _WorkResult[Result]]()
     following = 0
-    take, answers = _next_items(items), partial(_answers, work, jobs)
+    take, answers = _next_items(items), partial(_answers, work, jobs, run_end())
     if hasattr(os, "fork") and forkserver.has_threads():
         answers = partial(forkserver.answers, answers)
     with closing(answers(take, heard)) as found:
@@ -90,6 +90,7 @@ class _WorkResult(Generic[Result]):
 def _answers(
     work: Callable[[Item], Result],
     jobs: int,
+    until: float,
     take: Callable[[int], tuple[int, Item] | None],
     heard: Callable[..., None],
 ) -> Generator[tuple[int, _WorkResult[Result]], None, None]:
@@ -101,7 +102,7 @@ def _answers(
     running = list[_Process[Item, Result]]()
     try:
         while len(running) < max(1, jobs) and (one := take(len(running))) is not None:
-            running.append(_Process(work, len(running), running))
+            running.append(_Process(work, len(running), running, until))
             running[-1].give(*one)
         while running:
             _listen(running, heard)
@@ -134,13 +135,17 @@ def _next_items(items: Iterable[Item]) -> Callable[[int], tuple[int, Item] | Non
 class _Process(Generic[Item, Result]):
     """A process that works on one item after the other, seen by the one that watches it.
 
-    ``others`` are those that run beside it.
+    ``others`` are those that run beside it; nothing is worked on after ``until``.
     """
 
     def __init__(
-        self, work: Callable[[Item], Result], number: int, others: Sequence[_Process[Item, Result]]
+        self,
+        work: Callable[[Item], Result],
+        number: int,
+        others: Sequence[_Process[Item, Result]],
+        until: float,
     ) -> None:
-        self.work, self.number, self.others = work, number, others
+        self.work, self.number, self.others, self.until = work, number, others, until
         self.start()
 
     def start(self) -> None:
@@ -161,7 +166,9 @@ class _Process(Generic[Item, Result]):
                 }:  # who waits has to see that nobody asks any more
                     os.close(process.reading)
                     os.close(process.writing)
-                _serve(self.work, os.fdopen(asked, "rb"), Watched(os.fdopen(told, "wb")))
+                _serve(
+                    self.work, os.fdopen(asked, "rb"), Watched(os.fdopen(told, "wb"), self.until)
+                )
             finally:
                 os._exit(1)  # whatever happens, a copy does not go on with what the original does
         os.close(told)

@@ -15,7 +15,7 @@ ROOT = Path(__file__).parents[1]
 LIBRARY = "kowalevski_cas"
 
 ROOMS = (
-    LIBRARY, "files", "schema", "limits", "forkserver", "processes", "pool", "tools", "notation", "source", "algebra", "problem", "search", "paper", "library",
+    LIBRARY, "files", "schema", "limits", "exit_guard", "forkserver", "processes", "pool", "tools", "notation", "source", "algebra", "problem", "search", "paper", "library",
     "derivations", "verify", "reading", "questions", "pictures", "audit", "export", "report", "motion", "servers", "cli", "system", "pytest_plugin", "__main__", "study",
     "benchmarks",
 )  # fmt: skip

@@ -51,6 +51,7 @@ def test_what_is_loaded_twice_is_loaded_anew(tmp_path):
         ("\nint('a')", "{file}:2: invalid literal for int()"),
         ("class Stop(BaseException): ...\nraise Stop", "{file}:2: Stop"),
         ("import os\nos._exit(0)", "{file}:2: os._exit would end the program: leave it out"),
+        ("import ctypes\nctypes.CDLL(None)._exit(0)", "{file}:2: _exit would end the program"),
         ("import os\nos.abort()", "{file}:2: os.abort would end"),
         ("import os\nos.execvp('true', ['true'])", "{file}:2: os.execv would end"),
         ("from os import *\nfrom os import _exit\n_exit(0)", "{file}:3: os._exit would end"),
@@ -90,6 +91,17 @@ def test_a_derivation_that_ends_the_program_is_an_error_of_every_command(
     Path("dead.py").write_text("import os\nos._exit(0)\n")
     assert main([*command.split(), "dead.py"]) == 2
     assert "dead.py:2: os._exit would end the program" in capsys.readouterr().err
+
+
+def test_nor_does_it_later_in_a_thread(tmp_path, capsys):
+    file = tmp_path / "late.py"
+    file.write_text(
+        "import os, threading\nfrom kowalevski_cas import System\n"
+        'System("\\\\dot x=x").integral("x")\n'
+        "threading.Timer(0.2, os._exit, (0,)).start()\n"
+    )
+    assert main(["verify", str(file)]) == 1
+    assert "os._exit would end the program" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("name", ["euler1758", ""])

@@ -86,6 +86,7 @@ def test_a_motion(validator, written):
     words = "--a 1 --b 0.4 --m 0.8 --l 0.9 --until 1 --samples 3 --format json".split()
     validator.validate(written("motion", *words))
     validator.validate(written("motion", *words, "--method", "ball"))
+    validator.validate(written("motion", *words, "--frequencies", "--attitude"))
 
 
 def test_the_list_of_pictures(validator):

@@ -120,7 +120,7 @@ def relations(vectors: Sequence[Vector]) -> list[Relation]:
     found: list[Relation] = []
     for block in _blocks(vectors, _dependent(vectors)):
         own = [vectors[k] for k in block]
-        found += ({block[k]: v for k, v in one.items()} for one in _relations(own))
+        found += ({block[k]: v for k, v in relation.items()} for relation in _relations(own))
     return sorted(found, key=max)
 
 

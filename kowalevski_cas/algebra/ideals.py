@@ -25,7 +25,7 @@ def reduce_groebner_basis(polynomials: Sequence[fmpq_mpoly]) -> list[fmpq_mpoly]
     """
     context = polynomials[0].context()
     whole = fmpz_mpoly_ctx.get(context.names(), context.ordering())
-    given = (primitive(terms_of(one)) for one in polynomials if one)
+    given = (primitive(terms_of(polynomial)) for polynomial in polynomials if polynomial)
     own = [whole.from_dict({e: int(value) for e, value in terms.items()}) for terms in given]
     answer: Any = fmpz_mpoly_vec(own, whole).buchberger_naive(LIMITS)  # its type leaves limits out
     found, complete = answer
@@ -54,7 +54,9 @@ def vanish_on(elements: Sequence[Element], known: Sequence[Element]) -> list[boo
     context = fmpq_mpoly_ctx.get(flat.context.names(), Ordering.deglex)
     relations = (*map(flat.polynomial, given), *flat.relations())
     try:
-        basis = reduce_groebner_basis([context.from_dict(one.to_dict()) for one in relations])
+        basis = reduce_groebner_basis(
+            [context.from_dict(relation.to_dict()) for relation in relations]
+        )
     except TooLarge:
         return [False] * len(elements)
     dividends = (flat.polynomial(element).to_dict() for element in elements)

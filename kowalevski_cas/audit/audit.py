@@ -65,7 +65,7 @@ class Audit:
             title=derivation.title,
             author=derivation.author,
             source=derivation.source,
-            sections=tuple((one.number, one.title) for one in derivation.sections),
+            sections=tuple((section.number, section.title) for section in derivation.sections),
             outcomes=tuple(self.outcomes.values()),
             arithmetics=self.session.decider.arithmetics.names,
             versions={},
@@ -78,7 +78,9 @@ class Audit:
     @property
     def certificates(self) -> list[str]:
         """The texts that the checker has accepted."""
-        return [text for one in self.outcomes.values() for text in one.certificates.values()]
+        return [
+            text for outcome in self.outcomes.values() for text in outcome.certificates.values()
+        ]
 
     @property
     def counts(self) -> dict[str, int]:
@@ -95,10 +97,12 @@ class Audit:
     def false(self) -> list[Outcome]:
         """Statements in words that are refuted, where no formula is wrong by them."""
         seen = {claim for formula in self.formulas if formula.wrong for claim in formula.claims}
-        refuted = (one for one in self.statements if one.verdict is Verdict.REFUTED)
+        refuted = (
+            statement for statement in self.statements if statement.verdict is Verdict.REFUTED
+        )
         return [outcome for outcome in refuted if outcome.claim not in seen]
 
-    def explained(self, formula: Audited) -> str:
+    def explanation(self, formula: Audited) -> str:
         """What is wrong with a formula, in one sentence, with mathematics between dollars."""
         parts = self.said(formula)
         if formula.correction is not None:
@@ -110,7 +114,7 @@ class Audit:
         parts = formula.message.splitlines()[:1]
         if formula.breaks and not formula.claims:
             parts.append(f"because of it these do not hold: {', '.join(formula.breaks)}")
-        if causes := [self.located(cause) for cause in formula.causes if cause != formula.name]:
+        if causes := [self.location(cause) for cause in formula.causes if cause != formula.name]:
             parts.append(f"because of {', '.join(causes)}")
         changed = formula.place in self.session.changed
         if formula.verdict == SUSPECT and formula.correction is None and changed:
@@ -123,7 +127,7 @@ class Audit:
             return formula.id
         return f"({formula.label})" if formula.label else f"line {formula.line}"
 
-    def located(self, place: str) -> str:
+    def location(self, place: str) -> str:
         """A place with its line in the source."""
         found = next((formula for formula in self.formulas if formula.name == place), None)
         return f"{found.id} (line {found.line})" if found else place

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from kowalevski_cas.audit.audited import GIVEN, MISSING, NEW, SUSPECT, UNREADABLE, WRONG, Audited
 from kowalevski_cas.audit.author import AuthorSession
 from kowalevski_cas.audit.places import Correspondence
-from kowalevski_cas.audit.roles import PlaceRoles, Roles, undefined, unused
+from kowalevski_cas.audit.roles import PlaceRoles, Roles, undefined_names, unused_constants
 from kowalevski_cas.notation import Formula, NotationError, split_display, to_latex
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.source.displays import TypedFormula
@@ -57,19 +57,17 @@ class Describer:
             self.texts.statement(display[1])
         except NotationError as error:
             message = typed.trouble or str(error)
-            yield self._audited(
-                display.id, typed, (0, len(typed.tex)), display, UNREADABLE, message
-            )
+            yield self._entry(display.id, typed, (0, len(typed.tex)), display, UNREADABLE, message)
             return
         for number, interval in enumerate(intervals, 1):
             printed = display[number]
             id = printed.place if len(intervals) > 1 or expected > 1 else display.id
-            audited = self._audited(id, typed, interval, display, GIVEN, typed.trouble)
+            audited = self._entry(id, typed, interval, display, GIVEN, typed.trouble)
             audited.moved = place.moved
             self._judge(audited, printed)
             yield audited
         for number in range(len(intervals) + 1, expected + 1):
-            yield self._audited(
+            yield self._entry(
                 display[number].place, typed, (0, len(typed.tex)), display, MISSING,
                 f"{expected} statements are expected here, {len(intervals)} are found",
             )  # fmt: skip
@@ -83,9 +81,9 @@ class Describer:
             if not formula.inline and id(formula) not in known:
                 whole = (0, len(formula.tex))
                 name = "".join(formula.labels[:1]) or f"line {self._region(formula, *whole).line}"
-                yield self._audited(name, formula, whole, None, NEW, "the derivation has none")
+                yield self._entry(name, formula, whole, None, NEW, "the derivation has none")
 
-    def _audited(
+    def _entry(
         self,
         id: str,
         typed: TypedFormula,
@@ -145,9 +143,9 @@ class Describer:
         audited.breaks = tuple(self.error_outcome.get(printed.place, ()))
         lost = idle = []
         if printed in session.changed:
-            lost = undefined(role, formula)
+            lost = undefined_names(role, formula)
             before = session.base.decider.interpretation
-            idle = unused(before.derivation, before.texts, self.texts, printed)
+            idle = unused_constants(before.derivation, before.texts, self.texts, printed)
         if lost:
             audited.message = f"it does not define {', '.join(lost)}"
         elif idle:

@@ -19,15 +19,19 @@ from kowalevski_cas.verify.outcome import Outcome, Verdict
 def diagnostics(audit: Audit) -> list[Diagnostic]:
     """All that an author has to look at, formulas first, and what is not judged."""
     fixes = _fixes(audit)
-    found = [_of_formula(audit, one, fixes.get(id(one), ())) for one in audit.formulas]
-    found += [_of_statement(audit, one) for one in audit.statements if not one.verdict.green]
-    return [*_identified(one for one in found if one is not None)]
+    found = [_of_formula(audit, formula, fixes.get(id(formula), ())) for formula in audit.formulas]
+    found += [
+        _of_statement(audit, statement)
+        for statement in audit.statements
+        if not statement.verdict.green
+    ]
+    return [*_with_fingerprints(one for one in found if one is not None)]
 
 
 def _of_formula(
     audit: Audit, formula: Audited, fixes: tuple[Replacement, ...]
 ) -> tuple[Diagnostic, str] | None:
-    message, rule, level = audit.explained(formula), formula.verdict, WARNING
+    message, rule, level = audit.explanation(formula), formula.verdict, WARNING
     if formula.wrong:
         level = ERROR
     elif formula.moved:
@@ -49,7 +53,7 @@ def _of_statement(audit: Audit, outcome: Outcome) -> tuple[Diagnostic, str]:
     return told, outcome.claim
 
 
-def _identified(found: Iterable[tuple[Diagnostic, str]]) -> Iterator[Diagnostic]:
+def _with_fingerprints(found: Iterable[tuple[Diagnostic, str]]) -> Iterator[Diagnostic]:
     """The diagnostics with fingerprints; of several that are alike each has its own."""
     seen = Counter[tuple[str, str]]()
     for one, about in found:

@@ -32,4 +32,4 @@ def degree(formula: Formula) -> int:
 
 def _largest(formula: Formula) -> int:
     """The largest number in a formula."""
-    return max((one.value for one in formula.nodes() if isinstance(one, Number)), default=0)
+    return max((node.value for node in formula.nodes() if isinstance(node, Number)), default=0)

@@ -38,7 +38,7 @@ def _once(audit: Audit) -> Source:
 
 def repairs(audit: Audit, place: Correspondence) -> dict[tuple[int, int], str]:
     """The intervals of the source in which a display is to be mended, with what belongs there."""
-    wanted = wanted_tex(audit, place)
+    wanted = corrected_tex(audit, place)
     if place.typed is None or wanted is None:
         return {}
     found: dict[tuple[int, int], str] = {}
@@ -53,7 +53,7 @@ def repairs(audit: Audit, place: Correspondence) -> dict[tuple[int, int], str]:
     return found
 
 
-def wanted_tex(audit: Audit, place: Correspondence) -> str | None:
+def corrected_tex(audit: Audit, place: Correspondence) -> str | None:
     """The source of a display as it should be; ``None`` if nothing is wrong with it.
 
     What the author has changed is to be what the derivation has, and a misprint to be mended.
@@ -75,7 +75,7 @@ def wanted_tex(audit: Audit, place: Correspondence) -> str | None:
 def _minimal(audit: Audit, tex: str, wanted: str) -> list[tuple[int, int, str]]:
     """The least to type anew; the whole formula if less would not read as what is wanted."""
     small = list(changes(tex, wanted))
-    result = _replaced(tex, {(start, end): typed for start, end, typed in small})
+    result = _replace(tex, {(start, end): typed for start, end, typed in small})
     vocabulary = audit.session.interpretation.texts.vocabulary
     try:
         found = [statement.formula for statement in read_display(result, vocabulary)]
@@ -86,7 +86,7 @@ def _minimal(audit: Audit, tex: str, wanted: str) -> list[tuple[int, int, str]]:
     return [(0, len(tex), wanted)]
 
 
-def _replaced(text: str, replacements: dict[tuple[int, int], str]) -> str:
+def _replace(text: str, replacements: dict[tuple[int, int], str]) -> str:
     for start, end in sorted(replacements, reverse=True):
         text = text[:start] + replacements[start, end] + text[end:]
     return text

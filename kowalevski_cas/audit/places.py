@@ -126,25 +126,25 @@ class _Matcher:
                     for j in range(start, end)
                     if j not in self.taken and self.formulas[j].inline == inline
                 ]
-                for display, formula in self._aligned(waiting, free, least):
+                for display, formula in self._align(waiting, free, least):
                     self.take(display, formula)
                 start, waiting = end + 1, []
             elif k not in self.found and self.displays[k].inline == inline:
                 waiting.append(k)
 
-    def _aligned(
+    def _align(
         self, displays: list[int], formulas: list[int], least: float
     ) -> list[tuple[int, int]]:
         """Pairs in the same order, so much alike at least, whose likeness adds up to the most."""
         if not displays or not formulas:
             return []
 
-        def allowed(display: int, formula: int) -> bool:
+        def is_allowed(display: int, formula: int) -> bool:
             return self.alike(display, formula) >= least
 
         inline = self.displays[displays[0]].inline
         same = len(displays) == len(formulas)
-        if same and (not inline or all(map(allowed, displays, formulas))):
+        if same and (not inline or all(map(is_allowed, displays, formulas))):
             return list(zip(displays, formulas, strict=True))
         best: list[list[tuple[float, list[tuple[int, int]]]]] = [
             [(0.0, [])] * (len(formulas) + 1) for _ in range(len(displays) + 1)
@@ -152,7 +152,7 @@ class _Matcher:
         for i, display in enumerate(displays, 1):
             for j, formula in enumerate(formulas, 1):
                 best[i][j] = max(best[i - 1][j], best[i][j - 1], key=lambda entry: entry[0])
-                if allowed(display, formula):
+                if is_allowed(display, formula):
                     score, pairs = best[i - 1][j - 1]
                     score += self.alike(display, formula) + 0.01
                     if score > best[i][j][0]:

@@ -6,7 +6,7 @@ read otherwise than it was meant.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
 from time import perf_counter
@@ -35,6 +35,7 @@ from kowalevski_cas.reading import (
 from kowalevski_cas.reading.uncovered import Uncovered, sentences
 from kowalevski_cas.source.text import Region
 from kowalevski_cas.verify.blame import Blame
+from kowalevski_cas.verify.certificate import Stored
 from kowalevski_cas.verify.decider import Decider
 from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
@@ -66,9 +67,10 @@ class ReadingSession:
         explain: bool = False,
         timeout: float | None = None,
         heard: Progress = lambda *_: None,
+        certificates: Mapping[str, Stored] | None = None,
     ) -> None:
         self._session = Session(
-            reading.derivation, arithmetics, explain, timeout=timeout, patience=PATIENCE
+            reading.derivation, arithmetics, explain, certificates, timeout, patience=PATIENCE
         )
         self._heard = heard
         self.reading = reading
@@ -94,7 +96,7 @@ class ReadingSession:
     def outcomes(self) -> dict[str, Outcome]:
         """What is said about each claim; processes share the work."""
         run = self._run(self._session, self.causes)
-        found = {one.claim: self._blaming(one) for one in run.outcomes}
+        found = {outcome.claim: self._blaming(outcome) for outcome in run.outcomes}
         self._mend(found)
         self._doubt(found)
         return {
@@ -124,9 +126,9 @@ class ReadingSession:
         claims = {claim.id: claim for claim in interpretation.derivation.claims}
         for place, edit in self._units(interpretation.texts):
             failing = [
-                claims[one.claim]
-                for one in outcomes
-                if one.verdict is Verdict.REFUTED and place in claims[one.claim].reads()
+                claims[outcome.claim]
+                for outcome in outcomes
+                if outcome.verdict is Verdict.REFUTED and place in claims[outcome.claim].reads()
             ]
             texts = interpretation.texts.with_edit(place, edit)
 
@@ -238,9 +240,9 @@ def _regions(reading: Reading) -> dict[str, Region]:
     """Where the words stand that make claims."""
     source, expanded = reading.paper.source, reading.paper.expanded
     return {
-        one.claim.id: source.region(*expanded.origin(*one.span))
-        for one in reading.statements
-        if one.claim is not None and one.span is not None
+        statement.claim.id: source.region(*expanded.origin(*statement.span))
+        for statement in reading.statements
+        if statement.claim is not None and statement.span is not None
     }
 
 
@@ -304,7 +306,11 @@ def unchecked(audit: Audit) -> list[Audited]:
     claims = [formula.claim for formula in reading.formulas if formula.claim is not None]
     read = frozenset().union(*(claim.reads() for claim in claims))
     defining = {f.item.printed for f in reading.formulas if f.role.name == DEFINITION}
-    return [one for one in audit.formulas if one.place in defining and one.place not in read]
+    return [
+        formula
+        for formula in audit.formulas
+        if formula.place in defining and formula.place not in read
+    ]
 
 
 def is_read(audit: Audit) -> bool:

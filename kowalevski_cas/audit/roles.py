@@ -69,7 +69,7 @@ class Roles:
         return self.places[place]
 
 
-def undefined(role: PlaceRoles, formula: Formula) -> list[str]:
+def undefined_names(role: PlaceRoles, formula: Formula) -> list[str]:
     """The names that a place should define, and does not print as a member of its equation."""
     is_equality = isinstance(formula, Relation) and formula.is_equality
     members = formula.children() if is_equality else ()
@@ -77,7 +77,9 @@ def undefined(role: PlaceRoles, formula: Formula) -> list[str]:
     return sorted(role.defines - printed)
 
 
-def unused(derivation: Derivation, before: Texts, after: Texts, printed: Printed) -> list[str]:
+def unused_constants(
+    derivation: Derivation, before: Texts, after: Texts, printed: Printed
+) -> list[str]:
     """The constants of scenes that nothing depends on, now that a place has lost them.
 
     There are none that can be told where a text cannot be read: it may depend on them.

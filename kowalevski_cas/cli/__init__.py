@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from importlib import import_module
@@ -15,6 +16,7 @@ from traceback import print_exception
 from kowalevski_cas import UserError, __version__
 from kowalevski_cas.cli.exits import AS_RECORDED, FAILED, INTERRUPTED, USAGE, exit_codes
 from kowalevski_cas.cli.terminal import output
+from kowalevski_cas.exit_guard import no_exit
 
 COMMANDS = {
     "verify": "prove or refute the claims of a derivation and compare with its record",
@@ -95,10 +97,14 @@ def _terminable() -> Iterator[None]:
 @_terminable()
 def _run(program: str, words: Sequence[str], parser: Callable[[], argparse.ArgumentParser]) -> int:
     """Run what the words ask a parser for; what goes wrong is told in the program's name."""
-    sys.unraisablehook = _unraisable
+    sys.unraisablehook, threading.excepthook = _unraisable, _tell_of_thread
     closed = sys.stdout is None
-    with output():
+    with output(), no_exit():
+        known = {*threading.enumerate()}
         code = _exit_code(program, words, parser)
+        for thread in {*threading.enumerate()} - known:  # as the interpreter does, unguarded
+            if not thread.daemon:
+                thread.join()
         if closed and code == AS_RECORDED:
             print(f"{program}: the output is closed", file=sys.stderr)
             return USAGE
@@ -183,6 +189,13 @@ def _overview() -> argparse.ArgumentParser:
 def _silence() -> None:
     """The reader has gone, or the disk is full: nothing more can be written, not even at exit."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _tell_of_thread(ended: threading.ExceptHookArgs) -> None:
+    """What goes wrong in a thread that a derivation has begun is told; the run goes on."""
+    if ended.exc_type is not SystemExit:
+        said = f"{ended.exc_type.__name__}: {ended.exc_value}"
+        print(f"kowalevski-cas: a thread has ended by an error: {said}", file=sys.stderr)
 
 
 def _unraisable(unraisable: sys.UnraisableHookArgs) -> None:

@@ -12,6 +12,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict
 from pathlib import Path
 
@@ -31,16 +32,18 @@ from kowalevski_cas.cli.exits import (
     CommandError,
 )
 from kowalevski_cas.cli.formats import OF_AUDITS, load_format
+from kowalevski_cas.cli.watch import watch
 from kowalevski_cas.files import write
 from kowalevski_cas.library import available
+from kowalevski_cas.limits import run_limit
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.reading import CLAIM, read
 from kowalevski_cas.schema import head
 from kowalevski_cas.source.difference import difference
-from kowalevski_cas.source.files import LARGEST, read_source
-from kowalevski_cas.source.listing import listing
+from kowalevski_cas.source.files import COMMENTS, LARGEST, read_source
+from kowalevski_cas.source.listing import list_formulas
 from kowalevski_cas.source.text import Source
-from kowalevski_cas.verify.certificate import load_certificates
+from kowalevski_cas.verify.certificate import Stored, load_certificates
 from kowalevski_cas.verify.confirm import need_certificates, receive_here
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.verify.outcome_writer import disagreement
@@ -107,12 +110,36 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="decide in this arithmetic, or in all three (flint)",
     )
     session.add_timeout(parser, 5)
+    session.add_limit(parser)
+    parser.add_argument(
+        "--watch",
+        action="store_true",
+        help="do it again whenever the source changes; only what has changed is decided anew",
+    )
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
+    if not arguments.watch:
+        return _run(arguments, {})[0]
+    if arguments.stdin:
+        raise CommandError("what comes from standard input does not change: --watch needs the file")
+    certificates: dict[str, Stored] = {}
+    return watch(lambda: _run(arguments, certificates))
+
+
+def _run(
+    arguments: argparse.Namespace, certificates: dict[str, Stored]
+) -> tuple[int, Iterable[Path]]:
+    """The exit code, and the files that are read; evidence is taken from certificates, and kept."""
     data = sys.stdin.buffer.read(LARGEST) if arguments.stdin else None
     source = read_source(arguments.source, arguments.macros, data)
+    files = [*map(Path, source.files), arguments.source.with_suffix(COMMENTS)]
+    with run_limit(arguments.limit):
+        return _audited(arguments, source, certificates), files
+
+
+def _audited(arguments: argparse.Namespace, source: Source, certificates: dict[str, Stored]) -> int:
     if arguments.list:
         return _list(source, arguments.format)
     if arguments.draft:
@@ -122,7 +149,9 @@ def run(arguments: argparse.Namespace) -> int:
     alone = arguments.alone and arguments.derivation is None
     known = None if alone else fitting_derivation(source, arguments.derivation)
     if known is None:
-        _, said, note, code = _render(arguments, _read(source, arguments))
+        outcomes, said, note, code = _render(arguments, _read(source, arguments, certificates))
+        texts = {name: text for one in outcomes for name, text in one.certificates.items()}
+        certificates |= {name: Stored(Path(name), json.loads(t)) for name, t in texts.items()}
     else:
         with receive_here():
             ((outcomes, said, note, code),) = session.map_in_processes(
@@ -167,14 +196,17 @@ def _render(arguments: argparse.Namespace, found: Audit) -> tuple[list[Outcome],
     return outcomes, load_format(arguments.format).audited(found), note, code
 
 
-def _read(source: Source, arguments: argparse.Namespace) -> Audit:
+def _read(
+    source: Source, arguments: argparse.Namespace, certificates: Mapping[str, Stored]
+) -> Audit:
     """The audit of a source as its own derivation; processes share the work."""
     explain = arguments.report is not None
     with session.progress_bar() as heard:
         reading = read(source, heard)
         run = ReadingSession(
-            reading, arithmetics(arguments.arithmetic), explain, arguments.timeout, heard
-        )
+            reading, arithmetics(arguments.arithmetic), explain, arguments.timeout, heard,
+            certificates,
+        )  # fmt: skip
         return audit_reading(run)
 
 
@@ -249,7 +281,7 @@ def _of_reading(found: Audit, strict: bool) -> int:
 
 def _list(source: Source, format: str) -> int:
     """Print the formulas of a source, and whether they can be read."""
-    found, notes = listing(source)
+    found, notes = list_formulas(source)
     if format == "json":
         value = {
             **head("listing"),

@@ -62,6 +62,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         choices=METHODS,
         help=f"{words}. If none is named: closed where there is a closed form, else dop853",
     )
+    parser.add_argument(
+        "--frequencies",
+        action="store_true",
+        help="the frequencies, rotation number and actions of the torus as well, on N⁴ or O⁴",
+    )
+    parser.add_argument(
+        "--attitude",
+        action="store_true",
+        help="at each state a unit quaternion as well, that turns the body's axes into those of "
+        "space: the first along α, the third along α × β",
+    )
     session.add_timeout(parser, 60, "for the method")
     parser.add_argument(
         "--format", choices=FORMATS, help="if none is named: table on a terminal, else json"
@@ -107,7 +118,11 @@ def run(arguments: argparse.Namespace) -> int:
     binary = arguments.format == "npz" and arguments.output is None
     if binary and sys.stdout.isatty():
         raise CommandError("npz is not for a terminal; give --output DIR, or send it to a file")
-    contents = FORMATS[arguments.format](_follow(arguments))
+    trajectory = _follow(arguments)
+    try:
+        contents = FORMATS[arguments.format](trajectory)
+    except Inadmissible as error:
+        raise CommandError(str(error)) from None
     if arguments.output is not None:
         path = arguments.output / f"motion.{arguments.format}"
         write(path, contents)
@@ -159,7 +174,9 @@ def _follow(arguments: argparse.Namespace) -> Trajectory:
         raise CommandError(str(error), UNDECIDED) from None
     except ValueError as error:
         raise CommandError(str(error)) from None
-    return Trajectory(motion, times, *found)
+    also = tuple(name for name in ("frequencies", "attitude") if getattr(arguments, name))
+    rows, *radii = found
+    return Trajectory(motion, times, rows, radii[0] if radii else None, also)
 
 
 def _states(motion: AnyMotion, times: Array, method: str, free: bool) -> tuple[Array, ...]:

@@ -15,6 +15,17 @@ TOLD = ("invariants", "critical_sets", "regime")
 """What is said of a motion besides its states."""
 
 
+def _told(result: Trajectory) -> list[str]:
+    """What is said of a motion, with its frequencies if they are asked for."""
+    return [*TOLD, *(name for name in result.also if name == "frequencies")]
+
+
+def _attitudes(result: Trajectory) -> list[list[float]]:
+    """The quaternions, a row a state, if they are asked for."""
+    found: list[list[float]] = result.attitude.tolist() if "attitude" in result.also else []
+    return found
+
+
 def as_json(result: Trajectory) -> bytes:
     """States, a line each, so that long files can be read and compared by lines; what is told."""
     entries = [
@@ -24,8 +35,10 @@ def as_json(result: Trajectory) -> bytes:
     if result.radii is not None:
         for entry, radius in zip(entries, result.radii.tolist(), strict=True):
             entry["radius"] = radius
+    for entry, quaternion in zip(entries, _attitudes(result), strict=False):
+        entry["attitude"] = quaternion
     states = ",\n".join(map(json.dumps, entries))
-    told = [f"{json.dumps(n)}: {json.dumps(getattr(result, n), indent=1)}" for n in TOLD]
+    told = [f"{json.dumps(n)}: {json.dumps(getattr(result, n), indent=1)}" for n in _told(result)]
     begin = json.dumps(head("motion"))[:-1]
     return ",\n".join([f'{begin}, "states": [\n{states}\n]', *told]).encode() + b"\n}\n"
 
@@ -39,9 +52,18 @@ def as_table(result: Trajectory) -> bytes:
     constants = [f"{n} = {v:.6g}" for n, v in result.motion.constants.items()]
     lines += ["", ", ".join(constants)]
     lines.append(f"The integrals drift by at most {max(map(abs, result.drift.values())):.2g}.")
+    if "frequencies" in result.also:
+        lines.append("; ".join(f"{n}: {_words(v)}" for n, v in result.frequencies.items()))
     regime = {n: v for n, v in result.regime.items() if isinstance(v, str)}
     lines.append(regime.pop("none", "; ".join(f"{n}: {v}" for n, v in regime.items())))
     return "\n".join([*lines, ""]).encode()
+
+
+def _words(value: object) -> str:
+    """A number, several, or words."""
+    if isinstance(value, list):
+        return ", ".join(map(_words, value))
+    return f"{value:.12g}" if isinstance(value, float) else str(value)
 
 
 def _decimal(value: float) -> str:
@@ -52,10 +74,12 @@ def _decimal(value: float) -> str:
 def as_csv(result: Trajectory) -> bytes:
     """A table with a header: the time, the variables, the radius of a ball; floats read back."""
     radii = [[]] * len(result.times) if result.radii is None else result.radii[:, None].tolist()
-    rows = zip(result.times.tolist(), result.rows, radii, strict=True)
-    lines = [",".join(map(repr, (t, *row, *radius))) for t, row, radius in rows]
+    attitudes = _attitudes(result) or [[]] * len(result.times)
+    rows = zip(result.times.tolist(), result.rows, radii, attitudes, strict=True)
+    lines = [",".join(map(repr, (t, *row, *radius, *turn))) for t, row, radius, turn in rows]
     names = [f"{name}{k}" for name in ("omega", "alpha", "beta") for k in (1, 2, 3)]
     header = ["t", *names, *["radius"] * (result.radii is not None)]
+    header += [f"q{k}" for k in range(4)] * ("attitude" in result.also)
     return "\n".join([",".join(header), *lines, ""]).encode()
 
 
@@ -65,7 +89,9 @@ def as_npz(result: Trajectory) -> bytes:
     arrays = {"t": result.times, "omega": omega, "alpha": alpha, "beta": beta}
     if result.radii is not None:
         arrays["radius"] = result.radii
-    told = {name: np.array(json.dumps(getattr(result, name))) for name in TOLD}
+    if "attitude" in result.also:
+        arrays["attitude"] = result.attitude
+    told = {name: np.array(json.dumps(getattr(result, name))) for name in _told(result)}
     file = BytesIO()
     np.savez(file, allow_pickle=True, **arrays, **told)
     return file.getvalue()

@@ -142,6 +142,16 @@ def add_timeout(
     )
 
 
+def add_limit(parser: argparse.ArgumentParser) -> None:
+    """The argument by which a command is told the limit of its run."""
+    parser.add_argument(
+        "--limit",
+        type=_seconds,
+        metavar="SECONDS",
+        help="for the whole run: what is not decided by then is timeout",
+    )
+
+
 def add_format(parser: argparse.ArgumentParser, formats: Iterable[str], each: str) -> None:
     """The arguments by which a command is told how to print results."""
     parser.add_argument("--format", choices=formats, default="pretty", help="how to print results")

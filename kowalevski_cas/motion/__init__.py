@@ -18,6 +18,7 @@ Through a state that has no closed form goes a general motion, for the integrato
 'the state is not on N⁴: the left side of (16), equation 1, is 0.108 there, 0.172 of its size'
 """
 
+from kowalevski_cas.motion.frequencies import Frequencies, frequencies
 from kowalevski_cas.motion.general import General, through
 from kowalevski_cas.motion.methods import METHODS, load
 from kowalevski_cas.motion.motion import Motion

@@ -10,13 +10,15 @@ import numpy as np
 
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.arrays import Array
+from kowalevski_cas.motion.attitude import quaternions
 from kowalevski_cas.motion.critical import SETS, on, residuals
 from kowalevski_cas.motion.diagram import Fields
+from kowalevski_cas.motion.frequencies import frequencies
 from kowalevski_cas.motion.general import AnyMotion, General
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4 import transverse as o4
 from kowalevski_cas.motion.o4.motion import MotionO4
-from kowalevski_cas.motion.parameters import precision
+from kowalevski_cas.motion.parameters import Inadmissible, precision
 from kowalevski_cas.motion.regimes import coincidences, tori
 from kowalevski_cas.motion.transverse import exponent, kind
 from kowalevski_cas.motion.units import in_unit, unit_of
@@ -30,12 +32,14 @@ class Trajectory:
     """States of shape (N, 9) at times of shape (N,).
 
     ``radii`` (N,) are those of enclosures: no number of a state is farther from the exact one.
+    ``also`` is what else is told of it: its ``frequencies``, the ``attitude`` at each state.
     """
 
     motion: AnyMotion
     times: Array
     states: Array
     radii: Array | None = None
+    also: tuple[str, ...] = ()
 
     @property
     def rows(self) -> list[list[float]]:
@@ -47,6 +51,11 @@ class Trajectory:
     def invariants(self) -> dict[str, object]:
         """The constants of the motion, how far it begins from a given state, and the drift."""
         return {**self.motion.constants, "off": self.motion.off, "drift": self.drift}
+
+    @cached_property
+    def attitude(self) -> Array:
+        """The quaternions (N, 4) that turn the body's axes into those of space."""
+        return quaternions(self.states)
 
     @cached_property
     def drift(self) -> dict[str, float]:
@@ -104,6 +113,21 @@ class Trajectory:
             "lambda": abs(exponent(motion.parameters)),
             "transversely": kind(motion.parameters),
             "separating": coincidences(motion.parameters),
+        }
+
+    @property
+    def frequencies(self) -> dict[str, object]:
+        """The frequencies, the rotation number and the actions of the torus, or why it has none."""
+        if isinstance(self.motion, General):
+            return {"none": self.motion.why}
+        try:
+            found = frequencies(self.motion)
+        except Inadmissible as error:
+            return {"none": str(error)}
+        return {
+            "frequencies": list(found.frequencies),
+            "rotation_number": found.rotation_number,
+            "actions": list(found.actions),
         }
 
     def _on_M4(self, motion: General) -> dict[str, object]:

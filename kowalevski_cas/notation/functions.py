@@ -19,7 +19,7 @@ class Family:
     ``functions``
         names, the first of several is the one in which they are read, and formulas in generators.
     ``rates``
-        the generators, with their derivatives by the argument.
+        the generators, with their derivatives by the argument, which is x where it stands there.
     ``squares``
         those generators that are either root of something.
     ``zero``
@@ -59,6 +59,11 @@ class Family:
     argument: int = 1
     imaginary: Mapping[str, str] = field(default_factory=dict)
     degenerate: Mapping[tuple[int, ...], Mapping[str, str]] = field(default_factory=dict)
+
+    @property
+    def is_explicit(self) -> bool:
+        """Whether the argument stands in the derivatives."""
+        return any("x" in rate for rate in self.rates.values())
 
 
 CIRCULAR = Family(
@@ -143,17 +148,25 @@ JACOBI = Family(
 )
 
 WEIERSTRASS = Family(
-    functions={"wp": "p", "wp'": "q"},
+    functions={"wp": "p", "wp'": "q", "zeta": "z", "sigma": "s"},
     rates={"p": "q", "q": r"6p^2-\frac{1}{2}g_2"},
     squares={"q": "4p^3-g_2p-g_3"},
+    integrals={"z": "-p", "s": "zs"},
     parameters=("g_2", "g_3"),
+    covers=False,
+)
+
+# The complete integrals, by the modulus.
+LEGENDRE = Family(
+    functions={"K": "p", "E": "q"},
+    rates={"p": r"\frac{q-(1-x^2)p}{x(1-x^2)}", "q": r"\frac{q-p}{x}"},
     covers=False,
 )
 
 ROTATED = {CIRCULAR: EXPONENTIAL, EXPONENTIAL: CIRCULAR, JACOBI: JACOBI}
 """By which families those at i times an argument are known, with the complementary modulus."""
 
-FAMILIES = (CIRCULAR, EXPONENTIAL, JACOBI, WEIERSTRASS)
+FAMILIES = (CIRCULAR, EXPONENTIAL, JACOBI, WEIERSTRASS, LEGENDRE)
 
 DERIVATIVES = {
     "ln": r"\frac{1}{\sqrt{x}^2}",
@@ -176,7 +189,7 @@ _MACROS = frozenset(
     """sin cos tan cot sec csc sinh cosh tanh coth arcsin arccos arctan exp ln log max min
     det""".split()
 )
-_SYMBOLS = frozenset(["wp", "wp'"])
+_SYMBOLS = frozenset(["wp", "wp'", "zeta", "sigma"])
 _SHORT = frozenset(
     "tg ctg cotg cosec sh ch th cth sech csch arctg arcctg arsh arch arth arcth".split()
 )
@@ -194,6 +207,18 @@ def canonical(word: str) -> str:
 
 _LINES = [name.split() for family in FAMILIES for name in family.functions]
 _LINES += [line.split() for line in (*DERIVATIVES, *_OTHERS)]
+
+LETTERS = {
+    printed: canonical(word)
+    for word in ("K", "E", "zeta", "sigma")
+    for printed in (word, canonical(word))
+}
+"""Functions of which the names are letters, which are often those of something else.
+
+They are read before brackets, where nothing else has this name.
+"""
+
+_LINES = [names for names in _LINES if names[0] not in LETTERS]
 
 FUNCTIONS = frozenset(canonical(names[0]) for names in _LINES)
 """The functions that need no declaration: upright, with one factor behind if not with brackets."""

@@ -70,7 +70,7 @@ def misprints(
         partial(_names, "index", names, vocabulary),
         partial(_names, "letter", names, vocabulary),
         _functions,
-        partial(_dots, {one.mark for one in formula.nodes() if isinstance(one, Derivative)}),
+        partial(_dots, {node.mark for node in formula.nodes() if isinstance(node, Derivative)}),
         partial(_exponents, vocabulary),
         _fractions,
         _coefficients,

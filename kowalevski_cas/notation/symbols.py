@@ -18,6 +18,7 @@ from kowalevski_cas.notation.formula import (
     Power,
     Product,
 )
+from kowalevski_cas.notation.functions import LETTERS
 from kowalevski_cas.notation.macros import GREEK, INSTEAD
 from kowalevski_cas.notation.tokens import DEEPEST, Token
 from kowalevski_cas.notation.values import rank
@@ -69,6 +70,8 @@ class Symbols(Cursor):
             primed := name + "'" * on.primes
         ):  # as that of Weierstrass
             name, on.primes = primed, 0
+        if name in LETTERS and self.is_free(name) and self.tokens[self.at].kind == "open":
+            return self.application(LETTERS[name], token.start, on.power)
         if self.is_applied(name):
             if on.primes or accents:
                 raise self.error(
@@ -135,6 +138,10 @@ class Symbols(Cursor):
             and tokens[at + 1].text in self.vocabulary.times
             and tokens[at + 2].text == ")"
         )
+
+    def is_free(self, name: str) -> bool:
+        """Whether nothing that is declared has a name."""
+        return name not in self.names and name not in self.vocabulary.functions
 
     def is_applied(self, name: str) -> bool:
         """Whether a name is a function here, with an argument to follow."""

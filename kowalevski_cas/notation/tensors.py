@@ -32,7 +32,7 @@ class _Tensor(NamedTuple):
 
     def value(self, at: Values) -> int | None:
         """Kronecker's delta, or the sign of a permutation; nothing if an index is not known."""
-        known = [int(one) if one.isdecimal() else at.get(one) for one in self.indices]
+        known = [int(index) if index.isdecimal() else at.get(index) for index in self.indices]
         numbers = [one for one in known if one is not None]
         if len(numbers) < len(known):
             return None
@@ -44,7 +44,9 @@ class _Tensor(NamedTuple):
 
 def permuted(tokens: Sequence[Token]) -> set[str]:
     """The letters in the indices of signs of permutations."""
-    return {one for t in _tensors(tokens) if len(t.indices) == 3 for one in t.indices} - {*"123"}
+    return {index for t in _tensors(tokens) if len(t.indices) == 3 for index in t.indices} - {
+        *"123"
+    }
 
 
 def has_tensors(tokens: Sequence[Token]) -> bool:
@@ -65,7 +67,7 @@ def add_sums(tokens: list[Token], ranges: Mapping[str, Sequence[int]], tex: str)
     letters |= {letter for letter in _letters(tokens) if letter in ranges}
     found, free = list[Token](), list[set[str]]()
     for term in _terms(tokens):
-        counts = Counter(one for one in _letters(term) if one in letters)
+        counts = Counter(letter for letter in _letters(term) if letter in letters)
         twice = [one for one, count in counts.items() if count > 1]
         _check_term(term, twice, counts, tex)
         free += [{*counts} - {*twice}]

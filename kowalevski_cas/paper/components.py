@@ -38,7 +38,7 @@ def size(vector: Formula, setting: Meaning) -> int:
         case Name(name) if name in setting.scene.definitions:
             return size(setting.definition(name), setting)
     parts = (one for one in vector.children() if rank(one, setting.texts.vocabulary) == VECTOR)
-    found = {size(one, setting) for one in parts} or {3}
+    found = {size(part, setting) for part in parts} or {3}
     if len(found) > 1 or (isinstance(vector, CrossProduct) and found != {3}):
         numbers = " and ".join(map(str, sorted(found)))
         raise Meaningless(f"the vectors in {to_latex(vector)} have {numbers} components")

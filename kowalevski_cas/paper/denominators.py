@@ -46,7 +46,7 @@ class Divisors:
     def landmarks(self) -> dict[object, Formula]:
         """The conditions of the declared loci as they are printed, by their shapes."""
         setting = self.setting
-        printed = [setting.texts.expression(one.condition) for one in setting.scene.loci]
+        printed = [setting.texts.expression(locus.condition) for locus in setting.scene.loci]
         return {shape_of(setting.finder.scalar(setting.plain(f))): f for f in printed}
 
     @cached_property

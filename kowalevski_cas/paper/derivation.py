@@ -209,7 +209,9 @@ class Derivation:
     @property
     def expected(self) -> dict[str, str]:
         """The verdicts that the author expects, by claims."""
-        return {id: verdict for one in self.sections for id, verdict in one.expected.items()}
+        return {
+            id: verdict for section in self.sections for id, verdict in section.expected.items()
+        }
 
     def scenes(self) -> tuple[Scene, ...]:
         """The scenes of the sections and of the claims, and those from which they are changes."""

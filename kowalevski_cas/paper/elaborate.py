@@ -75,7 +75,7 @@ class Elaboration(Moving):
         functions = self.transcendental
         self._powers = {f"{b}^{{{e}}}": (b, e) for b, e in scene.powers}
         moving = [
-            *(n for one in scene.variables for n in functions.instead(one)),
+            *(n for variable in scene.variables for n in functions.instead(variable)),
             *self.velocities.values(),
             *functions.products(moving=True),
             *(functions.instead(scene.time) if functions.depends_on_time else ()),
@@ -111,7 +111,7 @@ class Elaboration(Moving):
         at, found = self.finder, []
         for locus in self.scene.loci:
             sides = at.differences(self.equations(locus.equations))
-            equations = tuple((formula_in(one), Number(0)) for one in sides)
+            equations = tuple((formula_in(side), Number(0)) for side in sides)
             found.append((equations, self.numerator(self.formula(locus.condition))))
         return tuple(found)
 
@@ -213,7 +213,7 @@ class Elaboration(Moving):
 
     def _head(self, name: str) -> str | None:
         """The head in which a name has variables for arguments, as H has in H(q,p)."""
-        heads = (one for one in self.scene.definitions if head(one)[0] == name)
+        heads = (definition for definition in self.scene.definitions if head(definition)[0] == name)
         return next(filter(self.scene.of_variables, heads), None)
 
     def raised(self, name: str) -> Raised:
@@ -285,7 +285,7 @@ class Elaboration(Moving):
     def free(self, names: Sequence[str]) -> Evaluation:
         """The setting in FLINT with more variables, bound by nothing; a root may be one."""
         ring = Ring(self.finder.polynomials((*generators(self), *names)))
-        values = {one: ring.generator(one) for one in ring.polynomials.generators}
+        values = {generator: ring.generator(generator) for generator in ring.polynomials.generators}
         at = Evaluation(self, self.finder.polynomials, ring, values, finder_of)
         for root in takewhile(lambda root: root not in names, self.roots):
             at.scalar(Name(root))

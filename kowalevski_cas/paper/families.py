@@ -43,17 +43,20 @@ class Kind(NamedTuple):
         if self.family.argument > 1:
             return {"e": rf"\mathrm{{e}}^{{{_over(argument, self.family.argument)}}}"}
         tex = ",".join(map(to_latex, (argument, *self.parameters)))
-        whole = tex if isinstance(argument, Name | Quotient) and not self.parameters else f"({tex})"
+        bare = not self.parameters and not self.family.is_explicit
+        whole = tex if bare and isinstance(argument, Name | Quotient) else f"({tex})"
         words = {one: canonical(name.split()[0]) for name, one in self.family.functions.items()}
         letters = [*self.family.rates, *(self.family.integrals if integrals else ())]
         return {
             g: f"{words[g].rstrip(PRIME)}{{{PRIME * (PRIME in words[g])}{whole}}}" for g in letters
         }
 
-    def rates(self, names: Mapping[str, str], over: int = 1) -> dict[str, Formula]:
+    def rates(
+        self, names: Mapping[str, str], over: int = 1, argument: Formula = ONE
+    ) -> dict[str, Formula]:
         """The derivatives of generators with some names by what their argument is, ``over`` it."""
         below = Number(over * self.family.argument)
-        values = {letter: Name(name) for letter, name in names.items()}
+        values = {letter: Name(name) for letter, name in names.items()} | {"x": argument}
         found = {}
         for letter in names:
             rate = self.formula({**self.family.rates, **self.family.integrals}[letter], values)
@@ -137,7 +140,7 @@ def complementary(modulus: Formula) -> Name:
 @cache
 def template(tex: str) -> Formula:
     """A formula of the table of functions."""
-    letters = (*"acdeikpqsx", *(f"{letter}_1" for letter in "scde"), "g_2", "g_3")
+    letters = (*"acdeikpqsxz", *(f"{letter}_1" for letter in "scde"), "g_2", "g_3")
     return read(tex, Vocabulary(frozenset(letters), functions=FUNCTIONS))
 
 
@@ -179,19 +182,19 @@ class Generators(NamedTuple):
 
     def rates(self) -> dict[str, Formula]:
         """Their derivatives by the product of names."""
-        return self.kind.rates(self.names, self.over)
+        return self.kind.rates(self.names, self.over, self.argument)
 
 
 def kind_of(formula: Application) -> Kind:
-    """The family of a function, with its parameters.
+    """The family of a function, with its parameters: if none is printed, the usual letters.
 
-    Raises :class:`Meaningless` if one of these is missing.
+    Raises :class:`Meaningless` if only some are printed, or too many.
     """
     family, (_, *parameters) = FAMILY_OF[formula.function], formula.arguments
-    if len(parameters) != len(family.parameters):
-        what = "the modulus" if family.parameters else "one argument"
+    if parameters and len(parameters) != len(family.parameters):
+        what = f"one argument, and {', '.join(family.parameters) or 'no more'}"
         raise Meaningless(f"{to_latex(formula)}: print {what}", formula.function)
-    return Kind(family, tuple(parameters))
+    return Kind(family, tuple(parameters) or tuple(map(Name, family.parameters)))
 
 
 @once

@@ -44,13 +44,30 @@ def functions_of(setting: Meaning) -> Transcendental:
     time = "" if known else scene.time
     paired = {name for pair in scene.conjugates for name in pair}  # of what is complex none is read
     moving = [n for n in (*scene.variables, *setting.velocities.values()) if n not in paired]
-    roots = (name for name in scene.roots if name not in scene.variables)
     unit = ("i",) if scene.unit is not None and _is_imaginary(setting, scene.unit) else ()
-    constants = (*scene.constants, *scene.undefined, *roots, *unit)
-    free, expanded = free_names(setting, own), partial(_expand, setting)
-    return Transcendental(
-        [*own, *defined], free, moving, constants, time, expanded, _values(setting)
-    )
+    constants = [*scene.constants, *scene.undefined, *unit]
+    radicals: dict[str, frozenset[str]] = {}
+    squares = [*_squares(setting)]
+    for name, formulas in squares:
+        names = (_expand(setting, one).names() for one in formulas)
+        below = frozenset[str]().union(*names) - {name}
+        radicals[name] = below.union(*(radicals.get(one, ()) for one in below))
+        (constants if radicals[name].issubset(constants) else moving).append(name)
+    printed = [formula for _, formulas in squares for formula in formulas]
+    free, expanded = free_names(setting, [*own, *printed]), partial(_expand, setting)
+    values, formulas = _values(setting), [*own, *defined, *printed]
+    return Transcendental(formulas, free, moving, constants, time, expanded, values, radicals)
+
+
+def _squares(setting: Meaning) -> Iterator[tuple[str, Sequence[Formula]]]:
+    """The roots that are no variables, with what is printed of their squares."""
+    for name, place in setting.scene.roots.items():
+        if name not in setting.scene.variables:
+            with suppress(NotationError):
+                if place is None:
+                    yield name, setting.texts.expression(name).children()
+                else:
+                    yield name, setting.texts.relation(place).members
 
 
 def _values(setting: Meaning) -> Iterator[tuple[Application, Formula]]:
@@ -110,7 +127,7 @@ def free_names(setting: Meaning, formulas: Iterable[Formula]) -> frozenset[str]:
         heads.setdefault(head(name)[0], []).append(name)
     while waiting:
         formula = waiting.pop()
-        applied = {one.function for one in formula.nodes() if isinstance(one, Application)}
+        applied = {node.function for node in formula.nodes() if isinstance(node, Application)}
         new = (outside(formula) | applied) - found
         found |= new
         found.update(part for name in new for part in scene.vectors.get(name, ()))
@@ -164,9 +181,9 @@ def _rate(
     argument = setting.plain(product_of(monomial))
     reach = Reach(setting)
     reach.formula(argument)
-    for one in setting.variables:
-        if one in reach.names and one not in rates:
-            raise Meaningless(f"solve the equations of motion for the rate of {one}", one)
+    for variable in setting.variables:
+        if variable in reach.names and variable not in rates:
+            raise Meaningless(f"solve the equations of motion for the rate of {variable}", variable)
     return ONE, derivative(argument, rates, setting.step)
 
 

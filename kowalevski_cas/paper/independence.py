@@ -39,7 +39,7 @@ def _independent(groups: list[Generators], setting: Meaning) -> bool:
     others, nor of arguments that may have to do with one another.
     """
     kinds = {group.kind for group in groups if group.kind.parameters}
-    if any(_may_degenerate(one, setting) for kind in kinds for one in kind.parameters):
+    if any(_may_degenerate(parameter, setting) for kind in kinds for parameter in kind.parameters):
         return False
     return len(kinds) < 2 and (len(groups) < 2 or _are_independent(groups, setting))
 
@@ -61,7 +61,7 @@ def _are_independent(groups: list[Generators], setting: Meaning) -> bool:
     """
     parts = [part for group in groups for part in group.monomial]
     odd = [(f, e) for f, e in parts if _is_root(f, setting) or not isinstance(f, Name)]
-    inner = {one for f, _ in odd for one in f.nodes() if one == f or _is_root(one, setting)}
+    inner = {node for f, _ in odd for node in f.nodes() if node == f or _is_root(node, setting)}
     if len(inner) > 1 or len({exponent for _, exponent in odd}) > 1:
         return False
     if any(_is_root(one, setting) for one in inner):

@@ -69,4 +69,4 @@ class InlinedDefinitions:
 def _heads(formula: Formula) -> list[Formula]:
     """What in a formula may be the head of a definition."""
     heads = (Name, Application, PoissonBracket, Root)
-    return [one for one in formula.nodes() if isinstance(one, heads)]
+    return [node for node in formula.nodes() if isinstance(node, heads)]

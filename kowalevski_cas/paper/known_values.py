@@ -41,12 +41,12 @@ class KnownValues:
         """The names at which values are known, and those in the moduli."""
         for kind, monomial in self.values:
             yield from names_in(monomial)
-            yield from (name for one in kind.parameters for name in one.names())
+            yield from (name for parameter in kind.parameters for name in parameter.names())
 
     def multiple(self, place: Place, factor: Fraction) -> tuple[PrintedValue, int]:
         """The values of which those at a multiple of a constant are made, and how often."""
         (kind, monomial), values = place, self.values[place]
-        parts = [one for one in values if (factor / one).denominator == 1]
+        parts = [value for value in values if (factor / value).denominator == 1]
         nearest = max(parts, key=abs, default=factor)
         argument = _times(nearest, monomial)
         if values.get(nearest, {}).keys() != kind.family.rates.keys():

@@ -35,7 +35,7 @@ ARGUMENT = Vocabulary(frozenset("x"))
 def has_logarithm(formula: Formula) -> bool:
     """Whether a function of which only the derivative is known stands in a formula."""
     return any(
-        isinstance(one, Application) and one.function in DERIVATIVE_OF for one in formula.nodes()
+        isinstance(node, Application) and node.function in DERIVATIVE_OF for node in formula.nodes()
     )
 
 
@@ -80,7 +80,7 @@ def derivative_of(
         case Product(factors):
             own = [factor for factor in factors if not has_logarithm(factor)]
             if len(own) == len(factors) - 1 and all(_is_constant(one, space) for one in own):
-                return Product(tuple(one if one in own else of(one) for one in factors))
+                return Product(tuple(factor if factor in own else of(factor) for factor in factors))
     what = "a logarithm, or an arc, is read with a constant factor only"
     raise Meaningless(f"{to_latex(formula)}: {what}")
 

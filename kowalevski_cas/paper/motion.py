@@ -119,7 +119,7 @@ def _row(left: Formula, setting: Meaning) -> EquationOfMotion | None:
     factors = left.factors if isinstance(left, Product) else (left,)
     rates = [factor for factor in factors if isinstance(factor, Derivative)]
     others = [factor for factor in factors if factor not in rates]
-    if len(rates) != 1 or any(_has_rate(one) or by_rows(one, setting) for one in others):
+    if len(rates) != 1 or any(_has_rate(other) or by_rows(other, setting) for other in others):
         return None
     inner, order = rates[0].argument, 0
     while isinstance(inner, Derivative):
@@ -130,7 +130,7 @@ def _row(left: Formula, setting: Meaning) -> EquationOfMotion | None:
     for _ in range(order):
         if not {*names} <= setting.velocities.keys():
             return None
-        names = tuple(setting.velocities[one] for one in names)
+        names = tuple(setting.velocities[name] for name in names)
     ones: Formula = Vector((Number(1),) * len(names)) if len(names) > 1 else Number(1)
     rest = tuple(ones if factor is rates[0] else factor for factor in factors)
     return EquationOfMotion(names, Product(rest) if len(rest) > 1 else ones, Number(0))
@@ -138,13 +138,13 @@ def _row(left: Formula, setting: Meaning) -> EquationOfMotion | None:
 
 def _has_rate(formula: Formula) -> bool:
     """Whether something is derived by the time in a formula."""
-    return any(isinstance(one, Derivative) for one in formula.nodes())
+    return any(isinstance(node, Derivative) for node in formula.nodes())
 
 
 def marks(equations: Sequence[Formula]) -> set[str]:
     """How the derivatives in equations are printed: with dots, with primes, by a variable."""
-    nodes = (one for formula in equations for one in formula.nodes())
-    return {one.mark for one in nodes if isinstance(one, Derivative)}
+    nodes = (node for formula in equations for node in formula.nodes())
+    return {node.mark for node in nodes if isinstance(node, Derivative)}
 
 
 def _solve(

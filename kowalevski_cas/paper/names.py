@@ -34,7 +34,7 @@ def summation_indices(arguments: Iterable[str]) -> set[str]:
     >>> sorted(summation_indices(("M_i", "p_j")))
     ['M_k', '\\varepsilon_{ijk}', 'p_k']
     """
-    found = {f"{one[:-1]}k" for one in arguments if is_indexed(one)}
+    found = {f"{argument[:-1]}k" for argument in arguments if is_indexed(argument)}
     return {EPSILON, *found} if found else found
 
 

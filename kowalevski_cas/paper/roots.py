@@ -87,7 +87,7 @@ def solve_for_root(setting: Meaning, name: str, printed: Printed) -> Adjoined:
     square = formula_in(-rest / factor)
     left = granted.union(*map(factors_of, at.ring.divisors_of([at.scalar(square)])))
     divisors = at.ring.divisors_of(rest for _, rest in parts)
-    gone = [formula_in(one) for one in divisors if factors_of(one).keys() - left]
+    gone = [formula_in(divisor) for divisor in divisors if factors_of(divisor).keys() - left]
     if gone:  # what cancels is remembered
         square = Quotient(times(*gone, square), times(*gone))
     return Adjoined(name, square, (sides[0], right))

@@ -298,7 +298,7 @@ class Scene:
             "condition": (*self.roots.values(), *self.zero, *self.values),
             "vector field": () if isinstance(self.field, Change) else self.field,
         }
-        yield from ((role, one) for role, places in found.items() for one in places if one)
+        yield from ((role, place) for role, places in found.items() for place in places if place)
 
     def names(self) -> Iterator[str]:
         """Every scalar name that has a meaning on the scene."""

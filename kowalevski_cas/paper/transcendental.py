@@ -17,6 +17,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property, partial
 from math import lcm
+from types import MappingProxyType
 from typing import NamedTuple
 
 from kowalevski_cas.notation import (
@@ -76,7 +77,8 @@ class Transcendental:
     """The functions in some formulas, of which the names are known to be ``variables`` or not.
 
     ``free`` are names that stand by themselves as well, outside of functions; the ``time`` is none
-    of the variables. Calling it writes a function out in generators.
+    of the variables, and ``radicals`` are roots, with the names on which they rest. Calling it
+    writes a function out in generators.
     """
 
     def __init__(
@@ -88,7 +90,9 @@ class Transcendental:
         time: str,
         expanded: Callable[[Formula], Formula],
         printed: Iterable[tuple[Application, Formula]] = (),
+        radicals: Mapping[str, frozenset[str]] = MappingProxyType({}),
     ) -> None:
+        self.radicals = radicals
         self.free, self.time, self.expanded = frozenset(free), time, expanded
         self.phases: dict[Kind, Phases] = {}
         self.known = KnownValues(printed, self._argument)
@@ -184,9 +188,12 @@ class Transcendental:
         """The names in whose place generators stand."""
         alone = {single_name(group.monomial) for group in self.groups}
         used = {
-            n for g in self.groups if single_name(g.monomial) is None for n in self.names_under(g)
+            n
+            for g in self.groups
+            if single_name(g.monomial) is None or g.kind.family.is_explicit
+            for n in self.names_under(g)
         }
-        return frozenset(name for name in alone - used - self.free if name)
+        return frozenset(name for name in alone - used - self.free - self.radicals.keys() if name)
 
     @cached_property
     def dependent(self) -> frozenset[str]:
@@ -216,9 +223,10 @@ class Transcendental:
         return bool(self.time) and (used or self.time in self.free)
 
     def products(self, moving: bool) -> Iterator[str]:
-        """The generators at products that move, or at those that are constant."""
+        """The generators at products and roots that move, or at those that are constant."""
         for group in self.groups:
-            if single_name(group.monomial) is None and self.moves(group) == moving:
+            alone = single_name(group.monomial)
+            if (alone is None or alone in self.radicals) and self.moves(group) == moving:
                 yield from group.moving
 
     def moves(self, group: Generators) -> bool:
@@ -226,8 +234,9 @@ class Transcendental:
         return not {*self.constants}.issuperset(self.names_under(group))
 
     def names_under(self, group: Generators) -> frozenset[str]:
-        """The names of which an argument is made."""
-        return frozenset(self.expanded(group.argument).names())
+        """The names of which an argument is made, and the roots in it."""
+        found = frozenset(self.expanded(group.argument).names())
+        return found.union(*(self.radicals.get(name, ()) for name in found))
 
     @cached_property
     def roots(self) -> dict[str, Adjoined]:
@@ -288,6 +297,9 @@ class Transcendental:
         if (other := self._degenerate(formula)) is not None:
             return other
         kind = kind_of(formula)
+        if not formula.arguments[1:] and not {*self.constants}.issuperset(kind.family.parameters):
+            what = f"print {', '.join(kind.family.parameters)} behind the argument, or declare it"
+            raise Meaningless(f"{to_latex(formula)}: {what}", formula.function)
         argument = self._argument(formula).items()
         multiples = [self._multiple(kind, *term, formula) for term in argument]
         tex, values = MEANING[formula.function], self._at(kind, multiples)
@@ -373,7 +385,11 @@ class Transcendental:
         found: dict[str, Formula] = {}
         for group in self.groups:
             if name in self.names_under(group):
-                terms = combination(self.expanded(product_of(group.monomial))).items()
+                argument = self.expanded(product_of(group.monomial))
+                for one in argument.names():
+                    if name in self.radicals.get(one, ()):
+                        raise Meaningless(f"print the derivative of {one} by {name}", name)
+                terms = combination(argument).items()
                 by = total(
                     _times(factor, by_name(one, name))
                     for one, factor in terms

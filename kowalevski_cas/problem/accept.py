@@ -114,10 +114,10 @@ class Judge(Examiner):
             raise Unproved("nothing is stated")
         need_point(evidence.point)
         known = at.differences(goal.given)
-        pairs = [at.pairs(one) for one in goal.conclusions]
+        pairs = [at.pairs(conclusion) for conclusion in goal.conclusions]
         sides = [e for one in pairs for pair in one for e in pair]
         self.accepted.divides([*sides, *known])
-        alternatives = [[left - right for left, right in one] for one in pairs]
+        alternatives = [[left - right for left, right in pair] for pair in pairs]
         goals = [reduce(mul, choice, at.ring.one) for choice in product(*alternatives)]
         used = list(self._settle(goals, known, evidence.proof, at))
         self.accepted.uses(used)

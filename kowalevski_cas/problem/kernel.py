@@ -33,7 +33,7 @@ LARGEST = 50_000
 """The largest number of monomials that anybody looks at."""
 
 
-class Ansatz:
+class KernelAtPoint:
     """The polynomials of a goal up to its degree, at a point of the constants, modulo a prime.
 
     Raises :class:`Misplaced` if there are too many, or if a value has no residue.
@@ -67,9 +67,9 @@ class Ansatz:
     def known(self) -> list[Residues]:
         """The products that span the kernel; raises :class:`Misplaced` if one is no solution."""
         integrals = [self.solution(f, self.at.ring.zero) for f in self.goal.integrals]
-        integrals = [one for one in integrals if one[0] > 0]
+        integrals = [integral for integral in integrals if integral[0] > 0]
         solutions = [self.solution(f, self.factor) for f in self.goal.solutions]
-        return [one for f in solutions for one in products(f, integrals, self.goal.degree)]
+        return [product for f in solutions for product in products(f, integrals, self.goal.degree)]
 
     def solution(self, formula: Formula, factor: Element) -> Weighted:
         """A polynomial f with D f = factor f: its degree, and what it is at the point."""
@@ -82,7 +82,7 @@ class Ansatz:
 
 def check_complete(goal: Kernel, at: Evaluation, place: PointEvaluation) -> None:
     """Check that nothing is missing; raises :class:`Misplaced`."""
-    ansatz = Ansatz(goal, at, place)
+    ansatz = KernelAtPoint(goal, at, place)
     known = ansatz.known()
     columns = [*ansatz.columns()]
     if rank(columns) + rank(known) != len(columns):
@@ -91,7 +91,7 @@ def check_complete(goal: Kernel, at: Evaluation, place: PointEvaluation) -> None
 
 def check_further(goal: Kernel, formula: Formula, at: Evaluation, place: PointEvaluation) -> None:
     """Check that a polynomial belongs to the kernel and is independent of what is known there."""
-    ansatz = Ansatz(goal, at, place)
+    ansatz = KernelAtPoint(goal, at, place)
     degree, own = ansatz.solution(formula, ansatz.factor)
     if degree > goal.degree:
         raise Misplaced("its degree is too large")

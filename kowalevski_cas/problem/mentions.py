@@ -14,12 +14,12 @@ def mentions(formula: Formula) -> Mentions:
     Of those along the motion the first, and the first by each variable.
     """
     found: dict[object, Formula] = {}
-    for one in formula.nodes():
-        kind = type(one)
+    for node in formula.nodes():
+        kind = type(node)
         if kind in (Name, Root):
-            found[one] = one
-        elif isinstance(one, Partial):
-            found.setdefault((Partial, one.by), one)
+            found[node] = node
+        elif isinstance(node, Partial):
+            found.setdefault((Partial, node.by), node)
         elif kind is Derivative:
-            found.setdefault(Derivative, one)
+            found.setdefault(Derivative, node)
     return tuple(found.values())

@@ -163,5 +163,5 @@ def number_of_monomials(weights: Sequence[int], weight: int) -> int:
 
 def weight_of(terms: Iterable[Exponents], weights: Sequence[int]) -> int:
     """The largest weight of a term, by the weights of the first names; 0 if there is none."""
-    sums = (sum(w * e for w, e in zip(weights, one, strict=False)) for one in terms)
+    sums = (sum(w * e for w, e in zip(weights, term, strict=False)) for term in terms)
     return max(sums, default=0)

@@ -52,9 +52,13 @@ class NameDefinition:
         """What it has, as it stands in a certificate."""
         values = (getattr(self, own.name) for own in fields(self))
         return [
-            encode(one) if isinstance(one, Formula) else [*map(encode, one)] if _parts(one) else one
-            for one in values
-            if one is not None
+            encode(value)
+            if isinstance(value, Formula)
+            else [*map(encode, value)]
+            if _parts(value)
+            else value
+            for value in values
+            if value is not None
         ]
 
 

@@ -1,21 +1,25 @@
 """Find the polynomial first integrals of a scene of a derivation, up to a degree.
 
-What is a polynomial in those found before is left out. That there are no others is claimed too; not
-so on the set of given relations (--on), where some polynomials vanish.
+What is a polynomial in those found before is left out, what the scene has a name for is called by
+it, and the others are shortened by products of those before. That there are no others is claimed
+too; not so on the set of given relations (--on), where some polynomials vanish.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from math import lcm
 
 from kowalevski_cas.algebra.present import formula_of
-from kowalevski_cas.notation import to_latex
+from kowalevski_cas.notation import Name, to_latex
 from kowalevski_cas.paper.claims import AllIntegrals, FirstIntegral
+from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.polynomial_fields import PolynomialField, Terms
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.questions.exponents import leading_part
 from kowalevski_cas.verify.finding import Attribute, Finding
@@ -37,6 +41,7 @@ def search(
 ) -> Iterator[Finding]:
     """The integrals, the lowest degrees first, and that these are all."""
     from kowalevski_cas.search.integrals import first_integrals
+    from kowalevski_cas.search.known_integrals import name_of, shorten
 
     if on and weighted:
         raise Meaningless("relations need not be homogeneous: take either --on or --weighted")
@@ -48,9 +53,18 @@ def search(
     if weights and not degree:
         weights, degree = _by_exponents(elaborations, scene, pool)
     degree = degree or DEGREE
+    field = PolynomialField(at)
+    before: list[Terms] = []
+    named = _named(elaborations(scene), field)
     for element in first_integrals(at, degree, weights, pool):
-        found.append(to_latex(formula_of(element, elaborations.texts.vocabulary)))
-        yield Finding(FirstIntegral, scene, EVERYWHERE, found[-1])
+        terms = field.polynomial(element)
+        if name := name_of(terms, before, named, field.size):
+            before.append(named[name])
+        else:
+            before.append(shorten(terms, before, field.size))
+            name = to_latex(formula_of(field.element(before[-1]), elaborations.texts.vocabulary))
+        found.append(name)
+        yield Finding(FirstIntegral, scene, EVERYWHERE, name)
     known = "a polynomial in these" if found else "a constant"
     words = f"each polynomial first integral up to degree {degree} is {known}"
     if scene.constants:
@@ -59,7 +73,21 @@ def search(
         counted = zip(at.setting.variables, weights, strict=True)
         words += f", where {', '.join(f'${name}$ counts {weight}' for name, weight in counted)}"
     attributes: dict[str, Attribute] = {"integrals": tuple(found), "degree": degree}
-    yield Finding(AllIntegrals, scene, words, attributes=attributes | {"weights": weights})
+    attributes["weights"] = weights
+    yield Finding(AllIntegrals, scene, words, attributes=attributes, steps=True)
+
+
+def _named(space: Elaboration, field: PolynomialField) -> dict[str, Terms]:
+    """The polynomial first integrals that a scene has names for."""
+    from kowalevski_cas.search.known_integrals import degree
+
+    found: dict[str, Terms] = {}
+    for name in space.scene.definitions:
+        with suppress(Meaningless):
+            element = space.finder.scalar(Name(name))
+            if space.finder.derivative(element).is_zero:
+                found[name] = field.polynomial(element)
+    return {name: terms for name, terms in found.items() if degree(terms, field.size)}
 
 
 def _on_a_set(
@@ -81,8 +109,6 @@ def _on_a_set(
 
 
 def _weights(at: Evaluation) -> tuple[int, ...]:
-    from kowalevski_cas.problem.polynomial_fields import PolynomialField
-
     weights = PolynomialField(at).positive_weights
     if weights is None:
         raise Meaningless("the motion is homogeneous for no positive weights: leave --weighted out")

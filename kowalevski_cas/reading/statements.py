@@ -29,9 +29,9 @@ from kowalevski_cas.reading.text import MARK, Prose, TextSection, references
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.formulas import typed_formulas
-from kowalevski_cas.source.listing import guessed
+from kowalevski_cas.source.listing import guess
 from kowalevski_cas.source.text import Source
-from kowalevski_cas.source.tokens import scanned
+from kowalevski_cas.source.tokens import tokens_of
 
 LONGEST_ID = 32
 """The signs of a formula by which it is called if it has no label."""
@@ -222,8 +222,8 @@ def _id(formula: TypedFormula, ids: Counter[str]) -> str:
 
 def _vocabulary(formulas: Sequence[TypedFormula]) -> Vocabulary:
     """The names of a paper; bold capitals are matrices or vectors, as more formulas can be read."""
-    guesses = [guessed(formulas, capitals) for capitals in (VECTOR, MATRIX)]
-    euler = all(is_exponential(scanned(one.tex)) for one in formulas if "e" in one.tex)
+    guesses = [guess(formulas, capitals) for capitals in (VECTOR, MATRIX)]
+    euler = all(is_exponential(tokens_of(one.tex)) for one in formulas if "e" in one.tex)
     other = {"d", "e"} if euler else {"d"}
     guesses = [replace(one, scalars=one.scalars - other) for one in guesses]
     if guesses[0] == guesses[1]:

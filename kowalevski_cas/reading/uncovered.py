@@ -10,7 +10,7 @@ from kowalevski_cas.reading.text import Prose
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.text import Source
-from kowalevski_cas.source.tokens import scanned
+from kowalevski_cas.source.tokens import tokens_of
 
 LONGEST = 500
 """Characters of a sentence that are kept."""
@@ -129,7 +129,7 @@ def formulas(
 
 def says_something(tex: str) -> bool:
     """Whether a formula is more than one sign."""
-    return len(scanned(tex)) != 1
+    return len(tokens_of(tex)) != 1
 
 
 __all__ = ["Uncovered", "formulas", "says_something", "sentences"]

@@ -37,7 +37,7 @@ from kowalevski_cas.report.prose import read_article
 from kowalevski_cas.report.sentences import list_in_words
 from kowalevski_cas.report.trust import trust
 from kowalevski_cas.source.displays import DISPLAYS, TypedFormula, find_formulas
-from kowalevski_cas.source.listing import guessed
+from kowalevski_cas.source.listing import guess
 from kowalevski_cas.verify.outcome import Verdict
 
 _CLOSING: Final = {"$": "$", "$$": "$$", "\\[": "\\]", "\\(": "\\)"}
@@ -80,7 +80,7 @@ class _Annotated:
                     (waiting if last is None else last).append(item)
         self.text = audit.expanded.text
         self.typed = list(find_formulas(self.text, audit.expanded.body))
-        self.names = guessed(self.typed)
+        self.names = guess(self.typed)
         self.placed = {
             (p.typed.start, p.typed.end): p.display for p in audit.places if p.typed is not None
         }
@@ -97,7 +97,7 @@ class _Annotated:
         if lost:
             blocks.append(Heading(("Not found in this text",), "lost"))
             blocks += [block for item in lost for block in self.contents.passages.item(item)]
-        head = [*self.contents.verdict(), *self._assumed(), Heading(("The paper",), "paper")]
+        head = [*self.contents.verdict(), *self._assumptions(), Heading(("The paper",), "paper")]
         shown = (*head, *blocks, *trust(self.contents.phrases), *graph(self.contents.findings))
         file = source.path.rpartition("/")[2]
         by: Text = (*written_by(f"kowalevski-cas audit {file} --report DIR"), ".")
@@ -111,7 +111,7 @@ class _Annotated:
         """The beginning of what binds the source."""
         return sha256(self.audit.source.text.encode(self.audit.source.encoding)).hexdigest()[:16]
 
-    def _assumed(self) -> Iterator[Block]:
+    def _assumptions(self) -> Iterator[Block]:
         """What a source that is its own derivation takes for granted, and what rests on each."""
         if self.audit.reading is None:
             return
@@ -128,14 +128,14 @@ class _Annotated:
     def _one(self, typed: TypedFormula) -> FormulaBlocks:
         display = self.placed.get((typed.start, typed.end))
         if display is not None and display.id in self.items:
-            return self._known(typed, display)
+            return self._known_formula(typed, display)
         formulas = _read(typed.tex, self.run.vocabulary) or _read(typed.tex, self.names)
         if typed.inline:
             text = list_in_words([(formula,) for formula in formulas], ", ") or (Code(typed.tex),)
             return FormulaBlocks(text, inline=True)
         return FormulaBlocks((), (Equations(formulas, typed.tex),))
 
-    def _known(self, typed: TypedFormula, display: Printed) -> FormulaBlocks:
+    def _known_formula(self, typed: TypedFormula, display: Printed) -> FormulaBlocks:
         """A formula that the derivation knows: with what is claimed of it."""
         items = self.items[display.id]
         own = next(item for item in items if item.display == display.id)

@@ -36,7 +36,7 @@ def break_lines(pieces: Sequence[Piece], room: float, apart: Apart, *, first: bo
         return [Line((), tuple(pieces))]
     found = []
     for part, price in ((1.0, 0.0), (0.7, 60.0), (0.4, 200.0)):
-        loose = _loosened(pieces, room, part, apart)
+        loose = _loosen(pieces, room, part, apart)
         cost, cuts = _cuts(loose, room, first)
         found.append((cost + price, -part, cuts, loose))
     _, _, cuts, loose = min(found, key=lambda one: one[:2])
@@ -46,7 +46,7 @@ def break_lines(pieces: Sequence[Piece], room: float, apart: Apart, *, first: bo
     ]
 
 
-def _loosened(pieces: Sequence[Piece], room: float, part: float, apart: Apart) -> list[Piece]:
+def _loosen(pieces: Sequence[Piece], room: float, part: float, apart: Apart) -> list[Piece]:
     """The pieces, with wide fractions, and brackets wider than a part of the line, apart."""
     loose = []
     for piece in pieces:
@@ -55,7 +55,7 @@ def _loosened(pieces: Sequence[Piece], room: float, part: float, apart: Apart) -
         if bracket or wide:
             before, behind = apart(piece)
             inner = piece.inner[1:-1] if bracket else piece.inner
-            loose += [before, *_loosened(inner, room, part, apart), behind]
+            loose += [before, *_loosen(inner, room, part, apart), behind]
         else:
             loose.append(piece)
     return loose

@@ -51,7 +51,7 @@ def _mark_differences(
         pairs = [_mark_differences(*pair, old) for pair in zip(before, after, strict=True)]
         return _with(old, [a for a, _ in pairs]), _with(new, [b for _, b in pairs])
     bare = not isinstance(within, Sum | Product)  # a sign needs no brackets there
-    return _marked(old, True, bare), _marked(new, False, bare)
+    return _mark(old, True, bare), _mark(new, False, bare)
 
 
 def _lone(whole: Formula, own: Sequence[Formula], other: Sequence[Formula], wrong: bool) -> Formula:
@@ -63,7 +63,7 @@ def _lone(whole: Formula, own: Sequence[Formula], other: Sequence[Formula], wron
             left.remove(factor)
             factors.append(factor)
         else:
-            factors.append(_marked(factor, wrong, bare=False))
+            factors.append(_mark(factor, wrong, bare=False))
     return Product(tuple(factors)) if isinstance(whole, Product) else factors[0]
 
 
@@ -71,12 +71,12 @@ def _factors(formula: Formula) -> tuple[Formula, ...]:
     return formula.factors if isinstance(formula, Product) else (formula,)
 
 
-def _marked(formula: Formula, wrong: bool, bare: bool) -> Formula:
+def _mark(formula: Formula, wrong: bool, bare: bool) -> Formula:
     """The formula with a mark, inside of what has a sign or needs brackets where it stands."""
     if isinstance(formula, Negative) and not bare:
-        return Negative(_marked(formula.argument, wrong, bare))
+        return Negative(_mark(formula.argument, wrong, bare))
     if isinstance(formula, COMPOUND) and not bare:
-        return formula.map_children(lambda part: _marked(part, wrong, bare))
+        return formula.map_children(lambda part: _mark(part, wrong, bare))
     return Changed(formula, wrong)
 
 

@@ -85,8 +85,8 @@ class Contents:
             "; digest of the statements ", Code(run.digest[:16]), ".",
         )  # fmt: skip
         return Document(
-            self._titled(title),
-            self._titled(shorten(title, 60, placeholder=" …")),
+            self._title(title),
+            self._title(shorten(title, 60, placeholder=" …")),
             ((*self.phrases.words(origin), "."), *self._read(), *self._origins(), by),
             tuple(blocks),
         )
@@ -113,7 +113,7 @@ class Contents:
         edition = self.run.edition
         return [(*self.phrases.words(f"Read: {edition}"), ".")] if edition else []
 
-    def _titled(self, title: str) -> str:
+    def _title(self, title: str) -> str:
         """What the report is of a paper with this title: only what is printed can be verified."""
         if any(section.copied for section in self.sections) or not self.sections:
             return f"Verification report on “{title}”"
@@ -146,7 +146,7 @@ class Contents:
         yield from self._legend()
         yield from self.findings.blocks()
         yield Heading(("How the statements were checked",), "holds", 2)
-        yield Paragraph(self._confirmed())
+        yield Paragraph(self._confirmations())
         rows = []
         for section in self.sections:
             links = (Link(f"claim.{anchor(o.claim)}", (Sign(o.verdict),)) for o in section.outcomes)
@@ -191,7 +191,7 @@ class Contents:
         if valid or present != [Verdict.PROVED]:
             yield Paragraph((*means, ".", *valid), "note")
 
-    def _confirmed(self) -> Text:
+    def _confirmations(self) -> Text:
         run = self.run
         deciding = arithmetics(run.outcomes)
         own = list_in_words([(witness.name,) for witness in deciding])

@@ -208,7 +208,7 @@ def for_paper(document: Document) -> Document:
                 yield before
             before = block
             if isinstance(block, Judgement):
-                inner = tuple(_led(stays(block.blocks))), tuple(_led(stays(block.folded)))
+                inner = tuple(_lead(stays(block.blocks))), tuple(_lead(stays(block.folded)))
                 before = _together(block._replace(blocks=inner[0], folded=inner[1]))
             elif isinstance(block, Trial) or (
                 isinstance(block, Paragraph) and block.kind == "record"
@@ -217,12 +217,12 @@ def for_paper(document: Document) -> Document:
         if before is not None:
             yield before
 
-    blocks = tuple(_led(stays(document.blocks)))
+    blocks = tuple(_lead(stays(document.blocks)))
     appendix = (Heading(("Appendix: long formulas",), APPENDIX), *moved) if moved else ()
     return document._replace(blocks=(*blocks, *appendix))
 
 
-def _led(blocks: Iterable[Block]) -> Iterator[Block]:
+def _lead(blocks: Iterable[Block]) -> Iterator[Block]:
     """The blocks, where what leads on to a display, and to no other, is a part of it."""
     row = [*blocks]
     while row:

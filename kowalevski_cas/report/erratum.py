@@ -14,7 +14,11 @@ from kowalevski_cas.verify.outcome import Outcome, Verdict, in_latex
 def erratum(findings: Findings) -> Iterator[Block]:
     """For each slip, and each false statement: what is printed, what to read, and why."""
     for block in _corrections(findings):
-        yield block._replace(text=_unlinked(block.text)) if isinstance(block, Paragraph) else block
+        yield (
+            block._replace(text=_without_links(block.text))
+            if isinstance(block, Paragraph)
+            else block
+        )
 
 
 def erratum_tex(phrases: Phrases, outcome: Outcome) -> str:
@@ -22,17 +26,19 @@ def erratum_tex(phrases: Phrases, outcome: Outcome) -> str:
     correction = outcome.correction
     if outcome.verdict is not Verdict.REFUTED or correction is None:
         return ""
-    where = "".join(map(str, _unlinked(capitalise(phrases.found([outcome.claim])))))
+    where = "".join(map(str, _without_links(capitalise(phrases.found([outcome.claim])))))
     if correction.edit is None:
         return f"{where}: it is false that {outcome.words}. Read: {correction.words}."
     printed, meant = in_latex(correction.blamed or outcome.formulas), in_latex(correction.formulas)
     return f"{where}: for ${printed}$ read ${meant}$."
 
 
-def _unlinked(text: Text) -> Text:
+def _without_links(text: Text) -> Text:
     """The text without links, which would lead to the report."""
     return tuple(
-        part for one in text for part in (_unlinked(one.text) if isinstance(one, Link) else (one,))
+        part
+        for one in text
+        for part in (_without_links(one.text) if isinstance(one, Link) else (one,))
     )
 
 

@@ -26,7 +26,7 @@ class Evidence:
         """What a reader has to know: why it is false, what was meant, what it lacks."""
         yield from self._counterexamples()
         yield from self._corrections()
-        yield from self._missing()
+        yield from self._missing_hypotheses()
         for row in self.rows:
             whose = self._whose((row.claim,))
             if row.message:
@@ -40,10 +40,10 @@ class Evidence:
         told = [(row.claim, step) for row in self.rows for step in row.steps]
         for claims, ones in group_alike(told, lambda step: (step.words, step.point)):
             told_of = [formula for step in ones for formula in step.formulas]
-            formulas = _told(told_of)
+            formulas = _informative(told_of)
             if told_of and not formulas:
                 continue
-            said = self._said(ones[0], bool(formulas))
+            said = self._words_of(ones[0], bool(formulas))
             if ones[0].withheld and (file := self.phrases.certificate(claims)):
                 said = (*self.phrases.sentence(ones[0].words, ": "), *file, ".")
             yield Paragraph((*self._whose(claims), *said), leads=bool(formulas))
@@ -51,12 +51,12 @@ class Evidence:
             if formulas:
                 yield Equations(formulas, long=long)
 
-    def _said(self, step: ReportedStep, leads: bool) -> Text:
+    def _words_of(self, step: ReportedStep, leads: bool) -> Text:
         if step.point is not None:
             return capitalise((*self.phrases.at(step.point), *self.phrases.words(step.words)))
         return self.phrases.sentence(step.words, ":" if leads else ".")
 
-    def _missing(self) -> Iterator[Block]:
+    def _missing_hypotheses(self) -> Iterator[Block]:
         """Hypotheses that are missing, those for the same reason together."""
         having = [(row.claim, one) for row in self.rows for one in row.conditions if one.witness]
         for claims, (condition, *_) in group_alike(having):
@@ -131,7 +131,7 @@ class Evidence:
         return () if len(ids) == len(self.rows) else ids
 
 
-def _told(formulas: Iterable[Formula]) -> tuple[Formula, ...]:
+def _informative(formulas: Iterable[Formula]) -> tuple[Formula, ...]:
     """The formulas without equations that say nothing, as 1 = 1, or what another one says."""
     told: dict[object, Formula] = {}
     for one in formulas:

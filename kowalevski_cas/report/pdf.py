@@ -153,27 +153,29 @@ def write_paper(
     write(tex, source)
     notes: tuple[str, ...] = ()
     if has_latex():
-        made = _made("latex", source, shown, folder)
+        made = _fingerprint_comment("latex", source, shown, folder)
         try:
             if not _ends(pdf, made):
                 write(pdf, latex_pdf(source, shown, folder) + made)
             return tex, pdf, ()
         except ReportError as error:
             notes = (f"{error} The PDF was made by Typst instead.",)
-    source, picture = render_typst(document), svg(_drawing(document))
-    made = _made("typst", source + picture, shown, folder)
+    source, picture = render_typst(document), svg(_picture(document))
+    made = _fingerprint_comment("typst", source + picture, shown, folder)
     if not _ends(pdf, made):
         write(pdf, typst_pdf(source, picture, shown, folder) + made)
     return tex, pdf, notes
 
 
-def _drawing(document: Document) -> Drawing:
+def _picture(document: Document) -> Drawing:
     """The picture in a document, which Typst takes as a file of its own."""
     drawn = (block.picture for block in document.blocks if isinstance(block, Graph))
     return next(drawn, Drawing((), (), 0.0, 0.0))
 
 
-def _made(engine: str, source: str, shown: tuple[FigureFile, ...], folder: Path) -> bytes:
+def _fingerprint_comment(
+    engine: str, source: str, shown: tuple[FigureFile, ...], folder: Path
+) -> bytes:
     """A comment behind the end of a PDF, which binds what it was made of."""
     parts = [source.encode(), *(figure.file(folder).read_bytes() for figure in shown)]
     digests = "".join(sha256(part).hexdigest() for part in parts)

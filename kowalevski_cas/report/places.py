@@ -190,7 +190,7 @@ def _items(
             places[last].after.append((home if claim.printed else None, outcomes[claim.id]))
     yield from _apart(places[-1].after)
     for display, place in zip(section.displays, places, strict=False):
-        item = _displayed(display, place, texts, roles)
+        item = _displays_of(display, place, texts, roles)
         if item.stated or display.source != IN_WORDS:
             yield item
         yield from _apart(place.after)
@@ -216,7 +216,7 @@ def _home(claim: Claim) -> Display | None:
     return displays.pop() if len(displays) == 1 else None
 
 
-def _displayed(display: Display, place: _DisplayPlace, texts: Texts, roles: Roles) -> ReportItem:
+def _displays_of(display: Display, place: _DisplayPlace, texts: Texts, roles: Roles) -> ReportItem:
     role = roles.at(Printed(display, 1).place).elsewhere
     source = texts.source(display)
     spans: tuple[tuple[int, int], ...] = ()
@@ -224,7 +224,7 @@ def _displayed(display: Display, place: _DisplayPlace, texts: Texts, roles: Role
         spans = split_display(source)
     places = enumerate(spans or ((0, len(source)),), 1)
     rows = tuple(_row(source[start:end], display[k], texts) for k, (start, end) in places)
-    stated = tuple(_stated(rows, place))
+    stated = tuple(_claims_of(rows, place))
     return ReportItem(rows, stated, display.label, role, display.id, display.source)
 
 
@@ -232,7 +232,7 @@ def _row(source: str, printed: Printed, texts: Texts) -> Row:
     return Row(source, lambda: (texts.statement(printed).formula,))
 
 
-def _stated(rows: tuple[Row, ...], place: _DisplayPlace) -> Iterator[ClaimGroup]:
+def _claims_of(rows: tuple[Row, ...], place: _DisplayPlace) -> Iterator[ClaimGroup]:
     """What is claimed of the rows, then what else is claimed of them, then of all together."""
     claimed = [place.rows.get(number, []) for number in range(1, len(rows) + 1)]
     claimed[0] += [o for k, ones in place.rows.items() if k > len(rows) for o in ones]

@@ -151,7 +151,7 @@ class _Article(Paragraphs):
             "\\": lambda: self.line.append(" "),
         }
         if name in _LEVELS and arguments:
-            self._heading(_LEVELS[name], self._inner([arguments[-1]]))
+            self._heading_of(_LEVELS[name], self._inner([arguments[-1]]))
         elif name in _FONTS and arguments:
             self.line.append(Emphasis(self._inner(arguments), strong=_FONTS[name]))
         elif name in known:
@@ -169,7 +169,7 @@ class _Article(Paragraphs):
                 return
         self.source(node.latex_verbatim())
 
-    def _heading(self, level: int, text: Text) -> None:
+    def _heading_of(self, level: int, text: Text) -> None:
         self.end()
         self.headings += 1
         self.blocks.append(Heading(text, f"text.{self.headings}", level))
@@ -190,7 +190,7 @@ class _Article(Paragraphs):
             parts += [", " if parts else "[", shown]
         self.line += [*parts, "]"]
 
-    def _counted(self) -> str:
+    def _count(self) -> str:
         self.theorems += 1
         return f"\u00a0{self.theorems}"
 
@@ -208,7 +208,7 @@ class _Article(Paragraphs):
         name = node.environmentname
         if name in _PLAIN:
             if name == "abstract":
-                self._heading(2, ("Abstract",))
+                self._heading_of(2, ("Abstract",))
             elif name in ("table", "figure"):
                 self.end()
             self._apart(node.nodelist)
@@ -218,7 +218,7 @@ class _Article(Paragraphs):
             self._list(node)
         elif name == "proof" or THEOREM.fullmatch(name):
             self.end()
-            number = "" if name == "proof" or name.endswith("*") else self._counted()
+            number = "" if name == "proof" or name.endswith("*") else self._count()
             self.line.append(Emphasis((f"{name.rstrip('*').capitalize()}{number}. ",), strong=True))
             self._apart(node.nodelist)
         else:
@@ -256,7 +256,7 @@ class _Article(Paragraphs):
             parts[-1].append(inner)
         self._apart(parts[0])
         if node.environmentname == "thebibliography":
-            self._heading(1, ("References",))
+            self._heading_of(1, ("References",))
         kept, self.blocks = self.blocks, []
         items: list[tuple[Block, ...]] = []
         for first, *rest in parts[1:]:

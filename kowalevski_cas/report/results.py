@@ -55,7 +55,7 @@ def _reach(
     phrases: Phrases, outcomes: Sequence[Outcome], results: Sequence[Outcome], slips: Sequence[Slip]
 ) -> Text:
     """Which of the misprints the results rest on."""
-    touched = {*_corrected(outcomes, results), *(outcome.claim for outcome in results)}
+    touched = {*_correctors(outcomes, results), *(outcome.claim for outcome in results)}
     reaching = [slip for slip in slips if any(outcome.claim in touched for outcome in slip)]
     it, they = ("it", "It rests") if len(results) == 1 else ("them", "They rest")
     many = len(slips) - len(reaching)
@@ -68,7 +68,7 @@ def _reach(
     return (f"{they} on the correction of what is misprinted ", *list_in_words(where), rest)
 
 
-def _corrected(outcomes: Sequence[Outcome], results: Sequence[Outcome]) -> set[str]:
+def _correctors(outcomes: Sequence[Outcome], results: Sequence[Outcome]) -> set[str]:
     """The claims on whose corrections results rest, also by what they rest on."""
     by_id = {outcome.claim: outcome for outcome in outcomes}
     waiting, seen = [*results], set()

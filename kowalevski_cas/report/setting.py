@@ -57,12 +57,12 @@ class Typesetter(ABC):
 
     def _display(self, rows: Sequence[tuple[Piece, ...]], room: float) -> str:
         if sum(map(width_of, rows)) + _GAP * (len(rows) - 1) <= room:
-            return self.printer.finish(self.gap.join(self._joined(row) for row in rows))
-        lines = self._aligned(rows, room)
+            return self.printer.finish(self.gap.join(self._join(row) for row in rows))
+        lines = self._align(rows, room)
         shown = [
             self.line(
-                self._joined(line.left),
-                self._joined(line.right),
+                self._join(line.left),
+                self._join(line.right),
                 line.indent,
                 bool(line.indent) and line.right[0].kind == "sign",
             )
@@ -70,10 +70,10 @@ class Typesetter(ABC):
         ]
         return self.printer.finish(self.lines(shown))
 
-    def _joined(self, row: Sequence[Piece]) -> str:
+    def _join(self, row: Sequence[Piece]) -> str:
         return source_of(row, self.printer)
 
-    def _aligned(self, rows: Sequence[tuple[Piece, ...]], room: float) -> list[Line]:
+    def _align(self, rows: Sequence[tuple[Piece, ...]], room: float) -> list[Line]:
         """The lines of all rows, aligned at their relations where each has a short left side."""
         heads = [next((k for k, p in enumerate(r) if p.kind == "relation"), 0) for r in rows]
         widths = [width_of(row[:head]) for row, head in zip(rows, heads, strict=True)]
@@ -94,7 +94,7 @@ class Typesetter(ABC):
             opened = self.opening_bracket(first.text, piece.tall)
             closed = self.closing_bracket(last.text, piece.tall)
             return first._replace(text=opened), last._replace(text=closed)
-        inverse = self.printer.fraction(self.printer(Number(1)), self._joined(piece.below))
+        inverse = self.printer.fraction(self.printer(Number(1)), self._join(piece.below))
         opened, closed = self.printer.round
         before = self.printer.side_by_side([inverse, self.opening_bracket(opened, tall=True)])
         width = width_of(piece.below) + 0.9

@@ -43,7 +43,7 @@ def trial_of(outcome: Outcome, vocabulary: Vocabulary) -> Trial | None:
     texts = [("as printed", data)]
     if correction is not None and correction.certificate:
         texts.append(("as corrected", json.loads(correction.certificate)))
-    found = [(label, stated) for label, one in texts if (stated := _stated(one, index))]
+    found = [(label, stated) for label, one in texts if (stated := _statement(one, index))]
     if not found or found[0][0] != texts[0][0]:
         return None
     versions = tuple(_Writer(stated, vocabulary).version(label) for label, stated in found)
@@ -57,7 +57,7 @@ class _Stated(NamedTuple):
     point: Point
 
 
-def _stated(data: Data, index: int) -> _Stated | None:
+def _statement(data: Data, index: int) -> _Stated | None:
     """A goal of a certificate with the point of its evidence, if it compares sides there."""
     denied = data["sign"] == "denied"
     goals = read_problem(data).goals
@@ -91,7 +91,7 @@ class _Writer:
         setting = self.goal.space
         units = [n for n in setting.roots if self._square(n) == MINUS_ONE]
         place = PointEvaluation(self.at, self.point)
-        values = {n: _typed(place.numbers.scalar(v)) for n, v in self.point.values.items()}
+        values = {n: _type_number(place.numbers.scalar(v)) for n, v in self.point.values.items()}
         pairs = [[self._step(e) for e in pair] for pair in self.at.pairs(self.goal.conclusions[-1])]
         said: list[Text] = []
         tests: list[tuple[str, list[Program]]] = []
@@ -105,7 +105,7 @@ class _Writer:
             "values": values,
             "units": units,
             "pairs": setting.conjugates,
-            "steps": [self._written(program, places) for program in order],
+            "steps": [self._step_text(program, places) for program in order],
             "sides": [[places[one] for one in pair] for pair in pairs],
             "tests": [[kind, *(places[one] for one in found)] for kind, found in tests],
         }
@@ -173,7 +173,7 @@ class _Writer:
         return program
 
     @staticmethod
-    def _written(program: Program, places: dict[Program, int]) -> Json:
+    def _step_text(program: Program, places: dict[Program, int]) -> Json:
         """A step: what it does, and to what."""
         args = [places[arg] for arg in program.args]
         match program.op:
@@ -189,7 +189,7 @@ class _Writer:
 _OPERATIONS = {Op.SUM: "sum", Op.PRODUCT: "product", Op.INVERSE: "inverse"}
 
 
-def _typed(number: Element) -> str:
+def _type_number(number: Element) -> str:
     """A number as a reader types it: ``3/2-1/9√51i``."""
     terms = []
     for mask, part in number.terms().items():

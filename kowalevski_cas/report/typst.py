@@ -77,13 +77,13 @@ class TypstWriter(Writer):
         )
 
     def code(self, text: str) -> str:
-        return f"#raw({_quoted(' '.join(text.split()))});"
+        return f"#raw({_quote(' '.join(text.split()))});"
 
     def sign(self, verdict: Verdict) -> str:
         return f'#sign("{verdict}");'
 
     def link(self, link: Link) -> str:
-        target = _quoted(link.target) if link.outside else f"<{link.target}>"
+        target = _quote(link.target) if link.outside else f"<{link.target}>"
         return f"#link({target})[{self.text(link.text)}];"
 
     def heading(self, block: Heading) -> str:
@@ -96,7 +96,7 @@ class TypstWriter(Writer):
         return f"#{kind}[{self.text(block.text)}]{place}"
 
     def equations(self, block: Equations) -> str:
-        shown = f"#code({_quoted(' '.join(block.source.split()))})"
+        shown = f"#code({_quote(' '.join(block.source.split()))})"
         if block.formulas:
             shown = f"$ {self.setter.display(block.formulas, self.room)} $"
         name = f'"{block.verdict}"' if block.verdict else "none"
@@ -136,7 +136,7 @@ class TypstWriter(Writer):
         )
 
 
-def _quoted(text: str) -> str:
+def _quote(text: str) -> str:
     """A string of Typst."""
     escaped = text.replace("\\", "\\\\").replace('"', '\\"')
     return f'"{escaped}"'

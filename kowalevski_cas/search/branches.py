@@ -58,7 +58,7 @@ def branches(
     is linear; it need not have a solution. Names that stand at no place are in general position.
     """
     granted = tuple(factor for one in nonzero for factor in _factors(one))
-    groups = [_factors(one) for one in equations if not one.is_zero()]
+    groups = [_factors(equation) for equation in equations if not equation.is_zero()]
     yield from maximal([*_split_cases(groups, tuple(places), granted, ())])
 
 

@@ -84,7 +84,7 @@ def relations(
         exponents, multiplier = vector[: len(known)], not vector[-1].is_zero
         if multiplier and divergence.is_zero:
             continue
-        if multiplier or not all(one.is_zero for one in exponents):  # no sum of G/P alone
+        if multiplier or not all(exponent.is_zero for exponent in exponents):  # no sum of G/P alone
             exponential = _combine(vector[len(known) :], [e.exponent for e in exponentials])
             yield CofactorRelation(tuple(exponents), exponential, multiplier)
 

@@ -150,7 +150,7 @@ def cofactors_for(
 def combinations_of(targets: Sequence[Element], generators: Sequence[Element]) -> Combinations:
     """Combinations whose units are denominators, and roots that are factors of a generator."""
     ring = targets[0].ring
-    contents = (Flat(ring).without_roots(one)[0] for one in generators)
+    contents = (Flat(ring).without_roots(generator)[0] for generator in generators)
     roots = [content for content in contents if content.parts.keys() != {0}]
     units = [*roots, *ring.divisors_of([*targets, *generators])]
     return Combinations(targets, generators, units=units)

@@ -183,7 +183,7 @@ class Builder:
             if index < len(minors):
                 products.append((to_fraction(content), powers))
         terms = [ring.polynomials.terms(factor) for factor in factors]
-        found = [self._factor(one) for one in terms]
+        found = [self._factor(term) for term in terms]
         used = {k for _, powers in products for k in powers}
         if any(found[k] is None for k in used) or any(number <= 0 for number, _ in products):
             return None

@@ -257,13 +257,13 @@ def _lighter(field: PolynomialField) -> Iterator[Exponents]:
         for exponents in rate
     }
     reach = 2 if size <= 4 else 1 if size <= 7 else 0
-    both = [tuple(sign * w for w in one) for one in field.weights for sign in (1, -1)]
+    both = [tuple(sign * w for w in weight) for weight in field.weights for sign in (1, -1)]
     weights = [*product(range(-reach, reach + 1), repeat=size), *both, (1,) * size]
     heaviest = [max((_weight(w, e) for e in motion), default=0) for w in weights]
     for degree in reversed(range(heaviest[-1] + 1)):
-        for one in monomials((1,) * size, degree):
-            if all(_weight(w, one) <= most for w, most in zip(weights, heaviest, strict=True)):
-                yield one
+        for monomial in monomials((1,) * size, degree):
+            if all(_weight(w, monomial) <= most for w, most in zip(weights, heaviest, strict=True)):
+                yield monomial
 
 
 def _weight(weights: Sequence[int], exponents: Sequence[int]) -> int:

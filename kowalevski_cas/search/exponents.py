@@ -50,7 +50,7 @@ class Balance:
     def is_principal(self) -> bool:
         """Whether the exponents are -1, once, and natural numbers."""
         lowest, *others = self.exponents or (Fraction(0),)
-        natural = all(one >= 0 and one.denominator == 1 for one in others)
+        natural = all(other >= 0 and other.denominator == 1 for other in others)
         return not self.factors and lowest == -1 and natural
 
 
@@ -241,7 +241,7 @@ def pseudo_remainder(polynomial: fmpq_mpoly, branch: Branch) -> Division:
         power = 0 if polynomial.is_zero() else int(polynomial.degrees()[place])
         factor = equation.derivative(place) ** power
         rest = without(polynomial, place, equation)
-        cofactors = [factor * one for one in cofactors]
+        cofactors = [factor * cofactor for cofactor in cofactors]
         cofactors.append((factor * polynomial - rest) / equation)
         unit, polynomial = unit * factor, rest
     own = [context.constant(0)] * len(branch.rest)

@@ -35,9 +35,9 @@ class FollowsFinder(PointFinder):
         general position: at the first one, if nothing is given.
         """
         known = at.differences(goal.given)
-        conclusions = [at.differences(one) for one in goal.conclusions]
+        conclusions = [at.differences(conclusion) for conclusion in goal.conclusions]
         here = known if conclusions else ()
-        sides = [e for one in goal.conclusions for p in at.pairs(one) for e in p]
+        sides = [e for conclusion in goal.conclusions for p in at.pairs(conclusion) for e in p]
         divided = [*law(goal, at), *known, *sides]
 
         def holds(there: Candidate | PointEvaluation) -> bool:
@@ -103,7 +103,10 @@ class FollowsFinder(PointFinder):
     ) -> At | None:
         """A point where the given equations and conditions hold; in each conclusion one fails."""
         known = at.differences(goal.given)
-        failing = [[e for e in at.differences(one) if not e.is_zero] for one in goal.conclusions]
+        failing = [
+            [e for e in at.differences(conclusion) if not e.is_zero]
+            for conclusion in goal.conclusions
+        ]
         if any(all(vanish_on(one, known)) for one in failing):
             return None
 
@@ -125,7 +128,7 @@ class FollowsFinder(PointFinder):
 
 def alternatives(goal: Follows, at: Evaluation) -> list[Element]:
     """What has to vanish: the products of one difference from each conclusion."""
-    conclusions = [at.differences(one) for one in goal.conclusions]
+    conclusions = [at.differences(conclusion) for conclusion in goal.conclusions]
     return [reduce(mul, choice, at.ring.one) for choice in product(*conclusions)]
 
 

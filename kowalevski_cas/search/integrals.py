@@ -62,7 +62,7 @@ def first_integrals(
     field = PolynomialField(at, cofactor)
     search = _IntegralSearch(field, weights or (1,) * len(at.setting.variables), pool)
     if cofactor is not None:
-        search.factors = [field.polynomial(one) for one in integrals]
+        search.factors = [field.polynomial(integral) for integral in integrals]
     for size in range(cofactor is None, weight + 1):
         for terms in search.of_weight(size):
             yield search.field.element(terms)

@@ -128,7 +128,7 @@ def solutions(system: LevelEquations) -> Iterator[dict[str, Fraction]]:
     order = [*unknowns, *dict(system.solved), *constants]
     for point in small(len(unknowns) + len(free)):
         values = dict(zip((*unknowns, *free), map(Fraction, point), strict=True))
-        if not _add_roots(values, roots) or any(constant(one, values) for one in checks):
+        if not _add_roots(values, roots) or any(constant(check, values) for check in checks):
             continue
         for place, expression in (*reversed(given), *system.solved):
             values[place] = constant(expression, values)

@@ -26,9 +26,15 @@ def solve_for_numbers(goal: Exists, finder: PointFinder) -> dict[str, Formula] |
     """Numbers for which the identities of the goal hold, which are polynomials in them."""
     context = fmpq_mpoly_ctx.get(goal.numbers, Ordering.lex)
     identities = (one for one in goal.goals if isinstance(one, Follows) and not one.given)
-    both = ((finder.of(one.space), sides) for one in identities for sides in one.conclusions[0])
-    terms = (one for at, sides in both for one in _coefficients(sides, goal.numbers, at))
-    equations = [polynomial_of(context, one) for one in terms]
+    both = (
+        (finder.of(identity.space), sides)
+        for identity in identities
+        for sides in identity.conclusions[0]
+    )
+    terms = (
+        coefficient for at, sides in both for coefficient in _coefficients(sides, goal.numbers, at)
+    )
+    equations = [polynomial_of(context, term) for term in terms]
     for found in branches(equations, range(len(goal.numbers))):
         if len(found.solved) == len(goal.numbers):  # no other number stands in an equation
             values = {k: -constant(e, {}) / constant(e.derivative(k), {}) for k, e in found.solved}

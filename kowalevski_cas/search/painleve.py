@@ -145,9 +145,9 @@ class _Series:
         of Cayley and Hamilton: with h the product of ρ - r for the exponents r other than k, and
         h = (ρ - k) q + h(k), they are q(A) / h(k) and h(A) / h(k).
         """
-        others = [one for one in self.exponents if one != order]
+        others = [exponent for exponent in self.exponents if exponent != order]
         times = len(self.exponents) - len(others)
-        roots = (fmpq_poly([-to_flint(one), 1]) for one in others)
+        roots = (fmpq_poly([-to_flint(other), 1]) for other in others)
         projection = prod(roots, start=fmpq_poly([1]))
         projection /= projection(order)
         known, quotient = self._known_terms(order), projection // fmpq_poly([-order, 1])
@@ -176,7 +176,9 @@ class _Series:
         """Where the constants of the motion make conditions hold for all others."""
         places = range(self.size + 1, len(self.context.gens()) - self.size)
         others = [k for k in range(len(self.context.gens())) if k not in places]
-        equations = (c for one in conditions for c in coefficients(one, others).values())
+        equations = (
+            c for condition in conditions for c in coefficients(condition, others).values()
+        )
         return branches(equations, places, [self.below])
 
     def _independent(self, columns: Sequence[Vector], times: int) -> tuple[int, ...]:
@@ -232,7 +234,7 @@ class _Series:
         """The coefficient of a power of t in a product of series."""
         product = [self.zero + 1] + [self.zero] * order if order >= 0 else []
         for place, power in enumerate(powers):
-            own = [one[place] for one in self.coefficients]
+            own = [coefficient[place] for coefficient in self.coefficients]
             for _ in range(power):
                 product = [
                     self._short(

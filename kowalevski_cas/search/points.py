@@ -200,7 +200,7 @@ def _ratios() -> Iterator[Iterator[Fraction]]:
     With them 1 - x² is a square, and products of them are such ratios again more often than not.
     """
     sides = ((3, 4, 5), (5, 12, 13), (8, 15, 17))
-    pairs = [(a, b) for one in sides for a in one for b in one if a != b]
+    pairs = [(a, b) for side in sides for a in side for b in side if a != b]
     for attempt in count(1):
         state = attempt * 69069 & 0x7FFFFFFF
         yield _choose(state, [Fraction(a, b) for a, b in pairs])

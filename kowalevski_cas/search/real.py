@@ -183,22 +183,24 @@ def points_with_squares(
     coordinates = RealCoordinates(at, zero, names)
     constraints = [e for element in zero for e in coordinates.equations(element)]
     constraints = distinct([*constraints, *coordinates.relations()])
-    radicands = [part for one in coordinates.radicands for part in coordinates.equations(one)]
+    radicands = [
+        part for radicand in coordinates.radicands for part in coordinates.equations(radicand)
+    ]
     squared = {
         place
         for place, name in enumerate(coordinates.names)
         if name not in {*coordinates.moving, *coordinates.pairs, *coordinates.pairs.values()}
-        and any(one.degrees()[place] for one in constraints)
+        and any(constraint.degrees()[place] for constraint in constraints)
         and _is_even([*constraints, *radicands], place)
     }
     if not squared:
         return
     halves = [_halved(one, squared) for one in (*constraints, *radicands)]
     avoid = [
-        _halved(one, squared)
+        _halved(equation, squared)
         for element in nonzero
-        for one in coordinates.equations(element)[:1]
-        if all(_is_even([one], place) for place in squared)
+        for equation in coordinates.equations(element)[:1]
+        if all(_is_even([equation], place) for place in squared)
     ]
     positive = [coordinates.context.gens()[place] for place in squared]
     positive += halves[len(constraints) :]
@@ -210,7 +212,9 @@ def points_with_squares(
 
 
 def _is_even(polynomials: Sequence[fmpq_mpoly], place: int) -> bool:
-    return not any(int(exponents[place]) % 2 for one in polynomials for exponents in one.monoms())
+    return not any(
+        int(exponents[place]) % 2 for polynomial in polynomials for exponents in polynomial.monoms()
+    )
 
 
 def _halved(polynomial: fmpq_mpoly, places: Container[int]) -> fmpq_mpoly:

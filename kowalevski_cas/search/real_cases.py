@@ -42,7 +42,7 @@ def proof_by_cases(
         return None
     _, groups, power = best
     rows = combinations.rows([reduce(mul, map(value_of, groups))], power)
-    cases = complete(proof_by_cases(conclusions, [*known, *one], depth - 1) for one in groups)
+    cases = complete(proof_by_cases(conclusions, [*known, *group], depth - 1) for group in groups)
     if rows is None or cases is None:
         return None
     return Proof(formula_rows(rows), formula_rows(groups), tuple(cases), power)

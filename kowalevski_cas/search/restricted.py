@@ -61,7 +61,7 @@ class _RestrictedSearch:
     def __init__(self, field: PolynomialField, relations: Sequence[Element]) -> None:
         self.field = field
         self.context = fmpq_mpoly_ctx.get(field.names, Ordering.deglex)
-        whole = (polynomial_of(self.context, field.polynomial(one)) for one in relations)
+        whole = (polynomial_of(self.context, field.polynomial(relation)) for relation in relations)
         given = [one for one in whole if one]
         if not given:
             raise Meaningless("the relations hold everywhere")

@@ -26,12 +26,12 @@ def _boolean(mouth: Mouth) -> bool | None:
     return True if flag == [TRUE] else False if flag == [FALSE] else None
 
 
-def _missing(mouth: Mouth) -> bool:
+def _without_argument(mouth: Mouth) -> bool:
     return [token.text for token in strip(mouth.argument())] == [NO_VALUE]
 
 
 def _there(mouth: Mouth) -> bool:
-    return not _missing(mouth)
+    return not _without_argument(mouth)
 
 
 def _empty(mouth: Mouth) -> bool:
@@ -64,12 +64,12 @@ def _choose(
         value = choice(mouth)
         first = mouth.argument() if yes else []
         second = mouth.argument() if no else []
-        return undecided(first, second) if value is None else first if value else second
+        return all_branches(first, second) if value is None else first if value else second
 
     return read
 
 
-def undecided(*alternatives: Sequence[TypedToken]) -> list[TypedToken]:
+def all_branches(*alternatives: Sequence[TypedToken]) -> list[TypedToken]:
     """All that may stand there."""
     at = next((tokens[0] for tokens in alternatives if tokens), TypedToken(""))
     inside = [token for tokens in alternatives for token in tokens]
@@ -93,10 +93,10 @@ def _styles(mouth: Mouth) -> list[TypedToken]:
     """What is printed in each style of formulas, if it is the same but for its layout."""
     four = [mouth.argument() for _ in range(4)]
     kinds = {tuple(t.text for t in tokens if t.text not in _LAYOUT) for tokens in four}
-    return four[1] if len(kinds) == 1 else undecided(*four)
+    return four[1] if len(kinds) == 1 else all_branches(*four)
 
 
-def _kept(number: int, place: int | None) -> Callable[[Mouth], list[TypedToken]]:
+def _one_of(number: int, place: int | None) -> Callable[[Mouth], list[TypedToken]]:
     """One of some arguments, or none of them."""
 
     def read(mouth: Mouth) -> list[TypedToken]:
@@ -110,14 +110,14 @@ BUILT_IN: dict[str, Callable[[Mouth], list[TypedToken]]] = {
     r"\@ifnextchar": _next,
     r"\@ifstar": _star,
     r"\mathchoice": _styles,
-    r"\@firstofone": _kept(1, 0),
-    r"\@firstoftwo": _kept(2, 0),
-    r"\@secondoftwo": _kept(2, 1),
-    r"\texorpdfstring": _kept(2, 0),
-    r"\unexpanded": _kept(1, 0),
-    r"\@gobble": _kept(1, None),
-    r"\vphantom": _kept(1, None),
-    r"\noexpand": _kept(0, None),
+    r"\@firstofone": _one_of(1, 0),
+    r"\@firstoftwo": _one_of(2, 0),
+    r"\@secondoftwo": _one_of(2, 1),
+    r"\texorpdfstring": _one_of(2, 0),
+    r"\unexpanded": _one_of(1, 0),
+    r"\@gobble": _one_of(1, None),
+    r"\vphantom": _one_of(1, None),
+    r"\noexpand": _one_of(0, None),
     r"\ifstrempty": _choose(_empty),
     r"\ifblank": _choose(_blank),
     r"\ifstrequal": _choose(_equal),
@@ -128,7 +128,11 @@ BUILT_IN: dict[str, Callable[[Mouth], list[TypedToken]]] = {
     },
     **{
         rf"\If{name}{ending}": _choose(choice, "T" in ending, "F" in ending)
-        for name, choice in (("Boolean", _boolean), ("NoValue", _missing), ("Value", _there))
+        for name, choice in (
+            ("Boolean", _boolean),
+            ("NoValue", _without_argument),
+            ("Value", _there),
+        )
         for ending in ("TF", "T", "F")
     },
 }

@@ -28,10 +28,10 @@ def change_code(command: str, mouth: Mouth) -> bool:
     while match and sum(len(token.text) for token in taken[:used]) < match.end():
         used += 1
     mouth.put_back(taken[used:])
-    return match is not None and _changed(command, match[1][-1], match[2], mouth)
+    return match is not None and _change(command, match[1][-1], match[2], mouth)
 
 
-def _changed(command: str, sign: str, value: str, mouth: Mouth) -> bool:
+def _change(command: str, sign: str, value: str, mouth: Mouth) -> bool:
     if sign.isalnum() or sign in _SPECIAL or (command == r"\mathcode" and value not in _ACTIVE):
         return False
     if value in _ACTIVE:

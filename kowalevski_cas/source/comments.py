@@ -90,7 +90,7 @@ def _place(source: Source, printed: str, where: str) -> int:
     raise SourceError(f"{where}: {source.path} has {what} several times, in the lines {lines}")
 
 
-def commented(
+def comments_on(
     source: Source, comments: Sequence[Comment], intervals: Sequence[tuple[int, int]]
 ) -> dict[int, list[Comment]]:
     """The comments on formulas, by their numbers; the formulas are given by their intervals."""

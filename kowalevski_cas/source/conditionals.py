@@ -88,7 +88,7 @@ class Conditionals:
         if name in (r"\ifx", r"\if"):
             return self._alike(name)
         if name == r"\ifnum":
-            return self._compared()
+            return self._compare()
         if name == r"\ifdefined":
             token = self._token()
             known = isinstance(self.meanings.get(token.text), Macro) if token else False
@@ -121,7 +121,7 @@ class Conditionals:
             self.mouth.put_back([first, second])
         return same
 
-    def _compared(self) -> bool | None:
+    def _compare(self) -> bool | None:
         taken: list[TypedToken] = []
         while len(taken) < 20 and (token := self.mouth.character()) is not None:
             taken.append(token)

@@ -23,7 +23,7 @@ from kowalevski_cas.source.meanings import (
     Unclear,
 )
 from kowalevski_cas.source.mouth import Malformed, Mouth
-from kowalevski_cas.source.parameters import Parameter, delimited, specified
+from kowalevski_cas.source.parameters import Parameter, delimited_parameters, specified_parameters
 from kowalevski_cas.source.tex import TypedToken, is_command, is_word, source_of_tokens, strip
 
 DEEPEST = 30
@@ -62,9 +62,9 @@ class Definer:
                 (self._document, _DOCUMENT),
                 (self._delimiter, "DeclarePairedDelimiter DeclarePairedDelimiterX"),
                 (self._environment, "newenvironment renewenvironment provideenvironment"),
-                (self._documented, _DOCUMENTED),
+                (self._xparse_environment, _DOCUMENTED),
                 (self._flag, "newif"),
-                (self._named, "@namedef"),
+                (self._by_name, "@namedef"),
                 (self._code, "catcode mathcode"),
                 (
                     self._change,
@@ -142,21 +142,21 @@ class Definer:
 
     def _new(self, command: str) -> None:
         self.mouth.skips("*")
-        self.checked(command, self.target(), self._counted)
+        self.checked(command, self.target(), self._with_count)
 
-    def _counted(self) -> Macro:
+    def _with_count(self) -> Macro:
         """A macro with the number of its arguments in brackets."""
         return Macro(self._parameters(), _texts(self.mouth.argument()))
 
     def _parameters(self) -> tuple[Parameter, ...]:
-        number = self.mouth.bracketed("[", "]")
+        number = self.mouth.optional_argument("[", "]")
         if number is None:
             return ()
         text = source_of_tokens(number).strip()
         if not (text.isdigit() and len(text) == 1):
             raise Malformed("how many arguments?")
         found = [Parameter("m")] * int(text)
-        default = self.mouth.bracketed("[", "]")
+        default = self.mouth.optional_argument("[", "]")
         if default is not None and found:
             found[0] = Parameter("o", ("[", "]"), _texts(default))
         return tuple(found)
@@ -165,9 +165,9 @@ class Definer:
         self.everywhere = self.everywhere or command in (r"\gdef", r"\xdef")
         name = self.target()
         fixed = command in (r"\edef", r"\xdef")
-        self.checked(command, name, lambda: self._delimited(fixed))
+        self.checked(command, name, lambda: self._with_delimiters(fixed))
 
-    def _delimited(self, fixed: bool = False) -> Macro:
+    def _with_delimiters(self, fixed: bool = False) -> Macro:
         r"""A macro as ``\def`` defines it, with whatever stands around its arguments.
 
         It is ``fixed`` if what stands in it keeps the meaning that it has now.
@@ -183,15 +183,15 @@ class Definer:
         if token is None or token.text != "{":
             raise Malformed("a macro without a body")
         body = _texts(self.mouth.group(token))
-        return Macro(delimited(printed), self._fixed(body) if fixed else body)
+        return Macro(delimited_parameters(printed), self._fix(body) if fixed else body)
 
-    def _fixed(self, body: Sequence[str], depth: int = 0) -> tuple[str, ...]:
+    def _fix(self, body: Sequence[str], depth: int = 0) -> tuple[str, ...]:
         """The body with macros without arguments written out; others cannot be kept as they are."""
         found: list[str] = []
         for text in body:
             meaning = self.meanings.get(text)
             if isinstance(meaning, Macro) and not meaning.parameters and depth < DEEPEST:
-                found += self._fixed(meaning.body, depth + 1)
+                found += self._fix(meaning.body, depth + 1)
             elif meaning is None or isinstance(meaning, Alias):
                 found.append(text if meaning is None else meaning.text)
             else:
@@ -200,9 +200,9 @@ class Definer:
                 raise Malformed("the body is too long")
         return tuple(found)
 
-    def _named(self, command: str) -> None:
-        name = "\\" + source_of_tokens(self.mouth.braced()).strip()
-        self.checked("renew", name, self._delimited)
+    def _by_name(self, command: str) -> None:
+        name = "\\" + source_of_tokens(self.mouth.need_group()).strip()
+        self.checked("renew", name, self._with_delimiters)
 
     def _let(self, command: str) -> None:
         name = self.target()
@@ -226,7 +226,7 @@ class Definer:
         """A command of xparse."""
 
         def read() -> Macro:
-            parameters = specified(strip(self.mouth.argument()))
+            parameters = specified_parameters(strip(self.mouth.argument()))
             return Macro(parameters, _texts(self.mouth.argument()))
 
         self.checked(command, self.target(), read)
@@ -234,7 +234,7 @@ class Definer:
     def _delimiter(self, command: str) -> None:
         def read() -> Macro:
             plain = not command.endswith("X")
-            number = None if plain else self.mouth.bracketed("[", "]")
+            number = None if plain else self.mouth.optional_argument("[", "]")
             count = 1 if plain else int(source_of_tokens(number or []).strip() or 0)
             left, right = _texts(self.mouth.argument()), _texts(self.mouth.argument())
             body = ("#1",) if plain else _texts(self.mouth.argument())
@@ -246,7 +246,7 @@ class Definer:
 
     def _environment(self, command: str) -> None:
         self.mouth.skips("*")
-        name = source_of_tokens(self.mouth.braced()).strip()
+        name = source_of_tokens(self.mouth.need_group()).strip()
 
         def read() -> Environment:
             parameters = self._parameters()
@@ -255,12 +255,12 @@ class Definer:
 
         self.checked(command, environment(name), read)
 
-    def _documented(self, command: str) -> None:
+    def _xparse_environment(self, command: str) -> None:
         """An environment of xparse."""
-        name = source_of_tokens(self.mouth.braced()).strip()
+        name = source_of_tokens(self.mouth.need_group()).strip()
 
         def read() -> Environment:
-            parameters = specified(strip(self.mouth.argument()))
+            parameters = specified_parameters(strip(self.mouth.argument()))
             begin, end = _texts(self.mouth.argument()), _texts(self.mouth.argument())
             if any(text.startswith("#") for text in end):
                 raise Malformed("arguments at the end of an environment")

@@ -77,19 +77,19 @@ def find_formulas(text: str, start: int = 0) -> Iterator[TypedFormula]:
             begun = kind = mark
         else:
             continue
-        closing = _closing(text, inside, group, partner)
+        closing = _closing_mark(text, inside, group, partner)
         if closing is not None:
             yield from _rows(text, inside, closing[0], kind)
             at = closing[1]
             continue
-        yield _broken(text, match.start(), inside, begun)
+        yield _break(text, match.start(), inside, begun)
         paragraph = -1 if group == "end" else text.find("\n\n", inside, inside + LONGEST)
         patience -= (paragraph if paragraph >= 0 else min(inside + LONGEST, len(text))) - inside
         if patience < 0:
             return
 
 
-def _closing(text: str, at: int, group: str, partner: str) -> tuple[int, int] | None:
+def _closing_mark(text: str, at: int, group: str, partner: str) -> tuple[int, int] | None:
     """The interval of the mark that closes a formula, before the paragraph ends."""
     depth = 0
     for match in _MARK.finditer(text, at, min(len(text), at + LONGEST)):
@@ -107,7 +107,7 @@ def _closing(text: str, at: int, group: str, partner: str) -> tuple[int, int] | 
     return None
 
 
-def _broken(text: str, start: int, inside: int, kind: str) -> TypedFormula:
+def _break(text: str, start: int, inside: int, kind: str) -> TypedFormula:
     head = text[inside : inside + 60].partition("\n\n")[0]
     end, trouble = inside + len(head), f"{kind} is never closed"
     return TypedFormula(head, start, end, kind, (), kind in _INLINE, trouble)

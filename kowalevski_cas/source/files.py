@@ -13,7 +13,7 @@ import stat
 from collections.abc import Iterable
 from pathlib import Path, PurePosixPath
 
-from kowalevski_cas.source.text import Part, Source, SourceError, blanked
+from kowalevski_cas.source.text import Part, Source, SourceError, blank_out
 
 LARGEST = 4_000_000
 """Bytes in a file; the longest papers have a tenth of this."""
@@ -61,7 +61,7 @@ def read_source(path: Path, styles: Iterable[Path] = (), data: bytes | None = No
             raise SourceError(f"{style} is a link; name the file itself")
         reader.read(decode(str(style), _bytes(style)), True, (style,))
     data = _bytes(path) if data is None else data
-    main, reader.declared = decode(str(path), data), _declared(data)
+    main, reader.declared = decode(str(path), data), _declared_encodings(data)
     reader.read(main, False, (path,))
     comments = path.with_suffix(COMMENTS)
     beside = None
@@ -89,7 +89,7 @@ class _Reader:
         """Add the text of a file, and where it names others, theirs."""
         if len(self.parts) > 3 * MOST or self.size + len(file.text) > TOTAL:
             raise SourceError(f"{above[0]}: its files are too many, or too large")
-        at, visible = 0, blanked(file.text)[0]
+        at, visible = 0, blank_out(file.text)[0]
         for match in _NAMED.finditer(visible):
             if match.start() < at:
                 continue
@@ -175,7 +175,7 @@ def _bytes(path: Path) -> bytes:
     return data
 
 
-def _declared(data: bytes) -> list[str]:
+def _declared_encodings(data: bytes) -> list[str]:
     """The encodings that a file says it has, as Python calls them."""
     found = _INPUTENC.finditer(data[:20_000].decode("latin-1"))
     names = (match[1] or match[2] for match in found)
@@ -190,7 +190,7 @@ def decode(path: str, data: bytes, declared: Iterable[str] = ()) -> Source:
     if control > NOISE * len(data):
         raise SourceError(f"{path} is not a text file: it is full of control characters")
     first = "utf-8-sig" if data.startswith(b"\xef\xbb\xbf") else "utf-8"
-    for encoding in (first, *_declared(data), *declared, "latin-1"):
+    for encoding in (first, *_declared_encodings(data), *declared, "latin-1"):
         try:
             text = data.decode(encoding).replace("\f", " ")
             return Source(path, _UNSEEN.sub("\ufffd", text), encoding)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import islice
 
-from kowalevski_cas.source.comments import commented, find_comments
+from kowalevski_cas.source.comments import comments_on, find_comments
 from kowalevski_cas.source.displays import TypedFormula, find_formulas
 from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.macros import expand
@@ -29,7 +29,7 @@ def typed_formulas(source: Source) -> tuple[Expanded, list[TypedFormula]]:
     if len(found) > MOST:
         raise SourceError(f"{source.path} has more than {MOST:,} formulas")
     intervals = [_interval(expanded, formula) for formula in found]
-    said = commented(source, find_comments(source), intervals)
+    said = comments_on(source, find_comments(source), intervals)
     for number, formula in enumerate(found):
         why = expanded.why(formula.start, formula.end)
         comments = tuple(said.get(number, ()))

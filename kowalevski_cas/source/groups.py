@@ -75,9 +75,9 @@ class Groups:
             self.lost, self.why = self.output.size, meaning.why
             self.notes.append((self.mouth.last, meaning.why))
         elif meaning is None:
-            self.found()
+            self.end_unknown()
 
-    def found(self) -> None:
+    def end_unknown(self) -> None:
         """An interval ends of which nothing could be told."""
         if self.lost >= 0:
             self.output.lose(self.lost, self.why)

@@ -16,7 +16,7 @@ from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.formulas import typed_formulas
 from kowalevski_cas.source.text import Source
-from kowalevski_cas.source.tokens import scanned
+from kowalevski_cas.source.tokens import tokens_of
 
 _LISTED = frozenset({"letter", "number", "comma", "accent", "_", "{", "}"})
 
@@ -35,10 +35,10 @@ class Listed:
     trouble: str
 
 
-def listing(source: Source) -> tuple[list[Listed], list[tuple[int, str]]]:
+def list_formulas(source: Source) -> tuple[list[Listed], list[tuple[int, str]]]:
     """All formulas of a source, read in the names that they use; and notes by line."""
     expanded, formulas = typed_formulas(source)
-    guesses = [guessed(formulas, capitals) for capitals in (MATRIX, VECTOR)]
+    guesses = [guess(formulas, capitals) for capitals in (MATRIX, VECTOR)]
     # The letter d is that of a derivative, or else a name.
     vocabularies = [replace(one, scalars=one.scalars - {"d"}) for one in guesses] + guesses
     found = []
@@ -69,7 +69,7 @@ def _read(formula: TypedFormula, vocabularies: Iterable[Vocabulary]) -> tuple[in
     return 0, troubles[0]
 
 
-def guessed(formulas: Iterable[TypedFormula], capitals: int = MATRIX) -> Vocabulary:
+def guess(formulas: Iterable[TypedFormula], capitals: int = MATRIX) -> Vocabulary:
     """The names in some formulas, and what they may be.
 
     Bold letters are vectors, and bold capitals have a rank that is given; a letter with names in
@@ -79,12 +79,12 @@ def guessed(formulas: Iterable[TypedFormula], capitals: int = MATRIX) -> Vocabul
     functions: set[str] = set()
     formulas = [*formulas]
     for formula in formulas:
-        if tokens := scanned(formula.tex):
+        if tokens := tokens_of(formula.tex):
             found = Cursor("", [*tokens], Vocabulary()).letters()
             names.update(
                 letter + index for letter, index in found if is_known(letter) or letter in FUNCTIONS
             )
-            functions.update(_applied(tokens))
+            functions.update(_functions(tokens))
     names -= {*_conjugates(names, formulas)}
     bold = {name for name in names if symbol(name).is_bold}
     upper = {name for name in bold if symbol(name).letter.isupper()}
@@ -105,17 +105,17 @@ def _conjugates(names: Set[str], formulas: Iterable[TypedFormula]) -> Iterator[s
     for name in names:
         plain = replace(symbol(name), star="").name
         if plain != name and plain in names:
-            if not any(name in _defined(formula.tex) for formula in formulas):
+            if not any(name in _heads(formula.tex) for formula in formulas):
                 yield name
 
 
-def _defined(tex: str) -> Iterator[str]:
+def _heads(tex: str) -> Iterator[str]:
     """The names that a display defines, if its TeX is sound."""
     with suppress(NotationError):
         yield from (name for statement in defined_names(tex) for name in statement.names)
 
 
-def _applied(tokens: Sequence[Token]) -> Iterator[str]:
+def _functions(tokens: Sequence[Token]) -> Iterator[str]:
     """The names with a list of names in brackets behind them, or with one."""
     cursor = Cursor("", [*tokens], Vocabulary())
     for letter, index in cursor.letters():

@@ -107,7 +107,7 @@ class _Expander:
                 self.output.emit(token, str(error))
         while self.spans:
             self.ended(self.spans[-1][0])
-        self.groups.found()
+        self.groups.end_unknown()
         return self.output.expanded(self.body, self.notes)
 
     def next(self, parts: list[Part]) -> TypedToken | None:
@@ -196,7 +196,7 @@ class _Expander:
 
     def begin(self, token: TypedToken) -> None:
         """An environment begins."""
-        name = source_of_tokens(self.mouth.braced()).strip()
+        name = source_of_tokens(self.mouth.need_group()).strip()
         end = max(token.end, self.mouth.last)
         meaning = self.meanings.get(environment(name))
         if isinstance(meaning, Environment):
@@ -215,7 +215,7 @@ class _Expander:
 
     def end(self, token: TypedToken) -> None:
         """An environment ends."""
-        name = source_of_tokens(self.mouth.braced()).strip()
+        name = source_of_tokens(self.mouth.need_group()).strip()
         end = max(token.end, self.mouth.last)
         meaning = self.meanings.get(environment(name))
         if isinstance(meaning, Environment):

@@ -117,12 +117,12 @@ class Mouth:
         while depth:
             token = self.take()
             if token is None or len(found) > min(LONGEST, self.patience):
-                raise self.malformed([*found[1:], token], "this brace is never closed")
+                raise self.error_at_end([*found[1:], token], "this brace is never closed")
             depth += {"{": 1, "}": -1}.get(token.text, 0)
             found.append(token)
         return normal(found[1:-1])
 
-    def malformed(self, taken: Sequence[TypedToken | None], why: str) -> Malformed:
+    def error_at_end(self, taken: Sequence[TypedToken | None], why: str) -> Malformed:
         """What is to be raised where the end of an argument is missing; the tokens come again."""
         self.patience = max(0, self.patience - len(taken))
         self.put_back(token for token in taken if token is not None)
@@ -136,7 +136,7 @@ class Mouth:
             raise Malformed("an argument is missing")
         return self.group(token) if token.text == "{" else [token]
 
-    def braced(self) -> list[TypedToken]:
+    def need_group(self) -> list[TypedToken]:
         """A group, which has to be there."""
         if self.peek() != "{":
             raise Malformed("an argument in braces is missing")
@@ -151,7 +151,7 @@ class Mouth:
             token = self.character()
             ended = token is None or (token.text == "}" and depth == 0)
             if ended or token is None or len(found) > min(LONGEST, self.patience):
-                raise self.malformed([*found, token], f"{''.join(delimiter)} is missing")
+                raise self.error_at_end([*found, token], f"{''.join(delimiter)} is missing")
             depth += {"{": 1, "}": -1}.get(token.text, 0)
             if token.text.isspace():
                 if found and is_word(found[-1].text):
@@ -161,7 +161,7 @@ class Mouth:
             if depth == 0 and [one.text for one in found[-size:]] == [*delimiter]:
                 return bare(normal(found[:-size]))
 
-    def bracketed(self, opening: str, closing: str) -> list[TypedToken] | None:
+    def optional_argument(self, opening: str, closing: str) -> list[TypedToken] | None:
         """An optional argument between its brackets; ``None`` if there is none."""
         if not self.skips(opening):
             return None
@@ -170,7 +170,7 @@ class Mouth:
         while True:
             token = self.character()
             if token is None or len(found) > min(LONGEST, self.patience):
-                raise self.malformed([*found, token], f"{opening} is never closed")
+                raise self.error_at_end([*found, token], f"{opening} is never closed")
             if depth == 0 and token.text == closing:
                 if brackets == 0:
                     return bare(normal(found))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kowalevski_cas.source.built_in import undecided
+from kowalevski_cas.source.built_in import all_branches
 from kowalevski_cas.source.conditionals import Conditionals
 from kowalevski_cas.source.definitions import Definer
 from kowalevski_cas.source.mouth import Mouth
@@ -39,7 +39,7 @@ class Files:
 
     def use(self, token: TypedToken) -> None:
         """A style, of which the text follows if it stands beside the paper."""
-        options = self.mouth.bracketed("[", "]") or []
+        options = self.mouth.optional_argument("[", "]") or []
         self.mouth.argument()
         self.options = [name.strip() for name in source_of_tokens(options).split(",")]
         self.declared = {}
@@ -60,4 +60,4 @@ class Files:
     def postpone(self, token: TypedToken) -> None:
         """What is executed where the document begins, if it is certain that it is."""
         tokens = self.mouth.argument()
-        self.later.append(undecided(tokens) if self.conditionals.uncertain else tokens)
+        self.later.append(all_branches(tokens) if self.conditionals.uncertain else tokens)

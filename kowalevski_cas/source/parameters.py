@@ -32,7 +32,7 @@ class Parameter:
         if self.kind == "u":
             return mouth.until(self.tokens)
         if self.kind == "o":
-            found = mouth.bracketed(*self.tokens)
+            found = mouth.optional_argument(*self.tokens)
             return [TypedToken(text) for text in self.default] if found is None else found
         if self.kind == "s":
             return [TypedToken(TRUE if mouth.skips(self.tokens[0]) else FALSE)]
@@ -44,7 +44,7 @@ class Parameter:
         return []
 
 
-def delimited(printed: Sequence[str]) -> tuple[Parameter, ...]:
+def delimited_parameters(printed: Sequence[str]) -> tuple[Parameter, ...]:
     r"""The parameters that stand, with what is around them, between a name and its body.
 
     >>> delimited(["(", "#1", ",", "#2", ")"])[1].tokens
@@ -67,7 +67,7 @@ def delimited(printed: Sequence[str]) -> tuple[Parameter, ...]:
     return tuple(found)
 
 
-def specified(tokens: Sequence[TypedToken]) -> tuple[Parameter, ...]:
+def specified_parameters(tokens: Sequence[TypedToken]) -> tuple[Parameter, ...]:
     """The parameters that a specification of xparse names."""
     rest = [token.text for token in tokens if token.text != " "]
     found: list[Parameter] = []

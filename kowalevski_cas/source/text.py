@@ -95,7 +95,7 @@ class Source:
 
     @cached_property
     def _blanked(self) -> tuple[str, list[int]]:
-        found = [(part.start, *blanked(self.text[part.start : part.end])) for part in self.parts]
+        found = [(part.start, *blank_out(self.text[part.start : part.end])) for part in self.parts]
         comments = [start + at for start, _, places in found for at in places]
         return "".join(text for _, text, _ in found), comments
 
@@ -165,7 +165,7 @@ class Source:
         return replace(self, text=text, parts=tuple(parts))
 
 
-def blanked(text: str) -> tuple[str, list[int]]:
+def blank_out(text: str) -> tuple[str, list[int]]:
     """The text with blanks for what does not print, and the offsets of the signs of comments."""
     pieces: list[str] = []
     comments: list[int] = []

@@ -21,7 +21,7 @@ _LONGEST = 400
 
 
 @lru_cache(maxsize=4096)
-def scanned(tex: str) -> tuple[Token, ...]:
+def tokens_of(tex: str) -> tuple[Token, ...]:
     """The tokens of a formula without the breaks around it; none if it cannot be scanned."""
     try:
         tokens = scan(tex)
@@ -37,7 +37,7 @@ def scanned(tex: str) -> tuple[Token, ...]:
 @lru_cache(maxsize=4096)
 def words(tex: str) -> tuple[str, ...]:
     """What the tokens of a formula print, whatever it is."""
-    tokens = scanned(tex)
+    tokens = tokens_of(tex)
     if not tokens:
         return tuple(match[0] for match in _ROUGHLY.finditer(tex[:5000]))
     return tuple(token.text if token.kind != "row" else "\\\\" for token in tokens)
@@ -53,7 +53,7 @@ def likeness(one: str, other: str) -> float:
 
 def changes(old: str, new: str) -> Iterator[tuple[int, int, str]]:
     """Intervals of ``old`` and what to type there so that it has the tokens of ``new``."""
-    before, after = scanned(old), scanned(new)
+    before, after = tokens_of(old), tokens_of(new)
     matcher = SequenceMatcher(
         None, [token.text for token in before], [token.text for token in after], autojunk=False
     )

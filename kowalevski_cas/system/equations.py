@@ -105,7 +105,7 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
     variables = tuple(part for one in moving for part in vectors.get(one, (one,)))
     fixed = [one for one in names if one not in defined and one not in words.matrices]
     parts = dict.fromkeys(part for one in fixed for part in vectors.get(one, (one,)))
-    constants = tuple(one for one in parts if one not in variables and one not in defined)
+    constants = tuple(part for part in parts if part not in variables and part not in defined)
     check_indices((*variables, *constants), moving)
     check_derivatives(constants, defined, moving)
     check_stars(constants, {*variables, *constants, *defined})
@@ -120,10 +120,10 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
 def _vocabulary(display: Display, vectors: Vectors, declared: Names) -> Vocabulary:
     """What is a vector, a matrix, a function or the independent variable in a display."""
     words = vocabulary(())
-    names = [one for place in display for one in place.heads.names]
+    names = [name for place in display for name in place.heads.names]
     functions = frozenset(function for function, arguments in map(head, names) if arguments)
-    matrices = {one for place in display if place.heads.matrix for one in place.heads.names}
-    matrices |= {one for one in names if is_bold(one)}
+    matrices = {name for place in display if place.heads.matrix for name in place.heads.names}
+    matrices |= {name for name in names if is_bold(name)}
     dots = ["t"] if r"\dot" in display.tex or r"\ddot" in display.tex else []
     times = [*dict.fromkeys([*dots, *independent(display.tex)])] or ["t"]
     if len(times) > 1:
@@ -180,7 +180,7 @@ def _is_law(formula: Formula) -> bool:
 def _moving_names(formula: Formula) -> list[str]:
     """The names that stand under a derivative, or by whose rates something is derived."""
     if isinstance(formula, Derivative) and isinstance(formula.argument, Name | Vector | Sum):
-        return [one.name for one in formula.argument.nodes() if isinstance(one, Name)]
+        return [node.name for node in formula.argument.nodes() if isinstance(node, Name)]
     found = [name for child in formula.children() for name in _moving_names(child)]
     by = formula.by if isinstance(formula, Partial) else ""
     return [name_of_rate(by), *found] if name_of_rate(by) != by else found
@@ -197,7 +197,11 @@ def with_parameters(scene: Scene, display: Display) -> Scene:
     heads_of = [head(name) for place in display for name in place.heads.names]
     arguments = dict.fromkeys(one for name, listed in heads_of if name != BRACKET for one in listed)
     known = {name for name, _ in heads_of} | {*scene.names(), *scene.vectors, scene.time, "t"}
-    new = (one for one in arguments if one not in known and not one.startswith(r"\dot"))
+    new = (
+        argument
+        for argument in arguments
+        if argument not in known and not argument.startswith(r"\dot")
+    )
     return scene.having(constants=tuple(new))
 
 
@@ -210,7 +214,7 @@ def with_levels(scene: Scene, place: Printed) -> Scene:
             scene = scene.naming(name, place)
     formula = read(place.tex, vocabulary((scene,)), OpenParser)
     members = formula.members if isinstance(formula, Relation) else ()
-    names = [{node.name for node in one.nodes() if isinstance(node, Name)} for one in members]
+    names = [{node.name for node in member.nodes() if isinstance(node, Name)} for member in members]
     new = {one for own in names if own.isdisjoint({*known, *place.heads.names}) for one in own}
     if known.isdisjoint(one for own in names for one in own):
         return scene  # of nothing that moves it is no value
@@ -260,7 +264,7 @@ def restrict(scene: Scene, place: Printed) -> Scene:
         return supposing
     for name in (*place.heads.squares, *place.heads.names):
         if name in scene.constants:
-            kept = tuple(one for one in scene.constants if one != name)
+            kept = tuple(constant for constant in scene.constants if constant != name)
             rest = replace(scene, constants=kept)
             squared = name in place.heads.squares
             return rest.adjoining(place) if squared else rest.naming(name, place)

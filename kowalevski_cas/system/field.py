@@ -143,7 +143,7 @@ class Field:
             tex = self._tex(relation)
             tex = (
                 tex
-                if any(one.names for one in defined_names(tex))
+                if any(name.names for name in defined_names(tex))
                 else solve_for_constant(tex, scene) or tex
             )
             place = self._place("where", tex, IN_WORDS)
@@ -251,7 +251,7 @@ class Field:
         tex = label[1] if label else tex
         letters = re.sub(r"[^A-Za-z0-9]+", "-", re.sub(r"=\s*0\b", "", tex))[:LONGEST].strip("-")
         id = self.prefix + "-".join(filter(None, (kind, letters)))
-        return _new(id, {*(one.id for one in self.section.displays), *self.section.lines})
+        return _new(id, {*(display.id for display in self.section.displays), *self.section.lines})
 
 
 def several(formulas: Texs) -> tuple[Tex, ...]:

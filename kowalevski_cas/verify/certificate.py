@@ -93,9 +93,11 @@ class Stored:
         entries = self.beside.get("failures")
         if entries is None or self.beside.get("digest") != statement.digest:
             return None
-        if not isinstance(entries, list) or not all(isinstance(one, dict) for one in entries):
+        if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
             raise FormatError("a list of what fails is expected")
-        return [Stored(self.path, one) for one in entries if one.get("condition") == condition]
+        return [
+            Stored(self.path, entry) for entry in entries if entry.get("condition") == condition
+        ]
 
 
 def _heading(data: Data) -> Data:

@@ -179,12 +179,14 @@ def confirm(issued: Issued, goals: Sequence[Goal] = (), until: float = inf) -> N
         raise TimeoutError(LATE)
     if (found.claim, found.digest, found.sign) != (issued.claim, issued.digest, issued.sign):
         raise Disagreement("the checker reads another statement in it")
-    theorems = [part for one in found.theorems for part in one.parts or (one,)]
-    if issued.sign == "denied" or not any([*issued.divided, *(one.divisors for one in theorems)]):
+    theorems = [part for theorem in found.theorems for part in theorem.parts or (theorem,)]
+    if issued.sign == "denied" or not any(
+        [*issued.divided, *(theorem.divisors for theorem in theorems)]
+    ):
         return
     goals = goals or read_problem(json.loads(issued.text)).goals
     every = [one for goal in goals for one in simple(goal)]
-    divisors = [tuple(map(decode, one.divisors)) for one in theorems]
+    divisors = [tuple(map(decode, theorem.divisors)) for theorem in theorems]
     judge, other = _factors(every, issued.divided), _factors(every, divisors)
     if judge != other:
         more, whose = (judge - other, "flint") if judge - other else (other - judge, "checker")

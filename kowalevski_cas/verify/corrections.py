@@ -147,8 +147,8 @@ def passes(neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled]
                 stages[goal.space] = Sampled(finder_of(goal.space))
             at = stages[goal.space]
             # One by one: most candidates fail at the first.
-            equations = (equation for one in goal.conclusions for equation in one)
-            if not all(d.is_zero for one in equations for d in at.differences((one,))):
+            equations = (equation for conclusion in goal.conclusions for equation in conclusion)
+            if not all(d.is_zero for equation in equations for d in at.differences((equation,))):
                 return False
     except (NotationError, Meaningless, ZeroDivisionError):
         return False

@@ -117,7 +117,7 @@ def _words(
             return f"a bracket is ${own}$, not $0$"
         rate = f"the derivative of ${to_latex(left)}$ is ${own}$"
         return f"{rate}, and its bracket with the Hamiltonian ${other}$"
-    if right == Number(0) and any(isinstance(one, Partial) for one in left.nodes()):
+    if right == Number(0) and any(isinstance(node, Partial) for node in left.nodes()):
         return f"a derivative of the function is ${own}$, so the point is not critical"
     sides = to_latex(equal(left, right))
     what = f" of ${sides}$" if not order and len(sides) < SHORT else ""

@@ -232,7 +232,7 @@ class Run(NamedTuple):
     @property
     def certificates(self) -> dict[str, str]:
         """The texts that the checker has accepted, by the names of their files."""
-        return {n: text for one in self.outcomes for n, text in one.certificates.items()}
+        return {n: text for outcome in self.outcomes for n, text in outcome.certificates.items()}
 
     @property
     def digest(self) -> str:

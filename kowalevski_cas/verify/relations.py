@@ -86,7 +86,7 @@ def _factors(space: Elaboration, polynomials: list[fmpq_mpoly]) -> Iterator[fmpq
     """The irreducible common factors of polynomials that have constants only, and several terms."""
     names = space.finder.ring.polynomials.generators
     moving = [k for k, name in enumerate(names) if name not in space.constants]
-    parts = [c for one in polynomials for c in coefficients(one, moving).values()]
+    parts = [c for polynomial in polynomials for c in coefficients(polynomial, moving).values()]
     if parts:
         common = reduce(fmpq_mpoly.gcd, parts)
         yield from (factor for factor, _ in common.factor()[1] if len(factor) > 1)

@@ -112,12 +112,13 @@ class Session:
         self.elsewhere: dict[str, Session] = {}
         """The runs of derivations on which this one rests, as far as they were asked."""
         self._outcomes: dict[str, Outcome] = {}
+        self._standing: dict[str, bool] = {}
 
     def under(self, interpretation: Interpretation) -> Session:
         """A run like this of what claims say under other texts."""
         session = copy(self)
         session.decider = self.decider.under(interpretation)
-        session._outcomes, session.elsewhere = {}, {}
+        session._outcomes, session._standing, session.elsewhere = {}, {}, {}
         return session
 
     @property
@@ -202,6 +203,11 @@ class Session:
 
     def stands(self, id: str) -> bool:
         """Whether the correction of a claim that its derivation accepts is proved."""
+        if id not in self._standing:
+            self._standing[id] = self._is_proved(id)
+        return self._standing[id]
+
+    def _is_proved(self, id: str) -> bool:
         name, _, own = id.rpartition("/")
         derivation = self.interpretation.bases[name] if name else self.derivation
         claim = next((c for c in derivation.claims if c.id == own), None)

@@ -189,7 +189,7 @@ def _combination(goal: Follows, proof: Proof, setting: Elaboration) -> ReportedS
     products = sum(not entry.is_zero for row in rows for entry in row)
     if terms > LONGEST or products > MOST:
         return ReportedStep(f"{words}; its coefficients have {terms} terms", withheld=True)
-    choices = product(*(_differences(one, setting) for one in goal.conclusions))
+    choices = product(*(_differences(conclusion, setting) for conclusion in goal.conclusions))
     lefts = [power(left, proof.power) for left in map(flat_product, choices)]
     known = _differences(goal.given, setting)
     sums = [_sum(row, known, setting) for row in rows]

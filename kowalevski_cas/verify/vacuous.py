@@ -51,10 +51,9 @@ def says_something(neighbour: Neighbour, statement: Statement, printed: Statemen
     """
     if _moves(printed) and not _moves(statement):
         return False
-    if _empty(statement) > _empty(printed) or _count_repeated(statement) > _count_repeated(printed):
-        return False
-    if _count_printed_before(statement) > _count_printed_before(printed):
-        return False
+    for count in (_empty, _count_repeated, _count_printed_before):
+        if (many := count(statement)) and many > count(printed):
+            return False
     edit = neighbour.edit
     if edit is None:
         return True
@@ -102,22 +101,24 @@ def _count_repeated(statement: Statement) -> int:
 
 
 def _is_multiple(element: Element, others: Sequence[Element]) -> bool:
-    return not element.is_zero and any(vanish_on([element], [one]) == [True] for one in others)
+    return not element.is_zero and any(vanish_on([element], [other]) == [True] for other in others)
 
 
 def _derives_what_stands(before: Formula, after: Formula, on: Elaboration) -> bool:
     """Whether an edit brings in a derivative that is zero by itself, as that of a constant."""
-    rates = [one for one in after.nodes() if isinstance(one, Derivative)]
-    if len(rates) <= sum(isinstance(one, Derivative) for one in before.nodes()):
+    rates = [node for node in after.nodes() if isinstance(node, Derivative)]
+    if len(rates) <= sum(isinstance(node, Derivative) for node in before.nodes()):
         return False
     old = {*before.nodes()}
-    new = [(on.plain(one), Number(0)) for one in rates if one not in old]
+    new = [(on.plain(rate), Number(0)) for rate in rates if rate not in old]
     return any(rest.is_zero for rest in on.finder.differences(new))
 
 
 def _trivial(formula: Formula) -> bool:
     """Whether two sides, terms, or arguments of a bracket are literally the same."""
-    several = (one for one in formula.nodes() if isinstance(one, Relation | PoissonBracket | Sum))
+    several = (
+        node for node in formula.nodes() if isinstance(node, Relation | PoissonBracket | Sum)
+    )
     return any(len({*one.children()}) < len(one.children()) for one in several)
 
 

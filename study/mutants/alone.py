@@ -113,11 +113,11 @@ class Alone:
         """The formulas with green claims that read a formula, or are made of it."""
         claims = {claim.id: claim for claim in self.base.session.interpretation.derivation.claims}
         return [
-            one
-            for one in self.base.formulas
-            if _green(one)
-            and (one is changed or changed.role != CLAIM)
-            and any(changed.place in claims[name].reads() for name in one.claims)
+            formula
+            for formula in self.base.formulas
+            if _green(formula)
+            and (formula is changed or changed.role != CLAIM)
+            and any(changed.place in claims[name].reads() for name in formula.claims)
         ]
 
 
@@ -142,7 +142,7 @@ def _suppositions(claim: Audited | None, audit: Audit) -> set[int]:
     """The formulas of an audit that are supposed for a claim, if it is green."""
     if claim is None or not _green(claim):
         return set()
-    return {id(one) for one in audit.formulas if one.name in claim.on}
+    return {id(formula) for formula in audit.formulas if formula.name in claim.on}
 
 
 def _pairs(base: Audit, found: Audit) -> Iterator[Audited | None]:
@@ -169,7 +169,9 @@ def _audit_of(work: Alone) -> Audit:
 
 def draw_mutants(work: Alone, size: int, random: Random) -> list[Mutant]:
     """Mutants of the formulas of each role on which something green rests: as many as there are."""
-    roles = {one.place: one.role for one in work.base.formulas if work.claims_on(one)}
+    roles = {
+        formula.place: formula.role for formula in work.base.formulas if work.claims_on(formula)
+    }
     found: list[Mutant] = []
     counts: Counter[str] = Counter()
     for mutant in sample(work.base, DRAWS * size, random):

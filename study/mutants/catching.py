@@ -135,7 +135,11 @@ class Measure:
             reason,
             any(map(_late, after.values())),
             seconds,
-            tuple(one for one in found.outcomes.values() if f"claim {one.claim}" in changed),
+            tuple(
+                outcome
+                for outcome in found.outcomes.values()
+                if f"claim {outcome.claim}" in changed
+            ),
         )
 
     def _is_named(self, found: Audit, mutant: Mutant) -> bool:

@@ -72,7 +72,7 @@ def run(arguments: argparse.Namespace) -> int:
         source = synthetic(derivation)
     print(f"{source.path} by {derivation.name}, seed {seed}", flush=True)
 
-    pool = session.pool(arguments, [folder, *(find(one.name) for one in derivation.bases())])
+    pool = session.pool(arguments, [folder, *(find(basis.name) for basis in derivation.bases())])
 
     def measure_source(source: Source) -> Measurement:
         work = Measure(folder, source.path, source.text, arguments.timeout)
@@ -118,7 +118,9 @@ def report_alone(found: Fates) -> str:
         lines.append(f"{role}: {noticed} of {of} noticed ({_percent(noticed, of)}); {counts or 0}")
     for end in (STRANGE, LOST, LATE):
         results = found.of(end)
-        lines += [f"  {end:8} {one.role}, {one.mutant.words}: {one.words}" for one in results]
+        lines += [
+            f"  {end:8} {result.role}, {result.mutant.words}: {result.words}" for result in results
+        ]
     return "\n".join(lines) + "\n"
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from sarif_pydantic import Sarif
 
-from kowalevski_cas.audit.diagnostics import _identified, diagnostics
+from kowalevski_cas.audit.diagnostics import _with_fingerprints, diagnostics
 from kowalevski_cas.audit.reading import ReadingSession, audit_reading
 from kowalevski_cas.cli import main
 from kowalevski_cas.cli.formats import github, sarif
@@ -107,7 +107,7 @@ def test_another_misprint_in_the_same_place_is_another(paper):
 
 def test_the_same_misprint_once_more_is_another():
     one = Diagnostic("refuted", ERROR, "eq1", "", Region("top.tex"))
-    prints = [found.fingerprint for found in _identified([(one, "x=y"), (one, "x=y")])]
+    prints = [found.fingerprint for found in _with_fingerprints([(one, "x=y"), (one, "x=y")])]
     assert len({*prints}) == 2
 
 

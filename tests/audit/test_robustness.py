@@ -8,7 +8,7 @@ from kowalevski_cas.audit.audit import audit
 from kowalevski_cas.cli.formats import OF_AUDITS, load_format
 from kowalevski_cas.processes import each
 from kowalevski_cas.source.files import decode
-from kowalevski_cas.source.listing import listing
+from kowalevski_cas.source.listing import list_formulas
 from kowalevski_cas.source.text import Source, SourceError
 from kowalevski_cas.verify.outcome import Verdict
 from tests.audit.material import base, source
@@ -37,7 +37,7 @@ def survives(data: bytes) -> None:
         found = decode("paper.tex", data)
     except SourceError:
         return
-    listing(found)
+    list_formulas(found)
     try:
         result = audit(found, base())
     except SourceError:

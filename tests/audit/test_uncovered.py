@@ -10,7 +10,7 @@ from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.cli import main
 from kowalevski_cas.source.formulas import typed_formulas
 from kowalevski_cas.source.text import Source
-from kowalevski_cas.source.tokens import scanned
+from kowalevski_cas.source.tokens import tokens_of
 from tests.audit.material import audited, base, paper_path, source, watched
 from tests.sample import sampled
 
@@ -68,7 +68,7 @@ def inline_mutants() -> list[tuple[int, int, str, str]]:
     for one in formulas:
         tokens = [
             token
-            for token in scanned(one.tex)
+            for token in tokens_of(one.tex)
             if token.kind in ("letter", "number", "sign", "relation")
         ]
         if one.inline and len(tokens) > 1:

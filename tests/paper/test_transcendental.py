@@ -140,7 +140,9 @@ def test_rates_are_those_of_calculus(on, function, m, x, y, u):
         (r"v\ln v", "a logarithm, or an arc, is read with a constant factor only"),
         (r"v\arctan v", "with a constant factor only"),
         (r"v\arcsin v", "with a constant factor only"),
-        (r"\operatorname{sn}v", "print the modulus"),
+        (r"\operatorname{sn}v", "print k behind the argument, or declare it"),
+        (r"\wp(v)", "print g_2, g_3 behind the argument, or declare it"),
+        (r"\sin(v,x)", "print one argument, and no more"),
     ],
 )
 def test_what_is_not_known_is_an_error_that_says_so(tex, message):
@@ -374,6 +376,11 @@ ELLIPTIC = [
     (r"\operatorname{sn}(x,-1)=\tanh x", "conditional"),
     (r"\operatorname{sn}(x,0)=\cos x", "refuted"),
     (r"\operatorname{sn}(x,1)=\sinh x", "refuted"),
+    # the modulus is that of which the letter is declared
+    (r"\operatorname{sn}^2x+\operatorname{cn}^2(x,k)=1", "proved"),
+    (r"\operatorname{sn}2x=\frac{2\operatorname{sn}x\operatorname{cn}x\operatorname{dn}x}{1-k^2\operatorname{sn}^4x}", "conditional"),
+    (r"\operatorname{sn}2x=\frac{2\operatorname{sn}x\operatorname{cn}x\operatorname{dn}x}{1-k\operatorname{sn}^4x}", "refuted"),
+    (r"\wp'(x)^2=4\wp^3(x)-g_2\wp(x)-g_3", "proved"),
     # the amplitude, of which the derivative is known
     (r"\frac{d}{dt}\operatorname{am}(x,k)=\operatorname{dn}(x,k)", "proved"),
     (r"\frac{d^2}{dt^2}\operatorname{am}(x,k)=-k^2\operatorname{sn}(x,k)\operatorname{cn}(x,k)", "proved"),
@@ -566,3 +573,61 @@ def test_an_imaginary_argument_leads_to_the_complementary_modulus(tex, moduli, v
     scene = scene.solving("k'", section.display("moduli", moduli)[1])
     [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
     assert str(outcome.verdict) == verdict
+
+
+ROOTS = [
+    (r"\frac{d}{dt}\sin(ar)=a\cos(ar)\frac{x}{r}", "conditional"),
+    (r"\frac{d}{dt}\sin(r)=\cos(r)\frac{x}{r}", "conditional"),
+    (r"\frac{d}{dt}\sin(ar)=0", "refuted"),
+    (r"\frac{d}{dt}\sin(r)=0", "refuted"),
+    (r"\frac{d}{dt}\sin(qt)=q\cos(qt)", "proved"),
+    (r"\frac{\partial}{\partial x}\sin(ar)=0", "error"),
+    (r"\frac{d}{dt}\operatorname{sn}(a,r)=0", "error"),
+    (r"\frac{d}{dt}\operatorname{sn}(a,q)=0", "proved"),
+    (r"\frac{d}{dt}\operatorname{sn}(t,p)=\operatorname{cn}(t,p)\operatorname{dn}(t,p)", "error"),
+]  # fmt: skip
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize(("tex", "verdict"), sampled(ROOTS, 4))
+def test_a_root_of_what_moves_is_no_constant(tex, verdict):
+    """Nor is a root of such a root; r and p move, and q does not."""
+    section = Section("1", "")
+    scene = Scene(variables=("x",), constants=("a",)).moving(section.display("m", r"\dot x=1")[1])
+    for name, square in (("r", "1+x^2"), ("p", "r+1"), ("q", "a^2+1")):
+        scene = scene.solving(name, section.display(name, f"{name}^2={square}")[1])
+    [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
+    assert str(outcome.verdict) == verdict
+
+
+BY_DERIVATIVES = [
+    (r"\frac{d}{dk}K(k)=\frac{E(k)-(1-k^2)K(k)}{k(1-k^2)}", "conditional"),
+    (r"\frac{d}{dk}(E(k)-(1-k^2)K(k))=k\mathrm{K}(k)", "conditional"),
+    (r"\frac{d}{dk}(k(1-k^2)\frac{d}{dk}K(k))=kK(k)", "conditional"),
+    (r"\frac{d}{dk}E(k)=\frac{E(k)+K(k)}{k}", "refuted"),
+    (r"\frac{d}{dk}(E(k)-(1-k^2)K(k))=kE(k)", "refuted"),
+    (r"K(2k)=2K(k)", "error"),
+    (r"\frac{d}{dk}\zeta(k)=-\wp(k)", "proved"),
+    (r"\frac{d}{dk}\sigma(k,g_2,g_3)=\sigma(k)\zeta(k)", "proved"),
+    (r"\frac{d^2}{dk^2}\zeta(k)=\wp'(k)", "refuted"),
+    (r"\zeta(2k)=2\zeta(k)", "error"),
+]  # fmt: skip
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize(("tex", "verdict"), sampled(BY_DERIVATIVES, 5))
+def test_integrals_are_known_by_their_derivatives(tex, verdict):
+    """Those of Legendre by the modulus, those of Weierstrass by the argument."""
+    section = Section("1", "")
+    scene = Scene(constants=("g_2", "g_3"), time="k")
+    [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
+    assert str(outcome.verdict) == verdict
+
+
+@pytest.mark.parametrize("letter", ["K", "E", r"\zeta", r"\sigma"])
+def test_a_letter_that_is_declared_names_no_function(letter):
+    section = Section("1", "")
+    scene = Scene(variables=("u", "v"), constants=(letter,))
+    tex = rf"{letter}(u-v)={letter} u-{letter} v"
+    [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
+    assert str(outcome.verdict) == "proved"

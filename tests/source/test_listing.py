@@ -3,11 +3,11 @@
 import pytest
 
 from kowalevski_cas.source.files import decode
-from kowalevski_cas.source.listing import listing
+from kowalevski_cas.source.listing import list_formulas
 
 
 def troubles(text: str) -> list[str]:
-    return [formula.trouble for formula in listing(decode("paper.tex", text.encode()))[0]]
+    return [formula.trouble for formula in list_formulas(decode("paper.tex", text.encode()))[0]]
 
 
 @pytest.mark.parametrize(

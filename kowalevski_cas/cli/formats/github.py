@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 def render(results: Sequence[ComparedRun]) -> str:
     """An error for each difference, a notice for each misprint and each false statement."""
-    return workflow_commands(one for result in results for one in diagnostics(result))
+    return workflow_commands(diagnostic for result in results for diagnostic in diagnostics(result))
 
 
 def audited(audit: Audit) -> str:

@@ -121,8 +121,8 @@ def _summary(result: ComparedRun) -> Iterator[str]:
     else:
         other = "THE RECORD" if result.recorded else "WHAT IS EXPECTED"
         yield f"{head}; DIFFERENT FROM {other}:"
-        for one in result.differences:
-            yield f"  {one.claim}: {noun} {one.recorded}, found {one.found}"
+        for difference in result.differences:
+            yield f"  {difference.claim}: {noun} {difference.recorded}, found {difference.found}"
 
 
 def audited(audit: Audit) -> str:
@@ -190,7 +190,7 @@ class AuditText:
         place = f"{region.path}:{region.line}: " if region else ""
         why = ""
         if causes := audit.session.causes.places.get(outcome.claim, ()):
-            named = ", ".join(audit.located(cause.place) for cause in causes)
+            named = ", ".join(audit.location(cause.place) for cause in causes)
             why = f"; because of {named}"
         yield from self._line_of(
             f"{place}{plain.text(self.phrases.found([outcome.claim]))}: refuted: "

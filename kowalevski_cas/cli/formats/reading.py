@@ -58,7 +58,7 @@ def _comments(audit: Audit) -> Iterator[str]:
     said = audit.reading.parts.said
     if not said.directives:
         return
-    counts = Counter(one.verb for one in said.directives)
+    counts = Counter(directive.verb for directive in said.directives)
     counted = ", ".join(f"{number} {verb}" for verb, number in sorted(counts.items()))
     yield f"Comments are obeyed: {counted}."
     for formula in audit.reading.formulas:
@@ -83,7 +83,7 @@ def _assumptions(audit: Audit, phrases: Phrases) -> Iterator[str]:
 def _doubts(audit: Audit, phrases: Phrases) -> Iterator[str]:
     open_verdicts = (Verdict.UNDECIDED, Verdict.TIMEOUT)
     unclear = [f for f in audit.formulas if f.verdict in open_verdicts]
-    in_words = [one for one in audit.statements if one.verdict in open_verdicts]
+    in_words = [statement for statement in audit.statements if statement.verdict in open_verdicts]
     if unclear or in_words:
         yield from ("", plain.bold("What is not decided"))
     for formula in unclear:

@@ -26,7 +26,7 @@ FINGERPRINT = "kowalevskiCas/v1"
 
 def render(results: Sequence[ComparedRun]) -> str:
     """A result for each difference from the record, and for each refuted claim."""
-    return log(one for result in results for one in diagnostics(result))
+    return log(diagnostic for result in results for diagnostic in diagnostics(result))
 
 
 def audited(audit: Audit) -> str:

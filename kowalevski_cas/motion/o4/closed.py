@@ -38,7 +38,8 @@ class ClosedO4:
             if not np.isfinite(origins).all():
                 raise MethodError("the angles at t = 0 have no phases: roots are too close")
             rates = self._quadratures.rates
-            first, second = (4 * np.pi / abs(float(rate)) for rate in rates)
+            self.rates = [float(rate) for rate in rates]
+            first, second = (4 * np.pi / abs(rate) for rate in self.rates)
             self.periods = first, second
             # Functions of half the angles have the period 4π: a quarter of it is π.
             self._phases = [

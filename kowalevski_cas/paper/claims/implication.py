@@ -62,7 +62,7 @@ def _check_flipped(
     for bit, radicand in enumerate(at.ring.radicands):
         if any(mask & depending for mask in radicand.parts):
             depending |= 1 << bit
-    if any(mask & depending for one in at.differences(given) for mask in one.parts):
+    if any(mask & depending for difference in at.differences(given) for mask in difference.parts):
         raise Meaningless("the root stands in what is given: its values are told apart there")
     for one, turned in zip(at.differences(stated), at.differences(other), strict=True):
         nested = any(mask & depending & ~own for mask in one.parts)

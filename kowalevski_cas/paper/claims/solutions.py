@@ -49,7 +49,7 @@ def _generators(lefts: list[Formula], space: Elaboration) -> tuple[Kind, list[st
     kind = kinds.pop()
     by_name = {name: letter for letter, name in kind.names(time).items()}
     values = [space.plain(left) for left in found]
-    letters = [by_name.get(one.name, "") for one in values if isinstance(one, Name)]
+    letters = [by_name.get(value.name, "") for value in values if isinstance(value, Name)]
     if kinds or {*letters} != {*kind.family.rates} or len(letters) != len(lefts):
         raise Meaningless("all functions of one family are expected on the left, each once")
     return kind, letters

@@ -90,7 +90,10 @@ class Along(Goal):
         with space.statement():
             for _ in range(order):
                 differences = [*map(space.derivative, differences)]
-        need(any(at(one).differs() for one in differences), "the two sides may be equal")
+        need(
+            any(at(difference).differs() for difference in differences),
+            "the two sides may be equal",
+        )
 
     def _locate(self, point: Json) -> Map:
         """A point where the motion begins."""

@@ -42,8 +42,11 @@ class Certificate:
     def lines(self) -> list[str]:
         """All of the theorems: with variables, definitions, field, conditions and points."""
         found = [line for theorem in self.theorems for line in theorem.lines()]
-        for one in self.failures:
-            found += [f"  at a point where {say(one.condition)} = 0:", *one.theorem.lines("    ")]
+        for failure in self.failures:
+            found += [
+                f"  at a point where {say(failure.condition)} = 0:",
+                *failure.theorem.lines("    "),
+            ]
         return [*map(printable, found)]
 
 
@@ -63,7 +66,7 @@ def _judge(text: str, budget: Budget) -> Certificate:
     named = type(claim) is str and re.fullmatch(r"[\w.-]+", claim, re.ASCII)
     need(named, "the claim has an odd name")
     _, theorems = _show(data, budget)
-    failures = [_failure(one, budget) for one in items(data.get("failures", []))]
+    failures = [_failure(item, budget) for item in items(data.get("failures", []))]
     return Certificate(claim, data["digest"], data["sign"], theorems, failures)
 
 

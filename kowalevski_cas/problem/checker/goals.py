@@ -50,7 +50,7 @@ class Follows(Goal):
         self.space = space
         with space.statement():
             self.given = space.differences(data["given"])
-            self.conclusions = [space.differences(one) for one in items(data["conclusions"])]
+            self.conclusions = [space.differences(item) for item in items(data["conclusions"])]
         stated = self.conclusions or self.given
         need(stated and all(self.conclusions), "nothing is stated")
 

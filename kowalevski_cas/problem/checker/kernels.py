@@ -116,7 +116,7 @@ class Kernel(Goal):
         """The products, up to the degree."""
         zero = self.ring.number(0)
         integrals = [self._solution(f, zero, at) for f in self.integrals]
-        integrals = [one for one in integrals if one[0] > 0]
+        integrals = [integral for integral in integrals if integral[0] > 0]
         found = list[Residues]()
         waiting = [(*self._solution(f, self.factor, at), 0) for f in self.solutions]
         while waiting:

@@ -128,7 +128,7 @@ def dependencies(
         except CycleError as error:
             boxes = [*_apart(boxes, error.args[1])]
         else:
-            return {box[0]: box for box in boxes}, _reduced(rests, order)
+            return {box[0]: box for box in boxes}, _reduce(rests, order)
 
 
 def _between(boxes: Sequence[list[str]], outcomes: Sequence[Outcome]) -> dict[str, list[str]]:
@@ -149,7 +149,7 @@ def _apart(boxes: Sequence[list[str]], names: Sequence[str]) -> Iterator[list[st
         yield from [[claim] for claim in box] if box[0] in names else [box]
 
 
-def _reduced(rests: dict[str, list[str]], order: Sequence[str]) -> dict[str, list[str]]:
+def _reduce(rests: dict[str, list[str]], order: Sequence[str]) -> dict[str, list[str]]:
     """The same without the lines that follow from others."""
     below_all: dict[str, set[str]] = {}
     for name in order:

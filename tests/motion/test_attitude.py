@@ -1,0 +1,47 @@
+"""The body in space: a unit quaternion that moves with the angular velocity."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
+
+from kowalevski_cas.cli import main
+from kowalevski_cas.motion import Inadmissible, load
+from kowalevski_cas.motion.attitude import quaternions
+from tests.motion.o4.levels import KNOWN
+from tests.motion.o4.levels import motion as on_O4
+
+STEP = 1e-4
+
+
+def rotations(quaternion):
+    return Rotation.from_quat(quaternion, scalar_first=True)
+
+
+@given(st.sampled_from(KNOWN), st.floats(-10, 10))
+def test_the_body_turns_with_the_angular_velocity(known, time):
+    states = load("closed")(on_O4(known), time + STEP * np.array([-1.0, 0.0, 1.0]))
+    before, _, after = rotations(quaternions(states))
+    turned = (before.inv() * after).as_rotvec() / (2 * STEP)
+    size = np.linalg.norm(states[1, :3])
+    np.testing.assert_allclose(turned, states[1, :3], atol=1e-5 * (1 + size) ** 3)
+
+
+@given(st.sampled_from(KNOWN))
+def test_in_space_the_fields_rest_and_the_quaternion_is_a_unit_without_jumps(known):
+    states = load("closed")(on_O4(known), np.linspace(0, 20, 2000))
+    found = quaternions(states)
+    np.testing.assert_allclose(np.sum(found**2, axis=1), 1, rtol=0, atol=1e-15)
+    assert np.all(np.sum(found[1:] * found[:-1], axis=1) > 0)
+    a, b, *_ = map(float, known)
+    for field, fixed in ((states[:, 3:6], [a, 0, 0]), (states[:, 6:], [0, b, 0])):
+        np.testing.assert_allclose(rotations(found).apply(field) - fixed, 0, atol=1e-13 * a)
+
+
+def test_parallel_fields_do_not_tell_the_attitude(capsys):
+    with pytest.raises(Inadmissible, match="parallel"):
+        quaternions(np.array([[0, 0, 1.0, 1, 0, 0, 2, 0, 0]]))
+    point = "0 0 1 1 0 0 2 0 0".split()
+    assert main(["motion", "--point", *point, "--attitude", "--samples", "2"]) == 2
+    assert "parallel" in capsys.readouterr().err
