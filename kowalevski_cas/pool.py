@@ -19,6 +19,7 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any, TypeVar
 
+from kowalevski_cas import __version__
 from kowalevski_cas.limits import ProcessDied
 from kowalevski_cas.processes import each
 
@@ -28,8 +29,8 @@ Result = TypeVar("Result")
 BATCH = 0.1
 """Seconds that a batch of tasks should take at least."""
 
-PATIENCE = 10
-"""Seconds in which a scheduler has to answer."""
+PATIENCE = 5
+"""Seconds in which a scheduler has to answer, and to have a worker."""
 
 Key = bytes | int
 Found = dict[Key, tuple[Any, Exception | None]]
@@ -202,6 +203,7 @@ def _on_cluster(
     except (OSError, ValueError) as error:
         raise ProcessDied(f"no Dask scheduler answers at {address}: {error}") from None
     with client:
+        _check_workers(client, address)
 
         def submit(number: int) -> list[Any]:
             chosen = (pickle.dumps((work, batch)) for batch in islice(batches, number))
@@ -214,6 +216,31 @@ def _on_cluster(
             except distributed.KilledWorker as error:
                 raise ProcessDied(f"workers of the cluster have died: {error}") from None
             running.update(submit(1))
+
+
+def _check_workers(client: Any, address: str) -> None:
+    """Raise :class:`ProcessDied` if a cluster has no workers, or some that lack this package."""
+
+    def version() -> (
+        str
+    ):  # nothing of the package can be named there before it is known to be there
+        try:
+            from kowalevski_cas import __version__
+        except ImportError:
+            return "no version"
+        return __version__
+
+    try:
+        client.wait_for_workers(1, timeout=PATIENCE)
+    except TimeoutError:
+        said = f"the scheduler at {address} has no workers: begin some with `dask worker {address}`"
+        raise ProcessDied(said) from None
+    for worker, found in client.run(version).items():
+        if found != __version__:
+            raise ProcessDied(
+                f"the worker at {worker} has {found} of kowalevski-cas, not {__version__}: "
+                f"pip install 'kowalevski-cas[cluster]=={__version__}' there"
+            )
 
 
 def _run_pickled(data: bytes) -> bytes:

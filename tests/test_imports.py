@@ -16,7 +16,7 @@ LIBRARY = "kowalevski_cas"
 
 ROOMS = (
     LIBRARY, "files", "schema", "limits", "exit_guard", "forkserver", "processes", "pool", "tools", "notation", "source", "algebra", "problem", "search", "paper", "library",
-    "derivations", "verify", "reading", "questions", "pictures", "audit", "export", "report", "motion", "servers", "cli", "system", "pytest_plugin", "__main__", "study",
+    "derivations", "verify", "reading", "questions", "pictures", "audit", "export", "report", "motion", "servers", "cli", "system", "notebook", "pytest_plugin", "__main__", "study",
     "benchmarks",
 )  # fmt: skip
 """The rooms from the bottom to the top: each imports those before it."""

@@ -2,6 +2,8 @@
 
 import os
 import signal
+import subprocess
+import sys
 from functools import partial
 from time import sleep
 
@@ -138,6 +140,26 @@ def test_a_cluster_that_is_not_there_is_an_error(monkeypatch):
     monkeypatch.setattr("kowalevski_cas.pool.PATIENCE", 0.2)
     with pytest.raises(ProcessDied, match=r"no Dask scheduler answers at tcp://127.0.0.1:5"):
         [*Pool(scheduler="tcp://127.0.0.1:5").map(square, [1])]
+
+
+@pytest.mark.slow
+def test_a_cluster_without_workers_or_whose_workers_lack_the_package_says_so(tmp_path, monkeypatch):
+    distributed = pytest.importorskip("distributed")
+    without = tmp_path / "without.py"
+    without.write_text("import sys\nsys.modules['kowalevski_cas'] = None\n")
+    with distributed.LocalCluster(n_workers=0, dashboard_address=None) as cluster:
+        address = cluster.scheduler_address
+        monkeypatch.setattr("kowalevski_cas.pool.PATIENCE", 0.5)
+        with pytest.raises(ProcessDied, match="has no workers: begin some with `dask worker tcp:"):
+            [*Pool(scheduler=address).map(square, [1])]
+        monkeypatch.undo()
+        words = [sys.executable, "-m", "dask", "worker", address, "--no-dashboard", "--no-nanny"]
+        with subprocess.Popen(
+            [*words, "--preload", without], stderr=subprocess.DEVNULL, cwd=tmp_path
+        ) as worker:
+            with pytest.raises(ProcessDied, match="has no version of kowalevski-cas, not"):
+                [*Pool(scheduler=address).map(square, [1])]
+            worker.terminate()
 
 
 @pytest.mark.slow

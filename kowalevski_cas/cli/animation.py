@@ -1,8 +1,11 @@
 """Write the animation of a motion on N⁴ or O⁴: the body as it moves between the two fields.
 
-A motion is given as for `kowalevski-cas motion`; if none is given, an example is shown.
+A motion is given as for `kowalevski-cas motion`; if none is given, an example is shown. As HTML it
+is a page to touch, whole in one file: the time is dragged, and other motions on N⁴ in the same
+fields are chosen on their diagram.
 
   kowalevski-cas animation --a 1 --b 0.4 --m 0.8 --l 0.9 --output body.gif
+  kowalevski-cas animation --output body.html
 """
 
 from __future__ import annotations
@@ -16,7 +19,9 @@ from kowalevski_cas.cli.exits import AS_RECORDED, CommandError
 from kowalevski_cas.cli.motion import add_motion
 from kowalevski_cas.cli.pictures import choose_motion
 from kowalevski_cas.files import write
+from kowalevski_cas.motion import Motion
 from kowalevski_cas.motion.pictures import animation
+from kowalevski_cas.motion.pictures.page import page
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -28,8 +33,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     path, motion = arguments.output, choose_motion(arguments)
-    if path.is_dir() or path.suffix.lower() != ".gif":
-        raise CommandError(f"--output {path} is no file that ends with .gif")
+    suffix = path.suffix.lower()
+    if path.is_dir() or suffix not in (".gif", ".html"):
+        raise CommandError(f"--output {path} is no file that ends with .gif or .html")
+    if suffix == ".html":
+        if not isinstance(motion, Motion):
+            raise CommandError("the page is one of motions on N⁴; this one is on O⁴")
+        write(path, page(motion))
+        print(path)
+        return AS_RECORDED
     with TemporaryDirectory() as folder:
         drawn = Path(folder) / "body.gif"
         animation.write(motion, drawn)

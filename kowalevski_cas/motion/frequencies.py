@@ -16,6 +16,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from flint import arb_mat
 
 from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.attitude import frames
@@ -23,7 +24,12 @@ from kowalevski_cas.motion.methods.closed import Closed
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.closed import ClosedO4
 from kowalevski_cas.motion.o4.motion import MotionO4
-from kowalevski_cas.motion.parameters import Inadmissible
+from kowalevski_cas.motion.o4.series import DifferentialSeries, matrix
+from kowalevski_cas.motion.o4.uniformization import uniformize
+from kowalevski_cas.motion.parameters import Inadmissible, precision
+
+BITS = 192
+"""The precision of the rates."""
 
 PLACES = 7
 """Points of the torus at which shifts by half a turn are tried."""
@@ -70,22 +76,40 @@ def frequencies(motion: Motion | MotionO4) -> Frequencies:
     return Frequencies((one, two), (first, second))
 
 
+def shift_basis(motion: Motion | MotionO4) -> Array:
+    """A basis of the shifts of the phases, in turns, that change no state: one for each regime."""
+    return _Torus(motion).basis()
+
+
+def turn_rates(motion: Motion | MotionO4) -> Array:
+    """How often each phase turns in a unit of time, to the precision of FLINT's context.
+
+    Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible` where a variable rests or tends
+    to rest.
+    """
+    if isinstance(motion, MotionO4):
+        series = [DifferentialSeries(uniformize(motion.parameters, arc)) for arc in motion.arcs]
+        means = matrix([one.means() for one in series], motion.orientations)
+        rates = means.solve(arb_mat([[0], [-1]])).entries()
+        return np.array([float(rate) for rate in rates]) / (4 * np.pi)
+    oscillations = motion.oscillations()
+    if any(oscillation.kind != "elliptic" for oscillation in oscillations):
+        raise Inadmissible("a variable rests, or tends to rest: the motion fills no torus")
+    return np.array([float(one.rate / (4 * one.quarter)) for one in oscillations])
+
+
 class _Torus:
     """The states by two phases, in turns, after which they are the same; the turns per time."""
 
     def __init__(self, motion: Motion | MotionO4) -> None:
-        self.motion = motion
+        with precision(BITS):
+            self.rates = turn_rates(motion)
         if isinstance(motion, MotionO4):
             self._closed: Closed | ClosedO4 = ClosedO4(motion, 1.0)
             self._whole = np.full(2, 4 * np.pi)
-            self.rates = np.array(self._closed.rates) / self._whole
-            return
-        oscillations = motion.oscillations()
-        if any(oscillation.kind != "elliptic" for oscillation in oscillations):
-            raise Inadmissible("a variable rests, or tends to rest: the motion fills no torus")
-        self._whole = np.array([float(4 * one.quarter / one.rate) for one in oscillations])
-        self._closed = Closed(motion, float(np.max(self._whole)))
-        self.rates = 1 / self._whole
+        else:
+            self._whole = 1 / self.rates
+            self._closed = Closed(motion, float(np.max(self._whole)))
 
     def __call__(self, turns: Array) -> Array:
         """The states (N, 9) at phases (2, N)."""

@@ -32,7 +32,7 @@ def addition_theorems(goals: Iterable[Goal]) -> Iterator[Along]:
     """The theorems by which the functions in some goals are written out."""
     used: dict[tuple[Family, bool, bool] | tuple[Family], None] = {}
     for setting in dict.fromkeys(one.space for goal in goals for one in simple(goal)):
-        if isinstance(setting, Meaning) and setting.transcendental.derived:
+        if isinstance(setting, Meaning) and setting.transcendental.groups:
             reach = Reach(setting)
             for goal in goals:
                 for one in simple(goal):

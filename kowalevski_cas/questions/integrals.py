@@ -2,7 +2,8 @@
 
 What is a polynomial in those found before is left out, what the scene has a name for is called by
 it, and the others are shortened by products of those before. That there are no others is claimed
-too; not so on the set of given relations (--on), where some polynomials vanish.
+too; not so on the set of given relations (--on), where some polynomials vanish, nor where functions
+or roots stand in the equations of motion: integrals are polynomials in these as well then.
 """
 
 from __future__ import annotations
@@ -11,8 +12,8 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from math import lcm
 
-from kowalevski_cas.algebra.present import formula_of
-from kowalevski_cas.notation import Name, to_latex
+from kowalevski_cas.algebra.present import formula_of, name_formula
+from kowalevski_cas.notation import Name, substitute, to_latex
 from kowalevski_cas.paper.claims import AllIntegrals, FirstIntegral
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -48,7 +49,13 @@ def search(
     if on:
         yield from _on_a_set(elaborations, scene, degree or DEGREE, tuple(on))
         return
-    at, found = elaborations(scene).finder, list[str]()
+    space = elaborations(scene)
+    if (space.transcendental.groups or space.roots) and "i" not in space.roots:
+        if weighted:
+            raise Meaningless("functions and roots have no weights: leave --weighted out")
+        yield from _in_functions(elaborations, scene, degree or DEGREE, pool)
+        return
+    at, found = space.finder, list[str]()
     weights = _weights(at) if weighted else ()
     if weights and not degree:
         weights, degree = _by_exponents(elaborations, scene, pool)
@@ -88,6 +95,18 @@ def _named(space: Elaboration, field: PolynomialField) -> dict[str, Terms]:
             if space.finder.derivative(element).is_zero:
                 found[name] = field.polynomial(element)
     return {name: terms for name, terms in found.items() if degree(terms, field.size)}
+
+
+def _in_functions(
+    elaborations: Elaborations, scene: Scene, degree: int, pool: Pool
+) -> Iterator[Finding]:
+    """The integrals that are polynomials in variables, functions and roots."""
+    from kowalevski_cas.search.polynomial_extension import integrals_in_functions
+
+    words = elaborations.texts.vocabulary
+    for formula in integrals_in_functions(elaborations(scene).finder, degree, pool):
+        printed = {name: name_formula(name, words) for name in formula.names()}
+        yield Finding(FirstIntegral, scene, EVERYWHERE, to_latex(substitute(formula, printed)))
 
 
 def _on_a_set(

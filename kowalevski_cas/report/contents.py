@@ -139,7 +139,8 @@ class Contents:
         if results:
             yield from (*results, *wrong_places(findings))
         yield Paragraph((tally(findings),), "" if results else "lead")
-        yield from self._granted()
+        if not findings.copied:
+            yield from self._granted()
         if findings.copied:
             judged = "Judged were formulas, and the statements below; nothing else, and no picture."
             yield Paragraph((judged,), "note")

@@ -135,13 +135,14 @@ class Findings:
         where = capitalise(self.phrases.found([outcome.claim for outcome in slip]))
         fails = "fails" if len(slip) == 1 else "fail"
         why = f" {fails} because of another formula" if correction.blamed else ""
-        head: Text = (*where, f"{why}: ", *self.phrases.words(correction.words), ".")
+        valid = self.phrases.valid(correction.conditions)
+        words = self.phrases.words(correction.words)
+        head: Text = (*where, f"{why}: ", *words, *((", ", *valid) if valid else ()), ".")
         printed, meant = mark_differences(correction.blamed or first.formulas, correction.formulas)
         source = "" if correction.blamed else first.source
-        valid = self.phrases.valid(correction.conditions)
         shown: list[Block] = [
             Equations(printed, source, first.verdict, wrong=True),
-            Equations(meant, verdict=correction.verdict, label=valid),
+            Equations(meant, verdict=correction.verdict),
         ]
         for other in filter(lambda other: _says_else(first, other), first.alternatives):
             shown.append(Paragraph(("Or: ", *self.phrases.words(other.words), ".")))

@@ -7,8 +7,10 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from importlib.resources import files
 
+from kowalevski_cas import __version__
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.report.document import Block, Code, Document, Emphasis, Inline, Link, Sign, Text
+from kowalevski_cas.report.made import today
 from kowalevski_cas.report.pieces import pieces, width_of
 from kowalevski_cas.report.setting import SHORT, Typesetter
 from kowalevski_cas.verify.outcome import Verdict
@@ -44,6 +46,8 @@ class Writer(ABC):
             "subtitle": "\n".join(lines),
             "marks": self.marks(),
             "body": self.blocks(document.blocks),
+            "version": __version__,
+            "date": today().isoformat(),
         }
 
     # Texts

@@ -113,6 +113,13 @@ class SystemClaim(HasFormulas):
         return f"{mark.format(own.verdict)}: {'; '.join(filter(None, found))}"
 
 
+class SystemClaims(list[SystemClaim]):
+    """What a question has found, in its order; a notebook shows it as a list."""
+
+    def _repr_html_(self) -> str:
+        return "".join(claim._repr_html_() for claim in self) or "<p>nothing was found</p>"
+
+
 def in_html(formula: Formula) -> str:
     """A formula in a page."""
     return f"<math>{to_mathml(formula)}</math>"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Container, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from copy import copy
 from dataclasses import replace
@@ -14,6 +14,7 @@ from kowalevski_cas.library import MADE
 from kowalevski_cas.notation import Formula, defined_names, read, read_display, to_plain
 from kowalevski_cas.paper.claims import Claim, FirstIntegral
 from kowalevski_cas.paper.derivation import Section
+from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
@@ -69,9 +70,12 @@ class Field:
         tex = field if isinstance(field, str) else self._rows(field)
         words = [*self.symbols]
         parts = components(tex, vectors or {}, words)
+        printed = {name for statement in defined_names(tex) for name in statement.names}
         tex = with_motion(tex, parts, words)
         display = self.section.display(f"{self.prefix}field", with_time(tex, parts, words))
         self._stand_on(scene_by(display, name, parts, words))
+        self.implied = frozenset(_brackets(self.scene.definitions)) - printed
+        """The canonical brackets, which equations of Hamilton imply and nobody has printed."""
         moving, constant = self.scene.variables, self.scene.constants
         self.section.title = _echo(moving, constant, "${}$".format)
 
@@ -126,7 +130,12 @@ class Field:
         display = self.section.display(self._id("", tex), tex)
         if not [*display]:
             raise ValueError(f"“{tex}” defines no name")
-        self._stand_on(with_roots(with_parameters(self.scene, display).defining(display), display))
+        scene = with_parameters(self.scene, display)
+        if any(_brackets(name for statement in display for name in statement.heads.names)):
+            # What is printed of a bracket is all of it: none that is implied stands beside.
+            left = {n: one for n, one in scene.definitions.items() if n not in self.implied}
+            scene, self.implied = replace(scene, definitions=left), frozenset()
+        self._stand_on(with_roots(scene.defining(display), display))
         name, formula = display[1].heads.names[0], self._formulas(display)[0]
         return Function(display[1], name, formula, self.symbols)
 
@@ -270,6 +279,11 @@ def _first(value: Any) -> Tex:
     if not isinstance(value, tuple):
         return "" if isinstance(value, int) else value
     return next((one for one in map(_first, value) if not isinstance(one, str) or one), "")
+
+
+def _brackets(names: Iterable[str]) -> Iterator[str]:
+    """The names that are Poisson brackets of variables."""
+    return (name for name in names if name.startswith(BRACKET))
 
 
 def _echo(variables: Sequence[str], constants: Sequence[str], shown: Callable[[str], str]) -> str:

@@ -37,7 +37,7 @@ from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.pool import HERE
 from kowalevski_cas.processes import each
 from kowalevski_cas.questions import collect, forecast, question
-from kowalevski_cas.system.answers import Function, SystemClaim
+from kowalevski_cas.system.answers import Function, SystemClaim, SystemClaims
 from kowalevski_cas.system.field import Field, Tex, Texs, several
 from kowalevski_cas.verify.finding import Finding
 
@@ -128,9 +128,7 @@ class System(Field):
 
     # -- questions ---------------------------------------------------------------
 
-    def find_integrals(
-        self, degree: int, weighted: bool = False, on: Texs = ()
-    ) -> list[SystemClaim]:
+    def find_integrals(self, degree: int, weighted: bool = False, on: Texs = ()) -> SystemClaims:
         """The polynomial first integrals up to a degree, and that there are no others.
 
         If it is ``weighted``, variables count by weights for which the motion is homogeneous. If
@@ -139,9 +137,7 @@ class System(Field):
         given = tuple(map(self._tex, several(on)))
         return self._claims_found("integrals", degree=degree, weighted=weighted, on=given)
 
-    def find_darboux(
-        self, degree: int, special: bool = False, cofactor: Tex = ""
-    ) -> list[SystemClaim]:
+    def find_darboux(self, degree: int, special: bool = False, cofactor: Tex = "") -> SystemClaims:
         """The Darboux polynomials up to a degree, perhaps for ``special`` constants too.
 
         Those for one ``cofactor`` only, if it is given, and that there are no others.
@@ -149,19 +145,19 @@ class System(Field):
         K = self._tex(cofactor)
         return self._claims_found("darboux", degree=degree, special=special, cofactor=K)
 
-    def find_closure(self, seed: Tex, order: int = 4) -> list[SystemClaim]:
+    def find_closure(self, seed: Tex, order: int = 4) -> SystemClaims:
         """Invariant sets from a function and its derivatives, up to an order."""
         return self._claims_found("closure", seed=self._tex(seed), order=order)
 
-    def conditions(self, polynomial: Tex) -> list[SystemClaim]:
+    def conditions(self, polynomial: Tex) -> SystemClaims:
         """For which constants a polynomial divides its derivative: all cases, with cofactors."""
         return self._claims_found("parameters", polynomial=self._tex(polynomial))
 
-    def find_exponents(self) -> list[SystemClaim]:
+    def find_exponents(self) -> SystemClaims:
         """The weights, the balances of the leading terms, and the Kowalevski exponents of each."""
         return self._claims_found("exponents")
 
-    def _claims_found(self, name: str, **options: Any) -> list[SystemClaim]:
+    def _claims_found(self, name: str, **options: Any) -> SystemClaims:
         """What the command ``find`` finds, as claims like any other.
 
         What is found in time is claimed; if something may be left, that is said.
@@ -184,4 +180,4 @@ class System(Field):
             replace(finding, on=self.scene) if finding.on is scene else finding
             for finding in findings
         )
-        return [self._state(self._id(name, ""), finding) for finding in here]
+        return SystemClaims(self._state(self._id(name, ""), finding) for finding in here)

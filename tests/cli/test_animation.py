@@ -45,7 +45,11 @@ def test_a_file_that_cannot_be_written_is_said(
     assert "cannot be written" in capsys.readouterr().err
 
 
-def test_an_animation_is_a_gif(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_animation_is_a_gif_or_a_page(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     for wrong in (tmp_path, tmp_path / "body.mp4"):
         assert main(["animation", "--output", str(wrong)]) == 2
-        assert f"--output {wrong} is no file that ends with .gif" in capsys.readouterr().err
+        assert (
+            f"--output {wrong} is no file that ends with .gif or .html" in capsys.readouterr().err
+        )

@@ -231,3 +231,22 @@ def test_an_absolute_value_is_the_positive_root_of_the_square(seed):
         "proved" if power == 2 else "refuted"
     )
     assert law.integral(energy.replace("+", "-")).verdict == "refuted"
+
+
+def test_a_bracket_that_is_printed_takes_the_place_of_the_one_that_is_implied():
+    tex = (
+        r"\dot x=\frac{\partial H}{\partial p},\ \dot y=\frac{\partial H}{\partial q},\ "
+        r"\dot p=-\frac{\partial H}{\partial x},\ \dot q=-\frac{\partial H}{\partial y},\ "
+        r"H=\frac12(p^2+q^2)+2x^2"
+    )
+    for *printed, verdict in (
+        ["proved"],
+        [r"\{x,p\}=1,\ \{y,q\}=1", "proved"],
+        [r"\{x,p\}=1", "refuted"],
+        [r"\{x,p\}=1", r"\{y,q\}=1", "proved"],
+        [r"\{x,p\}=2,\ \{y,q\}=2", "refuted"],
+    ):
+        system = System(tex)
+        for brackets in printed:
+            system.define(brackets)
+        assert system.integrable("H", "q").verdict == verdict

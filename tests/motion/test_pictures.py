@@ -32,7 +32,7 @@ UNSTABLE, RESTING, ASYMPTOTIC = (
 )
 
 
-OF_FIELDS = ("bifurcation", "atlas", "subsystems", "sections", "surfaces")
+OF_FIELDS = ("bifurcation", "atlas", "subsystems", "resonances", "sections", "surfaces")
 """Pictures that look alike for all motions in the same fields."""
 
 

@@ -38,8 +38,7 @@ class ClosedO4:
             if not np.isfinite(origins).all():
                 raise MethodError("the angles at t = 0 have no phases: roots are too close")
             rates = self._quadratures.rates
-            self.rates = [float(rate) for rate in rates]
-            first, second = (4 * np.pi / abs(rate) for rate in self.rates)
+            first, second = (4 * np.pi / abs(float(rate)) for rate in rates)
             self.periods = first, second
             # Functions of half the angles have the period 4π: a quarter of it is π.
             self._phases = [

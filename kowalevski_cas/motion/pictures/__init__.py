@@ -25,6 +25,7 @@ PICTURES = {
     "rectangle": "of the separated variables, and the curve in it",
     "bifurcation": "diagrams in the planes of (m, h) and (m, ℓ)",
     "atlas": "of all regimes in these fields",
+    "resonances": "maps of the rotation number over the diagrams of N⁴ and O⁴",
     "subsystems": "diagrams of O⁴ and M⁴",
     "sections": "of the diagram of the whole top",
     "surfaces": "of critical values, that diagram in space",

@@ -8,9 +8,10 @@ import numpy as np
 from matplotlib.animation import PillowWriter
 from matplotlib.patches import Polygon
 
+from kowalevski_cas.motion.attitude import frames
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.motion import MotionO4
-from kowalevski_cas.motion.pictures.orbit import frames, in_space, orbit
+from kowalevski_cas.motion.pictures.orbit import in_space, orbit
 from kowalevski_cas.motion.pictures.space import View, blank, triad
 from kowalevski_cas.pictures import INK, mark, new_figure, style
 

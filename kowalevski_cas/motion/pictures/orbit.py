@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from kowalevski_cas.motion.arrays import Array
+from kowalevski_cas.motion.attitude import frames
 from kowalevski_cas.motion.methods.closed import Closed, states
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.closed import ClosedO4
@@ -69,17 +70,4 @@ def net(motion: Motion, lines: int, points: int) -> list[Array]:
 def in_space(orbit: Array) -> Array:
     """The angular velocity (N, 3) by the axes of :func:`frames`, along an orbit (N, 9)."""
     found: Array = np.einsum("nij,nj->ni", frames(orbit), orbit[:, :3])
-    return found
-
-
-def frames(orbit: Array) -> Array:
-    """Axes that stand still in space, as unit vectors in the body: matrices (N, 3, 3), by rows.
-
-    The fields fix them: the first is along α, the third along α×β; the second is along β if the
-    fields are at right angles. The columns are the axes of the body, as seen in space.
-    """
-    alpha, beta = orbit[:, 3:6], orbit[:, 6:]
-    third = np.cross(alpha, beta)
-    axes = np.stack((alpha, np.cross(third, alpha), third), axis=1)
-    found: Array = axes / np.linalg.norm(axes, axis=2, keepdims=True)
     return found
