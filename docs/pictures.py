@@ -8,16 +8,20 @@ import tempfile
 from pathlib import Path
 
 import typst
+from scipy.optimize import brentq
 
 from kowalevski_cas.cli import main
 from kowalevski_cas.library import load
+from kowalevski_cas.motion import Motion, frequencies
+from kowalevski_cas.motion.pictures import animation
 from kowalevski_cas.report.contents import Contents
 from kowalevski_cas.report.document import Document, Link
 from kowalevski_cas.report.places import sections
 from kowalevski_cas.report.typst import render_typst
 from kowalevski_cas.verify.run import Session
 
-MOTION = {"hodographs": "hodographs.png", "traces": "motion.png", "sections": "diagram.png"}
+MOTION = {"traces": "motion.png", "sections": "diagram.png"}
+FRAMES, DOTS = 120, 70
 PAGE = "#set page(width: 150mm, height: auto, margin: (x: 4mm, y: 3mm), header: none)\n"
 
 
@@ -36,6 +40,18 @@ def erratum(folder: Path) -> bytes:
     return typst.compile(file, format="png", ppi=160, ignore_system_fonts=True)
 
 
+def body(target: Path) -> None:
+    """The body as it moves, for ever: a motion whose frequencies are as three to two."""
+
+    def motion(ell: float) -> Motion:
+        return Motion.of("1.2", "0.7", "0.5", ell=ell)
+
+    def beside(ell: float) -> float:
+        return frequencies(motion(ell)).rotation_number - 1.5
+
+    animation.write(motion(brentq(beside, 1.38, 1.44)), target / "body.gif", FRAMES, DOTS)
+
+
 def pictures(target: Path) -> None:
     """Write all of them."""
     with tempfile.TemporaryDirectory() as folder:
@@ -43,6 +59,7 @@ def pictures(target: Path) -> None:
         for picture, name in MOTION.items():
             Path(folder, f"{picture}.png").replace(target / name)
         (target / "erratum.png").write_bytes(erratum(Path(folder)))
+    body(target)
 
 
 if __name__ == "__main__":

@@ -15,12 +15,13 @@ from math import inf
 from kowalevski_cas.audit.causes import Causes
 from kowalevski_cas.limits import tell, time_limit
 from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.verify.blame import Blame, Repairs
+from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.certificate import Stored
 from kowalevski_cas.verify.decider import PROVING, Decider
 from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.verify.run import Session
+from kowalevski_cas.verify.suspects import Repairs
 
 PATIENCE = 4.0
 """Seconds that a correction, or a misprint in a definition, is sought for."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import gc
 import os
 import sys
 import threading
@@ -52,11 +53,15 @@ EXTRAS = {
 }
 """Libraries that a plain install leaves out, and the extra that brings each."""
 
+GARBAGE = 100_000
+"""So many objects more are made before garbage in circles is looked for: there is hardly any."""
+
 _HELP = argparse.RawDescriptionHelpFormatter
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run a command and return its exit code."""
+    gc.set_threshold(GARBAGE)
     words = list(sys.argv[1:] if argv is None else argv)
     if words and words[0] in COMMANDS:
         return run(f"kowalevski-cas {words[0]}", f"{__name__}.{words[0]}", words[1:])

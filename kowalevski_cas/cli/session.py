@@ -20,7 +20,6 @@ from kowalevski_cas.limits import tell
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Texts
-from kowalevski_cas.pool import Pool
 from kowalevski_cas.processes import each
 from kowalevski_cas.verify.certificate import FOLDER, Stored, load_certificates
 from kowalevski_cas.verify.outcome import Run
@@ -29,6 +28,8 @@ from kowalevski_cas.verify.run import Session, run_together
 
 if TYPE_CHECKING:
     from rich.progress import TaskID
+
+    from kowalevski_cas.pool import Pool
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -202,6 +203,8 @@ def pool(arguments: argparse.Namespace, folders: Sequence[Path] = ()) -> Pool:
 
     It is another question if the program was changed since, or a derivation in one of ``folders``.
     """
+    from kowalevski_cas.pool import Pool  # a run of a derivation needs none
+
     package = Path(__file__).parents[1]
     read = {source(folder) for folder in folders}.union(*(folder.rglob("*") for folder in folders))
     files = sorted(read.union(package.rglob("*.py")))

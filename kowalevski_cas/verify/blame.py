@@ -17,82 +17,33 @@ the ids of the claims. Of a repair of another formula ``blamed`` is what is prin
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
-from enum import IntEnum
 from functools import cached_property
+from itertools import islice
 from math import inf
 from time import perf_counter
-from typing import NamedTuple
 
-from kowalevski_cas.notation import Derivative, Edit, Name, NotationError, edits
-from kowalevski_cas.notation.edits import changes_subject
+from kowalevski_cas.limits import time_limit
+from kowalevski_cas.notation import Derivative, Edit, Name, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.verify.corrections import passes, statement_of, unlikeliness
+from kowalevski_cas.verify.corrections import passes, statement_of
 from kowalevski_cas.verify.corrector import Corrector
 from kowalevski_cas.verify.outcome import Correction, Verdict
-from kowalevski_cas.verify.relations import ConstantRelation, relations, supposes
+from kowalevski_cas.verify.relations import ConstantRelation
 from kowalevski_cas.verify.statement import Statement
+from kowalevski_cas.verify.suspects import Repair, Repairs, changes, likelihood
 from kowalevski_cas.verify.vacuous import says_something, stands_still
 
 MOST = 3
 """How many repairs are proposed."""
-
-
-KINDS = (
-    "sign",
-    "index",
-    "letter",
-    "exponent",
-    "coefficient",
-    "factor",
-    "power",
-    "missing",
-    "exchange",
-)
-"""The kinds of edits, the likelier ones first."""
-
-
-class Suspect(IntEnum):
-    """What may be wrong, in the order of suspicion."""
-
-    OWN = 0
-    ASSUMPTION = 1
-    DEFINITION = 2
-    LAW = 3
-    RELATION = 4
-    """A relation of constants, where the scene supposes none so far."""
-
-
-class Repair(NamedTuple):
-    """An edit of a printed formula, or a relation of constants, and the claims that it mends."""
-
-    suspect: Suspect
-    change: Edit | ConstantRelation
-    place: Printed
-    mends: tuple[Claim, ...]
-
-    @property
-    def tolerates(self) -> int:
-        """How many true claims it may make false: of a law, fewer than half of what it mends.
-
-        What was claimed of a misprinted law may be true of that by chance.
-        """
-        return (len(self.mends) - 1) // 2 if self.suspect is Suspect.LAW else 0
-
-    def of(self, claim: Claim, texts: Texts) -> Neighbour:
-        """What a claim says with the repair."""
-        if isinstance(self.change, ConstantRelation):
-            return self.change.neighbour(claim, texts)
-        return claim.edited(texts, self.place, self.change)
-
-
-Repairs = dict[str, tuple[Correction, ...]]
-"""Corrections of claims, the likeliest first."""
+SHARE = 10
+"""The part of the time in which more corrections of a formula are sought, if there is one."""
 
 
 @dataclass
@@ -141,9 +92,12 @@ class Blame:
 
     def alone(self, claim: Claim) -> tuple[Correction, ...]:
         """The corrections of one claim: of its own formula, or else of what it stands on."""
-        own = tuple(self.corrector.near(self.corrector.interpretation.statement(claim), MOST))
+        near = self.corrector.near(self.corrector.interpretation.statement(claim), MOST)
+        if own := [*islice(near, 1)]:
+            with suppress(TimeoutError), time_limit(self.seconds / SHARE):
+                own += near
         if own or self._is_expected(claim):
-            return own
+            return tuple(own)
         others = [one for one in self._failing if one is not claim]
         repairs = self._search([claim, *others], least=1, one=claim)
         return self._proofs(repairs, least=1).get(claim.id, ())
@@ -188,70 +142,14 @@ class Blame:
         at_points = passes(Neighbour("", claim, on.texts), on, {})
         return self.corrector.is_true(claim) if at_points is None else at_points
 
-    # -- what is suspected ------------------------------------------------------------
-
-    def _suspects(self, failing: Sequence[Claim], least: int) -> dict[Printed, Suspect]:
-        """The places on which so many of the failing claims stand, as what they are suspected."""
-        standing: dict[Printed, list[Claim]] = {}
-        found: dict[Printed, Suspect] = {}
-        for claim in failing:
-            roles = {place: role for scene in claim.scenes() for role, place in scene.roles()}
-            own = {*claim.establishes()}
-            for place in self._statement(claim).stands_on:
-                standing.setdefault(place, []).append(claim)
-                law = roles.get(place) == "vector field"
-                if place in own:
-                    found[place] = Suspect.OWN
-                elif place in roles:
-                    found.setdefault(place, Suspect.LAW if law else Suspect.DEFINITION)
-        known = self._derivation.claims
-        right = {place for c in known if self._holds(c) for place in c.establishes()}
-        return {
-            place: suspect
-            for place, suspect in found.items()
-            if len(standing[place]) >= least
-            and place not in right
-            and place not in self.corrector.interpretation.accepted
-        }
-
     def _statement(self, claim: Claim) -> Statement:
         return self.corrector.interpretation.statement(claim)
 
-    def _changes(
-        self, failing: Sequence[Claim], least: int
-    ) -> Iterator[tuple[Suspect, Edit | ConstantRelation, Printed, list[Claim]]]:
-        """What may mend so many claims, and the claims that it changes; the likeliest first."""
-        for claim in failing:
-            for relation in relations(self._statement(claim)):
-                supposed = supposes(claim.scene, self._derivation)
-                if not supposed and len(relation.formula.names()) == 1:
-                    continue  # a number for a constant, of which the paper does not think
-                suspect = Suspect.ASSUMPTION if supposed else Suspect.RELATION
-                standing = [one for one in failing if relation.concerns(one.scene)]
-                yield suspect, relation, relation.place, standing
-        suspects = self._suspects(failing, least)
-        texts = self._on(failing[0]).texts
-        names = self._names(failing, suspects, texts)
-        found = [
-            (suspect, edit, place, [claim for claim in failing if place in claim.reads()])
-            for place, suspect in suspects.items()
-            if suspect is not Suspect.OWN or least > 1  # else they were tried
-            for edit in edits(texts.statement(place), texts.vocabulary, names)
-            if not changes_subject(edit)
-        ]
-        yield from sorted(found, key=lambda one: (_slip(one[1]), one[0]))
-
-    @staticmethod
-    def _names(
-        failing: Sequence[Claim], suspects: Iterable[Printed], texts: Texts
-    ) -> frozenset[str]:
-        """The names that an edit may bring in: of the suspects, and what moves or is given."""
-        scenes = [claim.scene for claim in failing]
-        found = {name for scene in scenes for name in (*scene.variables, *scene.constants)}
-        for place in suspects:
-            found |= texts.statement(place).formula.names()
-        undefined = {name for scene in scenes for name in scene.undefined}
-        return frozenset(found & {n for scene in scenes for n in scene.names()}) - undefined
+    def _right(self) -> set[Printed]:
+        """What true claims state, and what is accepted: nobody suspects that."""
+        true = (claim for claim in self._derivation.claims if self._holds(claim))
+        stated = {place for claim in true for place in claim.establishes()}
+        return stated | {*self.corrector.interpretation.accepted}
 
     # -- what mends -----------------------------------------------------------------
 
@@ -261,7 +159,9 @@ class Blame:
         """The repairs that at points mend so many claims, perhaps this one, and break none."""
         found: list[Repair] = []
         most, end = least, perf_counter() + self.seconds
-        for suspect, change, place, standing in self._changes(failing, least):
+        for suspect, change, place, standing in changes(
+            failing, least, self.corrector.interpretation, self._right
+        ):
             if perf_counter() > end:
                 break
             repair = Repair(suspect, change, place, ())
@@ -283,7 +183,7 @@ class Blame:
             ):
                 most = len(mends)
                 found.append(repair)
-        return sorted(found, key=_likelihood)
+        return sorted(found, key=likelihood)
 
     def _passes(self, repair: Repair, claim: Claim) -> bool | None:
         on = self._on(claim)
@@ -360,14 +260,3 @@ class Blame:
             if isinstance(node, Name) and node.name in claim.scene.definitions
         }
         return stands_still(on(claim.scene), now(edited.claim.scene), about)
-
-
-def _likelihood(repair: Repair) -> tuple[object, ...]:
-    """What sorts repairs: those that mend most first, then by what is suspected."""
-    slip = _slip(repair.change) if isinstance(repair.change, Edit) else ()
-    return (-len(repair.mends), repair.suspect, *slip)
-
-
-def _slip(edit: Edit) -> tuple[object, ...]:
-    """What sorts edits, the likelier slips of the pen first."""
-    return (*unlikeliness(edit), KINDS.index(edit.kind))

@@ -8,9 +8,10 @@ from math import inf
 from typing import Any
 
 from kowalevski_cas.limits import tell, time_limit
-from kowalevski_cas.verify.blame import Blame, Repairs
+from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.decider import PROVING, Decider
 from kowalevski_cas.verify.outcome import Outcome
+from kowalevski_cas.verify.suspects import Repairs
 
 Work = Callable[[Callable[[Any], Any], Sequence[Any]], Iterable[Any]]
 """How something is done for each of several items: here, or in processes of their own."""

@@ -1,0 +1,139 @@
+"""What may be wrong where claims fail: formulas on which they stand, and what may mend them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from enum import IntEnum
+from typing import NamedTuple
+
+from kowalevski_cas.notation import Edit, edits
+from kowalevski_cas.notation.edits import changes_subject
+from kowalevski_cas.paper.claims import Claim, Neighbour
+from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.verify.corrections import unlikeliness
+from kowalevski_cas.verify.interpretation import Interpretation
+from kowalevski_cas.verify.outcome import Correction
+from kowalevski_cas.verify.relations import ConstantRelation, relations, supposes
+
+KINDS = (
+    "sign",
+    "index",
+    "letter",
+    "exponent",
+    "coefficient",
+    "factor",
+    "power",
+    "missing",
+    "exchange",
+)
+"""The kinds of edits, the likelier ones first."""
+
+
+class Suspect(IntEnum):
+    """What may be wrong, in the order of suspicion."""
+
+    OWN = 0
+    ASSUMPTION = 1
+    DEFINITION = 2
+    LAW = 3
+    RELATION = 4
+    """A relation of constants, where the scene supposes none so far."""
+
+
+class Repair(NamedTuple):
+    """An edit of a printed formula, or a relation of constants, and the claims that it mends."""
+
+    suspect: Suspect
+    change: Edit | ConstantRelation
+    place: Printed
+    mends: tuple[Claim, ...]
+
+    @property
+    def tolerates(self) -> int:
+        """How many true claims it may make false: of a law, fewer than half of what it mends.
+
+        What was claimed of a misprinted law may be true of that by chance.
+        """
+        return (len(self.mends) - 1) // 2 if self.suspect is Suspect.LAW else 0
+
+    def of(self, claim: Claim, texts: Texts) -> Neighbour:
+        """What a claim says with the repair."""
+        if isinstance(self.change, ConstantRelation):
+            return self.change.neighbour(claim, texts)
+        return claim.edited(texts, self.place, self.change)
+
+
+Repairs = dict[str, tuple[Correction, ...]]
+"""Corrections of claims, the likeliest first."""
+
+
+def changes(
+    failing: Sequence[Claim],
+    least: int,
+    interpretation: Interpretation,
+    right: Callable[[], Collection[Printed]],
+) -> Iterator[tuple[Suspect, Edit | ConstantRelation, Printed, list[Claim]]]:
+    """What may mend so many claims, and the claims that it changes; the likeliest first.
+
+    ``right`` are the places that nobody suspects; it is asked if relations of constants do not do.
+    """
+    for claim in failing:
+        for relation in relations(interpretation.statement(claim)):
+            supposed = supposes(claim.scene, interpretation.derivation)
+            if not supposed and len(relation.formula.names()) == 1:
+                continue  # a number for a constant, of which the paper does not think
+            suspect = Suspect.ASSUMPTION if supposed else Suspect.RELATION
+            standing = [one for one in failing if relation.concerns(one.scene)]
+            yield suspect, relation, relation.place, standing
+    found, known = _suspects(failing, least, interpretation), right()
+    suspects = {place: suspect for place, suspect in found.items() if place not in known}
+    texts = interpretation.on(failing[0]).texts
+    names = _names(failing, suspects, texts)
+    several = [
+        (suspect, edit, place, [claim for claim in failing if place in claim.reads()])
+        for place, suspect in suspects.items()
+        if suspect is not Suspect.OWN or least > 1  # else they were tried
+        for edit in edits(texts.statement(place), texts.vocabulary, names)
+        if not changes_subject(edit)
+    ]
+    yield from sorted(several, key=lambda one: (slip(one[1]), one[0]))
+
+
+def _suspects(
+    failing: Sequence[Claim], least: int, interpretation: Interpretation
+) -> dict[Printed, Suspect]:
+    """The places on which so many of the failing claims stand, as what they are suspected."""
+    standing: dict[Printed, list[Claim]] = {}
+    found: dict[Printed, Suspect] = {}
+    for claim in failing:
+        roles = {place: role for scene in claim.scenes() for role, place in scene.roles()}
+        own = {*claim.establishes()}
+        for place in interpretation.statement(claim).stands_on:
+            standing.setdefault(place, []).append(claim)
+            law = roles.get(place) == "vector field"
+            if place in own:
+                found[place] = Suspect.OWN
+            elif place in roles:
+                found.setdefault(place, Suspect.LAW if law else Suspect.DEFINITION)
+    return {place: suspect for place, suspect in found.items() if len(standing[place]) >= least}
+
+
+def _names(failing: Sequence[Claim], suspects: Iterable[Printed], texts: Texts) -> frozenset[str]:
+    """The names that an edit may bring in: of the suspects, and what moves or is given."""
+    scenes = [claim.scene for claim in failing]
+    found = {name for scene in scenes for name in (*scene.variables, *scene.constants)}
+    for place in suspects:
+        found |= texts.statement(place).formula.names()
+    undefined = {name for scene in scenes for name in scene.undefined}
+    return frozenset(found & {n for scene in scenes for n in scene.names()}) - undefined
+
+
+def likelihood(repair: Repair) -> tuple[object, ...]:
+    """What sorts repairs: those that mend most first, then by what is suspected."""
+    order = slip(repair.change) if isinstance(repair.change, Edit) else ()
+    return (-len(repair.mends), repair.suspect, *order)
+
+
+def slip(edit: Edit) -> tuple[object, ...]:
+    """What sorts edits, the likelier slips of the pen first."""
+    return (*unlikeliness(edit), KINDS.index(edit.kind))
