@@ -207,7 +207,7 @@ class ReadingSession:
         for claim, true in zip(about, each(holds, range(len(about))), strict=True):
             if not true:
                 found[claim.id] = found[claim.id]._replace(
-                    verdict=Verdict.UNDECIDED, message=BY_MISPRINT
+                    verdict=Verdict.UNDECIDED, message=BY_MISPRINT, certificate=""
                 )
 
     def _waits(self, outcome: Outcome) -> bool:

@@ -151,7 +151,7 @@ def _audited(arguments: argparse.Namespace, source: Source, certificates: dict[s
     if known is None:
         outcomes, said, note, code = _render(arguments, _read(source, arguments, certificates))
         texts = {name: text for one in outcomes for name, text in one.certificates.items()}
-        certificates |= {name: Stored(Path(name), json.loads(t)) for name, t in texts.items()}
+        certificates |= {n: Stored(Path(n), json.loads(t)) for n, t in texts.items() if t}
     else:
         with receive_here():
             ((outcomes, said, note, code),) = session.map_in_processes(
