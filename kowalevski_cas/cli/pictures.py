@@ -19,7 +19,8 @@ from kowalevski_cas.cli.motion import CONSTANTS, add_motion, motion_of
 from kowalevski_cas.files import write
 from kowalevski_cas.motion import General, Motion, MotionO4
 from kowalevski_cas.motion.formulas import source
-from kowalevski_cas.motion.pictures import ON_N4, PICTURES, load
+from kowalevski_cas.motion.general import AnyMotion
+from kowalevski_cas.motion.pictures import OF_FIELDS, ON_N4, PICTURES, load
 from kowalevski_cas.pictures import save, style
 from kowalevski_cas.report.figures import LIST
 from kowalevski_cas.schema import head
@@ -46,10 +47,12 @@ def run(arguments: argparse.Namespace) -> int:
             f"there is no picture “{unknown[0]}”; there are {', '.join(PICTURES)}", NOTHING
         )
     motion = choose_motion(arguments)
+    if isinstance(motion, General):
+        raise CommandError(f"only motions in closed form are drawn: {motion.why}")
     names = arguments.pictures or _draw_all(motion)
     if missing := [name for name in names if name not in _draw_all(motion)]:
         raise CommandError(f"{missing[0]} is drawn for motions on N⁴ alone; this one is on O⁴")
-    write(arguments.output / LIST, _figures())
+    write(arguments.output / LIST, _figures(motion))
     with session.progress_bar() as progress:
         for done, name in enumerate(names):
             progress(name, done, len(names))
@@ -63,23 +66,36 @@ def _draw_all(motion: Motion | MotionO4) -> list[str]:
     return [name for name in PICTURES if isinstance(motion, Motion) or name not in ON_N4]
 
 
-def choose_motion(arguments: argparse.Namespace) -> Motion | MotionO4:
+def choose_motion(arguments: argparse.Namespace) -> AnyMotion:
     """The motion that the arguments describe, or the example."""
     if any(getattr(arguments, name) is not None for name in (*CONSTANTS, "point")):
-        motion = motion_of(arguments)
-        if isinstance(motion, General):
-            raise CommandError(f"only motions in closed form are drawn: {motion.why}")
-        return motion
+        return motion_of(arguments)
     a, b, m, ell = EXAMPLE
     return Motion.of(a, b, m, ell=ell)
 
 
-def _figures() -> str:
+LETTERS = {"l": r"\ell", "tau": r"\tau_3"}
+"""Constants whose letter is not their name."""
+
+
+def _constants(motion: Motion | MotionO4, name: str) -> str:
+    """The sentence that tells the constants of what a picture shows, and their units."""
+    of_motion = ("m", "l") if isinstance(motion, Motion) else ("s", "tau")
+    names = ("a", "b", "c", *(() if name in OF_FIELDS else of_motion))
+    values = ", ".join(
+        f"${LETTERS.get(name, name)}={value:.6g}$"
+        for name, value in motion.constants.items()
+        if name in names and (name != "c" or value)
+    )
+    return f" Here {values}; fields are measured in squares of the unit of frequencies."
+
+
+def _figures(motion: Motion | MotionO4) -> str:
     """The list of pictures for the reports of the derivations that they are about."""
     listed: dict[str, list[dict[str, str]]] = {}
     for name in PICTURES:
         picture = load(name)
-        entry = {"name": name, "caption": picture.caption}
+        entry = {"name": name, "caption": picture.caption + _constants(motion, name)}
         listed.setdefault(source(picture.about).name, []).append(entry)
     value = {**head("figures"), "derivations": listed}
     return json.dumps(value, indent=1, ensure_ascii=False) + "\n"

@@ -15,6 +15,7 @@ from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import EQUALITIES
 from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.layout import statements
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.notation.tokens import BEGINNING, ENDING, Token
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
@@ -54,10 +55,13 @@ def _heads(tokens: list[Token], tex: str) -> DefinedNames:
     if len(members) < 2:
         return DefinedNames((), ())
     found = [member.read() for member in members]
+    names = tuple(dict.fromkeys(name for name, square in found if name and not square))
+    diagonal = any(member.tokens[0].text == "diag" for member in members)
     return DefinedNames(
-        tuple(dict.fromkeys(name for name, square in found if name and not square)),
+        names,
         tuple(dict.fromkeys(name for name, square in found if name and square)),
-        any(member.matrix() for member in members),
+        any(member.matrix() for member in members)
+        or (diagonal and not any(symbol(name).is_bold for name in names)),
     )
 
 

@@ -97,6 +97,25 @@ def bold_names(tex: str) -> list[str]:
     return [*dict.fromkeys(one + index for one, index in letters if symbol(one).is_bold)]
 
 
+def matrices_by_use(tex: str) -> set[str]:
+    r"""The bold capitals that are matrices: inverted, or right before a bold letter.
+
+    >>> sorted(matrices_by_use(r"\mathbf M=\mathbf J\dot{\bf w}+\mathbf A^{-1}(\mathbf M-\bf n)"))
+    ['\\mathbf{A}', '\\mathbf{J}']
+    """
+    tokens = scan(tex)
+    found: set[str] = set()
+    for k, token in enumerate(tokens):
+        parts = symbol(token.text) if token.kind == "letter" else None
+        if parts is None or not parts.is_bold or not parts.letter.isupper():
+            continue
+        behind = [one for one in tokens[k + 1 : k + 6] if one.kind not in ("accent", "{")]
+        inverse = [one.text for one in behind[:3]] == ["^", "-", "1"]
+        if inverse or (behind and behind[0].kind == "letter" and symbol(behind[0].text).is_bold):
+            found.add(token.text)
+    return found
+
+
 def is_exponential(tokens: Sequence[Token]) -> bool:
     """Whether the letter e is raised wherever it stands, and never to a number alone."""
     behind = (

@@ -1,4 +1,4 @@
-"""Matrices that are printed by their rows: sums, products, derivatives, determinants."""
+"""Matrices that are printed by their rows: sums, products, inverses, derivatives, determinants."""
 
 from __future__ import annotations
 
@@ -72,6 +72,8 @@ def by_rows(formula: Formula, setting: Meaning) -> bool:
         return rank(formula, setting.texts.vocabulary) == MATRIX
     if isinstance(formula, Application) and is_matrix(formula, setting):
         return True
+    if isinstance(formula, Power) and isinstance(formula.exponent, Negative):
+        return is_matrix(formula.base, setting)
     if isinstance(formula, Name) and is_matrix(formula, setting):
         place = setting.scene.definitions.get(formula.name)
         return place is not None and (
@@ -110,6 +112,8 @@ def _multiply(formula: Formula, setting: Meaning, of: Callable[[Formula], Rows])
             return _sum(first, _each(second, Negative))
         case Power(base, Number(exponent)) if exponent:
             return reduce(product, [of(base)] * exponent)
+        case Power(base, Negative(Number(exponent))) if exponent:
+            return reduce(product, [inverse(of(base))] * exponent)
         case Quotient(above, below):
             divisor = setting.plain(below)
             return _each(of(above), lambda entry: Quotient(entry, divisor))
@@ -140,6 +144,22 @@ def determinant(matrix: Rows) -> Formula:
         term = Product((entry, minor))
         terms.append(Negative(term) if k % 2 else term)
     return total(terms)
+
+
+def inverse(matrix: Rows) -> Rows:
+    """The inverse, by minors over the determinant; raises :class:`Meaningless` without one."""
+    whole, size = determinant(matrix), range(len(matrix))
+    if len(matrix) == 1:
+        return ((Quotient(Number(1), whole),),)
+
+    def entry(i: int, k: int) -> Formula:
+        rest = [row for n, row in enumerate(matrix) if n != k]
+        minor = determinant(tuple((*row[:i], *row[i + 1 :]) for row in rest))
+        if minor == Number(0):
+            return minor
+        return Quotient(Negative(minor) if (i + k) % 2 else minor, whole)
+
+    return tuple(tuple(entry(i, k) for k in size) for i in size)
 
 
 def trace(matrix: Rows) -> Formula:

@@ -127,6 +127,8 @@ def _row(left: Formula, setting: Meaning) -> EquationOfMotion | None:
     if not isinstance(inner, Name):
         return None
     names = setting.scene.vectors.get(inner.name, (inner.name,))
+    if inner.name in setting.scene.definitions and {*names}.isdisjoint(setting.scene.variables):
+        return None  # what it stands for moves
     for _ in range(order):
         if not {*names} <= setting.velocities.keys():
             return None

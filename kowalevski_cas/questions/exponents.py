@@ -86,7 +86,7 @@ class _Told:
     def weights(self) -> str:
         """The weights, and of what."""
         shown = zip(self.names, self.part.weights, strict=False)
-        counted = ", ".join(f"${to_latex(name)}$ counts {weight}" for name, weight in shown)
+        counted = ", ".join(f"${to_latex(name)}$ has weight {weight}" for name, weight in shown)
         of = "what leads in the motion" if any(self.part.lower) else "the motion"
         return f"{of} is homogeneous where {counted}"
 

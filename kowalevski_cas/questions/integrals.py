@@ -78,7 +78,7 @@ def search(
         words += ", for almost all values of the constants"
     if weights:
         counted = zip(at.setting.variables, weights, strict=True)
-        words += f", where {', '.join(f'${name}$ counts {weight}' for name, weight in counted)}"
+        words += f", where {', '.join(f'${name}$ has weight {weight}' for name, weight in counted)}"
     attributes: dict[str, Attribute] = {"integrals": tuple(found), "degree": degree}
     attributes["weights"] = weights
     yield Finding(AllIntegrals, scene, words, attributes=attributes, steps=True)
@@ -123,7 +123,7 @@ def _on_a_set(
             yield Finding(FirstIntegral, scene, EVERYWHERE, tex)
         else:
             where = ", ".join(f"${relation}$" for relation in relations)
-            says = f"it is constant along the motions with {where}"
+            says = f"it is constant along every motion while {where}"
             yield Finding(FirstIntegral, scene, says, tex, {"given": relations})
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 from kowalevski_cas.notation import (
@@ -92,7 +92,8 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
     moving = dict.fromkeys(one for formula in formulas.values() for one in _moving_names(formula))
     words = replace(words, moving=frozenset(moving))  # only these may be printed as x(t)
     formulas = {p: one for p, one in _read(display, words).items() if not names_only(one)}
-    laws = tuple(place for place, formula in formulas.items() if _is_law(formula))
+    laws = tuple(p for p, one in formulas.items() if _is_law(one) or _is_momentum(one, moving))
+    moving = _without_momenta(formulas, laws, moving, vectors)
     others = [place for place in formulas if place not in laws]
     heads_of = [head(one) for place in others for one in (*place.heads.names, *place.heads.squares)]
     defined = {one for f, given in heads_of for one in (f, *given, *summation_indices(given))} - {
@@ -175,6 +176,35 @@ def _is_law(formula: Formula) -> bool:
     """Whether a rate stands in an equation, and no name for something else on its left."""
     first = formula.members[0] if isinstance(formula, Relation) else formula
     return not isinstance(first, Name | Application) and bool(_moving_names(formula))
+
+
+def _is_momentum(formula: Formula, moving: Names) -> bool:
+    r"""Whether it gives a rate by a name that moves, as :math:`p=m\dot q` beside :math:`\dot p`."""
+    match formula:
+        case Relation((Name(p), right), ("=",)) if p in moving:
+            return right.names() & {*moving} == {*_moving_names(right)} != set()
+    return False
+
+
+def _without_momenta(
+    formulas: Mapping[Printed, Formula], laws: Sequence[Printed], moving: Names, vectors: Vectors
+) -> dict[str, None]:
+    r"""What moves, with :math:`\boldsymbol\omega` for :math:`\mathbf M=I\boldsymbol\omega`.
+
+    A vector of which the rate is printed may be defined by another one, which stands in its
+    equation of motion and has none of its own.
+    """
+    owner = {part: name for name, parts in vectors.items() for part in parts}
+    vector = {place: {owner.get(one, one) for one in f.names()} for place, f in formulas.items()}
+    found = dict.fromkeys(moving)
+    for place, formula in formulas.items():
+        match formula:
+            case Relation((Name(M), _), ("=",)) if M in vectors and M in found:
+                in_law = set[str]().union(*(vector[law] for law in laws))
+                others = sorted(vector[place] & in_law & {*vectors} - {*moving})
+                if place not in laws and len(others) == 1:
+                    found = dict.fromkeys(others[0] if one == M else one for one in found)
+    return found
 
 
 def _moving_names(formula: Formula) -> list[str]:

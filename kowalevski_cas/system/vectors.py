@@ -16,7 +16,7 @@ from kowalevski_cas.notation import (
     defined_names,
     read,
 )
-from kowalevski_cas.notation.open import OpenParser, bold_names
+from kowalevski_cas.notation.open import OpenParser, bold_names, matrices_by_use
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.texts import Display, Printed
 
@@ -38,6 +38,8 @@ def vectors_of(display: Display, known: Vectors, words: Vocabulary) -> dict[str,
     """
     new = {*bold_names(display.tex)} - known.keys() - words.matrices
     matrices = {name for place in display if place.heads.matrix for name in place.heads.names}
+    matrices |= new & matrices_by_use(display.tex)
+    words = replace(words, matrices=words.matrices | (new & matrices))
     for place in display:
         if not _readable(place, words, new - matrices):
             matrices |= new.intersection(place.heads.names)

@@ -24,6 +24,9 @@ def test_it_writes_the_picture_and_the_list_for_the_report(reports: Path) -> Non
     listed = json.loads((reports / "motion/figures.json").read_text(encoding="utf-8"))[
         "derivations"
     ]
+    told = {figure["name"]: figure["caption"] for entries in listed.values() for figure in entries}
+    assert "Here $a=1.2$, $b=0.7$, $m=-1.2$, $\\ell=0.3$" in told["rectangle"]
+    assert "Here $a=1.2$, $b=0.7$;" in told["atlas"]
     named = [figure["name"] for entries in listed.values() for figure in entries]
     assert named == list(PICTURES)
     shown = [figure.place for derivation in listed for figure in figures_of(reports, derivation)]

@@ -18,6 +18,8 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.paper.vocabulary import vocabulary
 
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
 FEW = pytest.mark.parametrize("seed", [*range(4), *(pytest.param(k, marks=pytest.mark.slow) for k in range(4, 60))])  # fmt: skip
 
 
@@ -231,6 +233,49 @@ def test_an_absolute_value_is_the_positive_root_of_the_square(seed):
         "proved" if power == 2 else "refuted"
     )
     assert law.integral(energy.replace("+", "-")).verdict == "refuted"
+
+
+# -- a vector by another one, and matrices ---------------------------------------------------------
+
+
+@FEW
+def test_the_moment_of_a_body_is_its_tensor_times_its_velocity(seed):
+    """The equations of Euler in one of the vectors, however tensor and vectors are printed."""
+    chance = random.Random(seed)
+    M, w = chance.choice([(r"\mathbf M", r"\boldsymbol\omega"), (r"\mathbf K", r"{\bf w}")])
+    tensor = chance.choice(["I", r"\mathbf I", r"\mathbf J", "A"])
+    diagonal = chance.choice(
+        [
+            rf"{tensor}=\operatorname{{diag}}(a,b,c)",
+            rf"{tensor}=\begin{{pmatrix}}a&0&0\\0&b&0\\0&0&c\end{{pmatrix}}",
+        ]
+    )
+    torque = chance.choice(["", r"+\boldsymbol\gamma\times\mathbf e"])
+    rows = rf"\dot{{{M}}}={M}\times {w}{torque}"
+    if torque:
+        rows += rf",\ \dot{{\boldsymbol\gamma}}=\boldsymbol\gamma\times {w}"
+    by = chance.choice([f"{M}={tensor}{w}", f"{w}={tensor}^{{-1}}{M}"])
+    energy = rf"\frac12{M}\cdot {w}" + (r"+\mathbf e\cdot\boldsymbol\gamma" if torque else "")
+    system = System(rf"{rows},\ {by},\ {diagonal}")
+    assert system.integral(energy).verdict == "conditional", system
+    assert system.integral(rf"{w}\cdot {w}").verdict == "refuted"
+    square = rf"{M}\cdot\boldsymbol\gamma" if torque else rf"{M}\cdot {M}"
+    assert system.integral(square).verdict == "conditional"
+    assert system.identity(f"{M}={tensor}{w}").verdict.green
+    doubled = rows.replace(rf"{M}\times", rf"2{M}\times", 1)
+    wrong = System(rf"{doubled},\ {by},\ {diagonal}")
+    assert not torque or wrong.integral(square).verdict == "refuted"
+
+
+@FEW
+def test_a_momentum_is_a_multiple_of_a_velocity(seed):
+    chance = random.Random(seed)
+    p, q, m = chance.choice([("p", "q", "m"), ("y", "x", "a"), ("L", r"\varphi", "I")])
+    rows = [rf"{p}={m}\dot {q}", rf"\dot {p}=-k{q}"]
+    chance.shuffle(rows)
+    system = System(",\\ ".join(rows))
+    assert system.integral(rf"{p}^2+k{m}{q}^2").verdict == "conditional"
+    assert system.integral(rf"{p}^2-k{m}{q}^2").verdict == "refuted"
 
 
 def test_a_bracket_that_is_printed_takes_the_place_of_the_one_that_is_implied():

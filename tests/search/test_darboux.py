@@ -111,7 +111,7 @@ numbers = st.integers(-3, 3)
 @settings(max_examples=20)
 @given(numbers, numbers, numbers, numbers, numbers)
 def test_cofactors_are_as_heavy_as_a_motion_that_is_homogeneous_by_other_weights(a, b, c, d, e):
-    """x counts 1 and y counts 2; y + ex² obeys the linear equation with the cofactor cx² + dy."""
+    """x has weight 1 and y weight 2; y + ex² obeys the linear equation with the cofactor cx² + dy."""
     field = (
         rf"\dot x=x(({a})x^2+({b})y), "
         rf"\quad \dot y=(y+({e})x^2)(({c})x^2+({d})y)-2({e})x^2(({a})x^2+({b})y)"

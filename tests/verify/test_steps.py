@@ -40,7 +40,7 @@ def test_a_first_integral(steps):
 
 def test_a_derivative_is_by_the_time_of_its_scene(steps):
     ((words, formulas),) = steps("eq10.5")
-    assert words == "The derivative along the vector field, as generated:"
+    assert words == "The derivative along the vector field:"
     assert formulas[0] == "dz₁/dτ = (x₁w₂ − y₂w₁)/2"
 
 

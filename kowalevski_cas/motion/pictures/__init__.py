@@ -35,6 +35,9 @@ PICTURES = {
 ON_N4 = ("torus", "rectangle", "bifurcation", "atlas")
 """What is drawn for motions on N⁴ alone."""
 
+OF_FIELDS = ("atlas", "resonances", "subsystems", "sections", "surfaces", "third")
+"""What looks alike for all motions in the same fields."""
+
 
 class Picture(NamedTuple):
     """How a picture is drawn, what it shows, and which offer of a derivation it is about.

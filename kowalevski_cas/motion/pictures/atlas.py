@@ -10,13 +10,15 @@ from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.parameters import Parameters
 from kowalevski_cas.motion.pictures.bifurcation import regime_at
 from kowalevski_cas.motion.pictures.orbit import orbit
-from kowalevski_cas.motion.pictures.space import View, blank, curve
+from kowalevski_cas.motion.pictures.space import View, blank, curve, triad
 from kowalevski_cas.motion.regimes import Regime, all_regimes
 from kowalevski_cas.pictures import mark, new_figure
 
 CAPTION = (
     "The hodograph of the angular velocity in the body, for one motion in each regime in these "
-    "fields. A regime is an order of the roots; under it stand $m$, $\\ell$ and the number of tori."
+    "fields. A regime is an order of the roots; under it stand $m$, $\\ell$ and the number of "
+    "tori. Blue are elliptic tori, $m>0$, and orange hyperbolic ones, $m<0$. Beside each stand the "
+    "directions of $\\omega_1$, $\\omega_2$, $\\omega_3$, of the length that is told."
 )
 
 TURNS, POINTS, GRID, COLUMNS = 10, 2000, 241, 3
@@ -33,11 +35,15 @@ def draw(motion: Motion) -> Figure:
         blank(axes)
     for axes, (regime, example) in zip(tiles, found, strict=False):
         omega = orbit(example, TURNS, POINTS)[:, :3]
+        place, _ = view(omega)
+        left, bottom = np.min(place, axis=0)
+        length = float(f"{0.2 * np.max(np.ptp(place, axis=0)):.1g}")
+        triad(axes, view, ("1", "2", "3"), length, at=(left - 0.6 * length, bottom))
         curve(axes, view, omega, mark(0 if regime.sign > 0 else 1).colour, 0.6)
         order = "<".join(regime.order)
         m, ell = float(example.parameters.m), float(example.parameters.ell)
         tori = "1 torus" if regime.tori == 1 else f"{regime.tori} tori"
-        words = f"${order}$\n$m={m:.2g}$, $\\ell={ell:.2g}$: {tori}"
+        words = f"${order}$\n$m={m:.2g}$, $\\ell={ell:.2g}$: {tori}; axes {length:g}"
         axes.set_title(words, size=7.5, loc="center")
     return figure
 

@@ -79,19 +79,27 @@ def reach(points: Array) -> float:
 
 
 def triad(
-    axes: Axes, view: View, labels: tuple[str, ...], length: float, start: float = 0.0
+    axes: Axes,
+    view: View,
+    labels: tuple[str, ...],
+    length: float,
+    start: float = 0.0,
+    at: tuple[float, float] = (0.0, 0.0),
 ) -> None:
-    """Draw three axes of this length, labelled at their ends, from the origin or beyond it."""
+    """Draw three axes of this length, labelled at their ends, from the origin or beyond it.
+
+    ``at`` is the place of the origin in the picture.
+    """
     clear = [withStroke(linewidth=2.5, foreground="white")]
     tips, near = view(length * np.eye(3))
     for label, tip, depth in zip(labels, tips, near, strict=True):
         arrow = FancyArrowPatch(
-            tuple(start / length * tip), tuple(tip), arrowstyle="-|>", mutation_scale=7,
+            tuple(at + start / length * tip), tuple(at + tip), arrowstyle="-|>", mutation_scale=7,
             shrinkA=0, shrinkB=0, color=INK, lw=0.7, clip_on=False,
             zorder=1.5 if depth < 0 else 3.0,
         )  # fmt: skip
         axes.add_patch(arrow)
-        x, y = tip + 0.1 * length * tip / max(float(np.hypot(*tip)), 1e-9)
+        x, y = at + tip + 0.1 * length * tip / max(float(np.hypot(*tip)), 1e-9)
         axes.text(x, y, label, ha="center", va="center", zorder=4.0, path_effects=clear)
         axes.update_datalim(((x, y),))
     axes.autoscale_view()
