@@ -122,9 +122,7 @@ def _derivative(formula: Derivative, setting: Elaboration) -> Iterator[ReportedS
     if all(value.is_zero for value in values):
         yield _VANISHES
     elif (terms := size(values)) > LONGEST:
-        yield ReportedStep(
-            f"The derivative along the vector field has {terms} terms."
-        )
+        yield ReportedStep(f"The derivative along the vector field has {terms} terms.")
     else:
         parts = tuple(element_formula(value, setting) for value in values)
         right = parts[0] if len(parts) == 1 else Vector(parts)
