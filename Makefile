@@ -73,8 +73,9 @@ witnesses: $(VENV)/.installed ## Let Singular, PARI/GP and Maxima confirm the ce
 study: $(VENV)/.installed ## Measure speed against accuracy, and where methods fail (QUICK=1: under a minute)
 	@$(PY) -m study $(if $(QUICK),--quick)
 
-benchmark: $(VENV)/.dev ## Measure the speed of proving and of reporting
+benchmark: $(VENV)/.dev ## Measure the speed of proving, of reporting, and of searches
 	@$(PY) -m benchmarks
+	@$(PY) -m benchmarks.searches
 
 clean: ## Remove the environment and everything generated, save the reports
 	@rm -rf $(VENV) $(VENV).lock build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis *.egg-info

@@ -1,4 +1,4 @@
-"""Write the animation of a motion on N⁴ or O⁴: the body as it moves between the two fields.
+"""Write the animation of a motion: the body as it moves between the two fields.
 
 A motion is given as for `kowalevski-cas motion`; if none is given, an example is shown. As HTML it
 is a page to touch, whole in one file: the time is dragged, and other motions on N⁴ in the same
@@ -19,7 +19,7 @@ from kowalevski_cas.cli.exits import AS_RECORDED, CommandError
 from kowalevski_cas.cli.motion import add_motion
 from kowalevski_cas.cli.pictures import choose_motion
 from kowalevski_cas.files import write
-from kowalevski_cas.motion import Motion
+from kowalevski_cas.motion import Inadmissible, MethodError, Motion
 from kowalevski_cas.motion.pictures import animation
 from kowalevski_cas.motion.pictures.page import page
 
@@ -38,13 +38,16 @@ def run(arguments: argparse.Namespace) -> int:
         raise CommandError(f"--output {path} is no file that ends with .gif or .html")
     if suffix == ".html":
         if not isinstance(motion, Motion):
-            raise CommandError("the page is one of motions on N⁴; this one is on O⁴")
+            raise CommandError("the page is one of motions on N⁴, and this one is not")
         write(path, page(motion))
         print(path)
         return AS_RECORDED
     with TemporaryDirectory() as folder:
         drawn = Path(folder) / "body.gif"
-        animation.write(motion, drawn)
+        try:
+            animation.write(motion, drawn)
+        except (Inadmissible, MethodError) as error:
+            raise CommandError(str(error)) from None
         write(path, drawn.read_bytes())
     print(path)
     return AS_RECORDED

@@ -19,6 +19,7 @@ from kowalevski_cas.cli.motion import CONSTANTS, add_motion, motion_of
 from kowalevski_cas.files import write
 from kowalevski_cas.motion import General, Motion, MotionO4
 from kowalevski_cas.motion.formulas import source
+from kowalevski_cas.motion.general import AnyMotion
 from kowalevski_cas.motion.pictures import OF_FIELDS, ON_N4, PICTURES, load
 from kowalevski_cas.pictures import save, style
 from kowalevski_cas.report.figures import LIST
@@ -46,6 +47,8 @@ def run(arguments: argparse.Namespace) -> int:
             f"there is no picture “{unknown[0]}”; there are {', '.join(PICTURES)}", NOTHING
         )
     motion = choose_motion(arguments)
+    if isinstance(motion, General):
+        raise CommandError(f"only motions in closed form are drawn: {motion.why}")
     names = arguments.pictures or _draw_all(motion)
     if missing := [name for name in names if name not in _draw_all(motion)]:
         raise CommandError(f"{missing[0]} is drawn for motions on N⁴ alone; this one is on O⁴")
@@ -63,13 +66,10 @@ def _draw_all(motion: Motion | MotionO4) -> list[str]:
     return [name for name in PICTURES if isinstance(motion, Motion) or name not in ON_N4]
 
 
-def choose_motion(arguments: argparse.Namespace) -> Motion | MotionO4:
+def choose_motion(arguments: argparse.Namespace) -> AnyMotion:
     """The motion that the arguments describe, or the example."""
     if any(getattr(arguments, name) is not None for name in (*CONSTANTS, "point")):
-        motion = motion_of(arguments)
-        if isinstance(motion, General):
-            raise CommandError(f"only motions in closed form are drawn: {motion.why}")
-        return motion
+        return motion_of(arguments)
     a, b, m, ell = EXAMPLE
     return Motion.of(a, b, m, ell=ell)
 

@@ -41,6 +41,8 @@ class Family:
         the generators at i times an argument, by those at it of the family in :data:`ROTATED`.
     ``degenerate``
         the generators for special parameters, by functions of the argument x.
+    ``discriminant``
+        what vanishes for the parameters for which the functions are others.
     ``integrals``
         further generators, of which nothing is known but their derivatives.
     """
@@ -59,6 +61,7 @@ class Family:
     argument: int = 1
     imaginary: Mapping[str, str] = field(default_factory=dict)
     degenerate: Mapping[tuple[int, ...], Mapping[str, str]] = field(default_factory=dict)
+    discriminant: str = "1"
 
     @property
     def is_explicit(self) -> bool:
@@ -139,6 +142,7 @@ JACOBI = Family(
         "d": rf"\frac{{dd_1-k^2scs_1c_1}}{{{_BELOW}}}",
     },
     parameters=("k",),
+    discriminant="k^2(1-k^2)",
     covers=False,
     imaginary={"s": r"\frac{is}{c}", "c": r"\frac{1}{c}", "d": r"\frac{d}{c}"},
     degenerate={
@@ -153,7 +157,11 @@ WEIERSTRASS = Family(
     squares={"q": "4p^3-g_2p-g_3"},
     integrals={"z": "-p", "s": "zs"},
     parameters=("g_2", "g_3"),
+    discriminant="g_2^3-27g_3^2",
     covers=False,
+    degenerate={
+        (0, 0): {"p": r"\frac{1}{x^2}", "q": r"-\frac{2}{x^3}", "z": r"\frac{1}{x}", "s": "x"}
+    },
 )
 
 # The complete integrals, by the modulus.

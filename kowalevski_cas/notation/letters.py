@@ -20,7 +20,7 @@ _ONE_LETTER = re.compile(
 def set_over(accents: Sequence[str], letter: str) -> str:
     r"""A letter under accents, the outermost first.
 
-    >>> accented([r"\hat", r"\tilde"], "x")
+    >>> set_over([r"\hat", r"\tilde"], "x")
     '\\hat{\\tilde{x}}'
     """
     for accent in reversed(accents):

@@ -5,8 +5,7 @@ from __future__ import annotations
 from math import prod
 
 from kowalevski_cas.notation import Formula, Name, Root
-from kowalevski_cas.paper.arguments import combination
-from kowalevski_cas.paper.families import Generators
+from kowalevski_cas.paper.families import Generators, Kind
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.problem.goals import Goal, simple
 from kowalevski_cas.problem.prune import Reach
@@ -39,18 +38,17 @@ def _independent(groups: list[Generators], setting: Meaning) -> bool:
     others, nor of arguments that may have to do with one another.
     """
     kinds = {group.kind for group in groups if group.kind.parameters}
-    if any(_may_degenerate(parameter, setting) for kind in kinds for parameter in kind.parameters):
+    if any(_may_degenerate(kind, setting) for kind in kinds):
         return False
     return len(kinds) < 2 and (len(groups) < 2 or _are_independent(groups, setting))
 
 
-def _may_degenerate(modulus: Formula, setting: Meaning) -> bool:
-    """Whether a modulus is 0, 1 or -1, or has a root in it that may be."""
-    expanded = setting.transcendental.expanded(modulus)
-    terms = combination(expanded)
-    if not any(terms):
-        return sum(terms.values()) in (0, 1, -1)
-    return any(_is_root(Name(name), setting) for name in expanded.names())
+def _may_degenerate(kind: Kind, setting: Meaning) -> bool:
+    """Whether the discriminant vanishes, or has a root in it, so that it may."""
+    discriminant = setting.plain(kind.formula(kind.family.discriminant, {}))
+    names = (setting.transcendental.expanded(one).names() for one in kind.parameters)
+    roots = any(_is_root(Name(name), setting) for name in frozenset[str]().union(*names))
+    return roots or setting.finder.scalar(discriminant).is_zero
 
 
 def _are_independent(groups: list[Generators], setting: Meaning) -> bool:

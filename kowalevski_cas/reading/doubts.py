@@ -9,7 +9,7 @@ from kowalevski_cas.notation import Number, PoissonBracket
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, LAW, SETS, Known
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, SETS, Known
 from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
@@ -73,7 +73,8 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
         if one.sentence == item.sentence and set_there:
             return True
         if one.sentence == item.sentence and one.members and cue("suppose", one.lead):
-            if not {*(role.names if role else ())} & {*rung.claim.scene.definitions}:
+            gives = role is not None and role.name == DEFINITION
+            if not gives and not {*(role.names if role else ())} & {*rung.claim.scene.definitions}:
                 return True
         proved = item.theorem is not None and one.theorem == item.theorem
         apart = item.entry is not None and one.entry is not None and one.entry != item.entry
@@ -113,7 +114,8 @@ def _implied(rung: Rung, known: Known) -> Iterator[str]:
         role = known.roles[seen] if seen is not None else None
         if role is not None and seen is not None and role.name in (CLAIM, ASSUMPTION):
             told = role.kind == "identity" or role.kind.startswith("set")
-            if told and known.varying(seen.names) and name not in role.names:
+            moving = known.varying(seen.names) and not seen.derives
+            if told and moving and name not in role.names:
                 yield name
         if (families and _NUMBERED.search(name)) or _is_lost(name, known):
             yield name

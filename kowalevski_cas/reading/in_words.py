@@ -57,6 +57,10 @@ _CONDITION = re.compile(
 )
 _WHERE = re.compile(r"\b(?:domain|region|octant|half|set|surface|level|manifold)\b", re.IGNORECASE)
 _NUMBERS = "one two three four five six seven eight nine ten".split()
+_NUMBER = re.compile(rf"\b(?:{'|'.join(_NUMBERS)})\b", re.IGNORECASE)
+_PART_OF = re.compile(r"(?:\b(?:of|with|between|and|or)|[§,])\s*$", re.IGNORECASE)
+"""How words end behind which a list is not all that is spoken of."""
+_GOES_ON = re.compile(r"\s*(?:,|and\b|и\b|as\s+well\b)", re.IGNORECASE)
 _COUNT = re.compile(
     rf"\b(?:exactly|only|has|have|are)\s+(?P<number>{'|'.join(_NUMBERS)})\s+(?:\w+\s+){{0,2}}?"
     r"(?:equilibri|states?\s+of\s+rest|fixed\s+points|(?:singular|stationary)\s+points)",
@@ -94,7 +98,10 @@ def claims_in_words(parts: Parts) -> Iterator[InWords]:
 
 def _of_sentence(start: int, words: str, parts: Parts) -> Iterator[InWords]:
     for name, pattern in _BEFORE.items():
-        if found := pattern.search(words):
+        found = pattern.search(words)
+        if found and not (
+            _PART_OF.search(words, 0, found.start("list")) or _GOES_ON.match(found["list"])
+        ):
             first = start + found.start("list") + len(found["list"]) - len(found["list"].lstrip())
             span = (first, start + len(words.rstrip()))
             inside = (start + found.start("list"), start + found.end("list"))
@@ -123,9 +130,12 @@ def _made(
     known = parts.of(every[-1])
     if name == "invariant":
         return _invariant(span, cited, known)
-    functions = tuple(dict.fromkeys(_functions(every, known)))
+    listed = [*_functions(every, known)]
+    functions = tuple(dict.fromkeys(listed))
     places = tuple(one.printed for one in functions)
-    if len(functions) < (1 if name == "casimir" else 2):
+    if len(listed) < len(every) or len(functions) < (1 if name == "casimir" else 2):
+        return None  # of fewer functions less would be claimed
+    if (told := _NUMBER.search(text, *inside)) and told[0].lower() != _NUMBERS[len(functions) - 1]:
         return None
     if name == "independence":
         return _independent(span, functions, text[slice(*span)])

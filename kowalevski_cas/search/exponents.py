@@ -195,7 +195,7 @@ def weights_of_leading_terms(rates: Sequence[Sequence[tuple[int, ...]]]) -> tupl
     Whole weights are rather taken than halves. A term leads if it is heavier by 1 than the variable
     of which it stands in the derivative.
 
-    >>> [str(w) for w in leading_weights([[(0, 1)], [(3, 0), (1, 0)]])]
+    >>> [str(w) for w in weights_of_leading_terms([[(0, 1)], [(3, 0), (1, 0)]])]
     ['1', '2']
     """
     size = len(rates)

@@ -19,7 +19,7 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.search.points import Assignment, constant, distinct, points
 
-RATIONAL_ROOTS = 40
+RATIONAL_ROOTS = 100
 """How many points are looked at for one at which all roots are rational."""
 
 

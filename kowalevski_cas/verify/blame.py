@@ -18,11 +18,14 @@ the ids of the claims. Of a repair of another formula ``blamed`` is what is prin
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import islice
 from math import inf
 from time import perf_counter
 
+from kowalevski_cas.limits import time_limit
 from kowalevski_cas.notation import Derivative, Edit, Name, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.derivation import Derivation
@@ -39,6 +42,8 @@ from kowalevski_cas.verify.vacuous import says_something, stands_still
 
 MOST = 3
 """How many repairs are proposed."""
+SHARE = 10
+"""The part of the time in which more corrections of a formula are sought, if there is one."""
 
 
 @dataclass
@@ -87,9 +92,12 @@ class Blame:
 
     def alone(self, claim: Claim) -> tuple[Correction, ...]:
         """The corrections of one claim: of its own formula, or else of what it stands on."""
-        own = tuple(self.corrector.near(self.corrector.interpretation.statement(claim), MOST))
+        near = self.corrector.near(self.corrector.interpretation.statement(claim), MOST)
+        if own := [*islice(near, 1)]:
+            with suppress(TimeoutError), time_limit(self.seconds / SHARE):
+                own += near
         if own or self._is_expected(claim):
-            return own
+            return tuple(own)
         others = [one for one in self._failing if one is not claim]
         repairs = self._search([claim, *others], least=1, one=claim)
         return self._proofs(repairs, least=1).get(claim.id, ())

@@ -53,3 +53,16 @@ def test_an_animation_is_a_gif_or_a_page(
         assert (
             f"--output {wrong} is no file that ends with .gif or .html" in capsys.readouterr().err
         )
+
+
+def test_any_motion_is_shown_but_for_parallel_fields(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    point = "animation --point 0.1 0.2 0.3 1 0 0 0.2 0.4 0.1 --output".split()
+    assert main([*point, str(tmp_path / "body.gif")]) == 0
+    with Image.open(tmp_path / "body.gif") as found:
+        assert found.n_frames == 4
+    parallel = "animation --point 0.1 0.2 0.3 1 0 0 2 0 0 --output".split()
+    assert main([*parallel, str(tmp_path / "none.gif")]) == 2
+    assert "parallel" in capsys.readouterr().err
+    assert main([*point, str(tmp_path / "body.html")]) == 2

@@ -14,6 +14,8 @@ from kowalevski_cas.problem import checker
 from kowalevski_cas.verify.outcome import Verdict
 from tests.paper.small import Motion
 
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
 GREEN = {Verdict.PROVED, Verdict.CONDITIONAL}
 CONSTANTS = ("h", "k")
 MANY = None

@@ -42,3 +42,23 @@ def test_nor_where_the_constants_make_it_so(relation, right, wrong):
 def test_of_another_modulus_it_is(modulus):
     system = System(r"\dot x=1,\ \dot y=kx")
     assert system.identity(rf"\operatorname{{sn}}(x,{modulus})=\tanh x").verdict == "refuted"
+
+
+@pytest.mark.parametrize("m", [1, 2, 3])
+@pytest.mark.parametrize(("sign", "sine"), [("-", r"\sinh"), ("", r"\sin")])
+def test_where_the_discriminant_vanishes_that_of_weierstrass_is_elementary(m, sign, sine):
+    """With a double root; what is true then is not refuted, and of a simple one it is false."""
+    system = System(r"\dot x=1,\ \dot y=y")
+    g_2, g_3 = rf"\frac{{{4 * m**4}}}{{3}}", rf"{sign}\frac{{{8 * m**6}}}{{27}}"
+    value = rf"\frac{{{m**2}}}{{{sine}^2({m}x)}}{'+' if sign else '-'}\frac{{{m**2}}}{{3}}"
+    assert system.identity(rf"\wp(x,{g_2},{g_3})={value}").verdict != "refuted"
+    assert not system.identity(rf"\wp(x,{g_2},{g_3}+1)={value}").verdict.green
+    assert system.identity(r"\wp(x,0,0)=\frac{1}{x^2}").verdict.green
+
+
+@pytest.mark.parametrize("name", ["g_2=3a^2, g_3=a^3", "g_2=12a^4, g_3=-8a^6"])
+def test_nor_where_definitions_make_it_vanish(name):
+    system = System(r"\dot x=1,\ \dot y=ay")
+    for definition in name.split(", "):
+        system.define(definition)
+    assert system.identity(r"\wp(x,g_2,g_3)=\frac{1}{x^2}").verdict != "refuted"

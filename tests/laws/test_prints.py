@@ -18,6 +18,8 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.paper.vocabulary import vocabulary
 
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
 FEW = pytest.mark.parametrize("seed", [*range(4), *(pytest.param(k, marks=pytest.mark.slow) for k in range(4, 60))])  # fmt: skip
 
 

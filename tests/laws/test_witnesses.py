@@ -22,6 +22,8 @@ from tests.paper.small import Motion, derivation
 from tests.problem.judges import judged
 from tests.problem.tampering import seal
 
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
 FEW, MANY = 2, 8
 DIVISORS = [], ["x"], ["y"], ["x", "y"]
 POINTS = [

@@ -10,6 +10,8 @@ from kowalevski_cas.verify.run import Session
 from tests.laws.systems import EULER, LORENZ, SPECIAL_LORENZ, TODA, VOLTERRA
 from tests.sample import sampled
 
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
 
 def claimed(system, degree, *integrals, weights=()):
     derivation = system.derivation()

@@ -6,6 +6,8 @@ from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.paper.derivation import Scene
 from tests.paper.small import Paper
 
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
 AXES = ("M_1", "M_2", "M_3")
 
 

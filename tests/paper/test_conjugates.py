@@ -11,6 +11,8 @@ from kowalevski_cas.paper.claims import FirstIntegral, Identity, Reality
 from kowalevski_cas.paper.derivation import Scene
 from tests.paper.small import Paper
 
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
 SMALL = st.integers(-2, 2)
 POINTS = [complex(*point) for point in product(range(-2, 3), repeat=2)]
 """Values of x; that of y is the conjugate one."""

@@ -22,6 +22,8 @@ from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement
 from tests.paper.small import Motion
 
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
 DERIVATION = load("kharlamov2002")
 [CLAIM] = [claim for claim in DERIVATION.claims if isinstance(claim, Equilibria)]
 

@@ -6,6 +6,8 @@ from kowalevski_cas.paper.derivation import Derivation, Scene, Section
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.run import Session
 
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
 ROTATION = r"""
 {\bf R} = \begin{pmatrix} x & -y \\ y & x \end{pmatrix}, \quad
 {\bf J} = \begin{pmatrix} 0 & -1 \\ 1 & 0 \end{pmatrix}, \quad

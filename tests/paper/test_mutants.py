@@ -45,6 +45,7 @@ def free_body():
     body.lax(L, M)
     body.states(kinds.Dimension, "global", "", levels=(), equations=("x=0",), dimension=2)
     body.states(kinds.LocalDimension, "dimension", "", equations=("x=0",), dimension=2)
+    body.states(kinds.RestPoints, "rest", "", relations=("x=0", "y=0"))
     body.states(kinds.AllIntegrals, "all", "", integrals=("x^2-z^2", "x^2+y^2+z^2"), degree=2)
     darboux = {"cofactor": "-y", "solutions": ("x-z",), "integrals": (), "degree": 1}
     body.states(kinds.AllDarboux, "all-darboux", "", **darboux)
@@ -138,10 +139,12 @@ def test_a_mutant_is_refuted_at_an_exact_point_and_certified(key):
 
 
 def test_every_kind_of_claim_has_mutants():
-    """Those of unions are in ``test_section4.py``: no search finds points off them."""
+    """Those of unions are in ``test_section4.py``, as no search finds points off them; that of what
+    is independent everywhere is in ``test_everywhere.py``, as it establishes no formula.
+    """
     mutable = {type(claim).__name__ for claim in CLAIMS.values()} - {"Union"}
     offered = {n for n, kind in vars(kinds).items() if isinstance(kind, type(kinds.Claim))}
-    assert mutable == offered - {"Claim", "Union"}
+    assert mutable == offered - {"Claim", "Union", "EverywhereIndependent"}
 
 
 def on_by_hand(claim):

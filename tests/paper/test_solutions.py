@@ -25,3 +25,28 @@ def test_a_mutant_is_never_proved(old, new):
     rows = section.display("rows", ROWS.replace(old, new, 1))
     [outcome] = decide(section, EqualSolutions("c", scene, "", equations=(*rows,)), timeout=20)
     assert str(outcome.verdict) in ("refuted", "undecided", "error", "timeout")
+
+
+RECIPROCAL = (
+    r"\operatorname{sn}(z,k)=\frac1k\operatorname{sn}(kz,\frac1k),\quad"
+    r"\operatorname{cn}(z,k)=\operatorname{dn}(kz,\frac1k),\quad"
+    r"\operatorname{dn}(z,k)=\operatorname{cn}(kz,\frac1k)"
+)
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize(
+    ("old", "new", "verdict"),
+    [
+        ("", "", "proved"),
+        (r"=\frac1k\operatorname{sn}(", r"=k\operatorname{sn}(", "refuted"),
+        ("{dn}(kz", "{cn}(kz", "refuted"),
+        ("(kz,", "(z,", "refuted"),
+    ],
+)
+def test_a_modulus_above_1_leads_to_one_below(old, new, verdict):
+    section = Section("1", "")
+    rows = section.display("rows", RECIPROCAL.replace(old, new, 1) if old else RECIPROCAL)
+    scene = Scene(constants=("k",), time="z")
+    [outcome] = decide(section, EqualSolutions("c", scene, "", equations=(*rows,)))
+    assert str(outcome.verdict) == verdict

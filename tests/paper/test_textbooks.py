@@ -11,6 +11,8 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from tests.paper.small import decide, derivation
 from tests.sample import sampled
 
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
 POSITION = {r"\mathbf{r}": ("x", "y", "z")}
 MOMENTUM = {r"\mathbf{M}": ("M_1", "M_2", "M_3")}
 

@@ -9,6 +9,8 @@ from kowalevski_cas.paper.derivation import Change, Locus, Scene
 from kowalevski_cas.verify.outcome import in_latex
 from tests.paper.small import Paper, verdicts
 
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
 
 @pytest.fixture
 def paper():

@@ -51,6 +51,11 @@ def test_independence(words, verdict):
         r"$T$ and $G$ are independent at every point of the octant.",
         r"$T$ and $G$ are independent everywhere except on the line of rest.",
         r"The integral $T$ is known; independent ones are sought.",
+        r"$T$, $G$ and $F=\ldots$ are independent.",
+        r"$T$, $G$ and $K$ are independent.",
+        r"The three integrals $T$, $G$ are independent.",
+        r"The square of $T$ and $G$ are independent.",
+        r"The energy, $T$ and $G$ are independent.",
     ],
 )
 def test_what_is_denied_asked_or_conditioned_is_not_judged(words):

@@ -322,3 +322,14 @@ def test_so_is_says_the_same_of_what_follows(function):
     assert [f.role.kind for f in found.formulas][-2:] == ["integral", "integral"]
     assert {*verdicts(text).values()} == {Verdict.PROVED}
     assert Verdict.REFUTED in verdicts(text.replace("b^2p^2", "p^2").replace("$bp", "$p")).values()
+
+
+def test_a_clock_in_the_sentence_is_no_condition_of_a_rate():
+    """“With respect to” supposes nothing, and a constant in a rate is no unknown of an equation."""
+    law = r"The equations are $$\dot x=\omega_3y,\quad \dot y=-\omega_3x,\quad \dot\omega_3=0.$$ "
+    found = verdicts(
+        law
+        + r"Introduce $x+iy$, where $i^2=-1$. Denoting the derivative with respect to $\tau=it$ "
+        r"by the prime, we obtain $$ix'=w_3y,\quad iy'=-w_3x.$$"
+    )
+    assert {*found.values()} == {Verdict.REFUTED}

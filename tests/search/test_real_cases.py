@@ -9,6 +9,8 @@ from kowalevski_cas.problem import checker
 from kowalevski_cas.verify.run import Session
 from tests.paper.small import derivation
 
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
 
 def plane():
     return System(r"\dot x=0,\quad \dot y=0,\quad \dot z=0")

@@ -134,8 +134,8 @@ def test_the_terminal_says_which_formula_is_blamed_and_the_exit_code_is_that_of_
     file.write_text("\n".join(lines))
     assert main(["verify", str(file)]) == 1
     said = capsys.readouterr().out
-    assert "fail because of another formula: change the sign of A." in " ".join(said.split())
-    assert "✗   Bq̇ = (C + A)rp\n(✓) Bq̇ = (C − A)rp (valid for" in said
+    assert "fail because of another formula: change the sign of A" in " ".join(said.split())
+    assert "✗   Bq̇ = (C + A)rp\n(✓) Bq̇ = (C − A)rp" in said
     assert main(["verify", "--format", "json", str(file)]) == 1
     (first, _) = json.loads(capsys.readouterr().out)["claims"]
     assert first["correction"]["blamed"] == r"B\dot{q} = (C + A)rp"

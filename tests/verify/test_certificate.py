@@ -139,7 +139,7 @@ def numbers(data, choose):
     return changed(data, path, choose([value + 1, -value - 1, 2 * value + 3]))
 
 
-MANY = (8, pytest.param(400, marks=pytest.mark.slow))
+MANY = (4, pytest.param(400, marks=pytest.mark.slow))
 """How often evidence is tampered with."""
 
 

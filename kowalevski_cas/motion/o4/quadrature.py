@@ -34,7 +34,7 @@ SMALLEST = 2.0**-58
 NEAR = 1e-10
 """A Newton step after which no other is needed."""
 
-STEPS, HALVINGS = 12, 4
+STEPS, HALVINGS = 20, 6
 """Newton steps, and halvings of one, after which bisections go on; it takes about four."""
 
 NODES = 257
@@ -122,36 +122,39 @@ class Quadratures:
         second = np.empty_like(aim[1])
 
         def on_first_equation(first: Array) -> tuple[Array, Array]:
+            part, (a, c) = self._monotone_part(0, first)
+
             def inner(angle: Array) -> tuple[Array, Array]:
-                values, slopes = self._monotone(np.array([first, angle]))
-                return values[0] - wanted[0], slopes[0, 1]
+                other, slopes = self._monotone_part(1, angle)
+                return part[0] + other[0] - wanted[0], slopes[0]
 
             middle = (wanted[0] - by_first * first) / by_second
             second[:] = _monotone_root(inner, middle - half, middle + half)
-            values, slopes = self._monotone(np.array([first, second]))
-            (a, b), (c, d) = slopes
-            return values[1] - wanted[1], c - d * a / b
+            other, (b, d) = self._monotone_part(1, second)
+            return part[1] + other[1] - wanted[1], c - d * a / b
 
         first = _monotone_root(on_first_equation, aim[0] - reach, aim[0] + reach)
         on_first_equation(first)
         return np.array([first, second])
 
-    def _monotone(self, angles: Array) -> tuple[Array, Array]:
-        """Both monotone forms and their derivatives by the angles."""
-        phases, slopes = self._with_slopes(angles)
-        return self._forms @ phases, np.einsum("ij,jkn->ikn", self._forms, slopes)
+    def _monotone_part(self, place: int, angle: Array) -> tuple[Array, Array]:
+        """The part of one angle in both monotone forms, and its derivatives."""
+        values, slopes = self._part(place, angle)
+        return self._forms @ values, self._forms @ slopes
 
     def _with_slopes(self, angles: Array) -> tuple[Array, Array]:
         """The phases (2, N), and their derivatives (2, 2, N) by either angle."""
-        phases, slopes = angles.copy(), np.empty((2, 2, angles.shape[1]))
-        for place, ((coefficients, orders), angle) in enumerate(
-            zip(self._series, angles, strict=True)
-        ):
-            cosines, sines = _multiples(angle, len(orders))
-            phases += coefficients @ sines
-            slopes[:, place] = (coefficients * orders) @ cosines
-            slopes[place, place] += 1.0
-        return phases, slopes
+        (one, by_one), (two, by_two) = (self._part(k, angle) for k, angle in enumerate(angles))
+        return one + two, np.stack([by_one, by_two], axis=1)
+
+    def _part(self, place: int, angle: Array) -> tuple[Array, Array]:
+        """The part of one angle in both phases (2, N), and its derivatives."""
+        coefficients, orders = self._series[place]
+        cosines, sines = _multiples(angle, len(orders))
+        values, slopes = coefficients @ sines, (coefficients * orders) @ cosines
+        values[place] += angle
+        slopes[place] += 1.0
+        return values, slopes
 
     def _table(self, place: int) -> tuple[Array, Array]:
         """A phase and its angle, as if it were a function of this angle alone."""

@@ -8,15 +8,20 @@ import numpy as np
 from matplotlib.animation import PillowWriter
 from matplotlib.patches import Polygon
 
+from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.attitude import frames
-from kowalevski_cas.motion.motion import Motion
-from kowalevski_cas.motion.o4.motion import MotionO4
+from kowalevski_cas.motion.general import AnyMotion, General
+from kowalevski_cas.motion.methods import load
 from kowalevski_cas.motion.pictures.orbit import in_space, orbit
 from kowalevski_cas.motion.pictures.space import View, blank, triad
+from kowalevski_cas.motion.units import unit_of
 from kowalevski_cas.pictures import INK, mark, new_figure, style
 
 TURNS, FRAMES, RATE = 2.0, 160, 20
 """How often the slower angle turns, in how many frames, of which so many pass in a second."""
+
+LONG = 40.0
+"""How long a motion without angles is followed, for a state of size 1."""
 
 TRAIL = 60
 """How many past places of the end of ω are shown."""
@@ -24,15 +29,13 @@ TRAIL = 60
 SIZE, DOTS = 4.2, 100
 
 
-def write(
-    motion: Motion | MotionO4, path: Path, count: int | None = None, dots: int = DOTS
-) -> None:
+def write(motion: AnyMotion, path: Path, count: int | None = None, dots: int = DOTS) -> None:
     """Write the animation of a motion to a file, in so many frames, of so many dots to an inch.
 
     The disc is the plane of e1 and e2, on which the fields act, the rod the axis of symmetry.
     """
     count = count or FRAMES
-    states = orbit(motion, TURNS, count)
+    states = _states(motion, count)
     body, omega = frames(states), in_space(states)
     view = View(40, 20)
     turn = np.linspace(0, 2 * np.pi, 61)
@@ -69,3 +72,11 @@ def write(
                 arrow.set_data([0, ends[-1, 0]], [0, ends[-1, 1]])
                 label.set_position(tuple(1.1 * ends[-1]))
                 writer.grab_frame()
+
+
+def _states(motion: AnyMotion, count: int) -> Array:
+    """The states of the frames, by the closed form or, where there is none, by an integrator."""
+    if not isinstance(motion, General):
+        return orbit(motion, TURNS, count)
+    last = LONG * 2.0 ** -float(unit_of(np.array(motion.point)))
+    return load("dop853")(motion, np.linspace(0.0, last, count))
