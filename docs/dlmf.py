@@ -34,7 +34,9 @@ known what their rates are, their relations, and their values at one point, and 
 with ± is proved with either sign; one with a root is read as the sentence beside it says, with
 either sign of the root. Rows 22.8.23, 22.8.25 and 22.8.27 rest on values at parts of the quarter
 period K, which are printed beside them; the other rows with K, or with a sum of arguments, are
-what is given in these. *Conditional* is what holds where the denominators do not vanish.
+what is given in these. The print of 22.8.23 and 22.8.25 was not at hand: what is proved under these
+numbers has not been compared with it. *Conditional* is what holds where the denominators do not
+vanish.
 
 Beside each row stands in how many of its lines it is proved by Maple and by Mathematica, and in
 how many lines one of them calls it false at values that were tried, as LaCASt reports

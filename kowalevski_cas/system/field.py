@@ -12,7 +12,7 @@ from typing import Any, Self
 
 from kowalevski_cas.library import MADE
 from kowalevski_cas.notation import Formula, defined_names, read, read_display, to_plain
-from kowalevski_cas.paper.claims import Claim, FirstIntegral
+from kowalevski_cas.paper.claims import Casimir, Claim, FirstIntegral
 from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.scene import Scene
@@ -208,7 +208,7 @@ class Field:
             special = ", ".join(f"${display.tex}$" for display in self.special)
             finding = replace(finding, says=f"for {special}, {finding.says}")
         claim = finding.claim(id, put_in)
-        if isinstance(claim, FirstIntegral):
+        if isinstance(claim, FirstIntegral | Casimir):
             with suppress(ValueError):
                 claim = replace(claim, scene=with_levels(claim.scene, claim.own))
         for place in claim.places():

@@ -295,3 +295,21 @@ def test_a_bracket_that_is_printed_takes_the_place_of_the_one_that_is_implied():
         for brackets in printed:
             system.define(brackets)
         assert system.integrable("H", "q").verdict == verdict
+
+
+CASIMIR = r"M_1^2+M_2^2+M_3^2"
+
+
+@pytest.mark.parametrize(
+    ("tex", "verdict"),
+    [
+        (CASIMIR, "proved"), (f"2K={CASIMIR}", "proved"), (f"K={CASIMIR}", "proved"),
+        (rf"{CASIMIR}=\mathrm{{const}}", "proved"), (f"{CASIMIR}=c^2", "proved"),
+        (f"2h={CASIMIR}", "proved"), (f"{CASIMIR}=1", "proved"),
+        (f"{CASIMIR}=-1", "refuted"), ("M_1^2+M_2^2=c^2", "refuted"), ("2K=M_1^2+M_2^2", "refuted"),
+        (r"M_1=\mathrm{const}", "refuted"), ("M_1-M_1=0", "refuted"),
+    ],
+)  # fmt: skip
+def test_a_casimir_function_may_have_a_name_or_a_value(tex, verdict):
+    system = System(r"\{M_i,M_j\}=\varepsilon_{ijk}M_k,\ H=aM_1^2+bM_2^2+cM_3^2")
+    assert system.casimir(tex).verdict == verdict

@@ -50,11 +50,18 @@ class FirstIntegral(Claim):
         for same in zip(*chain, strict=True):
             yield from self._goals(on, space, same)
         if values and not there.transcendental.dependent:
-            level = [parts(member, there) for member in sides([printed[0], values[0]], there)]
-            given = tuple(zip(*level, strict=True))
+            given = level(printed[0], values[0], there)
             # The first is refuted where no point has the value; the second asks for one that moves.
             yield Fails(there, (), given)
-            yield Follows(there, (tuple(vanishes(rate(part)) for part in level[0]),), given)
+            yield Follows(there, (tuple(vanishes(rate(part)) for part, _ in given),), given)
+
+    def levels(self, on: Elaborations) -> Iterator[Goal]:
+        """That the function has the value that is printed of it, if one is, at a real point."""
+        space = on(self.scene)
+        printed = self.constants(on, space)
+        if values := self._values(on, space, printed):
+            there = self._with_names_of(values, on)
+            yield Fails(there, (), level(printed[0], values[0], there))
 
     def _goals(
         self, on: Elaborations, space: Elaboration, same: tuple[Formula, ...]
@@ -126,6 +133,12 @@ class FirstIntegral(Claim):
         levels = [m for m in self._chain(on) if m not in printed and _is_level(m, space)]
         names = Counter(node.name for m in levels for node in m.nodes() if isinstance(node, Name))
         return [m for m in levels if not isinstance(m, Name) or names[m.name] > 1]
+
+
+def level(function: Formula, value: Formula, there: Elaboration) -> tuple[Equation, ...]:
+    """The equations, by components, that say which value a function has."""
+    both = (parts(member, there) for member in sides([function, value], there))
+    return tuple((left, right) for left, right in zip(*both, strict=True))
 
 
 def _is_level(formula: Formula, space: Elaboration) -> bool:

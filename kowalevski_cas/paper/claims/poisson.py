@@ -8,8 +8,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 
-from kowalevski_cas.notation import Formula, Name, Negative, Number, PoissonBracket, times, total
+from kowalevski_cas.notation import (
+    Formula,
+    Name,
+    Negative,
+    Number,
+    PoissonBracket,
+    Relation,
+    times,
+    total,
+)
 from kowalevski_cas.paper.claims.claim import Claim
+from kowalevski_cas.paper.claims.first_integral import FirstIntegral
 from kowalevski_cas.paper.claims.forms import function, rate, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -32,13 +42,22 @@ class Jacobi(Claim):
 
 
 class Casimir(Claim):
-    """The bracket of the printed function with every function vanishes; it is not constant."""
+    """The bracket of the printed function with every function vanishes; it is not constant.
+
+    A value may be printed of it, as of a first integral; then the function has it at a real point.
+    """
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        own = function(on, space, self.own)
+        integral = FirstIntegral(self.id, self.scene, "", printed=self.printed)
+        chain = integral.constants(on, space)
+        valued = len(chain) == 1 and isinstance(on.texts.formula(self.own), Relation)
+        valued &= self.own not in self.scene.definitions.values()
+        own = chain[0] if valued else function(on, space, self.own)
         yield identity(space, *_central(space, [own]))
         yield Rank(space, (space.plain(own),), (), 1)
+        if valued:
+            yield from integral.levels(on)
 
 
 class Involution(Claim):
