@@ -33,6 +33,8 @@ def doubt_of(
         return Doubt.ALWAYS
     if role.kind == SAID:
         return None
+    if _is_unread_summary(item, known):
+        return Doubt.ALWAYS
     if _has_usual_bracket(item, rung, known) or _is_conditioned(item, rung, known):
         return Doubt.ALWAYS
     if any(_implied(rung, known)):
@@ -44,6 +46,12 @@ def doubt_of(
     sure = sure and _is_plain(rung, item, parts)
     sure = sure and not any(one.title == "abstract" for one in item.sections)
     return None if sure and (role.kind == "integral" or item.derives) else Doubt.UNLESS_MENDED
+
+
+def _is_unread_summary(item: SourceStatement, known: Known) -> bool:
+    """Whether it is claimed in an abstract, of what is not all read."""
+    abstract = any(one.title == "abstract" for one in item.sections)
+    return abstract and any(one.formula is None for one in known.items)
 
 
 def _has_usual_bracket(item: SourceStatement, rung: Rung, known: Known) -> bool:

@@ -333,3 +333,11 @@ def test_a_clock_in_the_sentence_is_no_condition_of_a_rate():
         r"by the prime, we obtain $$ix'=w_3y,\quad iy'=-w_3x.$$"
     )
     assert {*found.values()} == {Verdict.REFUTED}
+
+
+def test_an_abstract_is_not_red_where_not_all_that_follows_is_read():
+    abstract = r"\begin{abstract}It is shown that $(xv-yu)^2+3x^2$ is an integral.\end{abstract}"
+    law = r"The equations are $$\dot x=u,\quad \dot u=-x,\quad \dot y=v,\quad \dot v=-y.$$ "
+    (alone,) = verdicts(abstract + law).values()
+    (beside,) = verdicts(abstract + law + r"Further $$2x+$$ is known.").values()
+    assert not alone.green and beside is Verdict.UNDECIDED
