@@ -27,6 +27,8 @@ class Family:
     ``minus``, ``sum``
         the generators that are others at the opposite argument, and all of them at the sum of two
         arguments, where :math:`s_1` is at the second one, if there is an addition theorem.
+    ``double``
+        all of them at twice an argument, if they are not known there by that theorem.
     ``parameters``
         what stands behind the argument, as the modulus.
     ``angles``
@@ -45,6 +47,8 @@ class Family:
         what vanishes for the parameters for which the functions are others.
     ``integrals``
         further generators, of which nothing is known but their derivatives.
+    ``printed``
+        how generators are printed at an argument x that are no functions of the family.
     """
 
     functions: Mapping[str, str]
@@ -52,6 +56,7 @@ class Family:
     zero: Mapping[str, str] = field(default_factory=dict)
     sum: Mapping[str, str] = field(default_factory=dict)
     minus: Mapping[str, str] = field(default_factory=dict)
+    double: Mapping[str, str] = field(default_factory=dict)
     squares: Mapping[str, str] = field(default_factory=dict)
     integrals: Mapping[str, str] = field(default_factory=dict)
     parameters: tuple[str, ...] = ()
@@ -62,6 +67,7 @@ class Family:
     imaginary: Mapping[str, str] = field(default_factory=dict)
     degenerate: Mapping[tuple[int, ...], Mapping[str, str]] = field(default_factory=dict)
     discriminant: str = "1"
+    printed: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def is_explicit(self) -> bool:
@@ -151,17 +157,31 @@ JACOBI = Family(
     },
 )
 
+# The generators are 1/℘ and its derivative: they are regular at zero, where ℘ has its pole.
+_SUM = r"(2(1-\frac{g_2rr_1}{4})(r+r_1)-g_3r^2r_1^2-tt_1)"
+_SUM_RATE = r"(t(2-g_2rr_1-\frac{g_2}{2}r_1^2-2g_3rr_1^2)-t_1(2-\frac{3}{2}g_2r^2-2g_3r^3))"
+_DOUBLE = "(16+8g_2r^2+32g_3r^3+g_2^2r^4)"
+_DOUBLE_RATE = rf"((4-3g_2r^2-4g_3r^3){_DOUBLE}-4t^2(4g_2r+24g_3r^2+g_2^2r^3))"
 WEIERSTRASS = Family(
-    functions={"wp": "p", "wp'": "q", "zeta": "z", "sigma": "s"},
-    rates={"p": "q", "q": r"6p^2-\frac{1}{2}g_2"},
-    squares={"q": "4p^3-g_2p-g_3"},
-    integrals={"z": "-p", "s": "zs"},
+    functions={"wp": r"\frac{1}{r}", "wp'": r"-\frac{t}{r^2}", "zeta": "z", "sigma": "s"},
+    rates={"r": "t", "t": r"2-\frac{3}{2}g_2r^2-2g_3r^3"},
+    squares={"t": "4r-g_2r^3-g_3r^4"},
+    integrals={"z": r"-\frac{1}{r}", "s": "zs"},
+    zero={"r": "0", "t": "0"},
+    minus={"t": "-t"},
+    sum={
+        "r": rf"\frac{{2(r-r_1)^2}}{{{_SUM}}}",
+        "t": rf"\frac{{2(r-r_1)(2t{_SUM}-(r-r_1){_SUM_RATE})}}{{{_SUM}^2}}",
+    },
+    double={
+        "r": rf"\frac{{16t^2}}{{{_DOUBLE}}}",
+        "t": rf"\frac{{8t{_DOUBLE_RATE}}}{{{_DOUBLE}^2}}",
+    },
     parameters=("g_2", "g_3"),
     discriminant="g_2^3-27g_3^2",
     covers=False,
-    degenerate={
-        (0, 0): {"p": r"\frac{1}{x^2}", "q": r"-\frac{2}{x^3}", "z": r"\frac{1}{x}", "s": "x"}
-    },
+    degenerate={(0, 0): {"r": "x^2", "t": "2x", "z": r"\frac{1}{x}", "s": "x"}},
+    printed={"r": r"\frac{1}{\wp{(x)}}", "t": r"\frac{-\wp{'(x)}}{\wp{(x)}^2}"},
 )
 
 # The complete integrals, by the modulus.

@@ -3,6 +3,7 @@ r"""Functions of a family at one argument, in generators with names: :math:`\sin
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from enum import Enum
 from functools import cache
 from typing import NamedTuple
 
@@ -27,6 +28,16 @@ from kowalevski_cas.problem.space import Adjoined, Meaningless
 ONE, PRIME = Number(1), "'"
 
 
+class By(Enum):
+    """By which theorem the generators at an argument are known."""
+
+    SUM = "u+v"
+    DIFFERENCE = "u-v"
+    OPPOSITE = "-v"
+    DOUBLE = "2v"
+    IMAGINARY = "iv"
+
+
 class Kind(NamedTuple):
     """A family, with what stands behind the argument."""
 
@@ -46,10 +57,9 @@ class Kind(NamedTuple):
         bare = not self.parameters and not self.family.is_explicit
         whole = tex if bare and isinstance(argument, Name | Quotient) else f"({tex})"
         words = {one: canonical(name.split()[0]) for name, one in self.family.functions.items()}
+        printed = {g: name.replace("(x)", whole) for g, name in self.family.printed.items()}
         letters = [*self.family.rates, *(self.family.integrals if integrals else ())]
-        return {
-            g: f"{words[g].rstrip(PRIME)}{{{PRIME * (PRIME in words[g])}{whole}}}" for g in letters
-        }
+        return {g: printed.get(g) or f"{words[g]}{{{whole}}}" for g in letters}
 
     def rates(
         self, names: Mapping[str, str], over: int = 1, argument: Formula = ONE
@@ -72,6 +82,12 @@ class Kind(NamedTuple):
         """The generators at the sum of two arguments."""
         values = {**left, **{f"{letter}_1": value for letter, value in right.items()}}
         return {letter: self.formula(tex, values) for letter, tex in self.family.sum.items()}
+
+    def double(self, values: Mapping[str, Formula]) -> dict[str, Formula]:
+        """The generators at twice an argument."""
+        if not self.family.double:
+            return self.sum(values, values)
+        return {letter: self.formula(tex, values) for letter, tex in self.family.double.items()}
 
 
 def _over(argument: Formula, number: int) -> str:
@@ -139,7 +155,7 @@ def complementary(modulus: Formula) -> Name:
 @cache
 def template(tex: str) -> Formula:
     """A formula of the table of functions."""
-    letters = (*"acdeikpqsxz", *(f"{letter}_1" for letter in "scde"), "g_2", "g_3")
+    letters = (*"acdeikpqrstxz", *(f"{letter}_1" for letter in "cderst"), "g_2", "g_3")
     return read(tex, Vocabulary(frozenset(letters), functions=FUNCTIONS))
 
 

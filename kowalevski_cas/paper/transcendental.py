@@ -46,6 +46,7 @@ from kowalevski_cas.paper.arguments import (
     single_name,
 )
 from kowalevski_cas.paper.families import (
+    By,
     Generators,
     Imaginary,
     Kind,
@@ -64,13 +65,11 @@ PI = r"\pi"
 
 
 class Derived(NamedTuple):
-    """A generator by others: ``by`` says at what sum, as :func:`addition.theorem` takes it.
-
-    A family alone says that it is at i times an argument.
-    """
+    """A generator by others, as the theorem on its family says it."""
 
     formula: Formula
-    by: tuple[Family, bool, bool] | tuple[Family]
+    family: Family
+    by: By
 
 
 class Transcendental:
@@ -333,7 +332,7 @@ class Transcendental:
         """The generators at an argument; those at a part of π are known."""
         if isinstance(group, Imaginary):
             values = group.values(self._values(group.real))
-            return self._derive(group.kind, group.argument, values, (group.kind.family,))
+            return self._derive(group.kind, group.argument, values, By.IMAGINARY)
         if not isinstance(group, Generators):
             return group.values
         angles = group.kind.family.angles
@@ -360,23 +359,21 @@ class Transcendental:
             raise Meaningless(f"no addition theorem is known at {to_latex(group.argument)}")
         argument = total(multiple(group.argument, n) for group, n in multiples)
         added, rest = count > 0, count - 1 if count > 0 else count + 1
-        alone = not before and not rest
         right = self._values(group) if added else kind.opposite(self._values(group))
-        if not alone:
-            left = self._at(kind, [*before, (group, rest)] if rest else before)
-            right = kind.sum(left, right)
-        return self._derive(kind, argument, right, (kind.family, added, alone))
+        if not before and not rest:
+            return self._derive(kind, argument, right, By.OPPOSITE)
+        left = self._at(kind, [*before, (group, rest)] if rest else before)
+        if kind.family.double and not before and abs(rest) == 1:
+            return self._derive(kind, argument, kind.double(left), By.DOUBLE)
+        by = By.SUM if added else By.DIFFERENCE
+        return self._derive(kind, argument, kind.sum(left, right), by)
 
     def _derive(
-        self,
-        kind: Kind,
-        argument: Formula,
-        values: Mapping[str, Formula],
-        by: tuple[Family, bool, bool] | tuple[Family],
+        self, kind: Kind, argument: Formula, values: Mapping[str, Formula], by: By
     ) -> dict[str, Formula]:
         """The generators at an argument, by names that stand for their values."""
-        names = kind.names(argument)
-        self.derived |= {name: Derived(values[letter], by) for letter, name in names.items()}
+        names, family = kind.names(argument), kind.family
+        self.derived |= {name: Derived(values[g], family, by) for g, name in names.items()}
         return {letter: Name(name) for letter, name in names.items()}
 
     # -- derivatives -------------------------------------------------------------
