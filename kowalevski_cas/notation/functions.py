@@ -29,8 +29,10 @@ class Family:
         arguments, where :math:`s_1` is at the second one, if there is an addition theorem.
     ``double``
         all of them at twice an argument, if they are not known there by that theorem.
-    ``parameters``
-        what stands behind the argument, as the modulus.
+    ``parameters``, ``place``
+        what stands behind the argument, as the modulus, and how many of them before it.
+    ``by``
+        the derivatives by a parameter; by all others these functions are not derived.
     ``angles``
         the values of the generators at a part of :math:`\pi`, by that part.
     ``nonzero``
@@ -60,6 +62,8 @@ class Family:
     squares: Mapping[str, str] = field(default_factory=dict)
     integrals: Mapping[str, str] = field(default_factory=dict)
     parameters: tuple[str, ...] = ()
+    place: int = 0
+    by: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     angles: Mapping[int, Mapping[str, str]] = field(default_factory=dict)
     nonzero: tuple[str, ...] = ()
     covers: bool = True
@@ -191,10 +195,21 @@ LEGENDRE = Family(
     covers=False,
 )
 
+_BY_N = r"\mathrm{E}(x)+\frac{(x^2-n)\mathrm{K}(x)}{n}+\frac{(n^2-x^2)w}{n}"
+THIRD_KIND = Family(
+    functions={"Pi": "w"},
+    rates={"w": r"\frac{x}{n-x^2}(w-\frac{\mathrm{E}(x)}{1-x^2})"},
+    parameters=("n",),
+    place=1,
+    by={"n": {"w": rf"\frac{{{_BY_N}}}{{2(x^2-n)(n-1)}}"}},
+    covers=False,
+    degenerate={(0,): {"w": r"\mathrm{K}(x)"}},
+)
+
 ROTATED = {CIRCULAR: EXPONENTIAL, EXPONENTIAL: CIRCULAR, JACOBI: JACOBI}
 """By which families those at i times an argument are known, with the complementary modulus."""
 
-FAMILIES = (CIRCULAR, EXPONENTIAL, JACOBI, WEIERSTRASS, LEGENDRE)
+FAMILIES = (CIRCULAR, EXPONENTIAL, JACOBI, WEIERSTRASS, LEGENDRE, THIRD_KIND)
 
 DERIVATIVES = {
     "ln": r"\frac{1}{\sqrt{x}^2}",
@@ -217,7 +232,7 @@ _MACROS = frozenset(
     """sin cos tan cot sec csc sinh cosh tanh coth arcsin arccos arctan exp ln log max min
     det""".split()
 )
-_SYMBOLS = frozenset(["wp", "wp'", "zeta", "sigma"])
+_SYMBOLS = frozenset(["wp", "wp'", "zeta", "sigma", "Pi"])
 _SHORT = frozenset(
     "tg ctg cotg cosec sh ch th cth sech csch arctg arcctg arsh arch arth arcth".split()
 )
@@ -238,7 +253,7 @@ _LINES += [line.split() for line in (*DERIVATIVES, *_OTHERS)]
 
 LETTERS = {
     printed: canonical(word)
-    for word in ("K", "E", "zeta", "sigma")
+    for word in ("K", "E", "Pi", "zeta", "sigma")
     for printed in (word, canonical(word))
 }
 """Functions of which the names are letters, which are often those of something else.
