@@ -232,7 +232,8 @@ _MACROS = frozenset(
     """sin cos tan cot sec csc sinh cosh tanh coth arcsin arccos arctan exp ln log max min
     det""".split()
 )
-_SYMBOLS = frozenset(["wp", "wp'", "zeta", "sigma", "Pi"])
+_SYMBOLS = frozenset(["wp", "wp'"])
+_GREEK = frozenset(["zeta", "sigma", "Pi"])
 _SHORT = frozenset(
     "tg ctg cotg cosec sh ch th cth sech csch arctg arcctg arsh arch arth arcth".split()
 )
@@ -242,9 +243,10 @@ _SHORT = frozenset(
 def canonical(word: str) -> str:
     r"""How the first name of a function is read.
 
-    >>> canonical("sin"), canonical("sn")
-    ('\\sin', '\\mathrm{sn}')
+    >>> canonical("sin"), canonical("sn"), canonical("zeta")
+    ('\\sin', '\\mathrm{sn}', '\\mathrm{\\zeta}')
     """
+    word = rf"\{word}" if word in _GREEK else word
     return rf"\{word}" if word in _MACROS | _SYMBOLS else rf"\mathrm{{{word}}}"
 
 
@@ -253,15 +255,16 @@ _LINES += [line.split() for line in (*DERIVATIVES, *_OTHERS)]
 
 LETTERS = {
     printed: canonical(word)
-    for word in ("K", "E", "Pi", "zeta", "sigma")
-    for printed in (word, canonical(word))
+    for word in ("K", "E", *_GREEK)
+    for printed in (rf"\{word}" if word in _GREEK else word, canonical(word))
 }
 """Functions of which the names are letters, which are often those of something else.
 
-They are read before brackets, where nothing else has this name.
+They are read before brackets, where nothing else has this name, and are upright then: so they have
+no name that is declared.
 """
 
-_LINES = [names for names in _LINES if names[0] not in LETTERS]
+_LINES = [names for names in _LINES if canonical(names[0]) not in LETTERS]
 
 FUNCTIONS = frozenset(canonical(names[0]) for names in _LINES)
 """The functions that need no declaration: upright, with one factor behind if not with brackets."""

@@ -726,3 +726,17 @@ def test_the_exponential_of_parts_of_i_times_pi(part, value):
         section.claims.clear()
         [outcome] = decide(section, claim)
         assert str(outcome.verdict) == verdict
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize("letter", ["K", "E", r"\Pi", r"\zeta", r"\sigma"])
+def test_a_letter_that_is_defined_with_its_argument_names_no_function(letter):
+    """As Π(θ), the potential energy."""
+    section = Section("1", "")
+    scene = scene_of(section, r"\dot x=y,\quad\dot y=-x_0\sin x", "x y")
+    scene = scene.defining(section.display("p", rf"{letter}(x)=-x_0\cos x")[1])
+    claim = FirstIntegral(
+        "c", scene, "", printed=section.display("d", rf"\frac12y^2+{letter}(x)")[1]
+    )
+    [outcome] = decide(section, claim)
+    assert str(outcome.verdict) == "proved"
