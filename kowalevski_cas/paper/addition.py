@@ -70,7 +70,8 @@ def rotation(family: Family) -> Along:
         conjugates=tuple((names[g], conjugates[g]) for g in names),
     )
     begin = tuple((name, template(tex)) for name, tex in initial.items())
-    return Along(space, begin, tuple((names[g], imaginary.values[g]) for g in names))
+    values = imaginary.values(real.values)
+    return Along(space, begin, tuple((names[g], values[g]) for g in names))
 
 
 @cache

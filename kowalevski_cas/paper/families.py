@@ -96,11 +96,10 @@ class Imaginary(NamedTuple):
         """Where they are taken."""
         return times(Name("i"), product_of(self.real.monomial, self.over))
 
-    @property
-    def values(self) -> dict[str, Formula]:
-        """Their values, by the formulas of Euler and Jacobi."""
+    def values(self, real: Mapping[str, Formula]) -> dict[str, Formula]:
+        """Their values by those of the others, by the formulas of Euler and Jacobi."""
         formulas = self.kind.family.imaginary.items()
-        return {letter: self.kind.formula(tex, self.real.values) for letter, tex in formulas}
+        return {letter: self.kind.formula(tex, real) for letter, tex in formulas}
 
 
 class PrintedValue(NamedTuple):

@@ -332,7 +332,8 @@ class Transcendental:
     def _values(self, group: Generators | Imaginary | PrintedValue) -> dict[str, Formula]:
         """The generators at an argument; those at a part of π are known."""
         if isinstance(group, Imaginary):
-            return self._derive(group.kind, group.argument, group.values, (group.kind.family,))
+            values = group.values(self._values(group.real))
+            return self._derive(group.kind, group.argument, values, (group.kind.family,))
         if not isinstance(group, Generators):
             return group.values
         angles = group.kind.family.angles
@@ -379,6 +380,20 @@ class Transcendental:
         return {letter: Name(name) for letter, name in names.items()}
 
     # -- derivatives -------------------------------------------------------------
+
+    def with_parameter(self, name: str) -> frozenset[str]:
+        """The generators that have a name behind their arguments, by which nothing derives them.
+
+        Raises :class:`Meaningless` if values at constants are printed that hang together with it.
+        """
+        if name in self.known.names():
+            raise Meaningless(f"by {name} nothing is derived where values are printed at it", name)
+        found = set[str]()
+        for group in self.groups:
+            below = {n for one in group.kind.parameters for n in self.expanded(one).names()}
+            if name in below.union(*(self.radicals.get(n, ()) for n in below)):
+                found.update(group.names.values())
+        return frozenset(found)
 
     def directions(self, name: str) -> dict[str, Formula]:
         """The derivatives by a name of all generators that have it in their arguments."""

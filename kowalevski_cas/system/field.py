@@ -29,7 +29,7 @@ from kowalevski_cas.system.equations import (
     with_roots,
     with_time,
 )
-from kowalevski_cas.system.refused import check_constant, names_of
+from kowalevski_cas.system.refused import check_constant, check_field, names_of
 from kowalevski_cas.system.solved import solve_for_constant
 from kowalevski_cas.system.symbols import latex_of
 from kowalevski_cas.verify.finding import Finding
@@ -77,6 +77,7 @@ class Field:
         self.implied = frozenset(_brackets(self.scene.definitions)) - printed
         """The canonical brackets, which equations of Hamilton imply and nobody has printed."""
         moving, constant = self.scene.variables, self.scene.constants
+        check_field(self.scene)
         self.section.title = _echo(moving, constant, "${}$".format)
 
     def _rows(self, field: Mapping[Any, Any]) -> str:

@@ -631,3 +631,43 @@ def test_a_letter_that_is_declared_names_no_function(letter):
     tex = rf"{letter}(u-v)={letter} u-{letter} v"
     [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
     assert str(outcome.verdict) == "proved"
+
+
+MODULI = {"k": "k", "k'": "k", "m": "a"}
+BEHIND = [rf"\operatorname{{{f}}}({x},{m})" for f in ("sn", "nd", "am") for x in ("x", "2x", "kx", "ax") for m in MODULI]  # fmt: skip
+
+
+@pytest.mark.parametrize("tex", sampled(BEHIND, 6))
+def test_by_a_modulus_no_function_is_derived(tex):
+    """Nor by that of which it is made; the generators are no constants then."""
+    section = Section("1", "")
+    scene = Scene(variables=("x",), constants=("k", "a"))
+    scene = scene.solving("k'", section.display("moduli", "k^2+k'^2=1")[1])
+    scene = scene.defining(section.display("m", "m=1+a")[1])
+    name = MODULI[tex[:-1].rpartition(",")[2]]
+    claim = rf"\frac{{\partial}}{{\partial {name}}}({tex}+{name})=1"
+    [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", claim)[1]))
+    assert str(outcome.verdict) == "error" and "print the derivative" in outcome.message
+
+
+@pytest.mark.parametrize("name", ["k", "K"])
+def test_nor_where_values_are_printed_by_what_they_hang_together_with(name):
+    section = Section("1", "")
+    scene = Scene(variables=("x",), constants=("k", "K")).taking(section.display("values", AT_HALF[6:]))  # fmt: skip
+    claim = rf"\frac{{\partial}}{{\partial {name}}}\operatorname{{cn}}(2K,k)=0"
+    [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", claim)[1]))
+    assert str(outcome.verdict) == "error" and "nothing is derived" in outcome.message
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize(("part", "value"), sampled([("", "-1"), ("2", "1"), (r"\frac12", "i"), (r"\frac13", r"\frac{1+i\sqrt{3}}{2}"), (r"-\frac32", "i")], 3))  # fmt: skip
+def test_the_exponential_of_parts_of_i_times_pi(part, value):
+    section = Section("1", "")
+    scene = Scene(variables=("x",), constants=(r"\pi",)).with_unit(section.display("i", "i^2=-1")[1])  # fmt: skip
+    scene = scene.adjoining(r"\sqrt{3}")
+    for sign, verdict in (("", "proved"), ("-", "refuted")):
+        tex = rf"e^{{{part} i\pi}}={sign}({value})"
+        claim = Identity(f"c{sign}", scene, "", printed=section.display(f"d{sign}", tex)[1])
+        section.claims.clear()
+        [outcome] = decide(section, claim)
+        assert str(outcome.verdict) == verdict
