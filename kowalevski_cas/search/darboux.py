@@ -14,7 +14,7 @@ from fractions import Fraction
 from itertools import product, tee
 from random import Random
 
-from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz
 
 from kowalevski_cas.algebra.elimination import PRIME, Echelon, TooLarge
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of
@@ -237,7 +237,9 @@ class _Solutions:
     def _element(self, polynomial: fmpq_mpoly, values: Sequence[int]) -> Element:
         """A polynomial in the constants, with values for all unknowns."""
         degrees = polynomial.degrees()
-        given = {k: value for k, value in enumerate(values) if degrees[k]}
+        given: dict[str | int, int | fmpz | fmpq] = {
+            k: value for k, value in enumerate(values) if degrees[k]
+        }
         before = (0,) * self.field.size
         return self.field.element(
             {
