@@ -118,7 +118,9 @@ def is_true(formula, definitions, tries=3):
     for _ in range(tries):
         k = chance.uniform(0.3, 0.8)
         at = {n: chance.uniform(0.2, 0.9) for n in ("z", "u", "v", "x", "y", "z_1", "z_2", "z_3")}
+        at |= {"A": chance.uniform(-1, 1), "B": chance.uniform(-1, 1)}
         at |= {
+            r"\varphi": cmath.phase(complex(at["A"], at["B"])),
             "k": k,
             "k'": (1 - k * k) ** 0.5,
             r"\pi": cmath.pi,
