@@ -23,9 +23,7 @@ phase = section.lemma(
 section.identity(
     "4.21.1_5",
     r"A\cos u+B\sin u=\sqrt{A^2+B^2}\cos(u-\varphi)",
-    on=REAL.having(constants=("A", "B", r"\varphi"))
-    .adjoining(r"\sqrt{A^2+B^2}")
-    .taking(phase),
+    on=REAL.having(constants=("A", "B", r"\varphi")).adjoining(r"\sqrt{A^2+B^2}").taking(phase),
     says=dlmf("4.21.1_5"),
 )
 
