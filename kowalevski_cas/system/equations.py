@@ -43,6 +43,7 @@ from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.amplitudes import SQUARE, conjugate_equations, with_conjugates
 from kowalevski_cas.system.constraints import constraints, multipliers
+from kowalevski_cas.system.matrices import equations_of_entries, matrix_equations
 from kowalevski_cas.system.refused import (
     check_derivatives,
     check_ends,
@@ -68,7 +69,11 @@ def components(tex: str, vectors: Vectors, declared: Names = ()) -> dict[str, tu
 def with_motion(tex: str, vectors: Vectors, declared: Names = ()) -> str:
     """Equations of motion, with those that what is printed implies."""
     display = Display("field", tex, "")
-    formulas = [*_read(display, _vocabulary(display, vectors, declared)).values()]
+    words = _vocabulary(display, vectors, declared)
+    printed = _read(display, words)
+    if rows := [*equations_of_entries(printed, min(words.times))]:
+        return r",\quad ".join((tex, *rows))
+    formulas = [*printed.values()]
     moving = {name for formula in formulas for name in _moving_names(formula)}
     more = [*implied_equations(formulas), *conjugate_equations(formulas, moving)]
     tex = r",\quad ".join((tex, *more))
@@ -108,10 +113,13 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
     check_words(display.tex)
     words = _vocabulary(display, vectors, declared)
     formulas = _read(display, words)
+    matrix_laws = matrix_equations(formulas)
+    formulas = {place: one for place, one in formulas.items() if place not in matrix_laws}
     moving = dict.fromkeys(one for formula in formulas.values() for one in _moving_names(formula))
     words = replace(words, moving=frozenset(moving))  # only these may be printed as x(t)
     bound = constraints_in(display, vectors, declared)
     printed = {p: one for p, one in _read(display, words).items() if not _is_empty(one)}
+    bound += matrix_laws
     formulas = {place: one for place, one in printed.items() if place not in bound}
     laws = tuple(p for p, one in formulas.items() if _is_law(one) or _is_momentum(one, moving))
     moving = _without_momenta(formulas, laws, moving, vectors)

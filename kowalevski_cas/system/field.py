@@ -31,6 +31,7 @@ from kowalevski_cas.system.equations import (
     with_roots,
     with_time,
 )
+from kowalevski_cas.system.matrices import at_parameters, without_parameters
 from kowalevski_cas.system.refused import check_constant, check_field, names_of
 from kowalevski_cas.system.solved import solve_for_constant
 from kowalevski_cas.system.symbols import latex_of
@@ -70,7 +71,9 @@ class Field:
         self.section = Section(name or "1", "", copied=None)
         MADE.append(self.section)
         tex = field if isinstance(field, str) else self._rows(field)
-        words = [*self.symbols]
+        self.spectral = at_parameters(tex)
+        """The parameters of matrices that move; a matrix is called by its name alone."""
+        tex, words = without_parameters(tex, self.spectral), [*self.symbols]
         parts = components(tex, vectors or {}, words)
         printed = {name for statement in defined_names(tex) for name in statement.names}
         tex = with_motion(tex, parts, words)
@@ -250,7 +253,7 @@ class Field:
 
     def _tex(self, formula: Tex) -> str:
         if isinstance(formula, str):
-            return formula
+            return without_parameters(formula, self.spectral)
         if not isinstance(formula, Function):
             return latex_of(formula, self.symbols)
         if self.scene.definitions.get(formula.name) != formula.place:
