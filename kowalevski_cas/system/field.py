@@ -70,6 +70,7 @@ class Field:
         self.prefix = f"{name}-" if name else ""
         self.section = Section(name or "1", "", copied=None)
         MADE.append(self.section)
+        self.spectral: dict[str, str] = {}
         tex = field if isinstance(field, str) else self._rows(field)
         self.spectral = at_parameters(tex)
         """The parameters of matrices that move; a matrix is called by its name alone."""
