@@ -34,9 +34,9 @@ from kowalevski_cas.notation.open import OpenParser, independent, words_that_mov
 from kowalevski_cas.notation.symbol import name_of_rate
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
+from kowalevski_cas.paper.exponents import half_power
 from kowalevski_cas.paper.implied import implied_equations
 from kowalevski_cas.paper.names import BRACKET, head, is_bold, summation_indices
-from kowalevski_cas.paper.plain import half_power
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.summation import expand_sum
 from kowalevski_cas.paper.texts import Display, Printed
