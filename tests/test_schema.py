@@ -91,9 +91,11 @@ def test_a_motion(validator, written):
 
 def test_the_list_of_pictures(validator):
     pytest.importorskip("matplotlib")
-    from kowalevski_cas.cli.pictures import _figures
+    from kowalevski_cas.cli.pictures import EXAMPLE, _figures
+    from kowalevski_cas.motion import Motion
 
-    validator.validate(json.loads(_figures()))
+    a, b, m, ell = EXAMPLE
+    validator.validate(json.loads(_figures(Motion.of(a, b, m, ell=ell))))
 
 
 def test_what_is_committed(validator):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from kowalevski_cas.notation import Formula, Negative, Power, Product, Quotient, Relation, Root, Sum
 from kowalevski_cas.notation.brackets import COMPOUND
@@ -64,7 +65,7 @@ def _lone(whole: Formula, own: Sequence[Formula], other: Sequence[Formula], wron
             factors.append(factor)
         else:
             factors.append(_mark(factor, wrong, bare=False))
-    return Product(tuple(factors)) if isinstance(whole, Product) else factors[0]
+    return replace(whole, factors=tuple(factors)) if isinstance(whole, Product) else factors[0]
 
 
 def _factors(formula: Formula) -> tuple[Formula, ...]:
@@ -77,7 +78,7 @@ def _mark(formula: Formula, wrong: bool, bare: bool) -> Formula:
         return Negative(_mark(formula.argument, wrong, bare))
     if isinstance(formula, COMPOUND) and not bare:
         return formula.map_children(lambda part: _mark(part, wrong, bare))
-    return Changed(formula, wrong)
+    return Changed(formula, wrong, bracket=formula.bracket)
 
 
 def _with(formula: Formula, children: Sequence[Formula]) -> Formula:

@@ -103,7 +103,7 @@ def test_a_counterexample_says_what_its_values_are(told):
         "is $1$, not $0$, at this critical point"
     )
     (condition,) = told["eq16.invariance"].conditions
-    words = "along the motion is $2487$, not $0$"
+    words = "along the motion is $39$, not $0$"
     assert condition.witness.words.endswith(words)
 
 
