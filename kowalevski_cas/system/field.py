@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from copy import copy
 from dataclasses import replace
-from itertools import chain, count
 from typing import Any, Self
 
 from kowalevski_cas.library import MADE
@@ -29,7 +29,7 @@ from kowalevski_cas.system.equations import (
     with_roots,
     with_time,
 )
-from kowalevski_cas.system.refused import check_constant, names_of
+from kowalevski_cas.system.refused import check_constant, check_field, names_of
 from kowalevski_cas.system.solved import solve_for_constant
 from kowalevski_cas.system.symbols import latex_of
 from kowalevski_cas.verify.finding import Finding
@@ -73,10 +73,15 @@ class Field:
         printed = {name for statement in defined_names(tex) for name in statement.names}
         tex = with_motion(tex, parts, words)
         display = self.section.display(f"{self.prefix}field", with_time(tex, parts, words))
+        self.shown = {display.id}
+        """The ids of displays."""
+        self.numbers = Counter[tuple[str, int]]()
+        """How often an id was known, among displays or also among claims."""
         self._stand_on(scene_by(display, name, parts, words))
         self.implied = frozenset(_brackets(self.scene.definitions)) - printed
         """The canonical brackets, which equations of Hamilton imply and nobody has printed."""
         moving, constant = self.scene.variables, self.scene.constants
+        check_field(self.scene)
         self.section.title = _echo(moving, constant, "${}$".format)
 
     def _rows(self, field: Mapping[Any, Any]) -> str:
@@ -128,6 +133,7 @@ class Field:
         """
         tex = self._tex(formula)
         display = self.section.display(self._id("", tex), tex)
+        self.shown.add(display.id)
         if not [*display]:
             raise ValueError(f"“{tex}” defines no name")
         scene = with_parameters(self.scene, display)
@@ -245,11 +251,9 @@ class Field:
         tex = self._tex(formula)
         if isinstance(formula, Function):
             return formula.place
-        known = {one.id for one in self.section.displays}
-        if source:
-            display = self.section.lemma(_new(id, known), tex, source)
-        else:
-            display = self.section.display(_new(id, known), tex)
+        id = self._new(id, self.shown)
+        display = self.section.lemma(id, tex, source) if source else self.section.display(id, tex)
+        self.shown.add(id)
         if len([*display]) != 1:
             raise ValueError(f"“{display.tex}”: one formula is expected; give each by itself")
         return display[1]
@@ -260,18 +264,20 @@ class Field:
         tex = label[1] if label else tex
         letters = re.sub(r"[^A-Za-z0-9]+", "-", re.sub(r"=\s*0\b", "", tex))[:LONGEST].strip("-")
         id = self.prefix + "-".join(filter(None, (kind, letters)))
-        return _new(id, {*(display.id for display in self.section.displays), *self.section.lines})
+        return self._new(id, self.shown, self.section.lines)
+
+    def _new(self, id: str, *known: Container[str]) -> str:
+        """An id, with a number if it is known; all smaller numbers are."""
+        new = id
+        while any(new in ids for ids in known):
+            self.numbers[id, len(known)] += 1
+            new = f"{id}.{self.numbers[id, len(known)] + 1}"
+        return new
 
 
 def several(formulas: Texs) -> tuple[Tex, ...]:
     """Formulas as a tuple, also if it is one."""
     return tuple(formulas) if isinstance(formulas, tuple | list) else (formulas,)
-
-
-def _new(id: str, known: Container[str]) -> str:
-    """An id, with a number if it is known."""
-    ids = (f"{id}.{number}" for number in count(2))
-    return next(one for one in chain([id], ids) if one not in known)
 
 
 def _first(value: Any) -> Tex:
