@@ -20,6 +20,10 @@ GRID = 501
 """Points of the grid on which regions are found, along each axis."""
 
 
+DEPTH = 1.5
+"""So many points of the grid a region between curves reaches at least, to be one for sure."""
+
+
 def mesh(axes: Axes) -> tuple[Array, Array]:
     """The points of the grid in the frame of a diagram, none of them at the middle."""
     x, y = np.meshgrid(np.linspace(*axes.get_xlim(), GRID + 1), np.linspace(*axes.get_ylim(), GRID))
@@ -78,8 +82,11 @@ def hatch(axes: Axes, here: Mask) -> None:
 
 def fill_regions(
     axes: Axes, curves: Iterable[tuple[Array, Array]], points: tuple[Array, Array]
-) -> Mask:
-    """The pieces of the grid between curves in which there is one of the points, at least."""
+) -> tuple[Mask, list[tuple[float, float]]]:
+    """The pieces of the grid between curves in which there is one of the points, at least.
+
+    With them, of each that is deep enough, the place that is farthest from all curves.
+    """
     walls, here = np.zeros((GRID, GRID + 1), dtype=bool), np.zeros((GRID, GRID + 1), dtype=bool)
     for x, y in curves:
         column, row = _places(axes, x, y)
@@ -89,11 +96,26 @@ def fill_regions(
             _mark(walls, np.linspace(column[k], column[k + 1], count),
                   np.linspace(row[k], row[k + 1], count))  # fmt: skip
     _mark(here, *_places(axes, *points))
-    pieces, _ = label(~walls)
+    pieces, _ = label(~binary_dilation(walls, iterations=2))  # no way through where curves meet
     sure = here & ~binary_dilation(walls, iterations=2)  # a wall may cut off a corner of a place
-    found = np.isin(pieces, np.unique(pieces[sure])) & ~walls
+    numbers = [number for number in np.unique(pieces[sure]) if number]
+    found = np.isin(pieces, numbers) & ~walls
     closed: Mask = binary_closing(np.pad(found, 2, mode="edge"), iterations=2)[2:-2, 2:-2]
-    return closed
+    x, y = mesh(axes)
+    places = [
+        (float(x[place]), float(y[place]))
+        for number in numbers
+        for place, depth in [_deepest(pieces == number)]
+        if depth >= DEPTH
+    ]
+    return closed, places
+
+
+def _deepest(here: Mask) -> tuple[tuple[int, ...], float]:
+    """The place in a part of a grid that is farthest from its edge, and how far."""
+    depth = distance_transform_edt(np.pad(here, 1))[1:-1, 1:-1]
+    place = np.unravel_index(np.argmax(depth), depth.shape)
+    return tuple(map(int, place)), float(depth[place])
 
 
 def _places(axes: Axes, x: Array, y: Array) -> tuple[Array, Array]:
