@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from kowalevski_cas.notation import (
@@ -164,11 +164,34 @@ def vocabulary_of(display: Display, vectors: Vectors, declared: Names) -> Vocabu
         by = " and by ".join(times)
         raise ValueError(f"derivatives by {by}: print one independent variable, or partial ones")
     scalars = functions.union(declared, words_that_move(display.tex), filter(is_word, names))
-    return replace(
+    words = replace(
         words, scalars=scalars, functions=words.functions | functions, vectors=frozenset(vectors),
         matrices=frozenset(matrices - vectors.keys()), times=frozenset(times),
         moving=frozenset(sorted(vectors)[:1]),  # by what a gradient is, does not matter yet
     )  # fmt: skip
+    return replace(words, scalars=scalars.union(primed_names(display.tex, words)))
+
+
+def primed_names(tex: str, words: Vocabulary) -> Iterator[str]:
+    r"""The names with primes, where rates of some are printed, as :math:`d\gamma'/dt`.
+
+    Then no prime is a derivative.
+    """
+    if "'" not in tex and r"\prime" not in tex:
+        return
+    found = read_display(tex, words, OpenParser)
+    chains = [_marks(node) for one in found for node in one.formula.nodes()]
+    if any("prime" in marks and {*marks} != {"prime"} for _, marks in chains):
+        yield from (name + "'" * marks.count("prime") for name, marks in chains if name)
+
+
+def _marks(formula: Formula) -> tuple[str, list[str]]:
+    """The name under derivatives, and how they are printed; empty for anything else."""
+    marks: list[str] = []
+    while isinstance(formula, Derivative):
+        marks.append(formula.mark)
+        formula = formula.argument
+    return (formula.name, marks) if isinstance(formula, Name) and marks else ("", [])
 
 
 def with_row(scene: Scene, place: Printed, formula: Formula) -> Scene:

@@ -82,6 +82,11 @@ class PoissonMap(OfMap):
             raise Meaningless("one variable alone has no bracket")
         yield identity(on(self.scene), *_brackets(on(self.scene), self.images))
 
+    def establishes(self) -> Iterator[Printed]:
+        for _, new in self.images:
+            if new in self.scene.definitions:
+                yield self.scene.definitions[new]
+
 
 class IntegrableMap(OfMap):
     """A map with as many invariants in involution as pairs of variables, that preserves a bracket.
