@@ -43,6 +43,7 @@ from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.amplitudes import SQUARE, conjugate_equations, with_conjugates
 from kowalevski_cas.system.constraints import constraints, multipliers
+from kowalevski_cas.system.differentials import differentials, rates
 from kowalevski_cas.system.matrices import equations_of_entries, matrix_equations
 from kowalevski_cas.system.refused import (
     check_derivatives,
@@ -73,6 +74,9 @@ def with_motion(tex: str, vectors: Vectors, declared: Names = ()) -> str:
     printed = read_rows(display, words)
     if rows := [*equations_of_entries(printed, min(words.times))]:
         return r",\quad ".join((tex, *rows))
+    if ratios := {place: rates(one) for place, one in printed.items() if differentials(one)}:
+        rows = [row for place in printed for row in ratios.get(place, [place.tex])]
+        return with_motion(r",\quad ".join(rows), vectors, declared)
     formulas = [*printed.values()]
     moving = {name for formula in formulas for name in _moving_names(formula)}
     more = [*implied_equations(formulas), *conjugate_equations(formulas, moving)]

@@ -8,7 +8,7 @@ import re
 from itertools import permutations
 
 import pytest
-from sympy import LeviCivita, Rational, Symbol, sympify
+from sympy import LeviCivita, Rational, Symbol, latex, sympify
 
 from kowalevski_cas import System
 from kowalevski_cas.algebra.present import formula_in
@@ -337,3 +337,27 @@ def test_names_with_primes_are_names_where_they_have_rates(mark):
         assert top.integral(true).verdict == "proved"
     for false in (fourth.replace("+c_0", "-c_0"), r"\gamma^2+\gamma'^2-\gamma''^2"):
         assert top.integral(false).verdict == "refuted"
+
+
+@FEW
+def test_ratios_of_differentials_are_rates(seed):
+    chance = random.Random(seed)
+    names = chance.choice(
+        [["x", "y", "z"], ["x_1", "x_2", "x_3"], ["p", "q", r"\varphi"], ["u", "v"]]
+    )
+    symbols = [plain(one) for one in names]
+    rate = [
+        chance.choice([1, 2, -1]) * chance.choice(symbols) * chance.choice([*symbols, Symbol("a")])
+        + chance.choice([0, 1, *symbols])
+        for _ in names
+    ]
+    texts = [latex(one) for one in rate]
+    form = chance.choice([r"\frac{{d{}}}{{{}}}", r"\frac{{\,d{}}}{{\displaystyle {}}}", "d{}/({})"])
+    time, by = chance.choice([("", 1), ("dt", 1), (r"\frac{dt}{a}", Symbol("a"))])
+    members = [form.format(n, t) for n, t in zip(names, texts, strict=True)] + [time] * bool(time)
+    chance.shuffle(members)
+    law = System("=".join(members))
+    meant = {str(one): force / by for one, force in zip(symbols, rate, strict=True)}
+    assert not differ(law, meant, seed), law
+    scaled = System("=".join(members).replace(texts[0], f"2({texts[0]})"))
+    assert differ(scaled, meant, seed)
