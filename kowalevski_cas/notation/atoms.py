@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from fractions import Fraction
 
 from kowalevski_cas.notation.cursor import END, Piece
@@ -113,6 +114,10 @@ class Atoms(Symbols):
         node = Summation(index, *(piece[0] for piece in below))
         return (node, sign.start, body[2], below)
 
+    def read_product(self) -> Piece:
+        """A product over an index is written out before, where that can be done."""
+        raise self.error(r"a product over an index stands in a display of its own: write it out")
+
     def read_const(self) -> Piece:
         """The word const, to which a chain of equalities comes in the end."""
         before, token = self.tokens[self.at - 1], self.take()
@@ -171,7 +176,8 @@ class Atoms(Symbols):
                 raise self.error("what does a mean value mean here?", opening)
             if opening.text == r"\lvert":
                 return self.modulus(items[0], start)
-            return (items[0][0], start, end, items[0][3])
+            inner, _, _, below = items[0]
+            return (replace(inner, bracket=opening.text), start, end, below)
         nodes = tuple(item[0] for item in items)
         if opening.text == r"\{":
             return (PoissonBracket(nodes[0], nodes[1]), start, end, items)

@@ -11,6 +11,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.paper.transcendental import Transcendental
 from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.problem.space import EquationOfMotion, Meaningless, Setting, Step
 
 
@@ -69,7 +70,10 @@ class Meaning(Setting):
                 raise Meaningless(f"print the derivative of {one} by {name}", name)
             return self.step(one)
 
-        rates = {g: self.plain(rate) for g, rate in directions.items() if g not in unknown}
+        reach = Reach(self)
+        reach.formula(formula)
+        moving = reach.names.intersection(directions) - unknown
+        rates = {one: self.plain(directions[one]) for one in sorted(moving)}
         return derivative(formula, {name: Number(1), **rates}, step)
 
     @abstractmethod

@@ -19,17 +19,17 @@ _TRUST: Final = (
     (
         "How it is meant",
         "A dimension is that of a manifold near the exact point that is given, where the "
-        "differentials are independent; this, and independence, say nothing of points where they "
-        "are not. A root stands for either of its values that the relations allow, unless one of "
-        "them is meant expressly.",
+        "differentials are independent; where they are dependent, neither a dimension nor "
+        "independence says anything. A root stands for either of its values that the relations "
+        "allow, unless a statement says which.",
     ),
     (
         "What has to be trusted",
         "You must trust that each formula was transcribed and interpreted correctly: compare it "
         "with the paper. For a certified statement you then need to trust only the checker and "
-        "the integers of Python, or any one of the other programs that confirm it; for any other "
-        "statement, the program and one of its three arithmetics, which share how LaTeX is read "
-        "and put into polynomials.",
+        "the integers of Python, or any other program that confirms its certificate; for any "
+        "other statement, the program and one of its three arithmetics, which share how LaTeX is "
+        "read and put into polynomials.",
     ),
     (
         "What is not proved",

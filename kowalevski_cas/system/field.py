@@ -3,24 +3,35 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from contextlib import suppress
 from copy import copy
-from dataclasses import replace
-from itertools import chain, count
+from dataclasses import fields, replace
 from typing import Any, Self
 
 from kowalevski_cas.library import MADE
 from kowalevski_cas.notation import Formula, defined_names, read, read_display, to_plain
-from kowalevski_cas.paper.claims import Casimir, Claim, FirstIntegral
+from kowalevski_cas.paper.claims import (
+    Casimir,
+    Claim,
+    FirstIntegral,
+    Identity,
+    Implication,
+    InvariantOfMap,
+    Involution,
+    Jacobi,
+)
 from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.answers import Function, SystemClaim, in_html
+from kowalevski_cas.system.constraints import equations_on
 from kowalevski_cas.system.equations import (
     components,
+    constraints_in,
     restrict,
     scene_by,
     with_levels,
@@ -29,6 +40,8 @@ from kowalevski_cas.system.equations import (
     with_roots,
     with_time,
 )
+from kowalevski_cas.system.maps import Map, index_of_map, with_images
+from kowalevski_cas.system.matrices import at_parameters, without_parameters
 from kowalevski_cas.system.refused import check_constant, check_field, names_of
 from kowalevski_cas.system.solved import solve_for_constant
 from kowalevski_cas.system.symbols import latex_of
@@ -40,6 +53,11 @@ Tex = Any
 
 Texs = Any
 """A formula, or a tuple or a list of formulas."""
+
+OF_MAPS: dict[type[Claim], type[Claim]] = {FirstIntegral: InvariantOfMap}
+"""What is claimed of a map for what is claimed of a motion."""
+STATIC = (Identity, Implication, Jacobi, Casimir, Involution)
+"""What is claimed of functions, whatever moves."""
 
 LONGEST = 24
 """The signs of a formula by which a claim is called."""
@@ -59,6 +77,7 @@ class Field:
         field: str | Mapping[Any, Any],
         name: str = "",
         vectors: Mapping[str, tuple[str, ...]] | None = None,
+        map: bool = False,
     ) -> None:
         self.symbols: dict[str, Any] = {}
         """The symbols of SymPy in which the system is written, by their names here."""
@@ -67,18 +86,39 @@ class Field:
         self.prefix = f"{name}-" if name else ""
         self.section = Section(name or "1", "", copied=None)
         MADE.append(self.section)
+        self.spectral: dict[str, str] = {}
         tex = field if isinstance(field, str) else self._rows(field)
-        words = [*self.symbols]
+        self.spectral = at_parameters(tex)
+        """The parameters of matrices that move; a matrix is called by its name alone."""
+        tex, words = without_parameters(tex, self.spectral), [*self.symbols]
         parts = components(tex, vectors or {}, words)
         printed = {name for statement in defined_names(tex) for name in statement.names}
-        tex = with_motion(tex, parts, words)
-        display = self.section.display(f"{self.prefix}field", with_time(tex, parts, words))
-        self._stand_on(scene_by(display, name, parts, words))
+        index = index_of_map(tex)
+        self.images: tuple[tuple[str, str], ...] = ()
+        """The variables of a map with their images; none if it is a motion."""
+        self.constraints: tuple[str, ...] = ()
+        """On what the motion is: constraints with multipliers, and their derivatives."""
+        if map or index:
+            tex = with_images(tex, parts, words, index)
+        else:
+            tex = with_time(with_motion(tex, parts, words), parts, words)
+        display = self.section.display(f"{self.prefix}field", tex)
+        self.shown = {display.id}
+        """The ids of displays."""
+        self.numbers = Counter[tuple[str, int]]()
+        """How often an id was known, among displays or also among claims."""
+        if map or index:
+            found = Map(display, parts, words, index)
+            self.images = (*found.images.items(),)
+            self._stand_on(found.scene(name, parts))
+        else:
+            self._stand_on(scene_by(display, name, parts, words))
+            bound = constraints_in(display, parts, words)
+            self.constraints = (*equations_on(self.scene, bound),)
         self.implied = frozenset(_brackets(self.scene.definitions)) - printed
         """The canonical brackets, which equations of Hamilton imply and nobody has printed."""
-        moving, constant = self.scene.variables, self.scene.constants
         check_field(self.scene)
-        self.section.title = _echo(moving, constant, "${}$".format)
+        self.section.title = self._echo("${}$".format)
 
     def _rows(self, field: Mapping[Any, Any]) -> str:
         """Equations of motion by their right sides."""
@@ -102,13 +142,20 @@ class Field:
 
     def _summary(self, shown: Callable[[Formula], str]) -> str:
         """What moves, what is constant, and what is special, in words."""
-        echo = _echo(
-            self.scene.variables, self.scene.constants, lambda name: shown(self.read(name))
-        )
+        echo = self._echo(lambda name: shown(self.read(name)))
         special = ", ".join(
             shown(formula) for one in self.special for formula in self._formulas(one)
         )
         return f"{echo}; {special}" if special else echo
+
+    def _echo(self, shown: Callable[[str], str]) -> str:
+        """What moves, or is mapped, and what does not, in words."""
+        names, fixed = self.scene.variables, self.scene.constants
+        one = len(names) < 2
+        moves = ("is mapped" if one else "are mapped") if self.images else f"move{'s' * one}"
+        still = f"{', '.join(map(shown, fixed))} {'are' if len(fixed) > 1 else 'is'} constant"
+        moving = f"{', '.join(map(shown, names))} {moves}"
+        return f"{moving}; {still}" if fixed else moving
 
     # -- scenes ------------------------------------------------------------------
 
@@ -129,6 +176,7 @@ class Field:
         """
         tex = self._tex(formula)
         display = self.section.display(self._id("", tex), tex)
+        self.shown.add(display.id)
         if not [*display]:
             raise ValueError(f"“{tex}” defines no name")
         scene = with_parameters(self.scene, display)
@@ -195,8 +243,39 @@ class Field:
             NotationError: a formula is broken TeX.
             ValueError: a formula is several, or there is no such verdict to expect.
         """
+        if self.images:
+            kind, says, attributes = self._of_map(kind, says, attributes)
+        elif "images" in {field.name for field in fields(kind)}:
+            raise ValueError(f"this is no map, but a motion; {kind.__name__} is not known of it")
+        if self.constraints:
+            kind, says, attributes = self._bound(kind, says, attributes)
         id = self._id(name, self._tex(_first((printed, *attributes.values()))))
         return self._state(id, Finding(kind, self.scene, says, printed, attributes), expect)
+
+    def _of_map(
+        self, kind: type[Claim], says: str, attributes: dict[str, Any]
+    ) -> tuple[type[Claim], str, dict[str, Any]]:
+        """What is claimed of a map; raises ``ValueError`` for a kind that is about motions."""
+        kind = OF_MAPS.get(kind, kind)
+        own = {field.name for field in fields(kind)}
+        attributes = {key: value for key, value in attributes.items() if value or key in own}
+        unknown = attributes.keys() - own
+        if unknown or (kind not in STATIC and "images" not in own):
+            raise ValueError(f"{kind.__name__} is not known of maps: {says}")
+        images = {"images": self.images} if "images" in own else {}
+        return kind, says.replace("along every motion", "under the map"), {**attributes, **images}
+
+    def _bound(
+        self, kind: type[Claim], says: str, attributes: dict[str, Any]
+    ) -> tuple[type[Claim], str, dict[str, Any]]:
+        """What is claimed on the constraints; raises ``ValueError`` if the kind knows no set."""
+        kind = Implication if kind is Identity else kind
+        of = next((f.name for f in fields(kind) if f.name in ("given", "relations")), "")
+        if not of:
+            raise ValueError(f"{kind.__name__} is not known on constraints: {says}")
+        where = ", ".join(f"${one}$" for one in self.constraints)
+        known = several(attributes.get(of, ()))
+        return kind, f"{says}, where {where}", {**attributes, of: (*known, *self.constraints)}
 
     def _state(self, id: str, finding: Finding, expect: str = "") -> SystemClaim:
         if expect and expect not in {*Verdict}:
@@ -231,7 +310,7 @@ class Field:
 
     def _tex(self, formula: Tex) -> str:
         if isinstance(formula, str):
-            return formula
+            return without_parameters(formula, self.spectral)
         if not isinstance(formula, Function):
             return latex_of(formula, self.symbols)
         if self.scene.definitions.get(formula.name) != formula.place:
@@ -246,11 +325,9 @@ class Field:
         tex = self._tex(formula)
         if isinstance(formula, Function):
             return formula.place
-        known = {one.id for one in self.section.displays}
-        if source:
-            display = self.section.lemma(_new(id, known), tex, source)
-        else:
-            display = self.section.display(_new(id, known), tex)
+        id = self._new(id, self.shown)
+        display = self.section.lemma(id, tex, source) if source else self.section.display(id, tex)
+        self.shown.add(id)
         if len([*display]) != 1:
             raise ValueError(f"“{display.tex}”: one formula is expected; give each by itself")
         return display[1]
@@ -261,18 +338,20 @@ class Field:
         tex = label[1] if label else tex
         letters = re.sub(r"[^A-Za-z0-9]+", "-", re.sub(r"=\s*0\b", "", tex))[:LONGEST].strip("-")
         id = self.prefix + "-".join(filter(None, (kind, letters)))
-        return _new(id, {*(display.id for display in self.section.displays), *self.section.lines})
+        return self._new(id, self.shown, self.section.lines)
+
+    def _new(self, id: str, *known: Container[str]) -> str:
+        """An id, with a number if it is known; all smaller numbers are."""
+        new = id
+        while any(new in ids for ids in known):
+            self.numbers[id, len(known)] += 1
+            new = f"{id}.{self.numbers[id, len(known)] + 1}"
+        return new
 
 
 def several(formulas: Texs) -> tuple[Tex, ...]:
     """Formulas as a tuple, also if it is one."""
     return tuple(formulas) if isinstance(formulas, tuple | list) else (formulas,)
-
-
-def _new(id: str, known: Container[str]) -> str:
-    """An id, with a number if it is known."""
-    ids = (f"{id}.{number}" for number in count(2))
-    return next(one for one in chain([id], ids) if one not in known)
 
 
 def _first(value: Any) -> Tex:
@@ -285,10 +364,3 @@ def _first(value: Any) -> Tex:
 def _brackets(names: Iterable[str]) -> Iterator[str]:
     """The names that are Poisson brackets of variables."""
     return (name for name in names if name.startswith(BRACKET))
-
-
-def _echo(variables: Sequence[str], constants: Sequence[str], shown: Callable[[str], str]) -> str:
-    """What moves and what does not, in words."""
-    moving = f"{', '.join(map(shown, variables))} move{'' if len(variables) > 1 else 's'}"
-    still = f"{', '.join(map(shown, constants))} {'are' if len(constants) > 1 else 'is'} constant"
-    return f"{moving}; {still}" if constants else moving

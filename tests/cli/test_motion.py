@@ -93,14 +93,25 @@ def test_taylor_follows_it_too_or_says_what_to_install(cli):
     ),
 )
 def test_a_library_that_is_not_installed_is_named_with_its_extra(missing, command, extra, tmp_path):
-    blocked = "import sys; sys.modules[sys.argv.pop(1)] = None; import kowalevski_cas.cli as cli"
-    done = subprocess.run(
-        [sys.executable, "-c", f"{blocked}; sys.exit(cli.main())", missing, *command],
-        capture_output=True, text=True, cwd=tmp_path, check=False,
-        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
-    )  # fmt: skip
+    done = without(missing, command, tmp_path)
     said = f"kowalevski-cas {command[0]} needs {missing}: pip install 'kowalevski-cas[{extra}]'\n"
     assert (done.returncode, done.stdout, done.stderr) == (2, "", said)
+
+
+def without(missing, command, folder):
+    """A command, where a library is not installed."""
+    blocked = "import sys; sys.modules[sys.argv.pop(1)] = None; import kowalevski_cas.cli as cli"
+    return subprocess.run(
+        [sys.executable, "-c", f"{blocked}; sys.exit(cli.main())", missing, *command],
+        capture_output=True, text=True, cwd=folder, check=False,
+        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
+    )  # fmt: skip
+
+
+def test_help_speaks_of_a_command_whose_library_is_not_installed(tmp_path):
+    done = without("numpy", ["motion", "--help"], tmp_path)
+    assert done.returncode == 0 and "Follow a motion: the states at equal steps" in done.stdout
+    assert "where there is numpy: pip install 'kowalevski-cas[motion]'" in done.stdout
 
 
 def test_csv_and_npz_hold_the_same_states(cli, tmp_path):
@@ -225,9 +236,9 @@ def test_numbers_may_be_quotients_and_negative_and_times_too(cli):
         (["--a", "1", "--b", "1", "--m", "1", "--l", "1"], "a > b ≥ 0 is needed"),
         ([*FIELDS, "--c", "0.5", "--m", "1", "--l", "1"], "|c| ≤ 0.4 would do"),
         ([*USUAL, "--torus", "2"], "there is no torus 2: these constants have one torus"),
-        ([*USUAL, "--origins", "0", "x"], "“x” is no finite number"),
-        ([*FIELDS, "--m", "x", "--l", "1"], "“x” is no finite number"),
-        ([*USUAL, "--until", "inf"], "--until inf is no finite number"),
+        ([*USUAL, "--origins", "0", "x"], "“x” is not a finite number"),
+        ([*FIELDS, "--m", "x", "--l", "1"], "“x” is not a finite number"),
+        ([*USUAL, "--until", "inf"], "--until inf is not a finite number"),
         ([*USUAL, "--until", "1e300"], "times have to be finite, up to 1e+290"),
         ([*USUAL, "--samples", "0"], "--samples has to be from 1"),
         ([*USUAL, "--method", "euler"], "invalid choice: 'euler'"),
@@ -237,7 +248,7 @@ def test_numbers_may_be_quotients_and_negative_and_times_too(cli):
         (["--point", "1", "2"], "nine numbers"),
         (["--a", "1e400", "--b", "1", "--m", "1", "--l", "1"], "“1e400” is too large: 1e+50"),
         ([*FIELDS, "--m", "1e-400", "--l", "1"], "m = almost 0: the roots"),
-        ([*FIELDS, "--m", "-inf", "--l", "1"], "“-inf” is no finite number"),
+        ([*FIELDS, "--m", "-inf", "--l", "1"], "“-inf” is not a finite number"),
         (
             ["--point", *"123456789", "--method", "closed"],
             "no closed form, but integrators follow the motion: the state is not on N⁴",

@@ -422,6 +422,8 @@ class Reader:
                 power = self.within(self.take().arguments[0])
             else:
                 break
+        if primes and called + "'" * primes in self.words.ranks:  # as k'
+            called, primes = called + "'" * primes, 0
         function = called in self.words.functions
         listed = isinstance(self.here, str) and self.here in PAIRS
         if function and (listed or called not in self.words.ranks):

@@ -20,8 +20,11 @@ GRID = 501
 """Points of the grid on which regions are found, along each axis."""
 
 
-DEPTH = 1.5
-"""So many points of the grid a region between curves reaches at least, to be one for sure."""
+WIDTHS = (6, 2)
+"""How thick the curves are drawn between which regions are told apart."""
+
+DEPTH = 2
+"""So far from these a piece has to reach: in smaller ones tori are too near to each other."""
 
 
 def mesh(axes: Axes) -> tuple[Array, Array]:
@@ -96,26 +99,35 @@ def fill_regions(
             _mark(walls, np.linspace(column[k], column[k + 1], count),
                   np.linspace(row[k], row[k + 1], count))  # fmt: skip
     _mark(here, *_places(axes, *points))
-    pieces, _ = label(~binary_dilation(walls, iterations=2))  # no way through where curves meet
+    pieces, _ = label(~walls)
     sure = here & ~binary_dilation(walls, iterations=2)  # a wall may cut off a corner of a place
-    numbers = [number for number in np.unique(pieces[sure]) if number]
-    found = np.isin(pieces, numbers) & ~walls
+    found = np.isin(pieces, np.unique(pieces[sure])) & ~walls
     closed: Mask = binary_closing(np.pad(found, 2, mode="edge"), iterations=2)[2:-2, 2:-2]
+    return closed, _places_inside(axes, walls, sure)
+
+
+def _places_inside(axes: Axes, walls: Mask, here: Mask) -> list[tuple[float, float]]:
+    """A place in each piece of the grid between walls in which there is something.
+
+    Walls are thick at first, to close the gaps that curves leave where they meet, and then thin,
+    for small pieces.
+    """
     x, y = mesh(axes)
-    places = [
-        (float(x[place]), float(y[place]))
-        for number in numbers
-        for place, depth in [_deepest(pieces == number)]
-        if depth >= DEPTH
-    ]
-    return closed, places
+    found: list[tuple[int, int]] = []
+    for width in WIDTHS:
+        pieces, _ = label(~binary_dilation(walls, iterations=width))
+        for number in np.unique(pieces[here]):
+            if number and all(pieces[place] != number for place in found):
+                place, depth = _deepest(pieces == number)
+                found += [place] if depth >= DEPTH else []
+    return [(float(x[place]), float(y[place])) for place in found]
 
 
-def _deepest(here: Mask) -> tuple[tuple[int, ...], float]:
+def _deepest(here: Mask) -> tuple[tuple[int, int], float]:
     """The place in a part of a grid that is farthest from its edge, and how far."""
     depth = distance_transform_edt(np.pad(here, 1))[1:-1, 1:-1]
-    place = np.unravel_index(np.argmax(depth), depth.shape)
-    return tuple(map(int, place)), float(depth[place])
+    row, column = np.unravel_index(np.argmax(depth), depth.shape)
+    return (int(row), int(column)), float(depth[row, column])
 
 
 def _places(axes: Axes, x: Array, y: Array) -> tuple[Array, Array]:

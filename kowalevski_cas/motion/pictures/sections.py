@@ -60,7 +60,7 @@ def _draw_section(axes: Axes, fields: Fields, h: float) -> None:
     low = root.min() if root.min() > root.max() / 2 else 0.0
     width, height = np.ptp(g), root.max() - low
     axes.set(xlim=(g.min() - 0.06 * width, g.max() + 0.06 * width))
-    axes.set(ylim=(low - 0.04 * height, low + 1.08 * height), title=f"$h={h:.4g}$")
+    axes.set(ylim=(low - 0.04 * height, low + 1.08 * height), title=f"$h={round(h, 9) + 0.0:.4g}$")
     axes.grid(False)
     curves, dots = section(fields, h), rotations(fields, h)
     walls = [curve[:2] for some in curves for curve in some]
