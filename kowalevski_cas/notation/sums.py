@@ -94,7 +94,7 @@ class SumSign(NamedTuple):
         }
         texts = [token.text for token in self.body]
         pairs = {frozenset(pair) for pair in pairwise(texts)}
-        return any({*pair} & self.own and {*pair} & inner for pair in pairs)
+        return any(len(pair) > 1 and pair & self.own and pair & inner for pair in pairs)
 
     @property
     def is_one_factor(self) -> bool:
