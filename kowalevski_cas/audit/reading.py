@@ -160,11 +160,13 @@ class ReadingSession:
         session: Session, outcomes: Sequence[Outcome], causes: Causes, in_words: Sequence[str]
     ) -> Blame:
         """The search for what makes claims fail that stand on no misprint that is known."""
+        limit = session.decider.timeout
+        seconds = PATIENCE if limit is None else min(PATIENCE, limit / 2)
         verdicts = {outcome.claim: outcome.verdict for outcome in outcomes}
         misprints = causes.misprints.keys()
         waiting = {c.id for c in session.derivation.claims if c.reads() & misprints}
         explained = [o.claim for o in outcomes if o.correction or o.claim in waiting]
-        return Blame(session.decider.corrector, verdicts, [*explained, *in_words])
+        return Blame(session.decider.corrector, verdicts, [*explained, *in_words], seconds)
 
     # -- what is mended elsewhere --------------------------------------------------------
 

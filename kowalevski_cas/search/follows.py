@@ -107,8 +107,6 @@ class FollowsFinder(PointFinder):
             [e for e in at.differences(conclusion) if not e.is_zero]
             for conclusion in goal.conclusions
         ]
-        if any(all(vanish_on(one, known)) for one in failing):
-            return None
 
         def fail(values: Values) -> bool:
             return all(any(map(inverse_of, map(values, one))) for one in failing)
@@ -122,7 +120,9 @@ class FollowsFinder(PointFinder):
 
         divided = [*law(goal, at), *known, *(e for one in failing for e in one)]
         divided += [condition.inverse() for condition in conditions]
-        point = self.point(at, known, divided, good)
+        point = self.point(at, known, divided, good, 0, squares=False)  # the basis below costs more
+        if point is None and not any(all(vanish_on(one, known)) for one in failing):
+            point = self.point(at, known, divided, good)
         return None if point is None else At(point)
 
 

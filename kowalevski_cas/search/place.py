@@ -89,12 +89,13 @@ class PointFinder:
         divided: Sequence[Element] = (),
         good: Good = lambda candidate: True,
         most: int = 2,
+        squares: bool = True,
     ) -> Point | None:
         """A real point where elements vanish, nothing is divided by zero, and all is good.
 
         It is sought among points in general position, and if ``most`` is not 0 where all variables
-        vanish, and then where some do, or all but some, as many as ``most``; and at last among
-        points at which variables are square roots.
+        vanish, and then where some do, or all but some, as many as ``most``; and at last, if these
+        may be ``squares``, among points at which variables are square roots.
         """
         avoid = [*at.granted, *at.norms, *at.ring.divisors_of(divided)]
         names = all_names(at.setting)
@@ -104,12 +105,12 @@ class PointFinder:
             for further in self._sections(at, most)
             for point in islice(real_points(at, names, [*norms, *further], avoid), TRIES)
         )
-        irrational = islice(points_with_squares(at, names, norms, avoid), TRIES)
-        for point, squares in chain(rational, irrational):
+        irrational = points_with_squares(at, names, norms, avoid) if squares else ()
+        for point, roots in chain(rational, islice(irrational, TRIES)):
             for negative in _negative(at, point):
                 with suppress(ZeroDivisionError, Misplaced):
-                    candidate = Candidate(at, point, negative, squares)
-                    if squares and any(candidate(one).is_zero for one in avoid):
+                    candidate = Candidate(at, point, negative, roots)
+                    if roots and any(candidate(one).is_zero for one in avoid):
                         continue
                     if candidate.vanish(zero) and good(candidate):
                         return candidate.point(names)
