@@ -19,9 +19,10 @@ from contextlib import suppress
 from functools import cache
 from importlib import import_module
 from io import BufferedRWPair
+from threading import Lock
 from typing import Any, TypeVar
 
-from kowalevski_cas.limits import ProcessDied
+from kowalevski_cas.limits import LENGTH, ProcessDied
 
 Answer = TypeVar("Answer")
 
@@ -48,12 +49,12 @@ def answers(work: Work[Answer], take: Take, heard: Heard) -> Generator[Answer, N
     with here, here.makefile("rwb") as stream:
         with there:
             _send(there)
-        pid = pickle.load(stream)
+        pid, runs = _receive(stream)[0], True
         try:
             stream.write(_pickle_whole(work))
             stream.flush()
-            while (message := _receive(stream))[0] != "end":
-                match message:
+            while runs:
+                match _receive(stream):
                     case "take", number:
                         pickle.dump(take(number), stream)
                         stream.flush()
@@ -61,14 +62,22 @@ def answers(work: Work[Answer], take: Take, heard: Heard) -> Generator[Answer, N
                         heard(*words)
                     case "answer", answer:
                         yield answer
-                    case "error", error:
-                        raise error
+                    case "end", error:
+                        runs = False
+                        if error is not None:
+                            raise error
         finally:
-            with suppress(ProcessLookupError):
-                os.kill(pid, signal.SIGTERM)
-            with suppress(OSError):
-                while here.recv(1 << 16):  # until it has ended, with those that it has begun
-                    pass
+            if runs:
+                _end(pid, here)
+
+
+def _end(pid: int, connection: socket.socket) -> None:
+    """End the work, with the processes that it has begun."""
+    with suppress(ProcessLookupError):
+        os.kill(pid, signal.SIGTERM)
+    with suppress(OSError):
+        while connection.recv(1 << 16):  # until nobody writes any more
+            pass
 
 
 def _receive(stream: BufferedRWPair) -> tuple[Any, ...]:
@@ -93,70 +102,87 @@ def _pickle_whole(work: object) -> bytes:
 # -- the server --------------------------------------------------------------------------
 
 
+class _Server:
+    """A fork server; it ends with this process."""
+
+    def __init__(self) -> None:
+        self.control, there = socket.socketpair()
+        code = (
+            f"import sys; sys.path[:] = {sys.path!r}; "
+            f"from {__name__} import _serve; _serve({there.fileno()})"
+        )
+        with there:
+            self.process = subprocess.Popen(
+                [sys.executable, "-c", code],
+                stdin=subprocess.DEVNULL,
+                pass_fds=[there.fileno()],
+                start_new_session=True,
+            )
+        self.known = set[str]()
+        """The modules that it was told to import, once and not in each copy."""
+        atexit.register(self.end)
+
+    def send(self, connection: socket.socket) -> None:
+        """Give it a connection, where to print, and what this process has imported since."""
+        names = [name for name in [*sys.modules] if name.startswith(f"{__package__}.")]
+        new = {"cloudpickle", *names} - self.known
+        data = pickle.dumps(sorted(new))
+        length = len(data).to_bytes(LENGTH)
+        socket.send_fds(self.control, [length], [connection.fileno(), 1, 2])
+        self.control.sendall(data)
+        self.known |= new
+
+    def end(self) -> None:
+        self.control.close()
+        self.process.kill()
+        self.process.wait()
+
+
+_server = cache(_Server)
+_sending = Lock()
+
+
 def _send(connection: socket.socket) -> None:
-    """Give the server a connection, and where to print; another server is begun if it has died."""
+    """Give the server a connection; another server is begun if it has died."""
     for _ in range(2):
         try:
-            socket.send_fds(_server(), [b"."], [connection.fileno(), 1, 2])
-            return
+            with _sending:
+                return _server().send(connection)
         except OSError:
             _server.cache_clear()
     raise ProcessDied("no process can be begun that shares out the work")
 
 
-@cache
-def _server() -> socket.socket:
-    """The socket of a fork server; it ends with this process."""
-    here, there = socket.socketpair()
-    known = sorted(name for name in sys.modules if name.startswith(f"{__package__}."))
-    code = (
-        f"import sys; sys.path[:] = {sys.path!r}; "
-        f"from {__name__} import _serve; _serve({there.fileno()}, {known!r})"
-    )
-    with there:
-        server = subprocess.Popen(
-            [sys.executable, "-c", code],
-            stdin=subprocess.DEVNULL,
-            pass_fds=[there.fileno()],
-            start_new_session=True,
-        )
-
-    @atexit.register
-    def end() -> None:
-        here.close()
-        server.kill()
-        server.wait()
-
-    return here
-
-
-def _serve(number: int, known: Iterable[str]) -> None:
+def _serve(number: int) -> None:
     """Make a copy of this process for each connection, until nobody can ask any more."""
-    for name in known:
-        with suppress(ImportError):
-            import_module(name)
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody asks how a copy has ended
     control = socket.socket(fileno=number)
     while True:
-        data, numbers, _, _ = socket.recv_fds(control, 1, 3)
+        length, numbers, _, _ = socket.recv_fds(control, LENGTH, 3)
+        data = control.recv(int.from_bytes(length), socket.MSG_WAITALL) if length else b""
         if not data:
             return
+        for name in pickle.loads(data):
+            with suppress(ImportError):
+                import_module(name)
         with socket.socket(fileno=numbers[0]) as connection:
             if os.fork() == 0:
-                control.close()
-                for standard, number in enumerate(numbers[1:], 1):  # what is printed is seen there
-                    os.dup2(number, standard)
-                signal.signal(signal.SIGCHLD, signal.SIG_DFL)
-                _work(connection)
-                os._exit(0)
+                try:
+                    control.close()
+                    for standard, number in enumerate(numbers[1:], 1):  # it is printed there
+                        os.dup2(number, standard)
+                    signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+                    _work(connection)
+                finally:
+                    os._exit(0)  # also if it is ended as it ends
         for number in numbers[1:]:
             os.close(number)
 
 
 def _work(connection: socket.socket) -> None:
     """Do the work that comes by a connection."""
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
     with suppress(KeyboardInterrupt, ConnectionError), connection.makefile("rwb") as stream:
+        signal.signal(signal.SIGTERM, signal.default_int_handler)
 
         def send(*message: object) -> None:
             stream.write(pickle.dumps(message))
@@ -166,8 +192,7 @@ def _work(connection: socket.socket) -> None:
             send("take", number)
             return pickle.load(stream)
 
-        pickle.dump(os.getpid(), stream)
-        stream.flush()
+        send(os.getpid())
         try:
             folder, environment, path = pickle.load(stream)
             os.chdir(folder)
@@ -176,8 +201,8 @@ def _work(connection: socket.socket) -> None:
             sys.path[:] = path
             for answer in pickle.load(stream)(take, lambda *words: send("heard", words)):
                 send("answer", answer)
-            send("end")
+            send("end", None)
         except (EOFError, ConnectionError):
             raise ConnectionError from None  # nobody asks any more
         except Exception as error:
-            send("error", error)
+            send("end", error)

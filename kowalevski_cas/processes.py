@@ -284,3 +284,5 @@ def _serve(work: Callable[[Item], Result], asked: BufferedReader, here: Watched)
                 here.tell("error", error)
     except BaseException as error:
         here.tell("error", error)
+    finally:
+        asked.close()

@@ -5,6 +5,7 @@ import signal
 import subprocess
 import sys
 import threading
+from importlib import import_module
 from itertools import pairwise
 from tempfile import TemporaryDirectory
 from time import monotonic, sleep
@@ -14,6 +15,7 @@ from flint import Ordering, fmpq_mpoly_ctx
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from kowalevski_cas import forkserver
 from kowalevski_cas.cli.exits import CommandError
 from kowalevski_cas.limits import ProcessDied, is_watched, tell, time_limit
 from kowalevski_cas.processes import each
@@ -72,6 +74,18 @@ def test_work_takes_its_surroundings_along(tmp_path, monkeypatch):
     monkeypatch.setenv("KOWALEVSKI_TEST", "here")
     surroundings = [(str(tmp_path), "here")]
     assert [*each(lambda _: (os.getcwd(), os.environ["KOWALEVSKI_TEST"]), [None])] == surroundings
+
+
+def test_what_is_imported_here_is_imported_there():
+    one(lambda: None)
+    import_module("kowalevski_cas.motion.units")
+    assert one(lambda: "kowalevski_cas.motion.units" in sys.modules)
+
+
+def test_work_that_is_done_is_not_ended(monkeypatch):
+    """The number of its process may be that of another one by now."""
+    monkeypatch.setattr(forkserver, "_end", lambda *_: pytest.fail("ended"))
+    assert [*each(abs, [-1, -2])] == [1, 2]
 
 
 def test_work_may_hold_polynomials_and_what_was_computed_of_them(asking):

@@ -92,8 +92,9 @@ def test_a_motion(validator, written):
 def test_the_list_of_pictures(validator):
     pytest.importorskip("matplotlib")
     from kowalevski_cas.cli.pictures import _figures
+    from kowalevski_cas.motion import Motion, Parameters
 
-    validator.validate(json.loads(_figures()))
+    validator.validate(json.loads(_figures(Motion(Parameters.of(1, "0.4", "0.8", "0.9")))))
 
 
 def test_what_is_committed(validator):

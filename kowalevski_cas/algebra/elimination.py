@@ -1,14 +1,12 @@
 """Sparse elimination modulo a large prime: ranks of vectors, and the relations among them.
 
-Vectors with an entry where no other has one are independent of the others, and are set aside until
-none is left. The others are reduced one by one by those before, each of which stands for the place
-where fewest have an entry; where this costs more than it would cost in a dense matrix, FLINT does
-that instead.
+The place where fewest vectors have an entry is eliminated next, by the shortest of these vectors,
+so that little fills up. Where it does, FLINT eliminates what is left, in a dense matrix.
 """
 
 from __future__ import annotations
 
-from collections import Counter, defaultdict
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from heapq import heapify, heappop, heappush
 from typing import Any
@@ -19,6 +17,9 @@ PRIME = 2**61 - 1
 
 LARGEST = 40_000_000
 """The largest number of entries of a dense matrix, and of steps that nobody has counted on."""
+
+FULL = 4
+"""Vectors are full where one entry in so many is not zero."""
 
 Vector = Mapping[Any, int]
 """Residues that are not zero, by their places."""
@@ -32,66 +33,50 @@ class TooLarge(ValueError):
 
 
 class Echelon:
-    """Vectors that are independent, each reduced by those before it.
+    """Vectors that are independent, each reduced by those before it."""
 
-    Args:
-        often: in how many vectors there is an entry, by its place: one that is rare is chosen to
-            be eliminated from later vectors.
-    """
-
-    def __init__(self, often: Mapping[Any, int] | None = None) -> None:
-        rare = None if often is None else {place: (n, place) for place, n in often.items()}
-        self._key = None if rare is None else rare.__getitem__
-        self.rows: list[tuple[Any, list[tuple[Any, int]]]] = []
+    def __init__(self) -> None:
+        self._rows: list[tuple[Any, list[tuple[Any, int]]]] = []
         """The place that stands for a vector, where it is one, and its other entries."""
-        self.scales: list[int] = []
-        """What each reduced vector was multiplied by."""
-        self.work = 0
-        """How many entries of vectors were subtracted."""
         self._pivots: dict[Any, int] = {}
 
     def __len__(self) -> int:
-        return len(self.rows)
+        return len(self._rows)
 
     def extend(self, vector: Vector) -> bool:
         """Whether a vector is independent of those before; it is added then."""
-        rest, _ = self.reduce(vector)
-        return self.add(rest)
-
-    def add(self, rest: dict[Any, int]) -> bool:
-        """Whether a reduced vector is not zero; it is added then."""
+        rest = self._reduce(vector)
         if not rest:
             return False
-        pivot = min(rest, key=self._key)
+        pivot = min(rest)
         scale = pow(rest.pop(pivot), -1, PRIME)
-        self._pivots[pivot] = len(self.rows)
-        self.rows.append((pivot, [(place, value * scale % PRIME) for place, value in rest.items()]))
-        self.scales.append(scale)
+        self._pivots[pivot] = len(self._rows)
+        row = [(place, value * scale % PRIME) for place, value in rest.items()]
+        self._rows.append((pivot, row))
         return True
 
-    def reduce(self, vector: Vector) -> tuple[dict[Any, int], dict[int, int]]:
-        """What is left of a vector, and the multiples of the rows that were subtracted from it."""
-        rest, multiples, pivots = dict(vector), dict[int, int](), self._pivots
+    def _reduce(self, vector: Vector) -> dict[Any, int]:
+        """What is left of a vector when multiples of the rows are subtracted from it."""
+        rest, pivots = dict(vector), self._pivots
         waiting = [pivots[place] for place in rest if place in pivots]
         heapify(waiting)
         while waiting:  # a row has no pivot of an earlier one, so that the first ones come first
-            index = heappop(waiting)
-            pivot, row = self.rows[index]
-            if not (factor := rest.pop(pivot, 0)):
-                continue
-            multiples[index] = factor
-            self.work += len(row) + 1
-            for place, value in row:
-                if place in rest:
-                    if new := (rest[place] - factor * value) % PRIME:
-                        rest[place] = new
-                    else:
-                        del rest[place]
-                else:
-                    rest[place] = -factor * value % PRIME
-                    if place in pivots:
-                        heappush(waiting, pivots[place])
-        return rest, multiples
+            pivot, row = self._rows[heappop(waiting)]
+            if factor := rest.pop(pivot, 0):
+                new = [place for place, _ in row if place not in rest and place in pivots]
+                for place in new:
+                    heappush(waiting, pivots[place])
+                _subtract(rest, factor, row)
+        return rest
+
+
+def _subtract(rest: dict[Any, int], factor: int, row: Sequence[tuple[Any, int]]) -> None:
+    """Subtract a multiple of a row from a vector."""
+    for place, value in row:
+        if new := (rest.get(place, 0) - factor * value) % PRIME:
+            rest[place] = new
+        else:
+            del rest[place]
 
 
 def rank(vectors: Sequence[Vector]) -> int:
@@ -103,7 +88,7 @@ def rank(vectors: Sequence[Vector]) -> int:
     Raises:
         TooLarge: they are many, and not sparse.
     """
-    return len(vectors) - len(relations(vectors))
+    return sum(_Elimination([vectors[k] for k in block]).rank() for block in _blocks(vectors))
 
 
 def relations(vectors: Sequence[Vector]) -> list[Relation]:
@@ -118,105 +103,161 @@ def relations(vectors: Sequence[Vector]) -> list[Relation]:
         TooLarge: they are many, and not sparse.
     """
     found: list[Relation] = []
-    for block in _blocks(vectors, _dependent(vectors)):
-        own = [vectors[k] for k in block]
-        found += ({block[k]: v for k, v in relation.items()} for relation in _relations(own))
+    for block in _blocks(vectors):
+        own = _Elimination([vectors[k] for k in block]).relations()
+        found += ({block[k]: v for k, v in relation.items()} for relation in _by_last(own))
     return sorted(found, key=max)
 
 
-def _dependent(vectors: Sequence[Vector]) -> list[int]:
-    """The vectors that are left when those with an entry of their own are taken away in turn."""
-    having = defaultdict[Any, list[int]](list)
-    for k, vector in enumerate(vectors):
-        for place in vector:
-            having[place].append(k)
-    often = {place: len(some) for place, some in having.items()}
-    left = [True] * len(vectors)
-    alone = [place for place, number in often.items() if number == 1]
-    while alone:
-        if often[place := alone.pop()] == 1:
-            k = next(k for k in having[place] if left[k])
-            left[k] = False
-            for other in vectors[k]:
-                often[other] -= 1
-                if often[other] == 1:
-                    alone.append(other)
-    return [k for k, is_left in enumerate(left) if is_left]
-
-
-def _blocks(vectors: Sequence[Vector], chosen: Iterable[int]) -> list[list[int]]:
-    """The chosen vectors, in groups of which no two have an entry at the same place."""
+def _blocks(vectors: Sequence[Vector]) -> list[list[int]]:
+    """The vectors, in groups of which no two have an entry at the same place."""
     root: dict[Any, int] = {}
-    above = {k: k for k in chosen}
+    above = [*range(len(vectors))]
 
     def top(k: int) -> int:
         while above[k] != k:
             above[k] = k = above[above[k]]
         return k
 
-    for k in above:
-        for place in vectors[k]:
+    for k, vector in enumerate(vectors):
+        for place in vector:
             above[top(root.setdefault(place, k))] = top(k)
     groups = defaultdict[int, list[int]](list)
-    for k in above:
+    for k in range(len(vectors)):
         groups[top(k)].append(k)
     return [*groups.values()]
 
 
-def _relations(vectors: Sequence[Vector]) -> Iterator[Relation]:
-    frequency = Counter(place for vector in vectors for place in vector)
-    echelon, rows = Echelon(frequency), list[tuple[int, dict[int, int]]]()
-    entries = len(vectors) * len(frequency)
-    dense = entries * (1 + min(len(vectors), len(frequency)) // 300)
-    dependent: list[tuple[int, dict[int, int]]] = []
-    for k, vector in enumerate(vectors):
-        rest, multiples = echelon.reduce(vector)
-        (rows if echelon.add(rest) else dependent).append((k, multiples))
-        if echelon.work > dense and entries <= LARGEST:
-            yield from _dense_relations(vectors, [*frequency])
+def _by_last(found: Iterable[Relation]) -> list[Relation]:
+    """The basis of the same relations in which no other one has an entry where one ends."""
+    ends: dict[int, Relation] = {}
+    for relation in found:
+        for end, other in ends.items():
+            if end in relation:
+                _subtract(relation, relation[end], [*other.items()])
+        end = max(relation)
+        scale = pow(relation[end], -1, PRIME)
+        own = {k: value * scale % PRIME for k, value in relation.items()}
+        for other in ends.values():
+            if end in other:
+                _subtract(other, other[end], [*own.items()])
+        ends[end] = own
+    return [*ends.values()]
+
+
+class _Elimination:
+    """Vectors, as they are when one place after the other is eliminated.
+
+    Raises :class:`TooLarge` if they fill up, and are too many for a dense matrix.
+    """
+
+    def __init__(self, vectors: Sequence[Vector]) -> None:
+        self.left = {k: dict(vector) for k, vector in enumerate(vectors)}
+        self.multiples: list[dict[int, int]] = [{} for _ in vectors]
+        """The multiples of the pivots that were subtracted from each vector."""
+        self.pivots: list[tuple[int, int]] = []
+        """The vectors by which a place was eliminated, and what each was multiplied by."""
+        self.having = defaultdict[Any, set[int]](set)
+        """The vectors left that have an entry at a place."""
+        for k, vector in self.left.items():
+            for place in vector:
+                self.having[place].add(k)
+        self.size = f"{len(self.having)} rows and {len(vectors)} columns"
+        self.entries = sum(map(len, vectors))
+        self._eliminate()
+
+    def _eliminate(self) -> None:
+        """Eliminate one place after the other, the rarest first, until what is left is full."""
+        work, having = 0, self.having
+        rarest = [(len(some), place) for place, some in having.items()]
+        heapify(rarest)
+        while rarest:
+            number, place = heappop(rarest)
+            if number != len(having.get(place, ())):
+                continue  # it has changed since, and stands there once more
+            dense = len(self.left) * len(having)
+            if number > 1 and FULL * self.entries > dense and dense <= LARGEST:
+                return
+            work += self._eliminate_place(place, rarest)
+            if work > LARGEST:
+                raise TooLarge(f"a matrix has {self.size}, and is not sparse")
+
+    def _eliminate_place(self, place: Any, rarest: list[tuple[int, Any]]) -> int:
+        """Eliminate a place from all vectors but one, which leaves; the steps that this takes."""
+        left, having = self.left, self.having
+        own = min(having[place], key=lambda k: (len(left[k]), k))
+        row = left.pop(own)
+        self.entries -= len(row)
+        for other in row:
+            having[other].discard(own)
+        scale, others = pow(row.pop(place), -1, PRIME), sorted(having.pop(place))
+        entries = [(other, value * scale % PRIME) for other, value in row.items()]
+        for k in others:
+            vector = left[k]
+            before, factor = len(vector), vector.pop(place)
+            self.multiples[k][len(self.pivots)] = factor
+            for other, value in entries:
+                if other not in vector:
+                    vector[other] = -factor * value % PRIME
+                    having[other].add(k)
+                elif new := (vector[other] - factor * value) % PRIME:
+                    vector[other] = new
+                else:
+                    del vector[other]
+                    having[other].discard(k)
+            self.entries += len(vector) - before
+        for other in row:
+            if having[other]:
+                heappush(rarest, (len(having[other]), other))
+            else:
+                del having[other]
+        self.pivots.append((own, scale))
+        return len(others) * (1 + len(entries))
+
+    def rank(self) -> int:
+        """The rank."""
+        return len(self.pivots) + (int(self._rest().rank()) if self.having else 0)
+
+    def relations(self) -> Iterator[Relation]:
+        """A basis of the relations."""
+        if not self.having:
+            yield from (self._traced({k: 1}) for k in self.left)
             return
-        if echelon.work > max(dense, LARGEST):
-            size = f"{len(frequency)} rows and {len(vectors)} columns"
-            raise TooLarge(f"a matrix has {size}, and is not sparse")
-    for k, multiples in dependent:
-        yield _traced(k, multiples, rows, echelon.scales)
+        places = [*self.left]
+        reduced, size = self._rest().transpose().rref()
+        pivots: list[int] = []
+        for column, k in enumerate(places):
+            if len(pivots) < size and int(reduced[len(pivots), column]):
+                pivots.append(column)
+                continue
+            values = ((places[pivot], int(reduced[i, column])) for i, pivot in enumerate(pivots))
+            yield self._traced({other: -value % PRIME for other, value in values if value} | {k: 1})
 
+    def _rest(self) -> nmod_mat:
+        """The vectors left as rows of a dense matrix."""
+        order = {place: k for k, place in enumerate(self.having)}
+        entries = [0] * (len(self.left) * len(order))
+        for k, vector in enumerate(self.left.values()):
+            for place, value in vector.items():
+                entries[k * len(order) + order[place]] = value
+        return nmod_mat(len(self.left), len(order), entries, PRIME)
 
-def _traced(
-    last: int,
-    multiples: Mapping[int, int],
-    rows: Sequence[tuple[int, Mapping[int, int]]],
-    scales: Sequence[int],
-) -> Relation:
-    """The relation of a vector that was reduced to zero, in the vectors that were given."""
-    found, rest = {last: 1}, dict(multiples)
-    waiting = [-index for index in rest]
-    heapify(waiting)
-    while waiting:
-        index = -heappop(waiting)
-        if not (factor := rest.pop(index, 0) * scales[index] % PRIME):
-            continue
-        k, subtracted = rows[index]
-        found[k] = -factor % PRIME
-        for other, multiple in subtracted.items():
-            if other not in rest:
-                heappush(waiting, -other)
-            rest[other] = (rest.get(other, 0) - factor * multiple) % PRIME
-    return found
-
-
-def _dense_relations(vectors: Sequence[Vector], places: Sequence[Any]) -> Iterator[Relation]:
-    height, width = len(places), len(vectors)
-    row = {place: k for k, place in enumerate(places)}
-    entries = [0] * (height * width)
-    for k, vector in enumerate(vectors):
-        for place, value in vector.items():
-            entries[row[place] * width + k] = value
-    reduced, size = nmod_mat(height, width, entries, PRIME).rref()
-    pivots: list[int] = []
-    for k in range(width):
-        if len(pivots) < size and int(reduced[len(pivots), k]):
-            pivots.append(k)
-            continue
-        values = ((pivot, int(reduced[i, k])) for i, pivot in enumerate(pivots))
-        yield {pivot: -value % PRIME for pivot, value in values if value} | {k: 1}
+    def _traced(self, relation: Relation) -> Relation:
+        """A relation among vectors that are left, in the vectors that were given."""
+        rest = defaultdict[int, int](int)
+        for k, value in relation.items():
+            for index, multiple in self.multiples[k].items():
+                rest[index] += value * multiple
+        waiting = [-index for index in rest]
+        heapify(waiting)
+        while waiting:
+            index = -heappop(waiting)
+            k, scale = self.pivots[index]
+            if not (factor := rest.pop(index) * scale % PRIME):
+                continue
+            relation[k] = -factor % PRIME
+            for other, multiple in self.multiples[k].items():
+                if other not in rest:
+                    heappush(waiting, -other)
+                rest[other] = (rest[other] - factor * multiple) % PRIME
+        return relation

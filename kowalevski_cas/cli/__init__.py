@@ -10,6 +10,8 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from importlib import import_module
+from importlib.util import find_spec
+from pathlib import Path
 from signal import SIGINT, SIGTERM, default_int_handler, pthread_kill, signal
 from threading import Timer, current_thread, get_ident, main_thread
 from traceback import print_exception
@@ -72,13 +74,18 @@ def run(program: str, module: str, words: Sequence[str]) -> int:
     """Run the command in the module with this name, called ``program``; return its exit code."""
 
     def parser() -> argparse.ArgumentParser:
-        command = import_module(module)
         found = argparse.ArgumentParser(
-            program,
-            description=command.__doc__,
-            epilog=exit_codes(module.rpartition(".")[2]),
-            formatter_class=_HELP,
+            program, epilog=exit_codes(module.rpartition(".")[2]), formatter_class=_HELP
         )
+        try:
+            command = import_module(module)
+        except ModuleNotFoundError as error:
+            if not {"-h", "--help"} & {*words}:
+                raise
+            found.description = _docstring(module)
+            found.epilog = f"Its arguments are shown where there is {_needed(error)}"
+            return found
+        found.description = command.__doc__
         command.add_arguments(found)
         found.set_defaults(run=command.run)
         return found
@@ -128,11 +135,7 @@ def _exit_code(
         print(f"{program}: {error}", file=sys.stderr)
         return error.code
     except ModuleNotFoundError as error:
-        library = (error.name or "").partition(".")[0]
-        if library not in EXTRAS:
-            raise
-        install = f"pip install 'kowalevski-cas[{EXTRAS[library]}]'"
-        print(f"{program} needs {library}: {install}", file=sys.stderr)
+        print(f"{program} needs {_needed(error)}", file=sys.stderr)
         return USAGE
     except KeyboardInterrupt:
         print("\ninterrupted: files written earlier are as they were", file=sys.stderr)
@@ -157,16 +160,32 @@ def _exit_code(
     return code
 
 
+def _docstring(module: str) -> str | None:
+    """What a module says of itself, without what it needs."""
+    import ast
+
+    spec = find_spec(module)
+    assert spec is not None and spec.origin is not None
+    return ast.get_docstring(ast.parse(Path(spec.origin).read_text(encoding="utf-8")))
+
+
+def _needed(error: ModuleNotFoundError) -> str:
+    """The library that is missing, and how it is installed; the error, if it is none of ours."""
+    library = (error.name or "").partition(".")[0]
+    if library not in EXTRAS:
+        raise error
+    return f"{library}: pip install 'kowalevski-cas[{EXTRAS[library]}]'"
+
+
 def whole_parser() -> argparse.ArgumentParser:
     """A parser that knows all commands with their arguments, as far as what they need is there."""
     parser = _overview()
     (commands,) = (one for one in parser._actions if isinstance(one, argparse._SubParsersAction))
     for name, command in commands.choices.items():
         command.formatter_class, command.epilog = _HELP, exit_codes(name)
+        command.description = _docstring(module := f"{__name__}.{name}")
         with suppress(ModuleNotFoundError):
-            module = import_module(f"{__name__}.{name}")
-            command.description = module.__doc__
-            module.add_arguments(command)
+            import_module(module).add_arguments(command)
     return parser
 
 

@@ -44,7 +44,7 @@ from kowalevski_cas.source.files import COMMENTS, LARGEST, read_source
 from kowalevski_cas.source.listing import list_formulas
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.certificate import Stored, load_certificates
-from kowalevski_cas.verify.confirm import need_certificates, receive_here
+from kowalevski_cas.verify.confirm import need_certificates, received
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.verify.outcome_writer import disagreement
 
@@ -153,10 +153,12 @@ def _audited(arguments: argparse.Namespace, source: Source, certificates: dict[s
         texts = {name: text for one in outcomes for name, text in one.certificates.items()}
         certificates |= {n: Stored(Path(n), json.loads(t)) for n, t in texts.items() if t}
     else:
-        with receive_here():
-            ((outcomes, said, note, code),) = session.map_in_processes(
-                lambda one: _render(arguments, audit(one, audit_run(*known, arguments))), [source]
-            )
+        derivation = known
+
+        def rendered(source: Source) -> tuple[list[Outcome], str, str, int]:
+            return _render(arguments, audit(source, audit_run(*derivation, arguments)))
+
+        ((outcomes, said, note, code),) = session.map_in_processes(received(rendered), [source])
         for outcome in outcomes:
             need_certificates(outcome)
     if arguments.patch:

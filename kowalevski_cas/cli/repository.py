@@ -25,6 +25,8 @@ def changed_since(commit: str, chosen: Iterable[Path]) -> list[Path]:
     """The papers that differ from a commit, in a file that they read or in their comments."""
     if commit.startswith("-"):
         raise CommandError(f"“{commit}” names no commit")
+    if not commit.strip("0") or (commit == "HEAD" and not _git("rev-list", "--all", "-n1")):
+        return [*chosen]  # git's name for what was before the first commit, of a branch or of all
     _git("rev-parse", "--verify", "--quiet", f"{commit}^{{commit}}")
     top = Path(_git("rev-parse", "--show-toplevel").removesuffix("\n"))
     listed = _git("diff", "-z", "--name-only", commit, "--")

@@ -89,14 +89,7 @@ class Review(NamedTuple):
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
-    if arguments.update and arguments.baseline is None:
-        raise CommandError("--update writes what --baseline FILE names")
-    chosen = arguments.papers or papers()
-    if not chosen:
-        raise CommandError("git knows no paper here: no *.tex has a \\documentclass", NOTHING)
-    if arguments.since is not None:
-        chosen = changed_since(arguments.since, chosen)
-    if not chosen:
+    if not (chosen := _chosen(arguments)):
         print(f"no paper has changed since {arguments.since}")
         return AS_RECORDED
     known = set() if arguments.update else _read_baseline(arguments.baseline)
@@ -108,7 +101,7 @@ def run(arguments: argparse.Namespace) -> int:
         write(arguments.sarif, log(found))
     if arguments.badge is not None:
         write(arguments.badge, badge(sum((review.counts for review in reviews), Counter())))
-    if arguments.update:
+    if arguments.update and all(review.answer.document is not None for review in reviews):
         write(arguments.baseline, _baseline(found))
         return AS_RECORDED
     code = most_urgent(review.exit_code(arguments.strict) for review in reviews)
@@ -116,6 +109,16 @@ def run(arguments: argparse.Namespace) -> int:
         print("no paper claims anything that could be judged", file=sys.stderr)
         return NOTHING
     return code
+
+
+def _chosen(arguments: argparse.Namespace) -> list[Path]:
+    """The papers that are asked for."""
+    if arguments.update and arguments.baseline is None:
+        raise CommandError("--update writes what --baseline FILE names")
+    chosen: list[Path] = arguments.papers or papers()
+    if not chosen:
+        raise CommandError("git knows no paper here: no *.tex has a \\documentclass", NOTHING)
+    return chosen if arguments.since is None else changed_since(arguments.since, chosen)
 
 
 def _review(path: Path, seconds: float, known: set[tuple[str, str]]) -> Review:
@@ -131,7 +134,8 @@ def _review(path: Path, seconds: float, known: set[tuple[str, str]]) -> Review:
 def _text(review: Review, format: str) -> str:
     """What is printed of a paper."""
     if review.answer.document is None:
-        message = review.answer.errors or "the audit came to no end"
+        said = review.answer.errors.removeprefix("kowalevski-cas audit: ")
+        message = said or "the audit came to no end"
         failed = Diagnostic("error", ERROR, "audit", message, Region(str(review.path)))
         return workflow_commands([failed]) if format == "github" else _line(failed)
     counted = ", ".join(f"{n} {verdict}" for verdict, n in sorted(review.counts.items()))

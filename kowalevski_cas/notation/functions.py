@@ -27,8 +27,12 @@ class Family:
     ``minus``, ``sum``
         the generators that are others at the opposite argument, and all of them at the sum of two
         arguments, where :math:`s_1` is at the second one, if there is an addition theorem.
-    ``parameters``
-        what stands behind the argument, as the modulus.
+    ``double``
+        all of them at twice an argument, if they are not known there by that theorem.
+    ``parameters``, ``place``
+        what stands behind the argument, as the modulus, and how many of them before it.
+    ``by``
+        the derivatives by a parameter; by all others these functions are not derived.
     ``angles``
         the values of the generators at a part of :math:`\pi`, by that part.
     ``nonzero``
@@ -45,6 +49,8 @@ class Family:
         what vanishes for the parameters for which the functions are others.
     ``integrals``
         further generators, of which nothing is known but their derivatives.
+    ``printed``
+        how generators are printed at an argument x that are no functions of the family.
     """
 
     functions: Mapping[str, str]
@@ -52,9 +58,12 @@ class Family:
     zero: Mapping[str, str] = field(default_factory=dict)
     sum: Mapping[str, str] = field(default_factory=dict)
     minus: Mapping[str, str] = field(default_factory=dict)
+    double: Mapping[str, str] = field(default_factory=dict)
     squares: Mapping[str, str] = field(default_factory=dict)
     integrals: Mapping[str, str] = field(default_factory=dict)
     parameters: tuple[str, ...] = ()
+    place: int = 0
+    by: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     angles: Mapping[int, Mapping[str, str]] = field(default_factory=dict)
     nonzero: tuple[str, ...] = ()
     covers: bool = True
@@ -62,6 +71,7 @@ class Family:
     imaginary: Mapping[str, str] = field(default_factory=dict)
     degenerate: Mapping[tuple[int, ...], Mapping[str, str]] = field(default_factory=dict)
     discriminant: str = "1"
+    printed: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def is_explicit(self) -> bool:
@@ -151,17 +161,31 @@ JACOBI = Family(
     },
 )
 
+# The generators are 1/℘ and its derivative: they are regular at zero, where ℘ has its pole.
+_SUM = r"(2(1-\frac{g_2rr_1}{4})(r+r_1)-g_3r^2r_1^2-tt_1)"
+_SUM_RATE = r"(t(2-g_2rr_1-\frac{g_2}{2}r_1^2-2g_3rr_1^2)-t_1(2-\frac{3}{2}g_2r^2-2g_3r^3))"
+_DOUBLE = "(16+8g_2r^2+32g_3r^3+g_2^2r^4)"
+_DOUBLE_RATE = rf"((4-3g_2r^2-4g_3r^3){_DOUBLE}-4t^2(4g_2r+24g_3r^2+g_2^2r^3))"
 WEIERSTRASS = Family(
-    functions={"wp": "p", "wp'": "q", "zeta": "z", "sigma": "s"},
-    rates={"p": "q", "q": r"6p^2-\frac{1}{2}g_2"},
-    squares={"q": "4p^3-g_2p-g_3"},
-    integrals={"z": "-p", "s": "zs"},
+    functions={"wp": r"\frac{1}{r}", "wp'": r"-\frac{t}{r^2}", "zeta": "z", "sigma": "s"},
+    rates={"r": "t", "t": r"2-\frac{3}{2}g_2r^2-2g_3r^3"},
+    squares={"t": "4r-g_2r^3-g_3r^4"},
+    integrals={"z": r"-\frac{1}{r}", "s": "zs"},
+    zero={"r": "0", "t": "0"},
+    minus={"t": "-t"},
+    sum={
+        "r": rf"\frac{{2(r-r_1)^2}}{{{_SUM}}}",
+        "t": rf"\frac{{2(r-r_1)(2t{_SUM}-(r-r_1){_SUM_RATE})}}{{{_SUM}^2}}",
+    },
+    double={
+        "r": rf"\frac{{16t^2}}{{{_DOUBLE}}}",
+        "t": rf"\frac{{8t{_DOUBLE_RATE}}}{{{_DOUBLE}^2}}",
+    },
     parameters=("g_2", "g_3"),
     discriminant="g_2^3-27g_3^2",
     covers=False,
-    degenerate={
-        (0, 0): {"p": r"\frac{1}{x^2}", "q": r"-\frac{2}{x^3}", "z": r"\frac{1}{x}", "s": "x"}
-    },
+    degenerate={(0, 0): {"r": "x^2", "t": "2x", "z": r"\frac{1}{x}", "s": "x"}},
+    printed={"r": r"\frac{1}{\wp{(x)}}", "t": r"\frac{-\wp{'(x)}}{\wp{(x)}^2}"},
 )
 
 # The complete integrals, by the modulus.
@@ -171,10 +195,21 @@ LEGENDRE = Family(
     covers=False,
 )
 
+_BY_N = r"\mathrm{E}(x)+\frac{(x^2-n)\mathrm{K}(x)}{n}+\frac{(n^2-x^2)w}{n}"
+THIRD_KIND = Family(
+    functions={"Pi": "w"},
+    rates={"w": r"\frac{x}{n-x^2}(w-\frac{\mathrm{E}(x)}{1-x^2})"},
+    parameters=("n",),
+    place=1,
+    by={"n": {"w": rf"\frac{{{_BY_N}}}{{2(x^2-n)(n-1)}}"}},
+    covers=False,
+    degenerate={(0,): {"w": r"\mathrm{K}(x)"}},
+)
+
 ROTATED = {CIRCULAR: EXPONENTIAL, EXPONENTIAL: CIRCULAR, JACOBI: JACOBI}
 """By which families those at i times an argument are known, with the complementary modulus."""
 
-FAMILIES = (CIRCULAR, EXPONENTIAL, JACOBI, WEIERSTRASS, LEGENDRE)
+FAMILIES = (CIRCULAR, EXPONENTIAL, JACOBI, WEIERSTRASS, LEGENDRE, THIRD_KIND)
 
 DERIVATIVES = {
     "ln": r"\frac{1}{\sqrt{x}^2}",
@@ -197,7 +232,8 @@ _MACROS = frozenset(
     """sin cos tan cot sec csc sinh cosh tanh coth arcsin arccos arctan exp ln log max min
     det""".split()
 )
-_SYMBOLS = frozenset(["wp", "wp'", "zeta", "sigma"])
+_SYMBOLS = frozenset(["wp", "wp'"])
+_GREEK = frozenset(["zeta", "sigma", "Pi"])
 _SHORT = frozenset(
     "tg ctg cotg cosec sh ch th cth sech csch arctg arcctg arsh arch arth arcth".split()
 )
@@ -207,9 +243,10 @@ _SHORT = frozenset(
 def canonical(word: str) -> str:
     r"""How the first name of a function is read.
 
-    >>> canonical("sin"), canonical("sn")
-    ('\\sin', '\\mathrm{sn}')
+    >>> canonical("sin"), canonical("sn"), canonical("zeta")
+    ('\\sin', '\\mathrm{sn}', '\\mathrm{\\zeta}')
     """
+    word = rf"\{word}" if word in _GREEK else word
     return rf"\{word}" if word in _MACROS | _SYMBOLS else rf"\mathrm{{{word}}}"
 
 
@@ -218,15 +255,16 @@ _LINES += [line.split() for line in (*DERIVATIVES, *_OTHERS)]
 
 LETTERS = {
     printed: canonical(word)
-    for word in ("K", "E", "zeta", "sigma")
-    for printed in (word, canonical(word))
+    for word in ("K", "E", *_GREEK)
+    for printed in (rf"\{word}" if word in _GREEK else word, canonical(word))
 }
 """Functions of which the names are letters, which are often those of something else.
 
-They are read before brackets, where nothing else has this name.
+They are read before brackets, where nothing else has this name, and are upright then: so they have
+no name that is declared.
 """
 
-_LINES = [names for names in _LINES if names[0] not in LETTERS]
+_LINES = [names for names in _LINES if canonical(names[0]) not in LETTERS]
 
 FUNCTIONS = frozenset(canonical(names[0]) for names in _LINES)
 """The functions that need no declaration: upright, with one factor behind if not with brackets."""

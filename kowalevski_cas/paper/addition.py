@@ -12,7 +12,9 @@ from functools import cache
 
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Product, Sum
 from kowalevski_cas.notation.functions import Family
+from kowalevski_cas.paper.arguments import multiple
 from kowalevski_cas.paper.families import (
+    By,
     Generators,
     Imaginary,
     Kind,
@@ -21,27 +23,37 @@ from kowalevski_cas.paper.families import (
     template,
 )
 from kowalevski_cas.paper.meaning import Meaning
-from kowalevski_cas.problem.goals import Along, Goal, simple
+from kowalevski_cas.problem.goals import Along, Exists, Goal, simple
 from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.problem.space import Adjoined, EquationOfMotion, Space
 
 U, V = Name("u"), Name("v")
+ARGUMENTS = {
+    By.SUM: Sum((U, V)),
+    By.DIFFERENCE: Sum((U, Negative(V))),
+    By.OPPOSITE: Negative(V),
+    By.DOUBLE: Product((Number(2), V)),
+}
+FACTORS = {By.SUM: 1, By.DIFFERENCE: -1, By.OPPOSITE: -1, By.DOUBLE: 2}
+"""Their derivatives by v."""
 
 
 def addition_theorems(goals: Iterable[Goal]) -> Iterator[Along]:
     """The theorems by which the functions in some goals are written out."""
-    used: dict[tuple[Family, bool, bool] | tuple[Family], None] = {}
+    used: dict[tuple[Family, By], None] = {}
     for setting in dict.fromkeys(one.space for goal in goals for one in simple(goal)):
         if isinstance(setting, Meaning) and setting.transcendental.groups:
             reach = Reach(setting)
             for goal in goals:
+                reach.bound |= {*(goal.bound if isinstance(goal, Exists) else ())}
                 for one in simple(goal):
                     if one.space is setting:
                         reach.goal(one)
             derived = setting.transcendental.derived
-            used |= {derived[name].by: None for name in sorted(reach.names & derived.keys())}
-    for by in used:
-        yield theorem(*by) if len(by) == 3 else rotation(*by)
+            met = [derived[name] for name in sorted(reach.names & derived.keys())]
+            used |= dict.fromkeys((one.family, one.by) for one in met)
+    for family, by in used:
+        yield rotation(family) if by is By.IMAGINARY else theorem(family, by)
 
 
 @cache
@@ -70,22 +82,27 @@ def rotation(family: Family) -> Along:
         conjugates=tuple((names[g], conjugates[g]) for g in names),
     )
     begin = tuple((name, template(tex)) for name, tex in initial.items())
-    return Along(space, begin, tuple((names[g], imaginary.values[g]) for g in names))
+    values = imaginary.values(real.values)
+    return Along(space, begin, tuple((names[g], values[g]) for g in names))
 
 
 @cache
-def theorem(family: Family, added: bool, alone: bool) -> Along:
-    r"""The functions of a family at :math:`u+v`, or :math:`u-v`; those of v ``alone``, or of -v."""
+def theorem(family: Family, by: By) -> Along:
+    """The functions of a family at a sum of u and v, or a multiple of v, by those at u and v."""
     kind = Kind(family, tuple(map(Name, family.parameters)))
     first, second = (Generators(kind, ((letter, 1),), 1) for letter in (U, V))
-    signed: Formula = V if added else Negative(V)
-    names = kind.names(signed if alone else Sum((U, signed)))
-    values = second.values if added else kind.opposite(second.values)
-    equations = {g: values[g] for g in names} if alone else kind.sum(first.values, values)
+    alone = by in (By.OPPOSITE, By.DOUBLE)
+    names = kind.names(ARGUMENTS[by])
+    values = kind.opposite(second.values) if FACTORS[by] < 0 else second.values
+    if by is By.DOUBLE:
+        values = kind.double(values)
+    elif not alone:
+        values = kind.sum(first.values, values)
     begins = {g: template(tex) for g, tex in family.zero.items()}
     initial = {second.names[g]: begins[g] for g in names}
     initial |= {names[g]: begins[g] if alone else first.values[g] for g in names}
-    rates = {**second.rates(), **_rates(kind, names, added)}
+    there = {name: multiple(rate, FACTORS[by]) for name, rate in kind.rates(names).items()}
+    rates = {**second.rates(), **there}
     moving = (*second.moving, *names.values())
     space = Space(
         variables=moving,
@@ -94,10 +111,4 @@ def theorem(family: Family, added: bool, alone: bool) -> Along:
         steps=(*(() if alone else first.roots()), *second.roots()),
         field=tuple(EquationOfMotion((name,), Number(1), rates[name]) for name in moving),
     )
-    return Along(space, tuple(initial.items()), tuple((names[g], equations[g]) for g in names))
-
-
-def _rates(kind: Kind, names: dict[str, str], added: bool) -> dict[str, Formula]:
-    """The rates of the functions at the sum."""
-    found = kind.rates(names)
-    return found if added else {name: Negative(rate) for name, rate in found.items()}
+    return Along(space, tuple(initial.items()), tuple((names[g], values[g]) for g in names))

@@ -3,6 +3,7 @@ r"""Functions of a family at one argument, in generators with names: :math:`\sin
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from enum import Enum
 from functools import cache
 from typing import NamedTuple
 
@@ -27,6 +28,16 @@ from kowalevski_cas.problem.space import Adjoined, Meaningless
 ONE, PRIME = Number(1), "'"
 
 
+class By(Enum):
+    """By which theorem the generators at an argument are known."""
+
+    SUM = "u+v"
+    DIFFERENCE = "u-v"
+    OPPOSITE = "-v"
+    DOUBLE = "2v"
+    IMAGINARY = "iv"
+
+
 class Kind(NamedTuple):
     """A family, with what stands behind the argument."""
 
@@ -42,14 +53,15 @@ class Kind(NamedTuple):
         """The names of the generators at an argument, perhaps with those of their integrals."""
         if self.family.argument > 1:
             return {"e": rf"\mathrm{{e}}^{{{_over(argument, self.family.argument)}}}"}
-        tex = ",".join(map(to_latex, (argument, *self.parameters)))
+        whole = [*self.parameters]
+        whole.insert(self.family.place, argument)
+        tex = ",".join(map(to_latex, whole))
         bare = not self.parameters and not self.family.is_explicit
-        whole = tex if bare and isinstance(argument, Name | Quotient) else f"({tex})"
+        inside = tex if bare and isinstance(argument, Name | Quotient) else f"({tex})"
         words = {one: canonical(name.split()[0]) for name, one in self.family.functions.items()}
+        printed = {g: name.replace("(x)", inside) for g, name in self.family.printed.items()}
         letters = [*self.family.rates, *(self.family.integrals if integrals else ())]
-        return {
-            g: f"{words[g].rstrip(PRIME)}{{{PRIME * (PRIME in words[g])}{whole}}}" for g in letters
-        }
+        return {g: printed.get(g) or f"{words[g]}{{{inside}}}" for g in letters}
 
     def rates(
         self, names: Mapping[str, str], over: int = 1, argument: Formula = ONE
@@ -63,6 +75,14 @@ class Kind(NamedTuple):
             found[names[letter]] = rate if below == ONE else Quotient(rate, below)
         return found
 
+    def rates_by(
+        self, parameter: str, names: Mapping[str, str], argument: Formula
+    ) -> dict[str, Formula]:
+        """The derivatives of generators with some names by a parameter, where they are known."""
+        values = {letter: Name(name) for letter, name in names.items()} | {"x": argument}
+        known = self.family.by.get(parameter, {}).items()
+        return {names[letter]: self.formula(tex, values) for letter, tex in known}
+
     def opposite(self, values: Mapping[str, Formula]) -> dict[str, Formula]:
         """The generators at the opposite argument."""
         changed = {letter: self.formula(tex, values) for letter, tex in self.family.minus.items()}
@@ -72,6 +92,12 @@ class Kind(NamedTuple):
         """The generators at the sum of two arguments."""
         values = {**left, **{f"{letter}_1": value for letter, value in right.items()}}
         return {letter: self.formula(tex, values) for letter, tex in self.family.sum.items()}
+
+    def double(self, values: Mapping[str, Formula]) -> dict[str, Formula]:
+        """The generators at twice an argument."""
+        if not self.family.double:
+            return self.sum(values, values)
+        return {letter: self.formula(tex, values) for letter, tex in self.family.double.items()}
 
 
 def _over(argument: Formula, number: int) -> str:
@@ -96,11 +122,10 @@ class Imaginary(NamedTuple):
         """Where they are taken."""
         return times(Name("i"), product_of(self.real.monomial, self.over))
 
-    @property
-    def values(self) -> dict[str, Formula]:
-        """Their values, by the formulas of Euler and Jacobi."""
+    def values(self, real: Mapping[str, Formula]) -> dict[str, Formula]:
+        """Their values by those of the others, by the formulas of Euler and Jacobi."""
         formulas = self.kind.family.imaginary.items()
-        return {letter: self.kind.formula(tex, self.real.values) for letter, tex in formulas}
+        return {letter: self.kind.formula(tex, real) for letter, tex in formulas}
 
 
 class PrintedValue(NamedTuple):
@@ -140,7 +165,7 @@ def complementary(modulus: Formula) -> Name:
 @cache
 def template(tex: str) -> Formula:
     """A formula of the table of functions."""
-    letters = (*"acdeikpqsxz", *(f"{letter}_1" for letter in "scde"), "g_2", "g_3")
+    letters = (*"acdeiknpqrstwxz", *(f"{letter}_1" for letter in "cderst"), "g_2", "g_3")
     return read(tex, Vocabulary(frozenset(letters), functions=FUNCTIONS))
 
 
@@ -184,13 +209,24 @@ class Generators(NamedTuple):
         """Their derivatives by the product of names."""
         return self.kind.rates(self.names, self.over, self.argument)
 
+    def rates_by(self, parameter: str) -> dict[str, Formula]:
+        """Their derivatives by a parameter, where these are known."""
+        return self.kind.rates_by(parameter, self.names, self.argument)
+
+
+def split_arguments(formula: Application) -> tuple[Formula, list[Formula]]:
+    """The argument of a function of a family, and the parameters that are printed with it."""
+    parameters = [*formula.arguments]
+    argument = parameters.pop(FAMILY_OF[formula.function].place if parameters[1:] else 0)
+    return argument, parameters
+
 
 def kind_of(formula: Application) -> Kind:
     """The family of a function, with its parameters: if none is printed, the usual letters.
 
     Raises :class:`Meaningless` if only some are printed, or too many.
     """
-    family, (_, *parameters) = FAMILY_OF[formula.function], formula.arguments
+    family, (_, parameters) = FAMILY_OF[formula.function], split_arguments(formula)
     if parameters and len(parameters) != len(family.parameters):
         what = f"one argument, and {', '.join(family.parameters) or 'no more'}"
         raise Meaningless(f"{to_latex(formula)}: print {what}", formula.function)
@@ -210,8 +246,8 @@ def outside(formula: Formula) -> frozenset[str]:
     match formula:
         case Name(name):
             return frozenset([name])
-        case Application(function, (_, *parameters)) if function in FAMILY_OF:
-            return frozenset[str]().union(*map(outside, parameters))
+        case Application(function) if function in FAMILY_OF:
+            return frozenset[str]().union(*map(outside, split_arguments(formula)[1]))
         case Derivative(Name()):
             return frozenset()
         case Derivative(argument):

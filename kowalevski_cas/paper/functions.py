@@ -3,6 +3,7 @@ r"""The functions that a paper defines, as :math:`\varphi(s)=4ms^2`, at their ar
 from __future__ import annotations
 
 from kowalevski_cas.notation import Application, Formula, Name, substitute
+from kowalevski_cas.notation.functions import DERIVATIVE_OF
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.names import head
 from kowalevski_cas.problem.space import Meaningless
@@ -26,8 +27,8 @@ def value_of(formula: Application, setting: Meaning) -> Formula:
                 raise Meaningless(f"{name} is used with other velocities: define it anew")
             return substitute(body, values)
     what = f"the function {formula.function} has no meaning here"
-    if formula.function == r"\ln":
-        what += ": a logarithm is read in a first integral, with a constant factor"
+    if formula.function in DERIVATIVE_OF:
+        what += ": only its derivative is known, in a first integral or where it is derived"
     elif formula.function == r"\log":
         what += r": print \ln"
     raise Meaningless(what, formula.function)

@@ -35,12 +35,17 @@ def _independent(groups: list[Generators], setting: Meaning) -> bool:
     """Whether generators are known to obey no equations but their own.
 
     It is not of functions with two moduli, nor with one that may be 0 or 1, where they are
-    others, nor of arguments that may have to do with one another.
+    others, nor of arguments that may have to do with one another; complete integrals of several
+    moduli do, and if a parameter is no constant of its own.
     """
     kinds = {group.kind for group in groups if group.kind.parameters}
+    complete = [group for group in groups if group.kind.family.is_explicit]
+    if complete and not _have_one_modulus(complete, setting):
+        return False
     if any(_may_degenerate(kind, setting) for kind in kinds):
         return False
-    return len(kinds) < 2 and (len(groups) < 2 or _are_independent(groups, setting))
+    rest = [group for group in groups if group not in complete]
+    return len(kinds) < 2 and (len(rest) < 2 or _are_independent(rest, setting))
 
 
 def _may_degenerate(kind: Kind, setting: Meaning) -> bool:
@@ -49,6 +54,15 @@ def _may_degenerate(kind: Kind, setting: Meaning) -> bool:
     names = (setting.transcendental.expanded(one).names() for one in kind.parameters)
     roots = any(_is_root(Name(name), setting) for name in frozenset[str]().union(*names))
     return roots or setting.finder.scalar(discriminant).is_zero
+
+
+def _have_one_modulus(groups: list[Generators], setting: Meaning) -> bool:
+    """Whether integrals have one modulus, and no parameter but constants that it has not in it."""
+    moduli = {group.monomial for group in groups}
+    below = {one for group in groups for one in group.kind.parameters}
+    names = {name for group in groups for name in setting.transcendental.names_under(group)}
+    constants = {one for one in map(Name, setting.scene.constants) if one.name not in names}
+    return len(moduli) == 1 and constants.issuperset(below)
 
 
 def _are_independent(groups: list[Generators], setting: Meaning) -> bool:

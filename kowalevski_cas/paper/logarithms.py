@@ -1,42 +1,57 @@
 r"""Functions of which only derivatives are known: :math:`(\ln f)'=f'/f`, and those of arcs.
 
-A logarithm of an absolute value is half that of its square. A logarithm, or an arc, is a term with
-a constant factor, so that it stands in no derivative. It is real where the roots in its derivative
-are.
+They stand in first integrals, and under derivatives. A logarithm of an absolute value is half that
+of its square. A logarithm, or an arc, is a term with a constant factor, so that it stands in no
+derivative. It is real where the roots in its derivative are.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 from kowalevski_cas.notation import (
     Application,
+    Derivative,
     Formula,
     Modulus,
     Negative,
     Number,
+    Partial,
     Power,
     Product,
     Quotient,
     Root,
     Sum,
     Vocabulary,
+    once,
     read,
     substitute,
     to_latex,
 )
 from kowalevski_cas.notation.functions import DERIVATIVE_OF
-from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.meaning import Meaning
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.problem.space import Meaningless
 
 ARGUMENT = Vocabulary(frozenset("x"))
 
 
+@once
 def has_logarithm(formula: Formula) -> bool:
-    """Whether a function of which only the derivative is known stands in a formula."""
-    return any(
-        isinstance(node, Application) and node.function in DERIVATIVE_OF for node in formula.nodes()
-    )
+    """Whether a function of which only the derivative is known stands in a formula, not derived."""
+    match formula:
+        case Derivative() | Partial():
+            return False
+        case Application(function) if function in DERIVATIVE_OF:
+            return True
+    return any(map(has_logarithm, formula.children()))
+
+
+def with_real_logarithms(scene: Scene, formulas: Iterable[Formula]) -> Scene:
+    """The scene on which the logarithms and arcs in some formulas are real."""
+    found = (to_latex(root) for formula in formulas for root in roots(formula))
+    new = [one for one in dict.fromkeys(found) if one not in scene.roots]
+    return scene.adjoining(*sorted(new)) if new else scene
 
 
 def roots(formula: Formula) -> Iterator[Root]:
@@ -54,9 +69,7 @@ def _slope(function: str, inner: Formula) -> Formula:
     return substitute(read(DERIVATIVE_OF[function], ARGUMENT), {"x": inner})
 
 
-def derivative_of(
-    formula: Formula, by: Callable[[Formula], Formula], space: Elaboration
-) -> Formula:
+def derivative_of(formula: Formula, by: Callable[[Formula], Formula], space: Meaning) -> Formula:
     """A derivative of a function with logarithms, of which ``by`` is the one without them.
 
     Raises :class:`Meaningless` for a logarithm that is no term with a constant factor.
@@ -85,7 +98,7 @@ def derivative_of(
     raise Meaningless(f"{to_latex(formula)}: {what}")
 
 
-def _is_constant(formula: Formula, space: Elaboration) -> bool:
+def _is_constant(formula: Formula, space: Meaning) -> bool:
     if has_logarithm(formula):
         return False
     value = space.finder.scalar(space.plain(formula))

@@ -11,7 +11,8 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.paper.transcendental import Transcendental
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.space import EquationOfMotion, Setting
+from kowalevski_cas.problem.prune import Reach
+from kowalevski_cas.problem.space import EquationOfMotion, Meaningless, Setting, Step
 
 
 class Meaning(Setting):
@@ -60,10 +61,20 @@ class Meaning(Setting):
         if isinstance(formula, Name) and formula.name in self.transcendental:
             return Number(int(formula.name == name))
         directions = self.transcendental.directions(name)
-        if not directions:
+        unknown = self.transcendental.with_parameter(name)
+        if not directions and not unknown:
             return Partial(formula, name)
-        rates = {one: self.plain(rate) for one, rate in directions.items()}
-        return derivative(formula, {name: Number(1), **rates}, self.step)
+
+        def step(one: str) -> Step | None:
+            if one in unknown:
+                raise Meaningless(f"print the derivative of {one} by {name}", name)
+            return self.step(one)
+
+        reach = Reach(self)
+        reach.formula(formula)
+        moving = reach.names.intersection(directions) - unknown
+        rates = {one: self.plain(directions[one]) for one in sorted(moving)}
+        return derivative(formula, {name: Number(1), **rates}, step)
 
     @abstractmethod
     def definition(self, name: str) -> Formula:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cached_property, reduce
+from functools import cached_property, partial, reduce
 
 from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.notation import (
@@ -35,7 +35,9 @@ from kowalevski_cas.notation.symbol import name_of_rate, rate_name
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.paper.brackets import Brackets
 from kowalevski_cas.paper.components import parts
+from kowalevski_cas.paper.exponents import half_power, is_whole, linear_exponent
 from kowalevski_cas.paper.functions import value_of
+from kowalevski_cas.paper.logarithms import derivative_of, has_logarithm
 from kowalevski_cas.paper.matrices import OF_MATRICES, by_rows, matrix_times_column, rows
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.motion import marks
@@ -65,13 +67,10 @@ class Plain:
         if is_arithmetic(formula) and not any(map(self._rank, mentions(formula))):
             return formula
         match formula:
-            case RealPart(argument):
-                inner = self(argument)
-                return Quotient(Sum((inner, Conjugate(inner))), Number(2))
-            case ImaginaryPart(argument):
-                inner = self(argument)
-                below = Product((Number(2), Name("i")))
-                return Quotient(Sum((inner, Negative(Conjugate(inner)))), below)
+            case RealPart(argument) | ImaginaryPart(argument):
+                return _part(self(argument), isinstance(formula, RealPart))
+            case Derivative(argument) | Partial(argument) if has_logarithm(argument):
+                return self(derivative_of(argument, partial(_in_place, formula), self.setting))
             case Derivative(argument, mark):
                 return self._derivative(self(argument), mark)
             case Application(function, (argument,)) if function in OF_MATRICES:
@@ -85,7 +84,7 @@ class Plain:
             case Power(base, exponent) if (halves := half_power(exponent)) is not None:
                 power = Power(Root(base), Number(abs(halves)))
                 return self(power if halves > 0 else Quotient(Number(1), power))
-            case Power(Name(base), exponent) if not _is_whole(exponent):
+            case Power(Name(base), exponent) if not is_whole(exponent):
                 return self._symbolic(base, exponent)
         return self._shorthand(formula) or formula.map_children(self)
 
@@ -252,39 +251,20 @@ def is_arithmetic(formula: Formula) -> bool:
         case Name() | Number():
             return True
         case Power(base, exponent):
-            return is_arithmetic(base) and _is_whole(exponent)
+            return is_arithmetic(base) and is_whole(exponent)
         case Sum() | Negative() | Product() | Quotient():
             return all(map(is_arithmetic, formula.children()))
     return False
 
 
-def linear_exponent(formula: Formula) -> dict[str, int]:
-    """A symbolic exponent as integer multiples of names; the key ``""`` is the constant."""
-    match formula:
-        case Number(value):
-            return {"": value}
-        case Name(name):
-            return {name: 1}
-        case Negative(argument):
-            return {k: -v for k, v in linear_exponent(argument).items()}
-        case Sum(terms):
-            found: dict[str, int] = {}
-            for term in terms:
-                for key, value in linear_exponent(term).items():
-                    found[key] = found.get(key, 0) + value
-            return found
-    raise Meaningless(f"{to_latex(formula)} is no exponent that can be used here")
+def _part(formula: Formula, is_real: bool) -> Formula:
+    """The real part of what a formula is, or the imaginary one."""
+    other, two = Conjugate(formula), Number(2)
+    if is_real:
+        return Quotient(Sum((formula, other)), two)
+    return Quotient(Sum((formula, Negative(other))), Product((two, Name("i"))))
 
 
-def half_power(exponent: Formula) -> int | None:
-    """The odd number of halves in an exponent, as 3 in 3/2; ``None`` for any other exponent."""
-    match exponent:
-        case Quotient(Number(above), Number(2)) if above % 2:
-            return above
-        case Negative(argument) if (halves := half_power(argument)) is not None:
-            return -halves
-    return None
-
-
-def _is_whole(exponent: Formula) -> bool:
-    return isinstance(exponent.argument if isinstance(exponent, Negative) else exponent, Number)
+def _in_place(derivative: Formula, argument: Formula) -> Formula:
+    """The same derivative of something else."""
+    return derivative.map_children(lambda _: argument)

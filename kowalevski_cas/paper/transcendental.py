@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from functools import cached_property, partial
+from functools import cached_property
 from math import lcm
 from types import MappingProxyType
 from typing import NamedTuple
@@ -26,6 +26,7 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Number,
+    Partial,
     Power,
     Sum,
     substitute,
@@ -46,6 +47,7 @@ from kowalevski_cas.paper.arguments import (
     single_name,
 )
 from kowalevski_cas.paper.families import (
+    By,
     Generators,
     Imaginary,
     Kind,
@@ -54,6 +56,7 @@ from kowalevski_cas.paper.families import (
     complementary,
     kind_of,
     real_part,
+    split_arguments,
     template,
 )
 from kowalevski_cas.paper.known_values import KnownValues
@@ -64,13 +67,11 @@ PI = r"\pi"
 
 
 class Derived(NamedTuple):
-    """A generator by others: ``by`` says at what sum, as :func:`addition.theorem` takes it.
-
-    A family alone says that it is at i times an argument.
-    """
+    """A generator by others, as the theorem on its family says it."""
 
     formula: Formula
-    by: tuple[Family, bool, bool] | tuple[Family]
+    family: Family
+    by: By
 
 
 class Transcendental:
@@ -100,11 +101,13 @@ class Transcendental:
         read = [one for one in self._applications(formulas) if self._is_read(one)]
         arguments: dict[Kind, dict[Formula, Combination]] = {}
         for one in read:
-            whole = self.expanded(one.arguments[0])
-            printed_as = whole if isinstance(one.arguments[0], Name) else one.arguments[0]
+            argument, _ = split_arguments(one)
+            whole = self.expanded(argument)
+            printed_as = whole if isinstance(argument, Name) else argument
             arguments.setdefault(kind_of(one), {})[printed_as] = combination(whole)
         self.phases = {
-            kind: Phases(of, partial(self._is_phase, kind)) for kind, of in arguments.items()
+            kind: Phases(of, self._is_phase(kind), self._is_value(kind))
+            for kind, of in arguments.items()
         }
         self._rotated: dict[Formula, None] = {}
         found: dict[tuple[Kind, Monomial], int] = {}
@@ -124,7 +127,7 @@ class Transcendental:
 
     def _is_read(self, application: Application) -> bool:
         """Whether a function stands at names that are known, with a modulus that is constant."""
-        argument = combination(self.expanded(application.arguments[0]))
+        argument = combination(self.expanded(split_arguments(application)[0]))
         below = {n for one in kind_of(application).parameters for n in self.expanded(one).names()}
         return (
             all(map(is_arithmetic, (formula for monomial in argument for formula, _ in monomial)))
@@ -134,15 +137,25 @@ class Transcendental:
             and below.issubset(self.constants)  # by what moves these functions are not derived
         )
 
-    def _is_phase(self, kind: Kind, terms: frozenset[Monomial]) -> bool:
-        """Whether one of some terms moves, and it is no angle; at the others nothing is known."""
-        if () in terms or any((kind, one) in self.known for one in terms):
-            return False
-        names = {name for one in terms for name in names_in(one)}
-        if not names.isdisjoint({PI, "i"} & {*self.constants}):
-            return False
-        moving = [one for one in terms if not {*self.constants}.issuperset(names_in(one))]
-        return len(moving) == 1 and not (kind.family.covers and single_name(moving[0]))
+    def _is_value(self, kind: Kind) -> Callable[[Monomial], bool]:
+        """Whether the functions at a term are known."""
+
+        def is_value(term: Monomial) -> bool:
+            return (kind, term) in self.known or (single_name(term) == PI and PI in self.constants)
+
+        return is_value
+
+    def _is_phase(self, kind: Kind) -> Callable[[frozenset[Monomial]], bool]:
+        """Whether one of some terms moves, and it is no angle."""
+
+        def is_phase(terms: frozenset[Monomial]) -> bool:
+            names = {name for one in terms for name in names_in(one)}
+            if () in terms or not names.isdisjoint({PI, "i"} & {*self.constants}):
+                return False
+            moving = [one for one in terms if not {*self.constants}.issuperset(names_in(one))]
+            return len(moving) == 1 and not (kind.family.covers and single_name(moving[0]))
+
+        return is_phase
 
     @property
     def equations(self) -> Iterator[tuple[Formula, Formula]]:
@@ -159,10 +172,14 @@ class Transcendental:
         return found if below.issubset(self.constants) else None
 
     def _applications(self, formulas: Iterable[Formula]) -> Iterator[Application]:
-        """The functions in formulas; in the place of degenerate ones those that they are."""
+        """The functions in formulas and in their rates; for degenerate ones what they are."""
         for application in dict.fromkeys(one for f in formulas for one in applications(f)):
             other = self._degenerate(application)
-            yield from [application] if other is None else applications(other)
+            if other is None:
+                yield application
+                argument, kind = split_arguments(application)[0], kind_of(application)
+                other = total(kind.rates(kind.names(argument), 1, argument).values())
+            yield from applications(other)
 
     def _degenerate(self, application: Application) -> Formula | None:
         """What a function is for a special modulus; ``None`` for any other one."""
@@ -172,7 +189,7 @@ class Transcendental:
         values = kind.family.degenerate.get(special)  # type: ignore[arg-type] # 1 is Fraction(1)
         if values is None:
             return None
-        tex, argument = MEANING[application.function], {"x": application.arguments[0]}
+        tex, argument = MEANING[application.function], {"x": split_arguments(application)[0]}
         if not template(tex).names() <= values.keys():
             raise Meaningless(f"{to_latex(application)} is not known for this modulus")
         by = {letter: substitute(template(tex), argument) for letter, tex in values.items()}
@@ -180,8 +197,9 @@ class Transcendental:
 
     def _argument(self, application: Application) -> Combination:
         """The argument of a function, in which no name is a defined one."""
-        argument, kind = combination(self.expanded(application.arguments[0])), kind_of(application)
-        return self.phases[kind](argument) if kind in self.phases else argument
+        argument, kind = split_arguments(application)[0], kind_of(application)
+        whole = combination(self.expanded(argument))
+        return self.phases[kind](whole) if kind in self.phases else whole
 
     @cached_property
     def names_replaced(self) -> frozenset[str]:
@@ -332,7 +350,8 @@ class Transcendental:
     def _values(self, group: Generators | Imaginary | PrintedValue) -> dict[str, Formula]:
         """The generators at an argument; those at a part of π are known."""
         if isinstance(group, Imaginary):
-            return self._derive(group.kind, group.argument, group.values, (group.kind.family,))
+            values = group.values(self._values(group.real))
+            return self._derive(group.kind, group.argument, values, By.IMAGINARY)
         if not isinstance(group, Generators):
             return group.values
         angles = group.kind.family.angles
@@ -359,44 +378,63 @@ class Transcendental:
             raise Meaningless(f"no addition theorem is known at {to_latex(group.argument)}")
         argument = total(multiple(group.argument, n) for group, n in multiples)
         added, rest = count > 0, count - 1 if count > 0 else count + 1
-        alone = not before and not rest
         right = self._values(group) if added else kind.opposite(self._values(group))
-        if not alone:
-            left = self._at(kind, [*before, (group, rest)] if rest else before)
-            right = kind.sum(left, right)
-        return self._derive(kind, argument, right, (kind.family, added, alone))
+        if not before and not rest:
+            return self._derive(kind, argument, right, By.OPPOSITE)
+        left = self._at(kind, [*before, (group, rest)] if rest else before)
+        if kind.family.double and not before and abs(rest) == 1:
+            return self._derive(kind, argument, kind.double(left), By.DOUBLE)
+        by = By.SUM if added else By.DIFFERENCE
+        return self._derive(kind, argument, kind.sum(left, right), by)
 
     def _derive(
-        self,
-        kind: Kind,
-        argument: Formula,
-        values: Mapping[str, Formula],
-        by: tuple[Family, bool, bool] | tuple[Family],
+        self, kind: Kind, argument: Formula, values: Mapping[str, Formula], by: By
     ) -> dict[str, Formula]:
         """The generators at an argument, by names that stand for their values."""
-        names = kind.names(argument)
-        self.derived |= {name: Derived(values[letter], by) for letter, name in names.items()}
+        names, family = kind.names(argument), kind.family
+        self.derived |= {name: Derived(values[g], family, by) for g, name in names.items()}
         return {letter: Name(name) for letter, name in names.items()}
 
     # -- derivatives -------------------------------------------------------------
+
+    def with_parameter(self, name: str) -> frozenset[str]:
+        """The generators that have a name behind their arguments, by which nothing derives them.
+
+        Raises :class:`Meaningless` if values at constants are printed that hang together with it.
+        """
+        if name in self.known.names():
+            raise Meaningless(f"by {name} nothing is derived where values are printed at it", name)
+        found = set[str]()
+        for group in self.groups:
+            below = {n for one in group.kind.parameters for n in self.expanded(one).names()}
+            if name in below.union(*(self.radicals.get(n, ()) for n in below)):
+                known = group.kind.family.by if group.kind.parameters == (Name(name),) else ()
+                found.update(() if known else group.names.values())
+        return frozenset(found)
 
     def directions(self, name: str) -> dict[str, Formula]:
         """The derivatives by a name of all generators that have it in their arguments."""
         found: dict[str, Formula] = {}
         for group in self.groups:
             if name in self.names_under(group):
-                argument = self.expanded(product_of(group.monomial))
-                for one in argument.names():
-                    if name in self.radicals.get(one, ()):
-                        raise Meaningless(f"print the derivative of {one} by {name}", name)
-                terms = combination(argument).items()
-                by = total(
-                    _times(factor, by_name(one, name))
-                    for one, factor in terms
-                    if name in names_in(one)
-                )
+                by = self._slope(self.expanded(product_of(group.monomial)), name)
                 found |= {one: times(by, rate) for one, rate in group.rates().items()}
+            parameters = zip(group.kind.family.parameters, group.kind.parameters, strict=True)
+            for parameter, value in parameters:
+                if value == Name(name):
+                    found |= group.rates_by(parameter)
         return found
+
+    def _slope(self, argument: Formula, name: str) -> Formula:
+        """The derivative of an argument by a name, which may stand under a root in it."""
+        roots = [one for one in argument.names() if name in self.radicals.get(one, ())]
+        slopes = {name: Number(1), **{root: Partial(Name(root), name) for root in sorted(roots)}}
+        return total(
+            _times(factor, times(by_name(term, one), slope))
+            for term, factor in combination(argument).items()
+            for one, slope in slopes.items()
+            if one in names_in(term)
+        )
 
 
 def _times(factor: Fraction, formula: Formula) -> Formula:

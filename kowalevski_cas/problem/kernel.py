@@ -8,7 +8,8 @@ constants: at special ones, and modulo the prime, they fall.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
 
 from kowalevski_cas.algebra.elimination import rank
 from kowalevski_cas.algebra.kernels import residue
@@ -34,12 +35,12 @@ LARGEST = 50_000
 
 
 class KernelAtPoint:
-    """The polynomials of a goal up to its degree, at a point of the constants, modulo a prime.
+    """The polynomials of a goal up to its degree, modulo a prime, for residues of the constants.
 
     Raises :class:`Misplaced` if there are too many, or if a value has no residue.
     """
 
-    def __init__(self, goal: Kernel, at: Evaluation, place: PointEvaluation) -> None:
+    def __init__(self, goal: Kernel, at: Evaluation, values: Sequence[int | None]) -> None:
         self.goal, self.at = goal, at
         if len(goal.weights) != len(at.setting.variables) or min(goal.weights, default=0) < 1:
             raise Misplaced("there is not a positive weight for each variable")
@@ -49,15 +50,7 @@ class KernelAtPoint:
             raise Misplaced(f"{size} monomials are too many")
         self.factor = at.scalar(goal.factor)
         self.field = PolynomialField(at, self.factor)
-        values = [self._value(name, place) for name in at.setting.constants]
         self.residues = ResidueField(self.field.rates, self.field.factor, values)
-
-    def _value(self, name: str, place: PointEvaluation) -> int | None:
-        """The residue of a constant that stands in the statement, if it is rational."""
-        if name not in place.point.values:
-            return None
-        value = rational(place(self.at.scalar(Name(name))))
-        return None if value is None else residue(value)
 
     def columns(self) -> Iterator[Residues]:
         """What the field, less the factor, makes of each monomial."""
@@ -80,18 +73,32 @@ class KernelAtPoint:
         return weight_of(terms, self.goal.weights), self.residues.residues(terms)
 
 
+def _values(at: Evaluation, place: PointEvaluation) -> tuple[int | None, ...]:
+    """The residues of the constants at a point, of those that stand there and are rational."""
+    names = at.setting.constants
+    given = [
+        rational(place(at.scalar(Name(n)))) if n in place.point.values else None for n in names
+    ]
+    return tuple(None if value is None else residue(value) for value in given)
+
+
 def check_complete(goal: Kernel, at: Evaluation, place: PointEvaluation) -> None:
     """Check that nothing is missing; raises :class:`Misplaced`."""
-    ansatz = KernelAtPoint(goal, at, place)
-    known = ansatz.known()
-    columns = [*ansatz.columns()]
-    if rank(columns) + rank(known) != len(columns):
+    if _missing(goal, at, _values(at, place)):
         raise Misplaced("there may be more polynomials")
+
+
+@lru_cache(maxsize=1)
+def _missing(goal: Kernel, at: Evaluation, values: Sequence[int | None]) -> int:
+    """How many polynomials may be missing; who judges asks for what a search has just found."""
+    ansatz = KernelAtPoint(goal, at, values)
+    columns = [*ansatz.columns()]
+    return len(columns) - rank(columns) - rank(ansatz.known())
 
 
 def check_further(goal: Kernel, formula: Formula, at: Evaluation, place: PointEvaluation) -> None:
     """Check that a polynomial belongs to the kernel and is independent of what is known there."""
-    ansatz = KernelAtPoint(goal, at, place)
+    ansatz = KernelAtPoint(goal, at, _values(at, place))
     degree, own = ansatz.solution(formula, ansatz.factor)
     if degree > goal.degree:
         raise Misplaced("its degree is too large")

@@ -21,8 +21,8 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
+from kowalevski_cas.paper.exponents import half_power
 from kowalevski_cas.paper.names import BRACKET, head
-from kowalevski_cas.paper.plain import half_power
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, Known

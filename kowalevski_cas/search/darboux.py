@@ -14,7 +14,7 @@ from fractions import Fraction
 from itertools import product, tee
 from random import Random
 
-from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz
 
 from kowalevski_cas.algebra.elimination import PRIME, Echelon, TooLarge
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of
@@ -224,9 +224,10 @@ class _Solutions:
     def _open_values(self, branch: Branch) -> list[int]:
         """Numbers for all unknowns, zeros if the branch can be solved where they are zero."""
         slopes = [equation.derivative(place) for place, equation in branch.solved]
-        degrees = [sum(int(slope.degrees()[k]) for slope in slopes) for k in range(self.unknowns)]
+        degrees = [slope.degrees()[: self.unknowns] for slope in slopes]
+        most = [sum(map(int, column)) for column in zip(*degrees, strict=True)]
         # As many numbers as degrees, and one more: at some of them no coefficient vanishes.
-        choices = product(*(range(degree + 1) for degree in degrees))
+        choices = product(*(range(degree + 1) for degree in most or [0] * self.unknowns))
         return next(
             [*numbers]
             for numbers in choices
@@ -235,12 +236,15 @@ class _Solutions:
 
     def _element(self, polynomial: fmpq_mpoly, values: Sequence[int]) -> Element:
         """A polynomial in the constants, with values for all unknowns."""
-        names = [*map(self.context.constant, values), *self.context.gens()[self.unknowns :]]
+        degrees = polynomial.degrees()
+        given: dict[str | int, int | fmpz | fmpq] = {
+            k: value for k, value in enumerate(values) if degrees[k]
+        }
         before = (0,) * self.field.size
         return self.field.element(
             {
                 (*before, *exponents[self.unknowns :]): value
-                for exponents, value in terms_of(polynomial.compose(*names)).items()
+                for exponents, value in terms_of(polynomial.subs(given)).items()
             }
         )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from math import gcd, lcm
@@ -20,14 +21,13 @@ def name_of(found: Terms, known: Sequence[Terms], named: Mapping[str, Terms], si
         named: the integrals that have names.
         size: how many names move; the others are constants.
     """
-    space = _Combinations(products(known, degree(found, size), size))
+    most = degree(found, size)
+    named = {name: terms for name, terms in named.items() if degree(terms, size) == most}
+    if not named:
+        return ""
+    space = _Combinations(products(known, most, size))
     rest = space.remainder(found)
-    for name, terms in named.items():
-        if degree(terms, size) == degree(found, size) and _is_multiple(
-            space.remainder(terms), rest
-        ):
-            return name
-    return ""
+    return next((n for n, terms in named.items() if _is_multiple(space.remainder(terms), rest)), "")
 
 
 def shorten(found: Terms, known: Sequence[Terms], size: int) -> Terms:
@@ -35,11 +35,15 @@ def shorten(found: Terms, known: Sequence[Terms], size: int) -> Terms:
     beside = list(products(known, degree(found, size), size))
     best = found
     while True:
-        ratios = ((p, best[m] / p[m]) for p in beside for m in p.keys() & best.keys())
-        shorter = min((_less(best, p, ratio) for p, ratio in ratios), key=len, default=best)
-        if len(shorter) >= len(best):
+        changes = (
+            (len(p.keys() - best.keys()) - fewer, k, ratio)
+            for k, p in enumerate(beside)
+            for ratio, fewer in Counter(best[m] / p[m] for m in p.keys() & best.keys()).items()
+        )
+        more, product, ratio = min(changes, default=(0, 0, Fraction(0)))
+        if more >= 0:
             return _whole(best)
-        best = shorter
+        best = _less(best, beside[product], ratio)
 
 
 def degree(terms: Terms, size: int) -> int:

@@ -156,7 +156,7 @@ class PointFinder:
     def _norm(at: Evaluation, element: Element) -> Element:
         """The element times its conjugates by the roots that are no variables.
 
-        A root that is a factor is left out instead.
+        A root that is a factor is left out instead, if another factor can vanish.
         """
         for bit, name in enumerate(element.ring.roots):
             inside = {mask >> bit & 1 for mask in element.parts}
@@ -166,7 +166,9 @@ class PointFinder:
                 element = element * element.conjugate_root(bit)
             elif inside == {1}:
                 parts = {mask ^ 1 << bit: part for mask, part in element.parts.items()}
-                element = Element(element.ring, parts, element.denominator)
+                rest = Element(element.ring, parts, element.denominator)
+                varies = any(map(element.ring.polynomials.occurring_places, parts.values()))
+                element = rest if varies else element**2
         return element
 
 

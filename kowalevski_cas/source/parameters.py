@@ -47,7 +47,7 @@ class Parameter:
 def delimited_parameters(printed: Sequence[str]) -> tuple[Parameter, ...]:
     r"""The parameters that stand, with what is around them, between a name and its body.
 
-    >>> delimited(["(", "#1", ",", "#2", ")"])[1].tokens
+    >>> delimited_parameters(["(", "#1", ",", "#2", ")"])[1].tokens
     (',',)
     """
     if printed and printed[-1].startswith("#") and not printed[-1][1:].isdigit():

@@ -8,6 +8,7 @@ from dataclasses import replace
 from kowalevski_cas.notation import (
     Application,
     Conjugate,
+    Constant,
     Derivative,
     Formula,
     Modulus,
@@ -25,6 +26,7 @@ from kowalevski_cas.notation import (
     rank,
     read,
     read_display,
+    times,
     to_latex,
 )
 from kowalevski_cas.notation.cursor import is_word
@@ -32,15 +34,19 @@ from kowalevski_cas.notation.open import OpenParser, independent, words_that_mov
 from kowalevski_cas.notation.symbol import name_of_rate
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
+from kowalevski_cas.paper.exponents import half_power
 from kowalevski_cas.paper.implied import implied_equations
 from kowalevski_cas.paper.names import BRACKET, head, is_bold, summation_indices
-from kowalevski_cas.paper.plain import half_power
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.summation import expand_sum
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
+from kowalevski_cas.system.amplitudes import SQUARE, conjugate_equations, with_conjugates
+from kowalevski_cas.system.constraints import constraints, multipliers
+from kowalevski_cas.system.matrices import equations_of_entries, matrix_equations
 from kowalevski_cas.system.refused import (
     check_derivatives,
+    check_ends,
     check_indices,
     check_marks,
     check_motion,
@@ -63,8 +69,26 @@ def components(tex: str, vectors: Vectors, declared: Names = ()) -> dict[str, tu
 def with_motion(tex: str, vectors: Vectors, declared: Names = ()) -> str:
     """Equations of motion, with those that what is printed implies."""
     display = Display("field", tex, "")
-    formulas = _read(display, _vocabulary(display, vectors, declared)).values()
-    return r",\quad ".join((tex, *implied_equations([*formulas])))
+    words = _vocabulary(display, vectors, declared)
+    printed = _read(display, words)
+    if rows := [*equations_of_entries(printed, min(words.times))]:
+        return r",\quad ".join((tex, *rows))
+    formulas = [*printed.values()]
+    moving = {name for formula in formulas for name in _moving_names(formula)}
+    more = [*implied_equations(formulas), *conjugate_equations(formulas, moving)]
+    tex = r",\quad ".join((tex, *more))
+    display = Display("field", tex, "")
+    if places := constraints_in(display, vectors, declared):
+        scene = scene_by(display, "", vectors, declared)
+        tex = r",\quad ".join((tex, *multipliers(scene, places)))
+    return tex
+
+
+def constraints_in(display: Display, vectors: Vectors, declared: Names = ()) -> list[Printed]:
+    """The constraints among equations of motion with multipliers."""
+    formulas = _read(display, _vocabulary(display, vectors, declared))
+    moving = {name for formula in formulas.values() for name in _moving_names(formula)}
+    return constraints(formulas, moving, vectors)
 
 
 def with_time(tex: str, vectors: Vectors, declared: Names = ()) -> str:
@@ -89,9 +113,14 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
     check_words(display.tex)
     words = _vocabulary(display, vectors, declared)
     formulas = _read(display, words)
+    matrix_laws = matrix_equations(formulas)
+    formulas = {place: one for place, one in formulas.items() if place not in matrix_laws}
     moving = dict.fromkeys(one for formula in formulas.values() for one in _moving_names(formula))
     words = replace(words, moving=frozenset(moving))  # only these may be printed as x(t)
-    formulas = {p: one for p, one in _read(display, words).items() if not names_only(one)}
+    bound = constraints_in(display, vectors, declared)
+    printed = {p: one for p, one in _read(display, words).items() if not _is_empty(one)}
+    bound += matrix_laws
+    formulas = {place: one for place, one in printed.items() if place not in bound}
     laws = tuple(p for p, one in formulas.items() if _is_law(one) or _is_momentum(one, moving))
     moving = _without_momenta(formulas, laws, moving, vectors)
     others = [place for place in formulas if place not in laws]
@@ -99,7 +128,7 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
     defined = {one for f, given in heads_of for one in (f, *given, *summation_indices(given))} - {
         *moving
     }
-    nodes = (node for formula in formulas.values() for node in formula.nodes())
+    nodes = (node for formula in printed.values() for node in formula.nodes())
     names = [node.name for node in nodes if isinstance(node, Name)]
     check_marks(formulas.values())
     check_motion(display, formulas, laws, moving, defined)
@@ -108,13 +137,17 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
     parts = dict.fromkeys(part for one in fixed for part in vectors.get(one, (one,)))
     constants = tuple(part for part in parts if part not in variables and part not in defined)
     check_indices((*variables, *constants), moving)
+    check_ends(display.tex, (one for one in fixed if one not in moving), moving)
     check_derivatives(constants, defined, moving)
-    check_stars(constants, {*variables, *constants, *defined})
+    if SQUARE not in formulas.values():
+        check_stars(constants, {*variables, *constants, *defined})
     title, time = name or "the system", min(words.times)
     scene = Scene(title, vectors, variables, constants, laws, time)
     for place in others:
         scene = _with(scene, place, formulas[place])
     check_unit(scene.constants)
+    if scene.unit is not None:
+        scene = with_conjugates(scene, formulas.values())
     return with_roots(scene, display)
 
 
@@ -170,6 +203,14 @@ def _read(display: Display, words: Vocabulary) -> dict[Printed, Formula]:
 
     found = read_display(display.tex, words, OpenParser)
     return {place: print_row(one.formula) for place, one in zip(display, found, strict=True)}
+
+
+def _is_empty(formula: Formula) -> bool:
+    r"""Whether nothing is said but how components are called, or that a name is constant."""
+    match formula:
+        case Relation((Name(), Constant()), ("=",)):
+            return True
+    return names_only(formula)
 
 
 def _is_law(formula: Formula) -> bool:
@@ -264,12 +305,14 @@ def with_roots(scene: Scene, display: Display) -> Scene:
             raise ValueError(f"{place.tex} gives {min(named)} twice: leave one side out")
     for formula in (node for one in waiting for node in one.nodes()):
         if isinstance(formula, Conjugate) and scene.unit is None:
-            raise ValueError(f"{to_latex(formula)} is a conjugate, and all is real: rename it")
+            raise ValueError(
+                f"{to_latex(formula)} is a conjugate, and all is real: rename it, or print i^2=-1 "
+                "beside the equations of motion if they are complex"
+            )
         words = vocabulary((scene,))
-        complex_ = (
-            isinstance(formula, Modulus) and scene.unit and rank(formula.argument, words) != VECTOR
-        )
-        root = None if complex_ else _root(formula)
+        root = _root(formula)
+        if isinstance(formula, Modulus) and scene.unit and rank(formula.argument, words) != VECTOR:
+            root = Root(times(formula.argument, Conjugate(formula.argument)))
         if root is not None and (name := to_latex(root)) not in scene.roots:
             scene = scene.adjoining(name)
     return scene

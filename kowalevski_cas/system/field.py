@@ -3,24 +3,26 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from copy import copy
-from dataclasses import replace
-from itertools import chain, count
+from dataclasses import fields, replace
 from typing import Any, Self
 
 from kowalevski_cas.library import MADE
 from kowalevski_cas.notation import Formula, defined_names, read, read_display, to_plain
-from kowalevski_cas.paper.claims import Casimir, Claim, FirstIntegral
+from kowalevski_cas.paper.claims import Casimir, Claim, FirstIntegral, Identity, Implication
 from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.answers import Function, SystemClaim, in_html
+from kowalevski_cas.system.constraints import equations_on
 from kowalevski_cas.system.equations import (
     components,
+    constraints_in,
     restrict,
     scene_by,
     with_levels,
@@ -29,7 +31,8 @@ from kowalevski_cas.system.equations import (
     with_roots,
     with_time,
 )
-from kowalevski_cas.system.refused import check_constant, names_of
+from kowalevski_cas.system.matrices import at_parameters, without_parameters
+from kowalevski_cas.system.refused import check_constant, check_field, names_of
 from kowalevski_cas.system.solved import solve_for_constant
 from kowalevski_cas.system.symbols import latex_of
 from kowalevski_cas.verify.finding import Finding
@@ -67,16 +70,27 @@ class Field:
         self.prefix = f"{name}-" if name else ""
         self.section = Section(name or "1", "", copied=None)
         MADE.append(self.section)
+        self.spectral: dict[str, str] = {}
         tex = field if isinstance(field, str) else self._rows(field)
-        words = [*self.symbols]
+        self.spectral = at_parameters(tex)
+        """The parameters of matrices that move; a matrix is called by its name alone."""
+        tex, words = without_parameters(tex, self.spectral), [*self.symbols]
         parts = components(tex, vectors or {}, words)
         printed = {name for statement in defined_names(tex) for name in statement.names}
         tex = with_motion(tex, parts, words)
         display = self.section.display(f"{self.prefix}field", with_time(tex, parts, words))
+        self.shown = {display.id}
+        """The ids of displays."""
+        self.numbers = Counter[tuple[str, int]]()
+        """How often an id was known, among displays or also among claims."""
         self._stand_on(scene_by(display, name, parts, words))
+        bound = constraints_in(display, parts, words)
+        self.constraints = (*equations_on(self.scene, bound),)
+        """On what the motion is: constraints with multipliers, and their derivatives."""
         self.implied = frozenset(_brackets(self.scene.definitions)) - printed
         """The canonical brackets, which equations of Hamilton imply and nobody has printed."""
         moving, constant = self.scene.variables, self.scene.constants
+        check_field(self.scene)
         self.section.title = _echo(moving, constant, "${}$".format)
 
     def _rows(self, field: Mapping[Any, Any]) -> str:
@@ -128,6 +142,7 @@ class Field:
         """
         tex = self._tex(formula)
         display = self.section.display(self._id("", tex), tex)
+        self.shown.add(display.id)
         if not [*display]:
             raise ValueError(f"“{tex}” defines no name")
         scene = with_parameters(self.scene, display)
@@ -194,8 +209,22 @@ class Field:
             NotationError: a formula is broken TeX.
             ValueError: a formula is several, or there is no such verdict to expect.
         """
+        if self.constraints:
+            kind, says, attributes = self._bound(kind, says, attributes)
         id = self._id(name, self._tex(_first((printed, *attributes.values()))))
         return self._state(id, Finding(kind, self.scene, says, printed, attributes), expect)
+
+    def _bound(
+        self, kind: type[Claim], says: str, attributes: dict[str, Any]
+    ) -> tuple[type[Claim], str, dict[str, Any]]:
+        """What is claimed on the constraints; raises ``ValueError`` if the kind knows no set."""
+        kind = Implication if kind is Identity else kind
+        of = next((f.name for f in fields(kind) if f.name in ("given", "relations")), "")
+        if not of:
+            raise ValueError(f"{kind.__name__} is not known on constraints: {says}")
+        where = ", ".join(f"${one}$" for one in self.constraints)
+        known = several(attributes.get(of, ()))
+        return kind, f"{says}, where {where}", {**attributes, of: (*known, *self.constraints)}
 
     def _state(self, id: str, finding: Finding, expect: str = "") -> SystemClaim:
         if expect and expect not in {*Verdict}:
@@ -230,7 +259,7 @@ class Field:
 
     def _tex(self, formula: Tex) -> str:
         if isinstance(formula, str):
-            return formula
+            return without_parameters(formula, self.spectral)
         if not isinstance(formula, Function):
             return latex_of(formula, self.symbols)
         if self.scene.definitions.get(formula.name) != formula.place:
@@ -245,11 +274,9 @@ class Field:
         tex = self._tex(formula)
         if isinstance(formula, Function):
             return formula.place
-        known = {one.id for one in self.section.displays}
-        if source:
-            display = self.section.lemma(_new(id, known), tex, source)
-        else:
-            display = self.section.display(_new(id, known), tex)
+        id = self._new(id, self.shown)
+        display = self.section.lemma(id, tex, source) if source else self.section.display(id, tex)
+        self.shown.add(id)
         if len([*display]) != 1:
             raise ValueError(f"“{display.tex}”: one formula is expected; give each by itself")
         return display[1]
@@ -260,18 +287,20 @@ class Field:
         tex = label[1] if label else tex
         letters = re.sub(r"[^A-Za-z0-9]+", "-", re.sub(r"=\s*0\b", "", tex))[:LONGEST].strip("-")
         id = self.prefix + "-".join(filter(None, (kind, letters)))
-        return _new(id, {*(display.id for display in self.section.displays), *self.section.lines})
+        return self._new(id, self.shown, self.section.lines)
+
+    def _new(self, id: str, *known: Container[str]) -> str:
+        """An id, with a number if it is known; all smaller numbers are."""
+        new = id
+        while any(new in ids for ids in known):
+            self.numbers[id, len(known)] += 1
+            new = f"{id}.{self.numbers[id, len(known)] + 1}"
+        return new
 
 
 def several(formulas: Texs) -> tuple[Tex, ...]:
     """Formulas as a tuple, also if it is one."""
     return tuple(formulas) if isinstance(formulas, tuple | list) else (formulas,)
-
-
-def _new(id: str, known: Container[str]) -> str:
-    """An id, with a number if it is known."""
-    ids = (f"{id}.{number}" for number in count(2))
-    return next(one for one in chain([id], ids) if one not in known)
 
 
 def _first(value: Any) -> Tex:

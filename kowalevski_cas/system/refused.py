@@ -28,6 +28,7 @@ _WORD = re.compile(
     "(?![A-Za-z])"
 )
 _PERMUTATION = re.compile(r"\\(?:var)?epsilon_\{\d{3}\}")
+_KRONECKER = re.compile(r"\\delta_\{[i-n]{2}\}")
 
 
 def check_motion(
@@ -78,6 +79,8 @@ def check_indices(names: Sequence[str], moving: Collection[str] = ()) -> None:
     for name, (head, low) in ((name, (one.head, one.index)) for name, one in symbols.items()):
         if _PERMUTATION.fullmatch(name):
             raise ValueError(f"{name} is a name here: write a vector product, or the terms")
+        if _KRONECKER.fullmatch(name):
+            raise ValueError(f"{name} is a name here: print the sums, and {low[0]},{low[1]}=1,2,3")
         if _NEXT.fullmatch(low):
             raise ValueError(f"{name} has an index that runs: print {low[0]}=1,2,3 behind")
         beside = {one.index for one in symbols.values() if one.head == head and one.index != low}
@@ -89,6 +92,19 @@ def check_indices(names: Sequence[str], moving: Collection[str] = ()) -> None:
         elif running and any(map(_INDEX.fullmatch, beside)):
             other = min(one for one in beside if _INDEX.fullmatch(one))
             raise ValueError(f"{name} stands beside {head}_{other}: {_SUM.format(low)}")
+
+
+def check_ends(tex: str, constants: Iterable[str], moving: Iterable[str]) -> None:
+    r"""Refuse what only an index such as i+1 names, and what no row moves: the ends of a chain."""
+    printed = {letter + index for letter, index in Cursor(tex, scan(tex), Vocabulary()).letters()}
+    chains = {symbol(one).head for one in moving}
+    for name in constants:
+        if symbol(name).head in chains and name not in printed:
+            link = symbol(name).head
+            raise ValueError(
+                rf"{name} ends a chain, and nothing moves it: print {name}=0, or \dot {name}=0 if "
+                rf"it is constant, or that the chain is closed, as {link}_{{i+3}}={link}_i"
+            )
 
 
 def check_unit(names: Collection[str]) -> None:
@@ -148,6 +164,11 @@ def names_of(constants: Iterable[str], time: str) -> Iterator[str]:
             what = "is the time" if tex == time else "is no name of a constant"
             raise ValueError(f"“{tex}” {what}: give a letter, perhaps with an index, or a word")
         yield formula.name
+
+
+def check_field(scene: Scene) -> None:
+    """Refuse equations of motion with something in them that has no meaning."""
+    _ = Elaborations(Texts(vocabulary((scene,))))(scene).field
 
 
 def check_constant(scene: Scene, place: Printed, known: Container[str]) -> None:

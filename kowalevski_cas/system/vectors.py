@@ -37,6 +37,8 @@ def vectors_of(display: Display, known: Vectors, words: Vocabulary) -> dict[str,
     vector products, which are those of space.
     """
     new = {*bold_names(display.tex)} - known.keys() - words.matrices
+    if not new:
+        return dict(known)
     matrices = {name for place in display if place.heads.matrix for name in place.heads.names}
     matrices |= new & matrices_by_use(display.tex)
     words = replace(words, matrices=words.matrices | (new & matrices))

@@ -97,7 +97,7 @@ def printed_formula(formula: Formula, setting: Elaboration) -> Formula:
     match shown := formula.map_children(lambda child: printed_formula(child, setting)):
         case Power(base, Number(exponent)):
             return power_formula(base, exponent)
-        case Quotient(above, Number(1)):
+        case Quotient(above, Number(1)) | Quotient(Number(1), Quotient(Number(1), above)):
             return above
     return shown
 

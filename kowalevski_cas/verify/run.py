@@ -17,7 +17,7 @@ from kowalevski_cas.processes import each
 from kowalevski_cas.verify.archive import Archive
 from kowalevski_cas.verify.arithmetics import Arithmetics
 from kowalevski_cas.verify.certificate import Stored, load_certificates
-from kowalevski_cas.verify.confirm import is_received, receive, receive_here
+from kowalevski_cas.verify.confirm import is_received, receive, received
 from kowalevski_cas.verify.decider import Decider
 from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
@@ -62,18 +62,16 @@ def decide_together(
     def hear(claim: str, _: int) -> None:
         progress(claim, next(begun), len(tasks))
 
-    with receive_here():
-        outcomes = enumerate(each(decide_one, range(len(tasks)), heard=hear))
-        received = iter([receive(one, tasks[k][0].decider.timeout) for k, one in outcomes])
-    return [[next(received) for _ in claims] for _, claims in chosen]
+    outcomes = enumerate(each(received(decide_one), range(len(tasks)), heard=hear))
+    found = iter([receive(one, tasks[k][0].decider.timeout) for k, one in outcomes])
+    return [[next(found) for _ in claims] for _, claims in chosen]
 
 
 def correct_together(
     session: Session, outcomes: Sequence[Outcome], blame: Blame | None = None
 ) -> list[Outcome]:
     """The outcomes with corrections that other processes find, and are received from them."""
-    with receive_here():
-        found = session.with_corrections(outcomes, each, blame)
+    found = session.with_corrections(outcomes, lambda work, of: each(received(work), of), blame)
     pairs = zip(outcomes, found, strict=True)
     return [new if new is old else receive(new, known=old) for old, new in pairs]
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from enum import IntEnum
 from typing import NamedTuple
 
-from kowalevski_cas.notation import Edit, edits
+from kowalevski_cas.notation import Edit, Name, Negative, Number, Power, Relation, edits
 from kowalevski_cas.notation.edits import changes_subject
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.texts import Printed, Texts
@@ -27,6 +27,10 @@ KINDS = (
     "exchange",
 )
 """The kinds of edits, the likelier ones first."""
+
+
+IMAGINARY = Relation((Power(Name("i"), Number(2)), Negative(Number(1))), ("=",))
+"""What the imaginary unit obeys: nobody suspects it."""
 
 
 class Suspect(IntEnum):
@@ -108,7 +112,10 @@ def _suspects(
     for claim in failing:
         roles = {place: role for scene in claim.scenes() for role, place in scene.roles()}
         own = {*claim.establishes()}
+        texts = interpretation.on(claim).texts
         for place in interpretation.statement(claim).stands_on:
+            if roles.get(place) == "unit" and texts.formula(place) == IMAGINARY:
+                continue
             standing.setdefault(place, []).append(claim)
             law = roles.get(place) == "vector field"
             if place in own:

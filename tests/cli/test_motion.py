@@ -93,14 +93,25 @@ def test_taylor_follows_it_too_or_says_what_to_install(cli):
     ),
 )
 def test_a_library_that_is_not_installed_is_named_with_its_extra(missing, command, extra, tmp_path):
-    blocked = "import sys; sys.modules[sys.argv.pop(1)] = None; import kowalevski_cas.cli as cli"
-    done = subprocess.run(
-        [sys.executable, "-c", f"{blocked}; sys.exit(cli.main())", missing, *command],
-        capture_output=True, text=True, cwd=tmp_path, check=False,
-        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
-    )  # fmt: skip
+    done = without(missing, command, tmp_path)
     said = f"kowalevski-cas {command[0]} needs {missing}: pip install 'kowalevski-cas[{extra}]'\n"
     assert (done.returncode, done.stdout, done.stderr) == (2, "", said)
+
+
+def without(missing, command, folder):
+    """A command, where a library is not installed."""
+    blocked = "import sys; sys.modules[sys.argv.pop(1)] = None; import kowalevski_cas.cli as cli"
+    return subprocess.run(
+        [sys.executable, "-c", f"{blocked}; sys.exit(cli.main())", missing, *command],
+        capture_output=True, text=True, cwd=folder, check=False,
+        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
+    )  # fmt: skip
+
+
+def test_help_speaks_of_a_command_whose_library_is_not_installed(tmp_path):
+    done = without("numpy", ["motion", "--help"], tmp_path)
+    assert done.returncode == 0 and "Follow a motion: the states at equal steps" in done.stdout
+    assert "where there is numpy: pip install 'kowalevski-cas[motion]'" in done.stdout
 
 
 def test_csv_and_npz_hold_the_same_states(cli, tmp_path):

@@ -18,7 +18,7 @@ def test_a_fast_top_is_followed_in_closed_form(capfd):
 
 
 def test_where_the_closed_form_gives_up_balls_follow_the_motion_and_this_is_said(
-    capfd, monkeypatch
+    capfd, monkeypatch, copies
 ):
     monkeypatch.setattr(closed_form, "PROMISE", 1e-18)
     assert main(["motion", *FAST]) == 0

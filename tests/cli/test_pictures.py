@@ -48,7 +48,7 @@ def test_a_motion_may_be_given_and_looks_different(reports: Path, tmp_path: Path
         ("torus --a 1 --b 0.4 --m 1 --l 0".split(), 2, "negative"),
         ("subsystems --a 1 --b 0 --m 1 --l 2".split(), 2, "those of two fields"),
         ("torus --a 1.2 --b 0.7 --s 0.4 --tau=-0.5".split(), 2, "for motions on N⁴ alone"),
-        (["torus", "--point", *"123456789"], 2, "only motions in closed form are drawn"),
+        (["torus", "--point", *"123456789"], 2, "torus is drawn for motions in closed form"),
     ],
 )
 def test_what_cannot_be_drawn_is_said(

@@ -78,14 +78,24 @@ def test_only_papers_that_changed_or_that_read_what_did(repository, capsys):
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("before", ["HEAD", "0" * 40])
+def test_before_the_first_commit_all_has_changed(repository, before):
+    (repository / "paper.tex").write_text(WRONG)
+    assert main(["review", "--since", before]) == 1
+
+
+@pytest.mark.slow
 def test_nothing_and_what_cannot_be_read_are_no_success(repository, capsys):
     assert main(["review"]) == 6
     (repository / "paper.tex").write_text("\\documentclass{article}\n")
     assert main(["review"]) == 6
     assert main(["review", "paper.tex", "absent.tex"]) == 2
     assert "absent.tex" in capsys.readouterr().out
-    for words in (["--since", "HEAD"], ["--since=--output=x"], ["--update"]):
+    for words in (["--since", "main~7"], ["--since=--output=x"], ["--update"]):
         assert main(["review", *words]) == 2
+    (repository / "noise.tex").write_bytes(b"\0")
+    assert main(["review", "noise.tex", "--baseline", "new.json", "--update"]) == 2
+    assert not (repository / "new.json").exists()
     (repository / "known.json").write_text("[]")
     assert main(["review", "--baseline", "known.json"]) == 2
     assert "--update" in capsys.readouterr().err

@@ -192,13 +192,15 @@ REFUSED = [
     (r"\dot M_i=\varepsilon_{ijk}M_jM_k/I_k", "over what is summed"),
     (r"\dot M_i=(\varepsilon_{ijk}M_jg_k)^2", "over what is summed"),
     (r"\dot M_i=\varepsilon_{ijk}M_jg_k+g_j", "which indices are free"),
-    (r"i\dot a=b,\ i\dot b=a", "i\\^2=-1"),
+    (r"\dot a=b-ia,\ \dot b=-ia", "i\\^2=-1"),
     (r"\dot a=-ib,\ \dot b=-ia", "i\\^2=-1"),
     (r"I\dot\omega=I\omega\times\omega", "in bold"),
     (r"\dot M=(M+\lambda)\times\omega", "in bold"),
     (r"\ddot x=-\frac{x}{\|x\|^3}", "the vector in bold"),
     (r"\ddot x=-x/\left\|x\right\|^3", "the vector in bold"),
     (r"\dot x=y,\ \dot y=-sin x", "print .sin"),
+    (r"\dot x=-(x-\bar x)", "rename it, or print i"),
+    (r"\dot x=\delta_{ij}x", "print the sums"),
     (r"where\ \dot x=y,\ \dot y=-x", "words outside"),
 ]
 

@@ -6,8 +6,16 @@ from dataclasses import replace
 import pytest
 
 from kowalevski_cas.notation import NotationError
-from kowalevski_cas.notation.functions import CIRCULAR, EXPONENTIAL, FAMILIES, JACOBI, ROTATED
+from kowalevski_cas.notation.functions import (
+    CIRCULAR,
+    EXPONENTIAL,
+    FAMILIES,
+    JACOBI,
+    ROTATED,
+    WEIERSTRASS,
+)
 from kowalevski_cas.paper.addition import rotation, theorem
+from kowalevski_cas.paper.families import By
 from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.codec import digest, evidence_data, problem_data
@@ -19,7 +27,7 @@ from kowalevski_cas.problem.prune import prune
 from kowalevski_cas.search.find import Finder
 from tests.sample import sampled
 
-SIGNS = [(True, False), (False, False), (False, True)]
+SUMS = [By.SUM, By.DIFFERENCE, By.OPPOSITE]
 
 
 def certificate(goal, evidence):
@@ -32,10 +40,11 @@ def certificate(goal, evidence):
     return json.dumps(data | {"digest": digest(problem)})
 
 
-@pytest.mark.parametrize("family", [family for family in FAMILIES if family.sum])
-@pytest.mark.parametrize(("added", "alone"), SIGNS)
-def test_addition_theorems_are_proved(family, added, alone):
-    goal = theorem(family, added, alone)
+@pytest.mark.parametrize(
+    ("family", "by"), [(f, by) for f in FAMILIES for by in (*SUMS, By.DOUBLE) if f.sum]
+)
+def test_addition_theorems_are_proved(family, by):
+    goal = theorem(family, by)
     evidence = Finder(finder_of).proof(goal)
     Judge(finder_of).holds(goal, evidence)
     assert checker.check(certificate(goal, evidence)).sign == "holds"
@@ -43,7 +52,7 @@ def test_addition_theorems_are_proved(family, added, alone):
 
 def mutants(family):
     """Families of which one entry of the table is another one."""
-    for key in ("rates", "zero", "sum", "minus"):
+    for key in ("rates", "zero", "sum", "minus", "double"):
         own = getattr(family, key)
         for letter, tex in own.items():
             for old, new in (
@@ -64,7 +73,12 @@ def mutants(family):
 @pytest.mark.parametrize(
     ("family", "key", "mutant"),
     sampled(
-        [(f, key, one) for f in (CIRCULAR, EXPONENTIAL, JACOBI) for key, one in mutants(f)], 12
+        [
+            (f, key, one)
+            for f in (CIRCULAR, EXPONENTIAL, JACOBI, WEIERSTRASS)
+            for key, one in mutants(f)
+        ],
+        12,
     ),
 )
 def test_with_another_table_none_is_proved(family, key, mutant):
@@ -73,9 +87,9 @@ def test_with_another_table_none_is_proved(family, key, mutant):
     What the search does not find the checker does not believe either.
     """
     proved = []
-    for added, alone in SIGNS:
+    for by in (*SUMS, By.DOUBLE):
         try:
-            goal, true = theorem(mutant, added, alone), theorem(family, added, alone)
+            goal, true = theorem(mutant, by), theorem(family, by)
         except NotationError:
             continue
         if (goal.initial, goal.equations) == (true.initial, true.equations) and key != "rates":
@@ -98,7 +112,7 @@ def test_with_another_table_none_is_proved(family, key, mutant):
 def test_what_is_false_is_denied_by_a_derivative():
     """That of the sine of a sum where the second angle is zero."""
     family = replace(CIRCULAR, sum={**CIRCULAR.sum, "s": "sc_1-cs_1"})
-    goal = theorem(family, True, False)
+    goal = theorem(family, By.SUM)
     evidence = Finder(finder_of).refutation(goal)
     assert evidence.order == 1
     Judge(finder_of).denies(goal, evidence)
@@ -107,7 +121,7 @@ def test_what_is_false_is_denied_by_a_derivative():
 
 def test_it_begins_where_the_system_is_regular():
     """A motion that begins at a pole has no solution to be equal to."""
-    true = theorem(CIRCULAR, True, False)
+    true = theorem(CIRCULAR, By.SUM)
     initial = tuple((name, value) for name, value in true.initial[1:])
     for goal in (Along(true.space, initial, true.equations), Along(true.space, (), true.equations)):
         with pytest.raises(checker.Rejected):

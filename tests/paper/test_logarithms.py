@@ -69,6 +69,39 @@ def test_other_functions_with_logarithms_are_not_decided(volterra, tex, message)
     assert outcome.verdict is Verdict.ERROR and message in outcome.message
 
 
+DERIVED = [
+    (r"\frac{\partial}{\partial x}\ln x=\frac1x", "conditional"),
+    (r"\frac{\partial}{\partial x}\ln x=-\frac1x", "refuted"),
+    (r"\frac{\partial}{\partial x}\ln|x|=\frac1x", "conditional"),
+    (r"\frac{\partial}{\partial x}\ln(x^2+y^2)=\frac{2x}{x^2+y^2}", "conditional"),
+    (r"\frac{\partial}{\partial x}\ln(-x)=\frac1x", "conditional"),
+    (r"\frac{\partial}{\partial x}\ln(-x)=-\frac1x", "refuted"),
+    (r"\frac{\partial}{\partial x}\ln(-x^2)=\frac2x", "error"),  # it is real nowhere
+    (r"\frac{\partial^2}{\partial x^2}\ln x=-\frac1{x^2}", "conditional"),
+    (r"\frac{\partial^2}{\partial x^2}\ln x=\frac1{x^2}", "refuted"),
+    (r"\frac{\partial}{\partial x}\arctan\frac yx=-\frac y{x^2+y^2}", "conditional"),
+    (r"\frac{\partial}{\partial x}\arctan\frac yx=\frac y{x^2+y^2}", "refuted"),
+    (r"\frac{\partial}{\partial x}\arcsin x=\frac1{\sqrt{1-x^2}}", "conditional"),
+    (r"\frac{\partial}{\partial x}\arccos x=\frac1{\sqrt{1-x^2}}", "refuted"),
+    (r"\frac{\partial}{\partial x}\ln\cos x=-\tan x", "conditional"),
+    (r"\frac{\partial}{\partial x}\ln(\operatorname{dn}(x,k)-k\operatorname{cn}(x,k))=k\operatorname{sn}(x,k)", "conditional"),
+    (r"\frac{\partial}{\partial x}\ln(\operatorname{dn}(x,k)+k\operatorname{cn}(x,k))=k\operatorname{sn}(x,k)", "refuted"),
+    (r"\frac{d}{dt}\ln y=k+\frac xy", "conditional"),
+    (r"\frac{d}{dt}\ln y=k-\frac xy", "refuted"),
+    (r"\frac{d}{dt}\arctan y=\frac{ky+x}{1+y^2}", "conditional"),
+    (r"\frac{\partial}{\partial x}(x\ln x)=\ln x+1", "error"),  # of the value nothing is known
+    (r"\ln x^2=2\ln x", "error"),
+    (r"\ln(xy)=\ln x-\ln y", "error"),
+    (r"\arctan x=\arctan(-x)", "error"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("tex", "verdict"), sampled(DERIVED, 8))
+def test_where_they_are_derived_they_are_known(tex, verdict):
+    """At points where they are real; of their values nothing is known."""
+    assert System(r"\dot x=1,\quad\dot y=ky+x").identity(tex).verdict == verdict
+
+
 def test_all_arithmetics_and_the_checker_agree(tmp_path):
     from kowalevski_cas.cli import main
 

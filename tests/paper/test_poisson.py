@@ -54,7 +54,9 @@ def test_casimir_functions(mutant):
     assert body.casimir(K).verdict is PROVED
     assert body.casimir(H).verdict is REFUTED
     assert body.casimir(mutant).verdict is REFUTED
-    assert "not an equation" in body.casimir(f"{mutant}=1").outcome.message
+    assert body.casimir("x^2+y^2+z^2=1").verdict is PROVED
+    assert body.casimir("x^2+y^2+z^2=-1").verdict is REFUTED  # no real point has this value
+    assert "not an equation" in body.casimir("a=1").outcome.message
 
 
 @pytest.mark.parametrize("mutant", sampled(["G=x^4+4x^2y^2+4u(uy-vx)", "G=x^4+4x^2y-4u(uy-vx)"], 1))

@@ -4,10 +4,12 @@ from time import sleep
 
 import pytest
 
+from kowalevski_cas import forkserver
 from kowalevski_cas.notation import Name, Sum
 from kowalevski_cas.paper.claims import FirstIntegral, Identity
 from kowalevski_cas.problem import checker
-from kowalevski_cas.verify.confirm import receive
+from kowalevski_cas.processes import each
+from kowalevski_cas.verify.confirm import is_received, receive, received
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.run import Session
 from tests.paper.small import Oscillator, derivation
@@ -115,6 +117,13 @@ def test_what_another_process_says_is_checked_where_it_is_received(claim):
         true._replace(verdict=wrong),
     ):
         assert receive(forged).verdict == "error"
+
+
+@pytest.mark.parametrize("threads", [False, True])
+def test_what_is_received_is_not_checked_where_it_is_said(threads, monkeypatch):
+    monkeypatch.setattr(forkserver, "has_threads", lambda: threads)
+    assert [*each(received(lambda _: is_received()), [None])] == [True]
+    assert [*each(lambda _: is_received(), [None])] == [False]
 
 
 def test_a_correction_is_checked_where_it_is_received():

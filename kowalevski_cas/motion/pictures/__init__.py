@@ -1,5 +1,7 @@
 """Pictures of a motion, one module each: ``draw(motion)`` is the figure, ``CAPTION`` explains it.
 
+Motions that are known by a state alone have a picture that integrates them; see :data:`OF_ANY`.
+
 ``ABOUT`` is the offer of the derivation whose report shows it, if not the closed form on N⁴.
 
 A new picture is one new module and one line in :data:`PICTURES`.
@@ -11,8 +13,6 @@ from collections.abc import Callable
 from importlib import import_module
 from typing import TYPE_CHECKING, NamedTuple
 
-from kowalevski_cas.motion.motion import Motion
-from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.paper.closed_form import ClosedForm
 
 if TYPE_CHECKING:
@@ -22,6 +22,7 @@ PICTURES = {
     "hodographs": "of the angular velocity, in the body and in space",
     "traces": "of the field vectors on their spheres in the body",
     "torus": "which one trajectory fills",
+    "poincare": "section, with other motions on the same level; of any motion",
     "rectangle": "of the separated variables, and the curve in it",
     "bifurcation": "diagrams in the planes of (m, h) and (m, ℓ)",
     "atlas": "of all regimes in these fields",
@@ -35,6 +36,9 @@ PICTURES = {
 ON_N4 = ("torus", "rectangle", "bifurcation", "atlas")
 """What is drawn for motions on N⁴ alone."""
 
+OF_ANY = ("poincare",)
+"""What is drawn for any motion, also where there is no closed form."""
+
 OF_FIELDS = ("atlas", "resonances", "subsystems", "sections", "surfaces", "third")
 """What looks alike for all motions in the same fields."""
 
@@ -45,7 +49,7 @@ class Picture(NamedTuple):
     The caption is text with mathematics between dollars.
     """
 
-    draw: Callable[[Motion | MotionO4], Figure]
+    draw: Callable[..., Figure]
     caption: str
     about: type
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import partial
 from itertools import pairwise
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation, to_latex
+from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.dimension import check_conjugates
 from kowalevski_cas.paper.claims.forms import equations, members, minus, rate, sides, vanishes
@@ -16,7 +16,7 @@ from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.components import parts
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.logarithms import derivative_of, has_logarithm, roots
+from kowalevski_cas.paper.logarithms import derivative_of, has_logarithm, with_real_logarithms
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.space import Equation, Meaningless
@@ -83,8 +83,7 @@ class FirstIntegral(Claim):
         """
         if len(printed) > 1 or self.given:
             raise Meaningless("a function with logarithms is claimed by itself, on no set")
-        new = dict.fromkeys(map(to_latex, roots(printed[0]))).keys() - self.scene.roots.keys()
-        space = on(self.scene.adjoining(*sorted(new)))
+        space = on(with_real_logarithms(self.scene, printed))
         try:
             _ = space.finder
         except Meaningless as error:

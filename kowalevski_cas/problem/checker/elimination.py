@@ -1,18 +1,19 @@
 """The rank of vectors modulo a prime.
 
-A vector with an entry where no other has one counts, and is set aside, until there is none. What is
-left falls into blocks that have no place in common. A block is eliminated vector by vector; where
-its vectors fill up, each becomes one long number, in which all entries are subtracted at once.
+The vectors fall into blocks that have no place in common. In a block the place where fewest vectors
+have an entry is eliminated next, by the shortest of these vectors. Where the rest fills up, each
+vector becomes one long number, in which all entries are subtracted at once.
 """
 
 from __future__ import annotations
 
-from collections import Counter, defaultdict
+from collections import defaultdict
 from collections.abc import Callable, Iterator
 from heapq import heapify, heappop, heappush
 from operator import itemgetter
 
 PRIME = 2**61 - 1
+FULL = 4  # vectors are full where one entry in so many is not zero
 
 Vector = dict[int, int]  # residues that are not zero, by places
 Spend = Callable[[int], None]
@@ -21,38 +22,16 @@ Spend = Callable[[int], None]
 def rank(vectors: list[Vector], spend: Spend) -> int:
     """The rank; ``spend`` counts the steps."""
     spend(sum(map(len, vectors)))
-    rest = _without_own(vectors)
-    found = len(vectors) - len(rest)
-    for block in _blocks(rest):
-        by_vector = _sparse_rank(block, spend)
-        found += _dense_rank(block, spend) if by_vector is None else by_vector
+    found = 0
+    for block in _blocks(vectors):
+        size, rest = _eliminated(block, spend)
+        found += size + _dense_rank(rest, spend)
     return found
-
-
-def _without_own(vectors: list[Vector]) -> list[Vector]:
-    """The vectors that are left when those with an entry of their own are taken away in turn."""
-    having = defaultdict[int, list[int]](list)
-    for k, vector in enumerate(vectors):
-        for place in vector:
-            having[place].append(k)
-    often = {place: len(some) for place, some in having.items()}
-    left = dict(enumerate(vectors))
-    alone = [place for place, number in often.items() if number == 1]
-    while alone:
-        if often[place := alone.pop()] == 1:
-            for other in left.pop(next(k for k in having[place] if k in left)):
-                often[other] -= 1
-                if often[other] == 1:
-                    alone.append(other)
-    return [*left.values()]
 
 
 def _blocks(vectors: list[Vector]) -> Iterator[list[Vector]]:
     """The vectors, in groups of which no two have an entry at the same place."""
-    having = defaultdict[int, list[int]](list)
-    for k, vector in enumerate(vectors):
-        for place in vector:
-            having[place].append(k)
+    having = _having(vectors)
     left = {k for k, vector in enumerate(vectors) if vector}
     while left:
         group = [left.pop()]
@@ -64,39 +43,50 @@ def _blocks(vectors: list[Vector]) -> Iterator[list[Vector]]:
         yield [vectors[k] for k in sorted(group)]
 
 
-def _sparse_rank(block: list[Vector], spend: Spend) -> int | None:
-    """The rank, unless that is easier where vectors are full.
+def _having(vectors: list[Vector]) -> dict[int, set[int]]:
+    """The vectors that have an entry at a place."""
+    found = defaultdict[int, set[int]](set)
+    for k, vector in enumerate(vectors):
+        for place in vector:
+            found[place].add(k)
+    return found
 
-    What is eliminated by a vector is the entry at the place where fewest vectors have one.
-    """
-    often = Counter(place for vector in block for place in vector)
-    rare = {place: (number, place) for place, number in often.items()}
-    size = min(len(block), len(often))
-    most = len(block) * len(often) * (1 + size // 200)  # about as long as in long numbers
-    rows, at, work = list[list[tuple[int, int]]](), dict[int, int](), 0
-    for vector in block:
-        rest = dict(vector)
-        waiting = [at[place] for place in rest if place in at]
-        heapify(waiting)
-        while waiting:  # a row has no entry where an earlier one has its first
-            (pivot, _), *row = rows[heappop(waiting)]
-            if not (factor := rest.pop(pivot, 0)):
-                continue
-            spend(1 + (len(row) >> 2))
-            work += len(row) + 1
-            for place, value in row:
-                if place not in rest and place in at:
-                    heappush(waiting, at[place])
-                rest[place] = (rest.get(place, 0) - factor * value) % PRIME
-                if not rest[place]:
-                    del rest[place]
-        if work > most:
-            return None
-        if rest:
-            pivot = min(rest, key=rare.__getitem__)
-            over, at[pivot] = pow(rest.pop(pivot), -1, PRIME), len(rows)
-            rows.append([(pivot, 1), *((m, v * over % PRIME) for m, v in rest.items())])
-    return len(rows)
+
+def _eliminated(block: list[Vector], spend: Spend) -> tuple[int, list[Vector]]:
+    """How many vectors eliminate a place, and those that are left when these are full."""
+    left = [*map(dict, block)]
+    having = _having(left)
+    rarest = [(len(some), place) for place, some in having.items()]
+    heapify(rarest)
+    found, entries = 0, sum(map(len, left))
+    while rarest:
+        number, place = heappop(rarest)
+        if number != len(having.get(place, ())):  # it stands there once more, as it is now
+            continue
+        if number > 1 and FULL * entries > (len(left) - found) * len(having):
+            break
+        own = min(having[place], key=lambda k: (len(left[k]), k))
+        row, left[own], found = left[own], {}, found + 1
+        over, entries = pow(row.pop(place), -1, PRIME), entries - len(row) - 1
+        others = having.pop(place) - {own}
+        spend(number * (1 + (len(row) >> 2)))
+        for k in others:
+            vector = left[k]
+            entries -= len(vector)
+            factor = vector.pop(place) * over % PRIME
+            for m, value in row.items():
+                vector[m] = (vector.get(m, 0) - factor * value) % PRIME
+                (having[m].add if vector[m] else having[m].discard)(k)
+                if not vector[m]:
+                    del vector[m]
+            entries += len(vector)
+        for m in row:
+            having[m].discard(own)
+            if having[m]:
+                heappush(rarest, (len(having[m]), m))
+            else:
+                del having[m]
+    return found, [vector for vector in left if vector]
 
 
 def _dense_rank(block: list[Vector], spend: Spend) -> int:
