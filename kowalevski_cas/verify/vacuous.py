@@ -147,7 +147,8 @@ def stands_still(before: Elaboration, after: Elaboration, names: Iterable[str]) 
     So no law is changed into one of which anything is true, and no function into a constant.
     """
     was, now = before.finder, after.finder
-    if any(now.rates[x].is_zero for x, rate in was.rates.items() if not rate.is_zero):
+    moving = was.rates.items() if before.scene.field else ()
+    if any(now.rates[x].is_zero for x, rate in moving if not rate.is_zero):
         return True
     return any(_still(name, now) and not _still(name, was) for name in names)
 

@@ -18,7 +18,7 @@ class Circle(Paper):
 
     def goal(self, tex):
         claim = Implication("t", self.scene, "", printed=self(tex), given=self.all(self.hypotheses))
-        (found,) = claim.goals(Elaborations(derivation(self.section).texts()))
+        (found,) = claim.goals(Elaborations(derivation(self.section).texts(None, self.scene)))
         return found
 
 
@@ -34,7 +34,7 @@ def test_what_fails_at_a_point_of_the_hypotheses_is_refuted(tex, refuted):
 
 def test_a_correction_under_hypotheses_is_found():
     paper = Circle()
-    outcome = paper.outcome(Implication, "x^4-y^4=x^2+z", given=paper.all(paper.hypotheses))
+    outcome = paper.outcome(Implication, "x^4+y^4=z", given=paper.all(paper.hypotheses))
     assert str(outcome.verdict) == "refuted" and outcome.correction is not None
 
 
