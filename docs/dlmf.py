@@ -34,9 +34,14 @@ known what their rates are, their relations, and their values at one point, and 
 with ± is proved with either sign; one with a root is read as the sentence beside it says, with
 either sign of the root. Rows 22.8.23, 22.8.25 and 22.8.27 rest on values at parts of the quarter
 period K, which are printed beside them; the other rows with K, or with a sum of arguments, are
-what is given in these. The print of 22.8.23 and 22.8.25 was not at hand: what is proved under these
-numbers has not been compared with it. *Conditional* is what holds where the denominators do not
-vanish.
+what is given in these. In 4.21.1_5 the phase is known by its sine and cosine. *Conditional* is what
+holds where the denominators do not vanish.
+
+Every line that LaCASt prints has been compared with the rows as they stand here: they are the same
+formulas. LaCASt does not print 22.8.20, 22.8.23, 22.8.25 and 4.21.1_5. The print of 22.8.23 and
+22.8.25 was not at hand, only the words beside them: that 22.8.22 is what 22.8.23 rests on, and that
+what stands in 22.8.25 is independent of the arguments. What is proved under these two numbers has
+not been compared with their print.
 
 Beside each row stands in how many of its lines it is proved by Maple and by Mathematica, and in
 how many lines one of them calls it false at values that were tried, as LaCASt reports
@@ -51,7 +56,7 @@ def verdicts() -> dict[str, str]:
     for name in ("dlmf22", "dlmf4"):
         record = json.loads((DOCS.parent / "derivations" / name / "record.json").read_text("utf-8"))
         for claim, entry in record["claims"].items():
-            chapter, section, row = re.match(r"(\d+)\.(\d+)\.(\d+)", claim).groups()
+            chapter, section, row = re.match(r"(\d+)\.(\d+)\.(\d+(?:_\d+)?)", claim).groups()
             number = f"{chapter}.{section}.{row}"
             own = [number]
             if section == "7":  # three rows are proved together
@@ -64,9 +69,9 @@ def verdicts() -> dict[str, str]:
 ORDER = ("proved", "conditional", "undecided", "timeout", "refuted", "error")
 
 
-def order(number: str) -> list[int]:
-    """Rows stand by their numbers."""
-    return [*map(int, number.split("."))]
+def order(number: str) -> list[float]:
+    """Rows stand by their numbers; 1_5 is between 1 and 2."""
+    return [float(part.replace("_", ".")) for part in number.split(".")]
 
 
 def page() -> str:

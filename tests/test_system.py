@@ -598,10 +598,6 @@ def test_what_moves_is_no_value_of_an_integral(side):
             r"b_\{n\+1\} has an index that runs: print n=1",
         ),
         (r"\frac{dx}{ds}=y, \frac{dy}{dt}=x", "derivatives by s and by t: print one independent"),
-        (
-            r"\dot L=[L,M],\ L=\begin{pmatrix}p&q\\q&-p\end{pmatrix},\ M=\begin{pmatrix}0&1\\-1&0\end{pmatrix}",
-            "L moves by an equation of its own: .* print the equations of motion of what stands in it",
-        ),
         (r"\dot x=y, \dot y=-x, \dot x=-y", r"3 equations for 2 unknowns \(x, y\): leave one out"),
         (
             r"\dot q=\frac{\partial H}{\partial p},\ \dot p=-\frac{\partial H}{\partial q}",

@@ -1,6 +1,6 @@
 r"""4.21. Identities of trigonometric functions."""
 
-from kowalevski_cas.paper.derivation import Section
+from kowalevski_cas.paper.derivation import Scene, Section
 
 from .setting import REAL, complex_argument, dlmf, with_root
 
@@ -13,6 +13,18 @@ section.identity(
     r"\sin u\pm\cos u=\sqrt{2}\sin(u\pm\frac{\pi}{4})=\pm\sqrt{2}\cos(u\mp\frac{\pi}{4})",
     on=REAL,
     says=dlmf("4.21.1"),
+)
+
+phase = section.lemma(
+    "ph-4.21",
+    r"\cos\varphi=\frac{A}{\sqrt{A^2+B^2}}, \quad \sin\varphi=\frac{B}{\sqrt{A^2+B^2}}",
+    r"https://dlmf.nist.gov/1.9#i: $\varphi$ is the phase of $A+iB$",
+)
+section.identity(
+    "4.21.1_5",
+    r"A\cos u+B\sin u=\sqrt{A^2+B^2}\cos(u-\varphi)",
+    on=REAL.having(constants=("A", "B", r"\varphi")).adjoining(r"\sqrt{A^2+B^2}").taking(phase),
+    says=dlmf("4.21.1_5"),
 )
 
 section.identity(
@@ -158,6 +170,12 @@ section.identity(
     "4.21.36-rest",
     r"\sin z=\frac{2t}{1+t^2}, \quad \cos z=\frac{1-t^2}{1+t^2}",
     on=REAL.defining(half_tangent),
+    says=dlmf("4.21.36"),
+)
+section.identity(
+    "4.21.36-dz",
+    r"\frac{dt}{dz}=\frac{1+t^2}{2}",
+    on=Scene("z moves", time="z").defining(half_tangent),
     says=dlmf("4.21.36"),
 )
 

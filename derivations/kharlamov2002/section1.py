@@ -152,7 +152,7 @@ J_1  = \omega _1^2  - \omega _2^2  + \alpha _1  - \beta _2, \quad
 J_2  = 2\omega _1 \omega _2  + \alpha _2  + \beta _1,""",
 )
 
-eq7 = section.display("eq7", r"J_1  = 0,\quad J_2  = 0,")
+eq7 = section.display("eq7", r"J_1  = 0,\quad J_2  = 0,", cites=("eq6",))
 
 J3 = section.display(
     "J3",

@@ -69,6 +69,7 @@ w_2,}
 2w'_1  =  - (w_1 w_3  + z_1 ),\quad 2w'_2  = w_2 w_3  + z_2, \quad
 2\omega'_3 = y_2  - y_1.
 \end{array}""",
+    cites=("eq3", "eq5"),
 )
 for row in (1, 2, 3, 4, 7, 8):  # nothing defines w_3
     section.accept(eq10[row], eq10[row].tex.replace("w_3", r"\omega_3"))
@@ -188,6 +189,7 @@ eq12 = section.display(
 \frac{d F_1} {d\tau}  = \frac{1} {2\sqrt {x_1 x_2 }} \,[\frac{x_2}
 {x_1 } (z_1^2  + x_1 y_2 )(w_1^2  + x_1 ) - \frac{x_1} {x_2 } (z_2^2
 + x_2 y_1 )(w_2^2  + x_2 )].""",
+    cites=("eq10",),
 )
 
 c = section.display(
@@ -197,6 +199,7 @@ c = section.display(
 z_1^2  + x_1 y_2  = (a^2  - b^2 ) + 2ic = c_1  = {\rm const},\\
 z_2^2  + x_2 y_1  = (a^2  - b^2 ) - 2ic = c_2  = {\rm const}.
 \end{array}""",
+    cites=("eq4",),
 )
 
 eq13 = section.display(
@@ -245,6 +248,7 @@ U_prime = section.identity(
 \displaystyle{\frac{dU_2} {d\tau } =-{\frac {c_2 } {x_2^2 }}(w_2^2 +
 x_2 )[x_1 x_2 \omega _3  - (x_2 z_1 w_1  + x_1 z_2 w_2 )],}
 \end{array}""",
+    cites=("eq13",),
     on=with_constants,
     says="the derivatives of $U_1$ and $U_2$",
     ids=("U1-prime", "U2-prime"),
@@ -275,6 +279,7 @@ F_prime = section.identity(
 }\, F_2 , \quad \frac {dF_2} {d\tau }   = \frac {1} {\sqrt {x_1 x_2
 } }(U_1  + U_2 )\,F_1.}
 \end{array}""",
+    cites=("eq12", "eq14"),
     on=with_root,
     says="the derivatives of $F_1$ and $F_2$ are multiples of $F_2$ and $F_1$",
     ids=("F1-prime", "F2-prime"),
@@ -361,6 +366,7 @@ _1 ) +
 \qquad+ [(a^2  - b^2 )(\xi _1^2  - \xi _2^2 ) + 4c\xi _1 \xi _2
 ](2\omega _1 \omega _2  + \xi _2 ) = 0.
 \end{array}""",
+    cites=("eq9",),
 )
 
 xi = section.display(

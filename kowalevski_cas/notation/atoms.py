@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from fractions import Fraction
 
 from kowalevski_cas.notation.cursor import END, Piece
@@ -171,7 +172,8 @@ class Atoms(Symbols):
                 raise self.error("what does a mean value mean here?", opening)
             if opening.text == r"\lvert":
                 return self.modulus(items[0], start)
-            return (items[0][0], start, end, items[0][3])
+            inner, _, _, below = items[0]
+            return (replace(inner, bracket=opening.text), start, end, below)
         nodes = tuple(item[0] for item in items)
         if opening.text == r"\{":
             return (PoissonBracket(nodes[0], nodes[1]), start, end, items)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import wraps
 from inspect import get_annotations
 from operator import is_
@@ -22,7 +22,7 @@ EQUALITIES = frozenset({"=", r"\equiv"})
 """The signs that say that two members are equal."""
 
 
-@dataclass_transform(frozen_default=True)
+@dataclass_transform(frozen_default=True, field_specifiers=(field,))
 def node(kind: type[Kind]) -> type[Kind]:
     """A kind of nodes with the attributes that it declares. Type checkers let nobody change one.
 
@@ -41,16 +41,21 @@ class Formula:
     method: ClassVar[str]
     """What a printer calls the method for such nodes."""
 
+    bracket: str = field(default="", kw_only=True, compare=False, repr=False)
+    """The opening bracket in which it is printed: nothing of its meaning, and two formulas that
+    differ in no more are equal."""
+
     def __init_subclass__(cls) -> None:
         kinds = {"Formula": False, "tuple[Formula, ...]": True}
         own = get_annotations(cls).items()
         cls._below += tuple((name, kinds[kind]) for name, kind in own if kind in kinds)
         cls.method = re.sub(r"(?<!^)(?=[A-Z])", "_", cls.__name__).lower()
 
-    def __reduce__(self) -> tuple[type[Formula], tuple[object, ...]]:
+    def __reduce__(self) -> tuple[type[Formula], tuple[object, ...], dict[str, str]]:
         """What was found of a node and is kept with it is no part of it."""
         names: tuple[str, ...] = self.__match_args__
-        return type(self), tuple(getattr(self, name) for name in names)
+        values = tuple(getattr(self, name) for name in names)
+        return type(self), values, {"bracket": self.bracket}
 
     def children(self) -> tuple[Formula, ...]:
         """The subformulas directly below this node, from left to right."""

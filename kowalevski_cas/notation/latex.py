@@ -59,7 +59,7 @@ class Latex(Printer):
             inner = replace(parts, star="", index="", primes="").name
             behind = parts.name.removeprefix(inner)
         else:
-            inner, behind = self.in_brackets(self(argument)), ""
+            inner, behind = self.enclose(argument), ""
         while order > 3:
             inner, behind, order = f"{DOTS[2]}{{{inner}}}{behind}", "", order - 3
         return f"{DOTS[order - 1]}{{{inner}}}{behind}"

@@ -77,9 +77,8 @@ class MathML(Printer):
     def side_by_side(self, parts: Iterable[str]) -> str:
         return "".join(parts)
 
-    def brackets(self, text: str) -> tuple[str, str]:
-        inner = ">(</mo>" in text and ">[</mo>" not in text
-        return self.square if inner else self.round
+    def is_round(self, text: str) -> bool:
+        return ">(</mo>" in text and ">[</mo>" not in text
 
     def between(self, opening: str, text: str, closing: str) -> str:
         if _TALL.search(text):
@@ -104,7 +103,7 @@ class MathML(Printer):
         primes = _PRIMES.format(self.prime * order)
         if isinstance(argument, Name) and is_unmarked(argument):
             return self._name(argument, primes=primes)
-        return self.in_brackets(self(argument)) + primes
+        return self.enclose(argument) + primes
 
     def conjugate(self, formula: Conjugate) -> str:
         """An accent over a letter, a border over all else: no browser stretches a bar."""
@@ -114,7 +113,7 @@ class MathML(Printer):
     def with_dots(self, argument: Formula, order: int) -> str:
         if isinstance(argument, Name):
             return self._name(argument, order)
-        return _over(self.in_brackets(self(argument)), _DOTS[min(order, 4)])
+        return _over(self.enclose(argument), _DOTS[min(order, 4)])
 
     def over(self, index: str, first: str, last: str) -> str:
         below = f"<mrow>{index}<mo>=</mo>{first}</mrow>"

@@ -50,12 +50,12 @@ class PlainText(Printer):
         return joined
 
     def factor(self, formula: Formula) -> str:
-        return self.in_brackets(self(formula)) if _has_slash(formula) else super().factor(formula)
+        return self.enclose(formula) if _has_slash(formula) else super().factor(formula)
 
     def quotient(self, formula: Quotient) -> str:
-        above, text = formula.numerator, self.term(formula.numerator)
-        if _has_slash(above) or isinstance(above, CrossProduct):
-            text = self.in_brackets(text)
+        above = formula.numerator
+        apart = _has_slash(above) or isinstance(above, CrossProduct)
+        text = self.enclose(above) if apart else self.term(above)
         return self.fraction(text, self.factor(formula.denominator))
 
     def superscript(self, base: str, exponent: str) -> str:
@@ -77,7 +77,7 @@ class PlainText(Printer):
     def with_dots(self, argument: Formula, order: int) -> str:
         if isinstance(argument, Name):
             return _name_under(argument.name, _DOT * order)
-        return self.in_brackets(self(argument)) + "˙" * order
+        return self.enclose(argument) + "˙" * order
 
     def rows(self, rows: Sequence[Sequence[str]]) -> str:
         return f"({', '.join(f'({text})' for text in map(', '.join, rows))})"

@@ -122,8 +122,8 @@ class Printer(ABC):
 
     def with_primes(self, argument: Formula, order: int) -> str:
         """Primes behind a name, or behind a formula in brackets."""
-        text = self(argument)
-        return (text if is_unmarked(argument) else self.in_brackets(text)) + self.prime * order
+        text = self(argument) if is_unmarked(argument) else self.enclose(argument)
+        return text + self.prime * order
 
     def between(self, opening: str, text: str, closing: str) -> str:
         """A text in these brackets."""
@@ -131,15 +131,24 @@ class Printer(ABC):
 
     # Brackets
 
-    def in_brackets(self, text: str) -> str:
+    def enclose(self, formula: Formula) -> str:
+        """A formula in its brackets."""
+        return self.in_brackets(self(formula), formula.bracket)
+
+    def in_brackets(self, text: str, printed: str = "") -> str:
         """The text in brackets."""
-        opening, closing = self.brackets(text)
+        opening, closing = self.brackets(text, printed)
         return self.between(opening, text, closing)
 
-    def brackets(self, text: str) -> tuple[str, str]:
-        """The brackets around a text: square ones around round ones."""
-        inner = self.round[0] in text and self.square[0] not in text
-        return self.square if inner else self.round
+    def brackets(self, text: str, printed: str) -> tuple[str, str]:
+        """The brackets around a text: the printed ones, else square ones around round ones."""
+        known = {"(": self.round, "[": self.square, r"\{": self.braces}
+        inner = self.square if self.is_round(text) else self.round
+        return known.get(printed, inner)
+
+    def is_round(self, text: str) -> bool:
+        """Whether round brackets stand in a text, and no square ones."""
+        return self.round[0] in text and self.square[0] not in text
 
     def begins_with_number(self, text: str) -> bool:
         """Whether a number stands at the beginning of what was printed."""
@@ -156,13 +165,11 @@ class Printer(ABC):
 
     def term(self, formula: Formula) -> str:
         """The formula behind a sign."""
-        text = self(formula)
-        return self.in_brackets(text) if isinstance(formula, SIGNED) else text
+        return self.enclose(formula) if isinstance(formula, SIGNED) else self(formula)
 
     def factor(self, formula: Formula) -> str:
         """The formula beside other factors."""
-        text = self(formula)
-        return self.in_brackets(text) if isinstance(formula, COMPOUND) else text
+        return self.enclose(formula) if isinstance(formula, COMPOUND) else self(formula)
 
     # Nodes
 
@@ -201,8 +208,7 @@ class Printer(ABC):
         return self.thin if self.thin and (is_word(left) or is_word(right)) else ""
 
     def power(self, formula: Power) -> str:
-        text = self(formula.base)
-        text = text if is_base(formula.base) else self.in_brackets(text)
+        text = self(formula.base) if is_base(formula.base) else self.enclose(formula.base)
         return self.superscript(text, self(formula.exponent))
 
     def root(self, formula: Root) -> str:
@@ -231,13 +237,13 @@ class Printer(ABC):
         below = self.side_by_side([d, self(moved)])
         if isinstance(argument, Name):
             return self.fraction(self.side_by_side([d, self(argument)]), below)
-        return self.side_by_side([self.fraction(d, below), self.in_brackets(self(argument))])
+        return self.side_by_side([self.fraction(d, below), self.enclose(argument)])
 
     def real_part(self, formula: RealPart) -> str:
-        return self.side_by_side([self.upright("Re"), self.in_brackets(self(formula.argument))])
+        return self.side_by_side([self.upright("Re"), self.enclose(formula.argument)])
 
     def imaginary_part(self, formula: ImaginaryPart) -> str:
-        return self.side_by_side([self.upright("Im"), self.in_brackets(self(formula.argument))])
+        return self.side_by_side([self.upright("Im"), self.enclose(formula.argument)])
 
     def application(self, formula: Application) -> str:
         return self.side_by_side([self(Name(formula.function)), self.comma_list(formula.arguments)])
@@ -262,7 +268,7 @@ class Printer(ABC):
             inner = isinstance(side, Sum | Negative | CrossProduct | Summation)
             # A dot between the factors of the right side would end that side.
             dot = side is formula.right and isinstance(side, Product) and self.times in text
-            sides.append(self.in_brackets(text) if inner or dot else text)
+            sides.append(self.in_brackets(text, side.bracket) if inner or dot else text)
         return f" {self.cross} ".join(sides)
 
     def poisson_bracket(self, formula: PoissonBracket) -> str:

@@ -75,7 +75,7 @@ class Typst(Printer):
             order -= min(order, 4)
         if isinstance(argument, Name):
             return self._name(argument, accent)
-        return accent.translate(_GROUPING).format(self.in_brackets(self(argument)))
+        return accent.translate(_GROUPING).format(self.enclose(argument))
 
     def rows(self, rows: Sequence[Sequence[str]]) -> str:
         return f"mat⟮{'; '.join(map(', '.join, rows))}⟯"

@@ -23,7 +23,7 @@ from kowalevski_cas.paper.families import (
     template,
 )
 from kowalevski_cas.paper.meaning import Meaning
-from kowalevski_cas.problem.goals import Along, Goal, simple
+from kowalevski_cas.problem.goals import Along, Exists, Goal, simple
 from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.problem.space import Adjoined, EquationOfMotion, Space
 
@@ -45,6 +45,7 @@ def addition_theorems(goals: Iterable[Goal]) -> Iterator[Along]:
         if isinstance(setting, Meaning) and setting.transcendental.groups:
             reach = Reach(setting)
             for goal in goals:
+                reach.bound |= {*(goal.bound if isinstance(goal, Exists) else ())}
                 for one in simple(goal):
                     if one.space is setting:
                         reach.goal(one)

@@ -40,9 +40,14 @@ class Section:
     expected: dict[str, str] = field(default_factory=dict)
     scenes: dict[str, Scene] = field(default_factory=dict)
 
-    def display(self, id: str, tex: str, label: str = "") -> Display:
-        """A displayed formula; ``eq3`` is labelled (3) if nothing else is said."""
-        return self._add(id, tex, label=label or _label(id))
+    def display(
+        self, id: str, tex: str, label: str = "", *, cites: tuple[str, ...] = ()
+    ) -> Display:
+        """A displayed formula; ``eq3`` is labelled (3) if nothing else is said.
+
+        It ``cites`` the displays of these ids, in the words that lead to it.
+        """
+        return self._add(id, tex, label=label or _label(id), cites=cites)
 
     def inline(self, id: str, tex: str, label: str = "") -> Display:
         """A formula in running text."""
@@ -53,10 +58,18 @@ class Section:
         return self._add(id, tex, source=source)
 
     def identity(
-        self, id: str, tex: str, *, on: Scene, says: Says, ids: Sequence[str] = ()
+        self,
+        id: str,
+        tex: str,
+        *,
+        on: Scene,
+        says: Says,
+        ids: Sequence[str] = (),
+        cites: tuple[str, ...] = (),
     ) -> Display:
         """A displayed formula, and the claim that it is an identity; see :meth:`states`."""
-        return self.states(Identity, self.display(id, tex), on=on, says=says, ids=ids)
+        shown = self.display(id, tex, cites=cites)
+        return self.states(Identity, shown, on=on, says=says, ids=ids)
 
     def states(
         self,

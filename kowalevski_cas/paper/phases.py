@@ -16,21 +16,31 @@ from kowalevski_cas.paper.arguments import Combination, Monomial
 class Phases:
     """The phases among the ``arguments`` of a family, which are given with their terms.
 
-    ``is_one`` says of the terms that hang together whether sums of them are phases.
+    ``is_one`` says of the terms that hang together whether sums of them are phases, and
+    ``is_value`` of a term that the functions there are known: it is added to a phase.
     """
 
     def __init__(
         self,
         arguments: Mapping[Formula, Combination],
         is_one: Callable[[frozenset[Monomial]], bool],
+        is_value: Callable[[Monomial], bool],
     ) -> None:
         self.spans: list[_Span] = []
-        for terms in filter(is_one, _components(arguments.values())):
-            span = _Span(terms)
-            for formula, argument in arguments.items():
+        inner = {
+            formula: {term: factor for term, factor in argument.items() if not is_value(term)}
+            for formula, argument in arguments.items()
+        }
+        for terms in filter(is_one, _components(inner.values())):
+            span, shifted = _Span(terms), list[Combination]()
+            for formula, argument in inner.items():
                 if not terms.isdisjoint(argument):
-                    span.add(formula, argument)
-            if len(span.rows) < len(terms):
+                    if argument == arguments[formula]:
+                        span.add(formula, argument)
+                    else:
+                        shifted.append(argument)
+            known = not any(span.reduced(argument)[0] for argument in shifted)
+            if known and len(span.rows) < len(terms):
                 self.spans.append(span)
 
     def __call__(self, argument: Combination) -> Combination:
@@ -38,7 +48,7 @@ class Phases:
         for span in self.spans:
             if not span.terms.isdisjoint(argument):
                 rest, found = span.reduced(argument)
-                return argument if rest else found
+                return {**found, **rest} if span.terms.isdisjoint(rest) else argument
         return argument
 
 

@@ -51,6 +51,8 @@ class Display:
     source: str = ""
     """Where a formula comes from that the paper itself does not print."""
     label: str = ""
+    cites: tuple[str, ...] = ()
+    """The displays that the words before it cite, by their ids."""
 
     def __getitem__(self, number: int) -> Printed:
         return Printed(self, number)

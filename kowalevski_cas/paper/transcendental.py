@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from functools import cached_property, partial
+from functools import cached_property
 from math import lcm
 from types import MappingProxyType
 from typing import NamedTuple
@@ -106,7 +106,8 @@ class Transcendental:
             printed_as = whole if isinstance(argument, Name) else argument
             arguments.setdefault(kind_of(one), {})[printed_as] = combination(whole)
         self.phases = {
-            kind: Phases(of, partial(self._is_phase, kind)) for kind, of in arguments.items()
+            kind: Phases(of, self._is_phase(kind), self._is_value(kind))
+            for kind, of in arguments.items()
         }
         self._rotated: dict[Formula, None] = {}
         found: dict[tuple[Kind, Monomial], int] = {}
@@ -136,15 +137,25 @@ class Transcendental:
             and below.issubset(self.constants)  # by what moves these functions are not derived
         )
 
-    def _is_phase(self, kind: Kind, terms: frozenset[Monomial]) -> bool:
-        """Whether one of some terms moves, and it is no angle; at the others nothing is known."""
-        if () in terms or any((kind, one) in self.known for one in terms):
-            return False
-        names = {name for one in terms for name in names_in(one)}
-        if not names.isdisjoint({PI, "i"} & {*self.constants}):
-            return False
-        moving = [one for one in terms if not {*self.constants}.issuperset(names_in(one))]
-        return len(moving) == 1 and not (kind.family.covers and single_name(moving[0]))
+    def _is_value(self, kind: Kind) -> Callable[[Monomial], bool]:
+        """Whether the functions at a term are known."""
+
+        def is_value(term: Monomial) -> bool:
+            return (kind, term) in self.known or (single_name(term) == PI and PI in self.constants)
+
+        return is_value
+
+    def _is_phase(self, kind: Kind) -> Callable[[frozenset[Monomial]], bool]:
+        """Whether one of some terms moves, and it is no angle."""
+
+        def is_phase(terms: frozenset[Monomial]) -> bool:
+            names = {name for one in terms for name in names_in(one)}
+            if () in terms or not names.isdisjoint({PI, "i"} & {*self.constants}):
+                return False
+            moving = [one for one in terms if not {*self.constants}.issuperset(names_in(one))]
+            return len(moving) == 1 and not (kind.family.covers and single_name(moving[0]))
+
+        return is_phase
 
     @property
     def equations(self) -> Iterator[tuple[Formula, Formula]]:

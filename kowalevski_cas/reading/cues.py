@@ -59,6 +59,11 @@ CUES: dict[str, str] = {
         привод\w+ вытека\w+""",
     "here": r"""
         (?:\bon|\bif|\bwhen|\bfor|\bat|\bwhere|\bна|\bпри|\bесли)\s+(?:the\s+)?(?:\w+\s+){0,2}(?:§[\s,]*)*$""",
+    "either root": r"""
+        signs?\s+of\s+(?:the\s+|this\s+)?(?:square\s+)?(?:roots?|radicals?) either\s+sign
+        (?:roots?|radicals?)\s+(?:has|have|takes?|is|are)\s+(?:taken\s+with\s+)?(?:the|either|that|both)\s+signs?
+        either\s+(?:value|branch)\s+of\s+the\s+(?:square\s+)?(?:root|radical)
+        знак\w*\s+(?:\w+\s+)?(?:корня|корней|радикал\w*)""",
     "places": r"""
         planes lines axes points surfaces sets circles плоскост(?:и|ей) прям(?:ые|ых) ос(?:и|ей)\b
         точ(?:ки|ек)""",

@@ -77,17 +77,21 @@ class _Ladder:
     def identities(self) -> Iterator[Rung]:
         """An equation by itself, and where cited equations hold.
 
-        What vanishes where others are cited is one of a set: nobody says that it always does.
+        What vanishes where others are cited is one of a set: nobody says that it always does. A
+        root has either sign if the sentence speaks of it.
         """
         says = "both sides are equal"
         hypotheses = self.hypotheses()
         for assumptions in self.suppositions():
             if not hypotheses or ZERO not in self.item.members:
                 yield self.rung(Identity, says, assumptions)
+            if (root := self._root()) and cue("either root", self.item.words):
+                chosen = f"{says}, for one value of ${root}$"
+                yield self.rung(Implication, chosen, assumptions, given=(), root=root)
             for given in hypotheses:
                 said = "both sides are equal where the cited equations hold"
                 yield self.rung(Implication, said, assumptions, given, given=_places(given))
-                if root := self._root():
+                if root:
                     chosen = f"{said}, for one value of ${root}$"
                     beside = tuple(one for one in self._beside() if root in self._roots(one))
                     yield self.rung(

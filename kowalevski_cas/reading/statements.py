@@ -174,13 +174,18 @@ def read_statements(source: Source) -> SourcePaper:
         if any(one.title == "thebibliography" for one in path):
             continue
         section = str(prose.sections.index(path[-1]))
+        around = _Around(prose, formula)
         display = Display(
-            _id(formula, ids), formula.tex, section, formula.inline, label=_label(formula)
+            _id(formula, ids),
+            formula.tex,
+            section,
+            formula.inline,
+            label=_label(formula),
+            cites=references(around.lead),
         )
         displays.append((display, formula))
         start = formula.start + len(formula.tex) - len(formula.tex.lstrip())
         lines[display.id] = source.line(expanded.origin(start, start + 1)[0])
-        around = _Around(prose, formula)
         for number, (tree, trouble, (start, end)) in enumerate(_read(formula, words), 1):
             span = expanded.origin(formula.start + start, formula.start + end)
             items.append(

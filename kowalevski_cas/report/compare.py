@@ -2,14 +2,33 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
+from dataclasses import replace
 
-from kowalevski_cas.notation import Formula, Negative, Power, Product, Quotient, Relation, Root, Sum
+from kowalevski_cas.notation import (
+    Formula,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Relation,
+    Root,
+    Sum,
+    power,
+    times,
+)
 from kowalevski_cas.notation.brackets import COMPOUND
 from kowalevski_cas.notation.formula import Changed
 
 _TAKEN_APART = (Relation, Sum, Negative, Product, Quotient, Root, Power)
 """What is marked in part; a derivative, say, is marked as a whole."""
+
+_FEW = 3
+"""How many factors a ratio has at most."""
+
+_MINUS = Negative(Number(1))
 
 
 def mark_differences(
@@ -28,6 +47,65 @@ def mark_differences(
         return tuple(printed), tuple(meant)
     pairs = [_mark_differences(old, new, None) for old, new in zip(printed, meant, strict=True)]
     return tuple(old for old, _ in pairs), tuple(new for _, new in pairs)
+
+
+def ratio_of_sides(printed: Sequence[Formula], meant: Sequence[Formula]) -> Formula | None:
+    r"""What the left side of a misprinted equation is of its right one, if the other one is true.
+
+    Nothing, where that takes more than a few factors.
+
+    >>> from kowalevski_cas.notation import Vocabulary, read, to_latex
+    >>> words = Vocabulary(frozenset({"u", "v", "x", "y"}))
+    >>> wrong = read(r"u=\frac{1}{\sqrt{xy}}(v+1)", words)
+    >>> right = read(r"u=\sqrt{xy}(v+1)", words)
+    >>> to_latex(ratio_of_sides([wrong], [right]))
+    'xy'
+    """
+    match (*printed, *meant):
+        case (Relation((left, wrong), ("=",)), Relation((other, right), ("=",))):
+            powers = Counter[Formula]()
+            for formula, exponent in ((left, 1), (wrong, -1), (other, -1), (right, 1)):
+                _add_powers(powers, formula, exponent)
+            return _product_of_powers(powers)
+    return None
+
+
+def _add_powers(powers: Counter[Formula], formula: Formula, exponent: int) -> None:
+    """Count the factors of a formula; a root is one, since it is either of two."""
+    match formula:
+        case Product(factors):
+            for factor in factors:
+                _add_powers(powers, factor, exponent)
+        case Quotient(above, below):
+            _add_powers(powers, above, exponent)
+            _add_powers(powers, below, -exponent)
+        case Negative(argument):
+            powers[_MINUS] += exponent
+            _add_powers(powers, argument, exponent)
+        case Power(base, Number(value)):
+            _add_powers(powers, base, exponent * value)
+        case Number(1):
+            pass
+        case _:
+            powers[formula] += exponent
+
+
+def _product_of_powers(powers: Counter[Formula]) -> Formula | None:
+    """The product, unless it is long, or one."""
+    for root in [one for one in powers if isinstance(one, Root)]:
+        half, powers[root] = divmod(powers[root], 2)
+        _add_powers(powers, root.argument, half)
+    negative = powers.pop(_MINUS, 0) % 2
+    above, below = (
+        [power(one, sign * many) for one, many in powers.items() if sign * many > 0]
+        for sign in (1, -1)
+    )
+    factors = [*above, *below]
+    long = len(factors) > _FEW or any(isinstance(node, Sum) for f in factors for node in f.nodes())
+    if long or not (factors or negative):
+        return None
+    found = Quotient(times(*above), times(*below)) if below else times(*above)
+    return Negative(found) if negative else found
 
 
 def without_marks(formula: Formula) -> Formula:
@@ -64,7 +142,7 @@ def _lone(whole: Formula, own: Sequence[Formula], other: Sequence[Formula], wron
             factors.append(factor)
         else:
             factors.append(_mark(factor, wrong, bare=False))
-    return Product(tuple(factors)) if isinstance(whole, Product) else factors[0]
+    return replace(whole, factors=tuple(factors)) if isinstance(whole, Product) else factors[0]
 
 
 def _factors(formula: Formula) -> tuple[Formula, ...]:
@@ -77,7 +155,7 @@ def _mark(formula: Formula, wrong: bool, bare: bool) -> Formula:
         return Negative(_mark(formula.argument, wrong, bare))
     if isinstance(formula, COMPOUND) and not bare:
         return formula.map_children(lambda part: _mark(part, wrong, bare))
-    return Changed(formula, wrong)
+    return Changed(formula, wrong, bracket=formula.bracket)
 
 
 def _with(formula: Formula, children: Sequence[Formula]) -> Formula:

@@ -67,6 +67,6 @@ def _corrections(findings: Findings) -> Iterator[Block]:
 
 def _because(findings: Findings, outcome: Outcome) -> Iterator[Block]:
     if outcome.counterexample:
-        first, *others = findings.phrases.values(outcome.counterexample)
+        first, *others = findings.why(outcome)
         begins = f"Because {first[:1].lower()}{first[1:]}" if isinstance(first, str) else first
         yield Paragraph((begins, *others), "note")

@@ -7,7 +7,7 @@ from functools import cached_property
 from types import MappingProxyType
 
 from kowalevski_cas.notation import Formula
-from kowalevski_cas.report.compare import mark_differences
+from kowalevski_cas.report.compare import mark_differences, ratio_of_sides
 from kowalevski_cas.report.document import (
     Block,
     Emphasis,
@@ -151,8 +151,19 @@ class Findings:
         if correction.others:
             shown.append(Paragraph((*self.phrases.links(correction.others), _KEPT)))
         if first.counterexample:
-            shown.append(Paragraph(self.phrases.values(first.counterexample), "note"))
+            shown.append(Paragraph(self.why(first), "note"))
         return Judgement(None, "", head, blocks=tuple(shown))
+
+    def why(self, refuted: Outcome) -> Text:
+        """The two values at a point, and what the one side is of the other where this is short."""
+        found, correction = refuted.counterexample, refuted.correction
+        said = self.phrases.values(found) if found else ()
+        if found is None or found.words or correction is None or correction.blamed:
+            return said
+        ratio = ratio_of_sides(refuted.formulas, correction.formulas)
+        if ratio is None:
+            return said
+        return (*said, " The left side is always ", ratio, " times the right side.")
 
     def _falsehood(self, outcome: Outcome) -> Judgement:
         where = capitalise(self.phrases.found([outcome.claim]))

@@ -78,9 +78,13 @@ def page(
 
 
 def facts(run: Run, certified: Mapping[str, str], programs: Sequence[Witness]) -> str:
-    """A run as JSON, without what it measured of time: the same bytes from run to run."""
+    """A run as JSON, without what it measured of time: the same bytes from run to run.
+
+    Of programs that confirm certificates it speaks if any were asked.
+    """
 
     def claim(outcome: Outcome) -> dict[str, object]:
+        confirmed = [program.name for program in programs if outcome.claim in program.claims]
         return {
             "section": outcome.section,
             "scene": outcome.scene,
@@ -88,9 +92,7 @@ def facts(run: Run, certified: Mapping[str, str], programs: Sequence[Witness]) -
             "statement": outcome.digest,
             "certificate": certified.get(outcome.claim),
             "decided by": dict(outcome.verdicts),
-            "confirmed by": [
-                program.name for program in programs if outcome.claim in program.claims
-            ],
+            **({"confirmed by": confirmed} if programs else {}),
             "rests on": list(outcome.rests_on),
             "read with the corrections of": list(outcome.corrected),
         }

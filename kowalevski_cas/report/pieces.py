@@ -135,7 +135,7 @@ def _within(
 def _bracket(formula: Formula, printer: Printer) -> Piece:
     inner = pieces(formula, printer)
     text = source_of(inner, printer)
-    opening, closing = printer.brackets(text)
+    opening, closing = printer.brackets(text, formula.bracket)
     ends = Piece(opening, _BRACKET, "open"), Piece(closing, _BRACKET, "close")
     return _pair((ends[0], *inner, ends[1]), printer.between(opening, text, closing))
 

@@ -27,9 +27,9 @@ _TRUST: Final = (
         "What has to be trusted",
         "You must trust that each formula was transcribed and interpreted correctly: compare it "
         "with the paper. For a certified statement you then need to trust only the checker and "
-        "the integers of Python, or any one of the other programs that confirm it; for any other "
-        "statement, the program and one of its three arithmetics, which share how LaTeX is read "
-        "and put into polynomials.",
+        "the integers of Python, or any other program that confirms its certificate; for any "
+        "other statement, the program and one of its three arithmetics, which share how LaTeX is "
+        "read and put into polynomials.",
     ),
     (
         "What is not proved",

@@ -24,6 +24,9 @@ from kowalevski_cas.search.real_cases import proof_by_cases
 LARGEST_POWER = 3
 """The largest power of a goal that is combined."""
 
+SIMPLEST = 20
+"""Among how many points at which a goal fails the simplest is taken."""
+
 
 class FollowsFinder(PointFinder):
     """Evidence that equations follow from others, or fail where these hold."""
@@ -122,7 +125,7 @@ class FollowsFinder(PointFinder):
 
         divided = [*law(goal, at), *known, *(e for one in failing for e in one)]
         divided += [condition.inverse() for condition in conditions]
-        point = self.point(at, known, divided, good)
+        point = self.point(at, known, divided, good, among=SIMPLEST)
         return None if point is None else At(point)
 
 

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from itertools import chain, combinations, count, islice
+from operator import itemgetter
 
 from kowalevski_cas.algebra.numbers import Substitution, gaussian, number_ring, root_in
 from kowalevski_cas.algebra.points import ExactPoint
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Conjugate, Name
+from kowalevski_cas.notation import Conjugate, Name, Negative, Number, Quotient
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
 from kowalevski_cas.problem.place import Misplaced, Pieces, PointEvaluation, number_formula
@@ -19,6 +20,13 @@ from kowalevski_cas.search.real import points_with_squares, real_points
 
 Of = Callable[[Setting], Evaluation]
 Good = Callable[["Candidate"], bool]
+
+Place = tuple[ExactPoint, Mapping[str, Fraction]]
+"""Rational coordinates, and the squares of the others."""
+
+Height = tuple[int, int, int, int]
+"""How many roots a point needs, how many of its constants are negative, as no moment of inertia
+is, how many of its coordinates are fractions, and its largest whole number."""
 
 Values = Callable[[Element], Element]
 """What gives elements their values."""
@@ -44,7 +52,7 @@ class Candidate:
         negative: Container[str] = (),
         squares: Mapping[str, Fraction] = {},  # it is only read
     ) -> None:
-        self.at = at
+        self.at, self.squares = at, squares
         self.numbers = number_ring(at.polynomials)
         values = {name: gaussian(self.numbers, *value) for name, value in point.items()}
         for name, square in squares.items():
@@ -89,30 +97,31 @@ class PointFinder:
         divided: Sequence[Element] = (),
         good: Good = lambda candidate: True,
         most: int = 2,
+        among: int = 1,
     ) -> Point | None:
         """A real point where elements vanish, nothing is divided by zero, and all is good.
 
         It is sought among points in general position, and if ``most`` is not 0 where all variables
         vanish, and then where some do, or all but some, as many as ``most``; and at last among
-        points at which variables are square roots.
+        points at which variables are square roots. It is the simplest ``among`` the first of one
+        kind.
         """
         avoid = [*at.granted, *at.norms, *at.ring.divisors_of(divided)]
         names = all_names(at.setting)
         norms = [self._norm(at, element) for element in (*zero, *_imaginary_parts(at, names))]
-        rational: Iterator[tuple[ExactPoint, Mapping[str, Fraction]]] = (
-            (point, {})
+        rational: Iterator[Iterator[Place]] = (
+            ((point, {}) for point in real_points(at, names, [*norms, *further], avoid))
             for further in self._sections(at, most)
-            for point in islice(real_points(at, names, [*norms, *further], avoid), TRIES)
         )
-        irrational = islice(points_with_squares(at, names, norms, avoid), TRIES)
-        for point, squares in chain(rational, irrational):
-            for negative in _negative(at, point):
-                with suppress(ZeroDivisionError, Misplaced):
-                    candidate = Candidate(at, point, negative, squares)
-                    if squares and any(candidate(one).is_zero for one in avoid):
-                        continue
-                    if candidate.vanish(zero) and good(candidate):
-                        return candidate.point(names)
+        for kind in chain(rational, [points_with_squares(at, names, norms, avoid)]):
+            tried = (
+                Candidate(at, point, negative, squares)
+                for point, squares in islice(kind, TRIES)
+                for negative in _negative(at, point)
+            )
+            found = islice(_points(tried, names, avoid, zero, good), among)
+            if simplest := min(found, key=itemgetter(0), default=None):
+                return simplest[1]
         return None
 
     def on_pieces(self, known: Sequence[Element], certain: Callable[[Values], bool]) -> Good:
@@ -169,6 +178,36 @@ class PointFinder:
                 varies = any(map(element.ring.polynomials.occurring_places, parts.values()))
                 element = rest if varies else element**2
         return element
+
+
+def _points(
+    tried: Iterable[Candidate],
+    names: Sequence[str],
+    avoid: Sequence[Element],
+    zero: Sequence[Element],
+    good: Good,
+) -> Iterator[tuple[Height, Point]]:
+    """Those candidates as points where elements vanish, nothing to avoid does, and all is good."""
+    for candidate in tried:
+        with suppress(ZeroDivisionError, Misplaced):
+            if candidate.squares and any(candidate(one).is_zero for one in avoid):
+                continue
+            if candidate.vanish(zero) and good(candidate):
+                point = candidate.point(names)
+                yield _height(candidate, point), point
+
+
+def _height(candidate: Candidate, point: Point) -> Height:
+    """How far a point is from one that a reader would choose."""
+    constants = (point.values[name] for name in candidate.at.setting.constants)
+    parts = [part for value in point.values.values() for part in value.nodes()]
+    numbers = [part.value for part in parts if isinstance(part, Number)]
+    return (
+        len(candidate.numbers.roots),
+        sum(isinstance(value, Negative) for value in constants),
+        sum(isinstance(part, Quotient) for part in parts),
+        max(numbers, default=0),
+    )
 
 
 def _negative(at: Evaluation, point: ExactPoint) -> Iterator[tuple[str, ...]]:

@@ -42,6 +42,8 @@ from kowalevski_cas.paper.summation import expand_sum
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.amplitudes import SQUARE, conjugate_equations, with_conjugates
+from kowalevski_cas.system.constraints import constraints, multipliers
+from kowalevski_cas.system.matrices import equations_of_entries, matrix_equations
 from kowalevski_cas.system.refused import (
     check_derivatives,
     check_ends,
@@ -67,10 +69,26 @@ def components(tex: str, vectors: Vectors, declared: Names = ()) -> dict[str, tu
 def with_motion(tex: str, vectors: Vectors, declared: Names = ()) -> str:
     """Equations of motion, with those that what is printed implies."""
     display = Display("field", tex, "")
-    formulas = [*_read(display, _vocabulary(display, vectors, declared)).values()]
+    words = _vocabulary(display, vectors, declared)
+    printed = _read(display, words)
+    if rows := [*equations_of_entries(printed, min(words.times))]:
+        return r",\quad ".join((tex, *rows))
+    formulas = [*printed.values()]
     moving = {name for formula in formulas for name in _moving_names(formula)}
     more = [*implied_equations(formulas), *conjugate_equations(formulas, moving)]
-    return r",\quad ".join((tex, *more))
+    tex = r",\quad ".join((tex, *more))
+    display = Display("field", tex, "")
+    if places := constraints_in(display, vectors, declared):
+        scene = scene_by(display, "", vectors, declared)
+        tex = r",\quad ".join((tex, *multipliers(scene, places)))
+    return tex
+
+
+def constraints_in(display: Display, vectors: Vectors, declared: Names = ()) -> list[Printed]:
+    """The constraints among equations of motion with multipliers."""
+    formulas = _read(display, _vocabulary(display, vectors, declared))
+    moving = {name for formula in formulas.values() for name in _moving_names(formula)}
+    return constraints(formulas, moving, vectors)
 
 
 def with_time(tex: str, vectors: Vectors, declared: Names = ()) -> str:
@@ -95,9 +113,14 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
     check_words(display.tex)
     words = _vocabulary(display, vectors, declared)
     formulas = _read(display, words)
+    matrix_laws = matrix_equations(formulas)
+    formulas = {place: one for place, one in formulas.items() if place not in matrix_laws}
     moving = dict.fromkeys(one for formula in formulas.values() for one in _moving_names(formula))
     words = replace(words, moving=frozenset(moving))  # only these may be printed as x(t)
-    formulas = {p: one for p, one in _read(display, words).items() if not _is_empty(one)}
+    bound = constraints_in(display, vectors, declared)
+    printed = {p: one for p, one in _read(display, words).items() if not _is_empty(one)}
+    bound += matrix_laws
+    formulas = {place: one for place, one in printed.items() if place not in bound}
     laws = tuple(p for p, one in formulas.items() if _is_law(one) or _is_momentum(one, moving))
     moving = _without_momenta(formulas, laws, moving, vectors)
     others = [place for place in formulas if place not in laws]
@@ -105,7 +128,7 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
     defined = {one for f, given in heads_of for one in (f, *given, *summation_indices(given))} - {
         *moving
     }
-    nodes = (node for formula in formulas.values() for node in formula.nodes())
+    nodes = (node for formula in printed.values() for node in formula.nodes())
     names = [node.name for node in nodes if isinstance(node, Name)]
     check_marks(formulas.values())
     check_motion(display, formulas, laws, moving, defined)

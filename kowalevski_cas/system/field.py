@@ -7,20 +7,22 @@ from collections import Counter
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from copy import copy
-from dataclasses import replace
+from dataclasses import fields, replace
 from typing import Any, Self
 
 from kowalevski_cas.library import MADE
 from kowalevski_cas.notation import Formula, defined_names, read, read_display, to_plain
-from kowalevski_cas.paper.claims import Casimir, Claim, FirstIntegral
+from kowalevski_cas.paper.claims import Casimir, Claim, FirstIntegral, Identity, Implication
 from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.answers import Function, SystemClaim, in_html
+from kowalevski_cas.system.constraints import equations_on
 from kowalevski_cas.system.equations import (
     components,
+    constraints_in,
     restrict,
     scene_by,
     with_levels,
@@ -29,6 +31,7 @@ from kowalevski_cas.system.equations import (
     with_roots,
     with_time,
 )
+from kowalevski_cas.system.matrices import at_parameters, without_parameters
 from kowalevski_cas.system.refused import check_constant, check_field, names_of
 from kowalevski_cas.system.solved import solve_for_constant
 from kowalevski_cas.system.symbols import latex_of
@@ -67,8 +70,11 @@ class Field:
         self.prefix = f"{name}-" if name else ""
         self.section = Section(name or "1", "", copied=None)
         MADE.append(self.section)
+        self.spectral: dict[str, str] = {}
         tex = field if isinstance(field, str) else self._rows(field)
-        words = [*self.symbols]
+        self.spectral = at_parameters(tex)
+        """The parameters of matrices that move; a matrix is called by its name alone."""
+        tex, words = without_parameters(tex, self.spectral), [*self.symbols]
         parts = components(tex, vectors or {}, words)
         printed = {name for statement in defined_names(tex) for name in statement.names}
         tex = with_motion(tex, parts, words)
@@ -78,6 +84,9 @@ class Field:
         self.numbers = Counter[tuple[str, int]]()
         """How often an id was known, among displays or also among claims."""
         self._stand_on(scene_by(display, name, parts, words))
+        bound = constraints_in(display, parts, words)
+        self.constraints = (*equations_on(self.scene, bound),)
+        """On what the motion is: constraints with multipliers, and their derivatives."""
         self.implied = frozenset(_brackets(self.scene.definitions)) - printed
         """The canonical brackets, which equations of Hamilton imply and nobody has printed."""
         moving, constant = self.scene.variables, self.scene.constants
@@ -200,8 +209,22 @@ class Field:
             NotationError: a formula is broken TeX.
             ValueError: a formula is several, or there is no such verdict to expect.
         """
+        if self.constraints:
+            kind, says, attributes = self._bound(kind, says, attributes)
         id = self._id(name, self._tex(_first((printed, *attributes.values()))))
         return self._state(id, Finding(kind, self.scene, says, printed, attributes), expect)
+
+    def _bound(
+        self, kind: type[Claim], says: str, attributes: dict[str, Any]
+    ) -> tuple[type[Claim], str, dict[str, Any]]:
+        """What is claimed on the constraints; raises ``ValueError`` if the kind knows no set."""
+        kind = Implication if kind is Identity else kind
+        of = next((f.name for f in fields(kind) if f.name in ("given", "relations")), "")
+        if not of:
+            raise ValueError(f"{kind.__name__} is not known on constraints: {says}")
+        where = ", ".join(f"${one}$" for one in self.constraints)
+        known = several(attributes.get(of, ()))
+        return kind, f"{says}, where {where}", {**attributes, of: (*known, *self.constraints)}
 
     def _state(self, id: str, finding: Finding, expect: str = "") -> SystemClaim:
         if expect and expect not in {*Verdict}:
@@ -236,7 +259,7 @@ class Field:
 
     def _tex(self, formula: Tex) -> str:
         if isinstance(formula, str):
-            return formula
+            return without_parameters(formula, self.spectral)
         if not isinstance(formula, Function):
             return latex_of(formula, self.symbols)
         if self.scene.definitions.get(formula.name) != formula.place:

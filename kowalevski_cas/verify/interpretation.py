@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import re
+from typing import Final
+
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.verify.statement import Statement
+
+_CITED: Final = re.compile(r"\\(?:eq)?ref\{([^{}]*)\}")
 
 
 class Interpretation:
@@ -88,3 +93,11 @@ class Interpretation:
         ids = dict.fromkeys(self._established.get(place) for place in statement.stands_on)
         before = self._order[statement.claim.id]
         return tuple(i for i in ids if i is not None and self._order[i] < before)
+
+    def cites(self, claim: Claim) -> tuple[str, ...]:
+        """The claims before this one about the displays that the paper cites for it."""
+        shown = {*_CITED.findall(claim.sentence)}
+        shown |= {id for place in claim.establishes() for id in place.display.cites}
+        ids = (id for place, id in self._established.items() if place.display.id in shown)
+        before = self._order[claim.id]
+        return tuple(dict.fromkeys(id for id in ids if self._order[id] < before))

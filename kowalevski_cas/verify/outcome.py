@@ -146,7 +146,8 @@ class Outcome(NamedTuple):
     ``enclosed``. ``formulas`` are those of the claim and ``source`` is how the paper prints them,
     which stands in for them where they cannot be read. ``granted`` lists what the scenes of the
     claim suppose not to vanish, ``branches`` the equations by which they choose one of the two
-    values of a printed root, ``corrected`` the claims whose accepted corrections it rests on. What
+    values of a printed root, ``cites`` the claims whose displays the paper cites for it, and
+    ``corrected`` the claims whose accepted corrections it rests on. What
     the paper does not claim is ``ours``. ``certificate`` is the text that the checker has accepted;
     without one nothing is proved, conditional or refuted; ``divided`` is what the judge divides by,
     goal by goal, in the names of the problem. A ``note`` is about a stored certificate
@@ -167,6 +168,7 @@ class Outcome(NamedTuple):
     correction: Correction | None = None
     alternatives: tuple[Correction, ...] = ()
     rests_on: tuple[str, ...] = ()
+    cites: tuple[str, ...] = ()
     digest: str = ""
     message: str = ""
     seconds: Mapping[str, float] = {}

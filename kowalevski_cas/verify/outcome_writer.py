@@ -139,6 +139,7 @@ class OutcomeWriter:
             branches=branches,
             verdicts={name: verdict for name in self._arithmetics.names},
             ours=claim.ours,
+            cites=self._interpretation.cites(claim),
         )
 
     def resting(self, claim: Claim, outcome: Outcome, stands: Callable[[str], bool]) -> Outcome:

@@ -7,9 +7,12 @@ import pytest
 from kowalevski_cas.audit.audit import audit
 from kowalevski_cas.library import load
 from kowalevski_cas.paper.claims import ChangedEquation, Identity, Unit
+from kowalevski_cas.reading.statements import read_statements
+from kowalevski_cas.reading.text import references
+from kowalevski_cas.source.files import read_source
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.outcome import Verdict
-from tests.audit.material import audited, base, changed, source
+from tests.audit.material import NAME, audited, base, changed, paper_path, source
 from tests.sample import sampled
 
 
@@ -91,3 +94,19 @@ def test_a_formula_that_is_not_there_decides_nothing():
     found = audit(Source("paper.tex", text[:begin] + text[end + 14 :]), base())
     assert found.outcomes["eq6"].verdict is Verdict.UNDECIDED
     assert "eq6: the derivation has this formula" in found.outcomes["eq6"].message
+
+
+def test_what_the_paper_cites_before_a_formula_is_cited_there() -> None:
+    """In the words that lead to the formula, or in the sentence of a claim about it."""
+    paper, derivation = read_statements(read_source(paper_path())), load(NAME)
+    own = {display.id: {*display.cites} for display in derivation.displays()}
+    for claim in derivation.claims:
+        for place in claim.establishes():
+            own[place.display.id] |= {*references(claim.sentence)}
+    cited = {
+        display.label.strip("()"): {*display.cites}
+        for display, typed in paper.displays
+        if typed.labels and display.cites
+    }
+    assert len(cited) > 5
+    assert [id for id, labels in cited.items() if not labels <= own[id]] == []

@@ -339,7 +339,7 @@ def test_claim_by_claim(cli, monkeypatch):
     monkeypatch.setenv("COLUMNS", "100")
     code, out, _ = cli("verify", "kharlamov2002", "-v", *only)
     assert code == 0
-    for words in ("\n2. New solution with two invariant relations\n", "Counterexample. At α₁ = 2, ",
+    for words in ("\n2. New solution with two invariant relations\n", "Counterexample. At α₁ = −2, ",
                   "  conditional; valid for x₁x₂ ≠ 0; with the"):  # fmt: skip
         assert words in out
     assert "the derivative" not in out  # steps are for the report

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from kowalevski_cas.export import Inexpressible, load
+from kowalevski_cas.export.polynomials import UNSAID
 from kowalevski_cas.export.polynomials.trace import Element, Traced, Writer
 from kowalevski_cas.library import available, find
 from kowalevski_cas.problem import checker
@@ -55,12 +56,18 @@ def test_a_certificate_of_the_paper_is_confirmed(language, claim, tmp_path):
     assert objection(language, CERTIFICATES[claim], tmp_path) == ""
 
 
+def unsaid(data):
+    """Why no program for polynomials can say what some goals state."""
+    return [UNSAID[goal["goal"]] for goal in data["goals"] if goal["goal"] in UNSAID]
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("derivation", available())
 def test_every_certificate_is_confirmed(language, derivation, tmp_path):
     found = {
         name: objection(language, one.data, tmp_path)
         for name, one in load_certificates(find(derivation)).items()
+        if not unsaid(one.data)
     }
     assert found
     assert {claim: words for claim, words in found.items() if words} == {}
@@ -69,8 +76,8 @@ def test_every_certificate_is_confirmed(language, derivation, tmp_path):
 @pytest.mark.parametrize("path", sampled(HANDWRITTEN, 4, id=lambda path: path.stem))
 def test_evidence_and_denials_of_each_kind_are_confirmed(language, path, tmp_path):
     data = json.loads(path.read_text(encoding="utf-8"))
-    if any(goal["goal"] == "kernel" for goal in data["goals"]):
-        with pytest.raises(Inexpressible, match="ranks modulo a prime"):
+    if reasons := unsaid(data):
+        with pytest.raises(Inexpressible, match=reasons[0]):
             objection(language, data, tmp_path)
     elif path.stem == "denied-dependence":  # a rank above the number of functions: no computation
         assert objection(language, data, tmp_path) == "0 of 0 statements are confirmed"

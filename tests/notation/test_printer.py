@@ -1,10 +1,12 @@
 """What is printed reads back as the same tree."""
 
 import re
+from dataclasses import replace
 from xml.etree import ElementTree
 
 import pytest
 from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from kowalevski_cas.notation import (
     Derivative,
@@ -39,6 +41,26 @@ def test_reading_what_was_printed_gives_the_same_formula(formula):
     tex = to_latex(formula)
     assert read(tex, WORDS) == formula
     assert to_latex(read(tex, WORDS)) == tex
+
+
+def put_in(bracket, formula):
+    """The formula with each part in such brackets, where it stands in any."""
+    inner = formula.map_children(lambda part: put_in(bracket, part))
+    return replace(inner, bracket=bracket)
+
+
+@many
+@given(formulas, st.sampled_from(["(", "[", r"\{"]))
+def test_brackets_stand_as_they_are_printed(formula, bracket):
+    tex = to_latex(put_in(bracket, formula))
+    assert to_latex(read(tex, WORDS)) == tex
+    assert read(tex, WORDS) == formula
+
+
+@pytest.mark.parametrize("written", [to_latex, to_plain, to_mathml, to_typst])
+def test_every_format_has_the_brackets_of_the_print(written):
+    one, other = (written(read(f"{a}x_1+1{b}^2m", WORDS)) for a, b in ("()", "[]"))
+    assert "[" in other and "[" not in one
 
 
 def test_a_second_partial_derivative_is_read_as_one_of_one():

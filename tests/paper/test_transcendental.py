@@ -576,6 +576,26 @@ PHASES = [
 ]  # fmt: skip
 
 
+SHIFTED = [
+    (r"\sin(nt-t_1+\frac{\pi}{2})=\cos(nt-t_1)", "proved"),
+    (r"\sin(nt-t_1+\frac{\pi}{2})=\cos(nt+t_1)", "refuted"),
+    (r"\sin(nt-t_1+\pi)=\sin(nt-t_1)", "refuted"),
+    (r"\sin(nt-t_1+\pi)=\cos nt\sin t_1-\sin nt\cos t_1", "proved"),
+    (r"\sin(nt-t_1+\frac{\pi}{2})=\sin(t_1-nt+\frac{\pi}{2})", "proved"),
+    (r"\frac{d}{dt}\sin(nt-t_1+\frac{\pi}{4})=n\cos(nt-t_1+\frac{\pi}{4})", "proved"),
+    (r"\frac{d}{dt}\sin(nt-t_1+\frac{\pi}{4})=n\cos(nt-t_1-\frac{\pi}{4})", "refuted"),
+]  # fmt: skip
+
+
+@pytest.mark.usefixtures("uncorrected")
+@pytest.mark.parametrize(("tex", "verdict"), sampled(SHIFTED, 3))
+def test_functions_at_a_phase_and_a_part_of_pi(tex, verdict):
+    section = Section("1", "")
+    scene = Scene(constants=("n", "t_1", r"\pi")).adjoining(r"\sqrt{2}")
+    [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", tex)[1]))
+    assert str(outcome.verdict) == verdict
+
+
 @pytest.mark.usefixtures("uncorrected")
 @pytest.mark.parametrize(("tex", "verdict"), sampled(PHASES, 5))
 def test_functions_at_a_phase(tex, verdict):

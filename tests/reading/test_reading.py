@@ -341,3 +341,22 @@ def test_an_abstract_is_not_red_where_not_all_that_follows_is_read():
     (alone,) = verdicts(abstract + law).values()
     (beside,) = verdicts(abstract + law + r"Further $$2x+$$ is known.").values()
     assert not alone.green and beside is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize(
+    ("words", "is_said"),
+    [
+        ("where the sign of the root depends on the quadrant", True),
+        ("with either sign of the square root", True),
+        ("the root has the sign of the left side", True),
+        ("где знак корня определяется четвертью", True),
+        ("as is known", False),
+    ],
+)
+def test_a_root_has_either_sign_where_the_sentence_speaks_of_it(words, is_said):
+    """Elsewhere it is not negative; and another root has neither sign."""
+    law = r"The equation of motion is $$\ddot\theta=-\omega^2\sin\theta.$$ "
+    half = r"\sin\frac\theta2=\sqrt{\frac{1-\cos\theta}{2}}"
+    for printed, green in ((half, is_said), (half.replace("-", "+"), False)):
+        (found,) = verdicts(law + rf"For half the angle $${printed},$$ {words}.").values()
+        assert found.green == green

@@ -36,6 +36,27 @@ def test_foundations_stand_above_what_rests_on_them() -> None:
     assert sum(line.tip for line in drawn.lines) == 3  # a to c follows from the others
 
 
+def test_what_the_paper_cites_leads_on_by_another_line() -> None:
+    claims = [*chain(("a", ()), ("b", ("a",)), ("c", ()), ("d", ()))]
+    claims = [c._replace(cites=("a", "b", "c")) if c.claim == "d" else c for c in claims]
+    drawn = drawn_of(claims)
+    lines = {(line.names[0], end): line.cited for line in drawn.lines for end in line.names[1:]}
+    assert lines == {("a", "b"): False, ("b", "d"): True, ("c", "d"): True}
+    (other,) = (c for c in claims if c.claim == "d")
+    both = [*claims[:-1], other._replace(rests_on=("b",))]
+    assert {line.names for line in drawn_of(both).lines if line.cited} == {("c", "d")}
+
+
+def test_every_piece_of_a_line_knows_what_it_joins() -> None:
+    drawn = drawn_of(chain(("a", ()), ("b", ("a",)), ("c", ("b",)), ("d", ("c",)), ("e", ("d",))))
+    far = drawn_of(
+        [*chain(("a", ()), ("b", ("a",)), ("c", ("b",))), *chain(("z", ()), ("y", ("z", "c")))]
+    )
+    for one in (drawn, far):
+        boxes = {box.name for box in one.boxes}
+        assert all(boxes.issuperset(line.names) and len(line.names) > 1 for line in one.lines)
+
+
 def test_rows_share_a_box_with_the_least_verdict() -> None:
     rows = [claim("eq1.1", "1", "", "", P), claim("eq1.2", "1", "", "", R)]
     both = dict.fromkeys(("eq1.1", "eq1.2"), "(1)")

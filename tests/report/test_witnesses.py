@@ -69,8 +69,13 @@ class TestFacts:
         assert content["versions"]["Rocq"] == "8.16"
         assert list(content["claims"]) == [outcome.claim for outcome in known.outcomes]
         assert content["claims"]["eq6"]["confirmed by"] == ["Rocq"]
+        assert content["claims"]["eq7"]["confirmed by"] == []
         assert content["claims"]["eq7"]["certificate"] is None
         assert content["claims"]["eq9"]["rests on"] == ["eq9.i"]
+
+    def test_nothing_is_said_of_programs_that_nobody_asked(self):
+        claims = json.loads(facts(run(), {}, ()))["claims"].values()
+        assert not any("confirmed by" in claim for claim in claims)
 
     def test_a_report_comes_with_them(self, tmp_path):
         known = run()

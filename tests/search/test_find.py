@@ -12,12 +12,14 @@ from hypothesis import strategies as st
 from kowalevski_cas.algebra import load
 from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.algebra.squares import sum_of_squares
-from kowalevski_cas.notation import Name, Number, Power, Product, Quotient, Sum
+from kowalevski_cas.notation import Name, Negative, Number, Power, Product, Quotient, Sum
 from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Exists, identity
 from kowalevski_cas.problem.space import Space
 from kowalevski_cas.search.cofactors import cofactors, pseudo_divide
+from kowalevski_cas.search.find import Finder
 from kowalevski_cas.search.levels import value
 from kowalevski_cas.search.numbers import solve_for_numbers
 from kowalevski_cas.search.place import PointFinder
@@ -154,6 +156,20 @@ def test_numbers_for_which_an_identity_holds_are_found(a, b):
         Exists((identity(space, (sides[0], other)),), numbers=("p", "q")), finder
     )
     assert (none is None) == (a != 0 or b != 0)  # 2 is no square
+
+
+@given(st.integers(1, 3), st.sampled_from(["", "A", "AB", "ABC"]))
+def test_a_point_where_something_fails_is_small_and_its_constants_are_positive(many, constants):
+    """So a reader evaluates both sides by himself, and no body has a negative moment of inertia."""
+    variables = tuple("xyz"[:many])
+    space = Space(variables, tuple(constants))
+    one, other = Product((*map(Name, (*variables, *constants)), Number(2))), Name(variables[0])
+    evidence = Finder(finder_of).refutation(identity(space, (one, other)))
+    found = evidence.point.values
+    whole = [v for v in found.values() if isinstance(v, Number | Negative)]
+    assert len(whole) == len(found)
+    assert all(node.value <= 4 for v in whole for node in v.nodes() if isinstance(node, Number))
+    assert all(isinstance(found[name], Number) for name in constants)
 
 
 def test_the_value_of_a_polynomial():

@@ -39,11 +39,17 @@ class Box:
 
 @dataclass(frozen=True)
 class Arrow:
-    """A piece of a line from what is rested on to what rests on it; the last one has a tip."""
+    """A piece of a line from what is rested on to what rests on it; the last one has a tip.
+
+    ``names`` has the boxes that it joins, the one where it begins first. It is ``cited`` if only
+    the paper says so.
+    """
 
     start: tuple[float, float]
     end: tuple[float, float]
     tip: bool
+    cited: bool
+    names: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -66,7 +72,7 @@ class Drawing:
 
 def picture(outcomes: Sequence[Outcome], labels: Mapping[str, str]) -> Drawing:
     """Lay out the claims that rest on others, foundations at the top; one label is one box."""
-    members, rests = dependencies(outcomes, labels)
+    members, rests, cited = dependencies(outcomes, labels)
     carried = {below for belows in rests.values() for below in belows}
     drawn = {name: belows for name, belows in rests.items() if belows or name in carried}
     alone = tuple(claim for name in members if name not in drawn for claim in members[name])
@@ -75,7 +81,7 @@ def picture(outcomes: Sequence[Outcome], labels: Mapping[str, str]) -> Drawing:
     verdicts = {o.claim: o.verdict for o in outcomes}
     stated = {o.claim: ", ".join(map(to_plain, o.formulas)) for o in outcomes}
     says = {name: "; ".join(filter(None, map(stated.get, members[name]))) for name in drawn}
-    layers = layout(drawn, {name: LETTER * len(labels[name]) + 8.0 for name in drawn})
+    layers = layout(drawn, {name: LETTER * len(labels[name]) + 8.0 for name in drawn}, cited)
     edges = [(c.x - c.width / 2, c.x + c.width / 2) for layer in layers for c in layer]
     left, right = min(e[0] for e in edges) - 0.5, max(e[1] for e in edges) + 0.5
 
@@ -101,6 +107,8 @@ def picture(outcomes: Sequence[Outcome], labels: Mapping[str, str]) -> Drawing:
             (cell.x - left, y(k) + (BOX / 2 if cell.box else 0)),
             (above.x - left, y(k + 1) - (BOX / 2 if above.box else 0)),
             above.box,
+            above.cited or (cell.name, above.name) in cited,
+            (cell.name, *above.ends()),
         )
         for k, layer in enumerate(layers)
         for cell in layer
@@ -111,8 +119,10 @@ def picture(outcomes: Sequence[Outcome], labels: Mapping[str, str]) -> Drawing:
 
 def dependencies(
     outcomes: Sequence[Outcome], labels: Mapping[str, str]
-) -> tuple[dict[str, list[str]], dict[str, list[str]]]:
-    """The claims of each box, and the boxes that it rests on: no circles, nothing twice.
+) -> tuple[dict[str, list[str]], dict[str, list[str]], set[tuple[str, str]]]:
+    """The claims of each box, the boxes that it rests on, and which of these are only cited.
+
+    There are no circles, and nothing twice.
 
     A box is called by its first claim. Claims with the same label share one, if no boxes then rest
     on each other; claims never do, since each rests on earlier ones.
@@ -128,7 +138,10 @@ def dependencies(
         except CycleError as error:
             boxes = [*_apart(boxes, error.args[1])]
         else:
-            return {box[0]: box for box in boxes}, _reduce(rests, order)
+            proved = _between(boxes, [outcome._replace(cites=()) for outcome in outcomes])
+            drawn = _reduce(rests, order)
+            cited = {(b, a) for a, belows in drawn.items() for b in belows if b not in proved[a]}
+            return {box[0]: box for box in boxes}, drawn, cited
 
 
 def _between(boxes: Sequence[list[str]], outcomes: Sequence[Outcome]) -> dict[str, list[str]]:
@@ -137,7 +150,8 @@ def _between(boxes: Sequence[list[str]], outcomes: Sequence[Outcome]) -> dict[st
     rests: dict[str, dict[str, None]] = {box[0]: {} for box in boxes}
     earlier: set[str] = set()
     for outcome in outcomes:
-        below = (home[claim] for claim in outcome.rests_on if claim in earlier)
+        known = (*outcome.rests_on, *outcome.cites)
+        below = (home[claim] for claim in known if claim in earlier)
         rests[home[outcome.claim]] |= dict.fromkeys(below)
         earlier.add(outcome.claim)
     return {name: [one for one in belows if one != name] for name, belows in rests.items()}

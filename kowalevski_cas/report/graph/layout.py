@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 from graphlib import TopologicalSorter
 from itertools import pairwise
@@ -17,11 +17,12 @@ _PASS: Final = 1.8
 
 @dataclass
 class Cell:
-    """A place in a layer: a claim, or a long line passing through."""
+    """A place in a layer: a claim, or a long line passing through, perhaps a citation's."""
 
     name: str
     order: float
     width: float
+    cited: bool = False
     x: float = 0.0
     before: list[Cell] = field(default_factory=list)
     after: list[Cell] = field(default_factory=list)
@@ -31,10 +32,19 @@ class Cell:
         """Whether it is a claim."""
         return self.width > 0
 
+    def ends(self) -> list[str]:
+        """The boxes to which lines through this place lead."""
+        return [self.name] if self.box else [end for cell in self.after for end in cell.ends()]
 
-def layout(rests: dict[str, list[str]], widths: dict[str, float]) -> list[list[Cell]]:
-    """The boxes in layers, foundations first, each at its place from the middle of the page."""
-    layers = _layers(rests, widths)
+
+def layout(
+    rests: dict[str, list[str]], widths: dict[str, float], cited: Collection[tuple[str, str]] = ()
+) -> list[list[Cell]]:
+    """The boxes in layers, foundations first, each at its place from the middle of the page.
+
+    Of the lines some are citations: pairs of what is cited and where.
+    """
+    layers = _layers(rests, widths, cited)
     _order(layers)
     _place(layers)
     return layers
@@ -64,7 +74,9 @@ def _levels(rests: dict[str, list[str]], widths: dict[str, float]) -> dict[str, 
     return {name: present.index(at) for name, at in level.items()}
 
 
-def _layers(rests: dict[str, list[str]], widths: dict[str, float]) -> list[list[Cell]]:
+def _layers(
+    rests: dict[str, list[str]], widths: dict[str, float], cited: Collection[tuple[str, str]]
+) -> list[list[Cell]]:
     """Cells by layer; a line over several layers passes through a cell in each."""
     order = {name: k for k, name in enumerate(rests)}
     level = _levels(rests, widths)
@@ -74,11 +86,12 @@ def _layers(rests: dict[str, list[str]], widths: dict[str, float]) -> list[list[
         layers[level[name]].append(cells[name])
     for name, belows in rests.items():
         for below in belows:
-            previous = cells[below]
+            previous, citing = cells[below], (below, name) in cited
             for between in range(level[below] + 1, level[name]):
-                shared = next((c for c in previous.after if not c.box and c.name == below), None)
+                passing = (c for c in previous.after if not c.box)
+                shared = next((c for c in passing if (c.name, c.cited) == (below, citing)), None)
                 if shared is None:
-                    shared = Cell(below, (order[below] + order[name]) / 2, 0.0)
+                    shared = Cell(below, (order[below] + order[name]) / 2, 0.0, citing)
                     layers[between].append(shared)
                     _join(previous, shared)
                 previous = shared

@@ -42,7 +42,11 @@ def _line(line: Arrow) -> str:
     path = f"M{x0:.1f} {y0:.1f}C{x0:.1f} {y0 + half:.1f} {x1:.1f} {y1 - half:.1f} {x1:.1f} {y1:.1f}"
     if line.tip:
         path += f"M{x1 - 0.6:.1f} {y1 - 1.3:.1f}L{x1:.1f} {y1:.1f}L{x1 + 0.6:.1f} {y1 - 1.3:.1f}"
-    return f'<path d="{path}" fill="none" stroke="#777" stroke-width="0.18"/>'
+    dashes = ' stroke-dasharray="0.9 0.7"' if line.cited else ""
+    return (
+        f'<path class="line" data-ends="{" ".join(map(anchor, line.names))}" d="{path}" '
+        f'fill="none" stroke="#777" stroke-width="0.18"{dashes}/>'
+    )
 
 
 def _box(box: Box) -> str:

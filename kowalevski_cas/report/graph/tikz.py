@@ -18,7 +18,7 @@ def _line(line: Arrow) -> str:
     (x0, y0), (x1, y1) = line.start, line.end
     half = (y1 - y0) / 2
     return (
-        f"\\draw[rests{',->' if line.tip else ''}] ({x0:.1f},{-y0:.1f}) .. controls "
+        f"\\draw[rests{',cited' * line.cited}{',->' * line.tip}] ({x0:.1f},{-y0:.1f}) .. controls "
         f"+(0,{-half:.1f}) and +(0,{half:.1f}) .. ({x1:.1f},{-y1:.1f});"
     )
 

@@ -37,6 +37,26 @@ for (const link of document.querySelectorAll("main a[href^='#']")) {
 }
 addEventListener("keydown", event => { if (event.key === "Escape") hide(); });
 
+// The lines of a box in the picture of what rests on what, and the boxes at their other ends.
+for (const picture of document.querySelectorAll(".graph svg")) {
+  const box = link => decodeURIComponent(link.getAttribute("href").slice("#claim.".length));
+  const links = [...picture.querySelectorAll("a")];
+  const lines = [...picture.querySelectorAll(".line")].map(line => [line, line.dataset.ends.split(" ")]);
+  const mark = own => {
+    const near = new Set();
+    for (const [line, [from, ...to]] of lines) {
+      const joined = from === own || to.includes(own);
+      line.classList.toggle("near", joined);
+      if (joined) for (const end of from === own ? to : [from]) near.add(end);
+    }
+    for (const link of links) link.classList.toggle("near", near.has(box(link)));
+  };
+  for (const link of links) {
+    for (const event of ["pointerenter", "focus"]) link.addEventListener(event, () => mark(box(link)));
+    for (const event of ["pointerleave", "blur"]) link.addEventListener(event, () => mark());
+  }
+}
+
 const copied = async text => {
   try { await navigator.clipboard.writeText(text); } catch {  // a page from a file may not
     const field = document.body.appendChild(document.createElement("textarea"));
