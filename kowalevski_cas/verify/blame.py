@@ -24,7 +24,7 @@ from math import inf
 from time import perf_counter
 
 from kowalevski_cas.notation import Derivative, Edit, Name, NotationError
-from kowalevski_cas.paper.claims import Claim, Neighbour
+from kowalevski_cas.paper.claims import Claim, Neighbour, OfMap
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
@@ -254,4 +254,5 @@ class Blame:
             for node in rate.nodes()
             if isinstance(node, Name) and node.name in claim.scene.definitions
         }
-        return stands_still(on(claim.scene), now(edited.claim.scene), about)
+        images = claim.images if isinstance(claim, OfMap) else ()
+        return stands_still(on(claim.scene), now(edited.claim.scene), about, images)
