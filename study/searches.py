@@ -19,7 +19,7 @@ from flint import (
     nmod_mat,
 )
 from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter
+from matplotlib.ticker import FuncFormatter, NullFormatter
 from sympy import QQ, Poly, groebner, symbols
 from sympy.polys.matrices import DomainMatrix
 
@@ -68,8 +68,8 @@ CAPTION = (
     f"left the polynomials without a derivative along {len(LEFT)} published fields, up to the "
     "degree of the published integrals: the kernel of one matrix over the rational numbers, by "
     "python-flint and SymPy; modulo a prime of 61 bits as a whole, which is its rank only, and by "
-    "blocks, lifted and checked; and the whole search of this program, for all values of "
-    "constants, which the others have as numbers. On the right the equations for quadratic $F$ "
+    "blocks, lifted and checked: constants are numbers there. In the middle the whole search of "
+    "this program, for all values of constants. On the right the equations for quadratic $F$ "
     f"with $F'=KF$ in {len(RIGHT)} published fields, where constants are unknown too: solved by "
     "cases, one factor after another, and by Gröbner bases of four programs, of which the one with "
     "cofactors is this one's."
@@ -271,8 +271,10 @@ POLYNOMIAL: dict[str, Prepared] = {
 def draw(rows: Sequence[Row]) -> Figure:
     """The share of systems that are finished, against time: integrals, and equations."""
     figure = new_figure(height=4.6)
-    panels = figure.subplots(1, 2, sharey=True)
-    sides = ((LINEAR, "integrals"), (POLYNOMIAL, "darboux"))
+    panels = figure.subplots(1, 3, sharey=True)
+    panels[1].sharex(panels[0])
+    numeric = [method for method in LINEAR if method != "search"]
+    sides = ((numeric, "integrals"), (["search"], "integrals"), ([*POLYNOMIAL], "darboux"))
     for axes, (methods, question) in zip(panels, sides, strict=True):
         here = [row for row in rows if row["case"].startswith(question)]
         for method in methods:
@@ -282,8 +284,10 @@ def draw(rows: Sequence[Row]) -> Figure:
             axes.plot(times, shares, label=display_name(method), **line_style(look(method)))
         axes.set(xscale="log", xlabel="time for a system", ylim=(0, 104))
         axes.xaxis.set_major_formatter(FuncFormatter(seconds))
+        axes.xaxis.set_minor_formatter(NullFormatter())
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2))
-    panels[0].set_title("first integrals: kernels", size=8.5)
-    panels[1].set_title("$F'=KF$: quadratic equations", size=8.5)
+    panels[0].set_title("integrals, constants\nthat are numbers", size=8.5)
+    panels[1].set_title("integrals for all values\nof constants", size=8.5)
+    panels[2].set_title("$F'=KF$ for all values\nof constants", size=8.5)
     panels[0].set_ylabel("systems finished, %")
     return figure

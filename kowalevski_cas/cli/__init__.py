@@ -28,7 +28,7 @@ COMMANDS = {
     "review": "audit the papers of a repository, against what is known of them",
     "bundle": "put the evidence, the checker and the page into a folder to deposit with a paper",
     "find": "find what nobody has printed: integrals and the like",
-    "prove": "find evidence for a problem that anybody wrote, and print its certificate",
+    "prove": "find evidence for a problem of your own, and print its certificate",
     "check": "check certificates with the independent checker",
     "certificates": "write the certificates of a derivation",
     "export": "write certificates in the language of another program",
@@ -219,7 +219,7 @@ def _tell_of_thread(ended: threading.ExceptHookArgs) -> None:
     """What goes wrong in a thread that a derivation has begun is told; the run goes on."""
     if ended.exc_type is not SystemExit:
         said = f"{ended.exc_type.__name__}: {ended.exc_value}"
-        print(f"kowalevski-cas: a thread has ended by an error: {said}", file=sys.stderr)
+        print(f"kowalevski-cas: a thread ended with an error: {said}", file=sys.stderr)
 
 
 def _unraisable(unraisable: sys.UnraisableHookArgs) -> None:

@@ -35,7 +35,7 @@ def run(arguments: argparse.Namespace) -> int:
     path, motion = arguments.output, choose_motion(arguments)
     suffix = path.suffix.lower()
     if path.is_dir() or suffix not in (".gif", ".html"):
-        raise CommandError(f"--output {path} is no file that ends with .gif or .html")
+        raise CommandError(f"--output {path} does not end with .gif or .html")
     if suffix == ".html":
         if not isinstance(motion, Motion):
             raise CommandError("the page is one of motions on N⁴, and this one is not")

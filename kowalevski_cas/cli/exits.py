@@ -23,7 +23,7 @@ _ALWAYS = {
 }
 _RUN = {
     AS_RECORDED: "every verdict is as recorded, or as expected",
-    DIFFERENT: "a verdict is another one than the recorded or expected one",
+    DIFFERENT: "a verdict differs from the recorded or expected one",
     UNDECIDED: "a claim is undecided, or timed out",
     DISAGREEMENT: "the arithmetics disagree",
     REJECTED: "with a report: a certificate is rejected",
@@ -48,14 +48,14 @@ _MEANINGS = {
         NOTHING: "there are no equations of motion, or no claims",
     },
     "review": {
-        AS_RECORDED: "nothing is false that was not known to be",
-        DIFFERENT: "a formula is false that was not known to be",
+        AS_RECORDED: "nothing is false but what was known to be",
+        DIFFERENT: "a formula is false, and was not known to be",
         UNDECIDED: "with --strict: something is undecided or not judged",
         NOTHING: "there is no paper, or none that claims anything",
     },
     "bundle": {AS_RECORDED: "it is written", NOTHING: "there are no certificates"},
     "find": {
-        AS_RECORDED: "the search came to its end, and what was found is proved",
+        AS_RECORDED: "the search is complete, and what was found is proved",
         UNDECIDED: "something may be left, or is undecided",
         NOTHING: "there is no such scene",
     },
@@ -76,7 +76,7 @@ _MEANINGS = {
         REJECTED: "a claim is not confirmed",
         NOTHING: "nothing can be said in that language",
     },
-    "motion": {AS_RECORDED: "the states are printed", UNDECIDED: "no method came to the end"},
+    "motion": {AS_RECORDED: "the states are printed", UNDECIDED: "no method reached the last time"},
     "pictures": {AS_RECORDED: "they are drawn", NOTHING: "there is no such picture"},
     "record": {
         AS_RECORDED: "the record is written, and every claim has a verdict",

@@ -140,7 +140,7 @@ def _follow(arguments: argparse.Namespace) -> Trajectory:
     try:
         until = float(exact(arguments.until))
     except (ValueError, OverflowError):
-        raise CommandError(f"--until {arguments.until} is no finite number") from None
+        raise CommandError(f"--until {arguments.until} is not a finite number") from None
     motion = motion_of(arguments)
     beside = motion.off > ROUNDING  # whoever has a closed form begins elsewhere
     method = arguments.method or ("dop853" if isinstance(motion, General) or beside else "closed")

@@ -135,7 +135,7 @@ def _text(review: Review, format: str) -> str:
     """What is printed of a paper."""
     if review.answer.document is None:
         said = review.answer.errors.removeprefix("kowalevski-cas audit: ")
-        message = said or "the audit came to no end"
+        message = said or "the audit did not finish"
         failed = Diagnostic("error", ERROR, "audit", message, Region(str(review.path)))
         return workflow_commands([failed]) if format == "github" else _line(failed)
     counted = ", ".join(f"{n} {verdict}" for verdict, n in sorted(review.counts.items()))

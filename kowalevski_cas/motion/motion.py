@@ -62,7 +62,7 @@ class Motion:
 
         ``torus`` is one of those of the regime, numbered from 1. Raises
         :class:`~kowalevski_cas.motion.parameters.Inadmissible` where there is no motion, and
-        ``ValueError`` for what is no finite number, and unless one of ℓ and h is given.
+        ``ValueError`` for what is not a finite number, and unless one of ℓ and h is given.
         """
         if (ell is None) == (h is None):
             raise ValueError("one of ℓ and h is needed" + ", not both" * (h is not None))

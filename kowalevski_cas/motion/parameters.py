@@ -95,7 +95,7 @@ class Parameters(Lengths):
         r"""The constants a, b, m and :math:`\ell`.
 
         Raises :class:`Inadmissible` unless a > b ≥ 0 and m ≠ 0, and ``ValueError`` for
-        what is no finite number.
+        what is not a finite number.
         """
         fields, value = (usable(a), usable(b), usable(m)), usable(ell)
         return Parameters(*fields, value**2, _sign(value))
@@ -197,7 +197,7 @@ def exact(value: Real) -> Fraction:
     try:
         return Fraction(value)
     except (ValueError, OverflowError, ZeroDivisionError):
-        raise ValueError(f"“{value}” is no finite number") from None
+        raise ValueError(f"“{value}” is not a finite number") from None
 
 
 def usable(value: Real) -> Fraction:

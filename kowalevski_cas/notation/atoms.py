@@ -114,6 +114,10 @@ class Atoms(Symbols):
         node = Summation(index, *(piece[0] for piece in below))
         return (node, sign.start, body[2], below)
 
+    def read_product(self) -> Piece:
+        """A product over an index is written out before, where that can be done."""
+        raise self.error(r"a product over an index stands in a display of its own: write it out")
+
     def read_const(self) -> Piece:
         """The word const, to which a chain of equalities comes in the end."""
         before, token = self.tokens[self.at - 1], self.take()

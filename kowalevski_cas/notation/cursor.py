@@ -17,7 +17,9 @@ Piece = tuple[Formula, int, int, tuple["Piece", ...]]
 
 END = "end of formula"
 # The kinds of tokens with which a factor can begin.
-STARTS = frozenset("""letter number open frac sqrt accent operator const dots begin sum""".split())
+STARTS = frozenset(
+    """letter number open frac sqrt accent operator const dots begin sum product""".split()
+)
 _UNFINISHED = frozenset({"sign", "relation", "times", "slash", "open", "{", "comma"})
 _INDEX = frozenset({"letter", "number", "sign", "comma", "star", "prime", "_"})
 

@@ -44,6 +44,7 @@ ACTIONS: dict[str, str] = _table(
     switch="bf rm cal boldmath sf",
     over="over",
     sum="sum",
+    product="prod",
     plusminus="pm mp",
     bar="vert Vert",
     accent="dot ddot dddot bar overline",
@@ -95,7 +96,8 @@ TYPED: dict[str, str] = {letter: macro for macro, letter in GREEK.items()} | {
     "·": r"\cdot", "⋅": r"\cdot", "×": r"\times", "±": r"\pm", "∓": r"\mp",
     "≠": r"\ne", "≡": r"\equiv", "≤": r"\le", "⩽": r"\le", "≥": r"\ge", "⩾": r"\ge",
     "≈": r"\approx", "≪": r"\ll", "≫": r"\gg", "∼": r"\sim", "≃": r"\simeq", "∝": r"\propto",
-    "∈": r"\in", "→": r"\to", "∂": r"\partial", "…": r"\ldots", "⋯": r"\cdots", "∑": r"\sum",
+    "∈": r"\in", "→": r"\to", "∂": r"\partial", "…": r"\ldots", "⋯": r"\cdots",
+    "∑": r"\sum", "∏": r"\prod",
     "⟨": r"\langle", "⟩": r"\rangle", "‖": r"\|",
 }  # fmt: skip
 
@@ -122,7 +124,6 @@ INSTEAD: dict[str, str] = {
     r"\int": "an integral cannot be read: write the derivative that it has",
     r"\oint": "an integral cannot be read: write the derivative that it has",
     r"\lim": "a limit cannot be read: write the value, or an equation for it",
-    r"\prod": "a product over an index cannot be read: write it out",
     r"\nabla": r"print by what it derives, as in \frac{\partial U}{\partial\mathbf{r}}",
     r"\infty": "infinity is no number: write what happens to the inverse",
 }

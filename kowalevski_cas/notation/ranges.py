@@ -15,7 +15,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import product
 
 from kowalevski_cas.notation.errors import NotationError
-from kowalevski_cas.notation.sums import Ranges, SumSign, outside_sums
+from kowalevski_cas.notation.sums import SIGNS, Ranges, SumSign, Values, outside_sums
 from kowalevski_cas.notation.tensors import (
     SPACE,
     add_sums,
@@ -26,7 +26,7 @@ from kowalevski_cas.notation.tensors import (
 )
 from kowalevski_cas.notation.tokens import Token
 
-_SIGNS = {
+_KINDS = {
     "letter": "l", "number": "n", "comma": ",", "dots": "d", "sign": "s", "stop": ".",
     "gap": " ", "cell": " ", "row": " ", "block": " ",
 }  # fmt: skip
@@ -77,7 +77,7 @@ def each_value(tokens: list[Token], ranges: Ranges, tex: str) -> Iterator[list[T
 def _sign(token: Token) -> str:
     if token.text in ("(", ")", "="):
         return token.text
-    return _SIGNS.get(token.kind, "x")
+    return _KINDS.get(token.kind, "x")
 
 
 def _values(tokens: list[Token]) -> range | tuple[int, ...]:
@@ -113,13 +113,16 @@ def _substitute(
     tokens: list[Token], at: Mapping[str, int], ranges: Ranges, tex: str
 ) -> list[Token]:
     """The tokens with values in the place of indices, and sums in indices added up."""
-    first = next((k for k, token in enumerate(tokens) if token.kind == "sum"), None)
+    first = next((k for k, token in enumerate(tokens) if token.kind in SIGNS), None)
     if first is None:
         return _substitute_values(tokens, at, tex) if at else tokens
     sum_ = SumSign.at(tokens, first)
     before, behind = tokens[:first], tokens[sum_.end :]
+    dot = Token("times", r"\cdot", tokens[first].start, tokens[first].start)
+    multiplied = tokens[first].kind == "product" and _ends_with_name(before)
     return [
         *_substitute_values(before, at, tex),
+        *([dot] if multiplied else []),
         *_expand_sum(sum_, at, ranges, tex),
         *_substitute(behind, at, ranges, tex),
     ]
@@ -130,7 +133,10 @@ def _expand_sum(sum_: SumSign, at: Mapping[str, int], ranges: Ranges, tex: str) 
     outer = {name: value for name, value in at.items() if name not in sum_.own}
     terms = sum_.terms(outer, ranges)
     mixed = not sum_.is_plain or any(_is_index(sum_.body, name) for name in outer)
-    mixed |= has_tensors(sum_.body)
+    mixed |= has_tensors(sum_.body) or sum_.is_crowded
+    if sum_.head[0].kind == "product":
+        yield from _expand_product(sum_, terms, outer, ranges, tex)
+        return
     if terms is None or not mixed:
         yield from _substitute_values(sum_.head, outer, tex)
         yield from _substitute(sum_.body, outer, ranges, tex)
@@ -144,6 +150,35 @@ def _expand_sum(sum_: SumSign, at: Mapping[str, int], ranges: Ranges, tex: str) 
         yield from [Token("sign", sign, start, start)] if number or factor < 0 else []
         yield from _substitute(body, {**outer, **values}, ranges, tex)
     yield from [] if own else [Token("number", "0", start, start)]
+    yield Token("close", ")", start, start)
+
+
+def _ends_with_name(tokens: list[Token]) -> bool:
+    """Whether a letter stands last, perhaps with scripts, of which a bracket seems the argument."""
+    if not tokens or tokens[-1].kind != "}":
+        return bool(tokens) and tokens[-1].kind in ("letter", "prime", "number")
+    depth = 0
+    for k in range(len(tokens) - 1, -1, -1):
+        depth += (tokens[k].kind == "}") - (tokens[k].kind == "{")
+        if not depth:
+            return k > 0 and tokens[k - 1].kind in "^_"
+    return False
+
+
+def _expand_product(
+    sign: SumSign, terms: list[Values] | None, at: Values, ranges: Ranges, tex: str
+) -> Iterator[Token]:
+    """A product over indices by its factors; raises ``NotationError`` if it is not clear."""
+    start = sign.head[0].start
+    if terms is None:
+        raise NotationError(r"print where the product ends, as in \prod_{i=1}^{3}", tex, start)
+    if not sign.is_one_factor:
+        raise NotationError(r"how far does \prod reach? set brackets", tex, start)
+    yield Token("open", "(", start, start)
+    for number, values in enumerate(terms):
+        yield from [Token("times", r"\cdot", start, start)] if number else []
+        yield from _substitute(sign.body, {**at, **values}, ranges, tex)
+    yield from [] if terms else [Token("number", "1", start, start)]
     yield Token("close", ")", start, start)
 
 

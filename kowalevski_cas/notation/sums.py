@@ -8,7 +8,7 @@ behind the statement.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from itertools import product
+from itertools import pairwise, product
 from operator import ge, gt, le, lt, ne
 from typing import NamedTuple
 
@@ -21,6 +21,8 @@ _ORDER: dict[str, Callable[[int, int], bool]] = {
     "<": lt, ">": gt, r"\le": le, r"\ge": ge, r"\ne": ne,
 }  # fmt: skip
 _SIGNS = {*_ORDER, "="}
+SIGNS = frozenset({"sum", "product"})
+"""The kinds of the signs of sums and products over an index."""
 _BEHIND = frozenset("sign plusminus relation comma stop gap cell row block".split())
 
 
@@ -76,10 +78,42 @@ class SumSign(NamedTuple):
     def is_plain(self) -> bool:
         r"""Whether it is as :math:`\sum_{i=1}^3`, and so are those in it."""
         inner = (
-            SumSign.at(self.body, k) for k, token in enumerate(self.body) if token.kind == "sum"
+            SumSign.at(self.body, k) for k, token in enumerate(self.body) if token.kind in SIGNS
         )
         own = len(self._below) == 1 and self._below[0][1:2] == ["="]
         return own and all(one.is_plain for one in inner)
+
+    @property
+    def is_crowded(self) -> bool:
+        r"""Whether an index of it stands right beside one of an inner sum, as in :math:`a_{ij}`."""
+        inner = {
+            letter
+            for k, token in enumerate(self.body)
+            if token.kind in SIGNS
+            for letter in SumSign.at(self.body, k).letters
+        }
+        inner -= self.own
+        pairs = [{one.text, other.text} for one, other in pairwise(self.body)]
+        return any(pair & self.own and pair & inner for pair in pairs)
+
+    @property
+    def is_one_factor(self) -> bool:
+        """Whether what stands behind the sign is one bracket, or one letter, with its scripts."""
+        if not self.body or self.body[0].kind not in ("open", "letter"):
+            return False
+        at = self._behind(0)
+        while at < len(self.body) and self.body[at].kind in "^_":
+            at = self._behind(at + 1)
+        return at == len(self.body)
+
+    def _behind(self, at: int) -> int:
+        """The place behind a token, or behind the group or the bracket that it opens."""
+        depth = 0
+        for k in range(at, len(self.body)):
+            depth += _depths(self.body[k])
+            if not depth:
+                return k + 1
+        return len(self.body)
 
     @property
     def letters(self) -> list[str]:
@@ -129,7 +163,7 @@ class SumSign(NamedTuple):
 
 def outside_sums(tokens: list[Token]) -> Iterator[Token]:
     """The tokens that stand in no sum, or for no index of it."""
-    first = next((k for k, token in enumerate(tokens) if token.kind == "sum"), len(tokens))
+    first = next((k for k, token in enumerate(tokens) if token.kind in SIGNS), len(tokens))
     yield from tokens[:first]
     if first < len(tokens):
         found = SumSign.at(tokens, first)

@@ -111,7 +111,7 @@ class Contents:
     def _read(self) -> list[Text]:
         """Which text was read."""
         edition = self.run.edition
-        return [(*self.phrases.words(f"Read: {edition}"), ".")] if edition else []
+        return [(*self.phrases.words(f"Text read: {edition}"), ".")] if edition else []
 
     def _title(self, title: str) -> str:
         """What the report is of a paper with this title: only what is printed can be verified."""
@@ -142,8 +142,7 @@ class Contents:
         if not findings.copied:
             yield from self._granted()
         if findings.copied:
-            judged = "Judged were formulas, and the statements below; nothing else, and no picture."
-            yield Paragraph((judged,), "note")
+            yield Paragraph((_JUDGED,), "note")
         yield from self._legend()
         yield from self.findings.blocks()
         yield Heading(("How the statements were checked",), "holds", 2)
@@ -166,7 +165,7 @@ class Contents:
         for numbers, (formulas, *_) in group_alike([one for one in assumed if one[1]]):
             where = ", ".join(numbers)
             said += (
-                *("; " if said else "Assumed are ",),
+                *("; " if said else "We assume ",),
                 *list_in_words([(nonzero(formula),) for formula in formulas]),
                 f" in section{'s' * (len(numbers) > 1)} {where}",
             )
@@ -199,7 +198,7 @@ class Contents:
         each = ", each by itself" if len(deciding) > 1 else ""
         text: Text = (
             *own, f" decided every statement{each}: as an identity of polynomials, or by a point "
-            "with exact coordinates. No floating-point number takes part.",
+            "with exact coordinates. Floating-point numbers are not used.",
         )  # fmt: skip
         if self.certified:
             known = sum(outcome.claim in self.certified for outcome in run.outcomes)
@@ -208,8 +207,8 @@ class Contents:
                 many = "Each statement has a certificate"
             text = (
                 *text, f" {many}, accepted by a checker that shares no line of code with the "
-                "program: ", Code(f"kowalevski-cas check {run.derivation}"), " lets it judge them. "
-                "What is too long to be shown here stands in the certificates.",
+                "program: ", Code(f"kowalevski-cas check {run.derivation}"), " runs it. "
+                "What is too long to be shown here is in the certificates.",
             )  # fmt: skip
         if self.programs:
             named = list_in_words([(f"{w.name} confirms {len(w.claims)}",) for w in self.programs])
@@ -217,7 +216,11 @@ class Contents:
         if not run.versions:  # an audit, which leaves no table
             return text
         table = Link(f"{run.derivation}.json", (f"{run.derivation}.json",), outside=True)
-        which = "Which program confirms which" if self.programs else "What decided which"
+        which = (
+            "Which program confirms which statement"
+            if self.programs
+            else "Which arithmetic decided which statement"
+        )
         return (*text, f" {which}, with all digests, is in ", table, ".")
 
     # -- the rest ---------------------------------------------------------------------
@@ -228,6 +231,10 @@ class Contents:
         for figure in figures:
             yield Figure(figure, self.phrases.words(figure.caption))
 
+
+_JUDGED: Final = (
+    "Only formulas and the statements below were judged: no other sentence, and no picture."
+)
 
 _ORIGINS: Final = {
     False: "restated, or derived anew: nobody has compared them with a print",

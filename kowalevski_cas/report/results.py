@@ -58,6 +58,7 @@ def _reach(
     touched = {*_correctors(outcomes, results), *(outcome.claim for outcome in results)}
     reaching = [slip for slip in slips if any(outcome.claim in touched for outcome in slip)]
     it, they = ("it", "It rests") if len(results) == 1 else ("them", "They rest")
+    several = "s" * (len(reaching) > 1)
     many = len(slips) - len(reaching)
     free = f"{'does' if many == 1 else 'do'} not touch {it}."
     if not reaching:
@@ -65,7 +66,8 @@ def _reach(
         return (f"The {which} {free}",) if slips else ()
     where = [phrases.found([outcome.claim for outcome in slip]) for slip in reaching]
     rest = f"; the other {count_in_words(many, 'misprint')} {free}" if many else "."
-    return (f"{they} on the correction of what is misprinted ", *list_in_words(where), rest)
+    of = f"{they} on the correction{several} of the misprint{several} "
+    return (of, *list_in_words(where), rest)
 
 
 def _correctors(outcomes: Sequence[Outcome], results: Sequence[Outcome]) -> set[str]:

@@ -5,9 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Final
 
-from kowalevski_cas.report.document import Paragraph
-from kowalevski_cas.report.findings import Findings, lacks
-from kowalevski_cas.report.sentences import capital, count_in_words, in_words, list_in_words
+from kowalevski_cas.report.document import Paragraph, Text
+from kowalevski_cas.report.findings import Findings, Slip, lacks
+from kowalevski_cas.report.sentences import (
+    Phrases,
+    capital,
+    count_in_words,
+    in_words,
+    list_in_words,
+)
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 
 _OPEN: Final = {
@@ -23,12 +29,19 @@ def wrong_places(findings: Findings) -> Iterator[Paragraph]:
     """Where something is misprinted, and what is false."""
     phrases = findings.phrases
     if findings.slips:
-        places = [phrases.found([outcome.claim for outcome in slip]) for slip in findings.slips]
+        places = [_misprint(phrases, slip) for slip in findings.slips]
         yield Paragraph(("Misprinted: ", *list_in_words(places), "."))
     for outcome in findings.false:
         words = phrases.words(outcome.words.rstrip("."))
         where = phrases.found([outcome.claim])
         yield Paragraph(("False: ", *where, *((": ", *words) if words else ()), "."))
+
+
+def _misprint(phrases: Phrases, slip: Slip) -> Text:
+    """Where a misprint stands, and what to read."""
+    where = phrases.found([outcome.claim for outcome in slip])
+    correction = slip[0].correction
+    return (*where, " (", *phrases.words(correction.words if correction else ""), ")")
 
 
 def tally(findings: Findings) -> str:

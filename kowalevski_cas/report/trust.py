@@ -19,9 +19,9 @@ _TRUST: Final = (
     (
         "How it is meant",
         "A dimension is that of a manifold near the exact point that is given, where the "
-        "differentials are independent; this, and independence, say nothing of points where they "
-        "are not. A root stands for either of its values that the relations allow, unless one of "
-        "them is meant expressly.",
+        "differentials are independent; where they are dependent, neither a dimension nor "
+        "independence says anything. A root stands for either of its values that the relations "
+        "allow, unless a statement says which.",
     ),
     (
         "What has to be trusted",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from kowalevski_cas.notation import (
@@ -43,6 +43,7 @@ from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.amplitudes import SQUARE, conjugate_equations, with_conjugates
 from kowalevski_cas.system.constraints import constraints, multipliers
+from kowalevski_cas.system.differentials import differentials, rates
 from kowalevski_cas.system.matrices import equations_of_entries, matrix_equations
 from kowalevski_cas.system.refused import (
     check_derivatives,
@@ -54,7 +55,7 @@ from kowalevski_cas.system.refused import (
     check_unit,
     check_words,
 )
-from kowalevski_cas.system.vectors import Vectors, bold, names_only, vectors_of
+from kowalevski_cas.system.vectors import Vectors, bold, lengths, names_only, vectors_of
 
 Names = Collection[str]
 
@@ -62,20 +63,24 @@ Names = Collection[str]
 def components(tex: str, vectors: Vectors, declared: Names = ()) -> dict[str, tuple[str, ...]]:
     """The vectors of equations of motion with their components, beside those that are told."""
     display, known = Display("field", tex, ""), bold(vectors)
-    words = replace(_vocabulary(display, known, declared), matrices=frozenset())
+    words = replace(vocabulary_of(display, known, declared), matrices=frozenset())
     return vectors_of(display, known, words)
 
 
 def with_motion(tex: str, vectors: Vectors, declared: Names = ()) -> str:
     """Equations of motion, with those that what is printed implies."""
     display = Display("field", tex, "")
-    words = _vocabulary(display, vectors, declared)
-    printed = _read(display, words)
+    words = vocabulary_of(display, vectors, declared)
+    printed = read_rows(display, words)
     if rows := [*equations_of_entries(printed, min(words.times))]:
         return r",\quad ".join((tex, *rows))
+    if ratios := {place: rates(one) for place, one in printed.items() if differentials(one)}:
+        rows = [row for place in printed for row in ratios.get(place, [place.tex])]
+        return with_motion(r",\quad ".join(rows), vectors, declared)
     formulas = [*printed.values()]
     moving = {name for formula in formulas for name in _moving_names(formula)}
     more = [*implied_equations(formulas), *conjugate_equations(formulas, moving)]
+    more += lengths(formulas, vectors, moving)
     tex = r",\quad ".join((tex, *more))
     display = Display("field", tex, "")
     if places := constraints_in(display, vectors, declared):
@@ -86,7 +91,7 @@ def with_motion(tex: str, vectors: Vectors, declared: Names = ()) -> str:
 
 def constraints_in(display: Display, vectors: Vectors, declared: Names = ()) -> list[Printed]:
     """The constraints among equations of motion with multipliers."""
-    formulas = _read(display, _vocabulary(display, vectors, declared))
+    formulas = read_rows(display, vocabulary_of(display, vectors, declared))
     moving = {name for formula in formulas.values() for name in _moving_names(formula)}
     return constraints(formulas, moving, vectors)
 
@@ -94,8 +99,8 @@ def constraints_in(display: Display, vectors: Vectors, declared: Names = ()) -> 
 def with_time(tex: str, vectors: Vectors, declared: Names = ()) -> str:
     """Equations of motion, with one for the time, :math:`dt/dt=1`, if it stands in them."""
     display = Display("field", tex, "")
-    words = _vocabulary(display, vectors, declared)
-    formulas = [*_read(display, words).values()]
+    words = vocabulary_of(display, vectors, declared)
+    formulas = [*read_rows(display, words).values()]
     moving = {name for formula in formulas for name in _moving_names(formula)}
     for time in words.times - moving:
         if any(Name(time) in formula.nodes() for formula in formulas):
@@ -111,14 +116,14 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
     Raises ``ValueError`` if they do not say what moves, and how.
     """
     check_words(display.tex)
-    words = _vocabulary(display, vectors, declared)
-    formulas = _read(display, words)
+    words = vocabulary_of(display, vectors, declared)
+    formulas = read_rows(display, words)
     matrix_laws = matrix_equations(formulas)
     formulas = {place: one for place, one in formulas.items() if place not in matrix_laws}
     moving = dict.fromkeys(one for formula in formulas.values() for one in _moving_names(formula))
     words = replace(words, moving=frozenset(moving))  # only these may be printed as x(t)
     bound = constraints_in(display, vectors, declared)
-    printed = {p: one for p, one in _read(display, words).items() if not _is_empty(one)}
+    printed = {p: one for p, one in read_rows(display, words).items() if not _is_empty(one)}
     bound += matrix_laws
     formulas = {place: one for place, one in printed.items() if place not in bound}
     laws = tuple(p for p, one in formulas.items() if _is_law(one) or _is_momentum(one, moving))
@@ -144,14 +149,14 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
     title, time = name or "the system", min(words.times)
     scene = Scene(title, vectors, variables, constants, laws, time)
     for place in others:
-        scene = _with(scene, place, formulas[place])
+        scene = with_row(scene, place, formulas[place])
     check_unit(scene.constants)
     if scene.unit is not None:
         scene = with_conjugates(scene, formulas.values())
     return with_roots(scene, display)
 
 
-def _vocabulary(display: Display, vectors: Vectors, declared: Names) -> Vocabulary:
+def vocabulary_of(display: Display, vectors: Vectors, declared: Names) -> Vocabulary:
     """What is a vector, a matrix, a function or the independent variable in a display."""
     words = vocabulary(())
     names = [name for place in display for name in place.heads.names]
@@ -164,14 +169,37 @@ def _vocabulary(display: Display, vectors: Vectors, declared: Names) -> Vocabula
         by = " and by ".join(times)
         raise ValueError(f"derivatives by {by}: print one independent variable, or partial ones")
     scalars = functions.union(declared, words_that_move(display.tex), filter(is_word, names))
-    return replace(
+    words = replace(
         words, scalars=scalars, functions=words.functions | functions, vectors=frozenset(vectors),
         matrices=frozenset(matrices - vectors.keys()), times=frozenset(times),
         moving=frozenset(sorted(vectors)[:1]),  # by what a gradient is, does not matter yet
     )  # fmt: skip
+    return replace(words, scalars=scalars.union(primed_names(display.tex, words)))
 
 
-def _with(scene: Scene, place: Printed, formula: Formula) -> Scene:
+def primed_names(tex: str, words: Vocabulary) -> Iterator[str]:
+    r"""The names with primes, where rates of some are printed, as :math:`d\gamma'/dt`.
+
+    Then no prime is a derivative.
+    """
+    if "'" not in tex and r"\prime" not in tex:
+        return
+    found = read_display(tex, words, OpenParser)
+    chains = [_marks(node) for one in found for node in one.formula.nodes()]
+    if any("prime" in marks and {*marks} != {"prime"} for _, marks in chains):
+        yield from (name + "'" * marks.count("prime") for name, marks in chains if name)
+
+
+def _marks(formula: Formula) -> tuple[str, list[str]]:
+    """The name under derivatives, and how they are printed; empty for anything else."""
+    marks: list[str] = []
+    while isinstance(formula, Derivative):
+        marks.append(formula.mark)
+        formula = formula.argument
+    return (formula.name, marks) if isinstance(formula, Name) and marks else ("", [])
+
+
+def with_row(scene: Scene, place: Printed, formula: Formula) -> Scene:
     """A scene with what is defined or supposed beside the equations of motion."""
     if {*place.heads.names} - {*scene.variables, *scene.constants}:
         return scene.defining(place)
@@ -194,7 +222,7 @@ def _suppose(scene: Scene, place: Printed, formula: Formula) -> Scene | None:
     return None
 
 
-def _read(display: Display, words: Vocabulary) -> dict[Printed, Formula]:
+def read_rows(display: Display, words: Vocabulary) -> dict[Printed, Formula]:
     """The statements of a display, where any letter is a name; sums are written out."""
 
     def print_row(formula: Formula) -> Formula:

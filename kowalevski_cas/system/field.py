@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from contextlib import suppress
 from copy import copy
 from dataclasses import fields, replace
@@ -12,7 +12,16 @@ from typing import Any, Self
 
 from kowalevski_cas.library import MADE
 from kowalevski_cas.notation import Formula, defined_names, read, read_display, to_plain
-from kowalevski_cas.paper.claims import Casimir, Claim, FirstIntegral, Identity, Implication
+from kowalevski_cas.paper.claims import (
+    Casimir,
+    Claim,
+    FirstIntegral,
+    Identity,
+    Implication,
+    InvariantOfMap,
+    Involution,
+    Jacobi,
+)
 from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.scene import Scene
@@ -31,6 +40,7 @@ from kowalevski_cas.system.equations import (
     with_roots,
     with_time,
 )
+from kowalevski_cas.system.maps import Map, index_of_map, with_images
 from kowalevski_cas.system.matrices import at_parameters, without_parameters
 from kowalevski_cas.system.refused import check_constant, check_field, names_of
 from kowalevski_cas.system.solved import solve_for_constant
@@ -43,6 +53,11 @@ Tex = Any
 
 Texs = Any
 """A formula, or a tuple or a list of formulas."""
+
+OF_MAPS: dict[type[Claim], type[Claim]] = {FirstIntegral: InvariantOfMap}
+"""What is claimed of a map for what is claimed of a motion."""
+STATIC = (Identity, Implication, Jacobi, Casimir, Involution)
+"""What is claimed of functions, whatever moves."""
 
 LONGEST = 24
 """The signs of a formula by which a claim is called."""
@@ -62,6 +77,7 @@ class Field:
         field: str | Mapping[Any, Any],
         name: str = "",
         vectors: Mapping[str, tuple[str, ...]] | None = None,
+        map: bool = False,
     ) -> None:
         self.symbols: dict[str, Any] = {}
         """The symbols of SymPy in which the system is written, by their names here."""
@@ -77,21 +93,32 @@ class Field:
         tex, words = without_parameters(tex, self.spectral), [*self.symbols]
         parts = components(tex, vectors or {}, words)
         printed = {name for statement in defined_names(tex) for name in statement.names}
-        tex = with_motion(tex, parts, words)
-        display = self.section.display(f"{self.prefix}field", with_time(tex, parts, words))
+        index = index_of_map(tex)
+        self.images: tuple[tuple[str, str], ...] = ()
+        """The variables of a map with their images; none if it is a motion."""
+        self.constraints: tuple[str, ...] = ()
+        """On what the motion is: constraints with multipliers, and their derivatives."""
+        if map or index:
+            tex = with_images(tex, parts, words, index)
+        else:
+            tex = with_time(with_motion(tex, parts, words), parts, words)
+        display = self.section.display(f"{self.prefix}field", tex)
         self.shown = {display.id}
         """The ids of displays."""
         self.numbers = Counter[tuple[str, int]]()
         """How often an id was known, among displays or also among claims."""
-        self._stand_on(scene_by(display, name, parts, words))
-        bound = constraints_in(display, parts, words)
-        self.constraints = (*equations_on(self.scene, bound),)
-        """On what the motion is: constraints with multipliers, and their derivatives."""
+        if map or index:
+            found = Map(display, parts, words, index)
+            self.images = (*found.images.items(),)
+            self._stand_on(found.scene(name, parts))
+        else:
+            self._stand_on(scene_by(display, name, parts, words))
+            bound = constraints_in(display, parts, words)
+            self.constraints = (*equations_on(self.scene, bound),)
         self.implied = frozenset(_brackets(self.scene.definitions)) - printed
         """The canonical brackets, which equations of Hamilton imply and nobody has printed."""
-        moving, constant = self.scene.variables, self.scene.constants
         check_field(self.scene)
-        self.section.title = _echo(moving, constant, "${}$".format)
+        self.section.title = self._echo("${}$".format)
 
     def _rows(self, field: Mapping[Any, Any]) -> str:
         """Equations of motion by their right sides."""
@@ -115,13 +142,20 @@ class Field:
 
     def _summary(self, shown: Callable[[Formula], str]) -> str:
         """What moves, what is constant, and what is special, in words."""
-        echo = _echo(
-            self.scene.variables, self.scene.constants, lambda name: shown(self.read(name))
-        )
+        echo = self._echo(lambda name: shown(self.read(name)))
         special = ", ".join(
             shown(formula) for one in self.special for formula in self._formulas(one)
         )
         return f"{echo}; {special}" if special else echo
+
+    def _echo(self, shown: Callable[[str], str]) -> str:
+        """What moves, or is mapped, and what does not, in words."""
+        names, fixed = self.scene.variables, self.scene.constants
+        one = len(names) < 2
+        moves = ("is mapped" if one else "are mapped") if self.images else f"move{'s' * one}"
+        still = f"{', '.join(map(shown, fixed))} {'are' if len(fixed) > 1 else 'is'} constant"
+        moving = f"{', '.join(map(shown, names))} {moves}"
+        return f"{moving}; {still}" if fixed else moving
 
     # -- scenes ------------------------------------------------------------------
 
@@ -209,10 +243,27 @@ class Field:
             NotationError: a formula is broken TeX.
             ValueError: a formula is several, or there is no such verdict to expect.
         """
+        if self.images:
+            kind, says, attributes = self._of_map(kind, says, attributes)
+        elif "images" in {field.name for field in fields(kind)}:
+            raise ValueError(f"this is no map, but a motion; {kind.__name__} is not known of it")
         if self.constraints:
             kind, says, attributes = self._bound(kind, says, attributes)
         id = self._id(name, self._tex(_first((printed, *attributes.values()))))
         return self._state(id, Finding(kind, self.scene, says, printed, attributes), expect)
+
+    def _of_map(
+        self, kind: type[Claim], says: str, attributes: dict[str, Any]
+    ) -> tuple[type[Claim], str, dict[str, Any]]:
+        """What is claimed of a map; raises ``ValueError`` for a kind that is about motions."""
+        kind = OF_MAPS.get(kind, kind)
+        own = {field.name for field in fields(kind)}
+        attributes = {key: value for key, value in attributes.items() if value or key in own}
+        unknown = attributes.keys() - own
+        if unknown or (kind not in STATIC and "images" not in own):
+            raise ValueError(f"{kind.__name__} is not known of maps: {says}")
+        images = {"images": self.images} if "images" in own else {}
+        return kind, says.replace("along every motion", "under the map"), {**attributes, **images}
 
     def _bound(
         self, kind: type[Claim], says: str, attributes: dict[str, Any]
@@ -313,10 +364,3 @@ def _first(value: Any) -> Tex:
 def _brackets(names: Iterable[str]) -> Iterator[str]:
     """The names that are Poisson brackets of variables."""
     return (name for name in names if name.startswith(BRACKET))
-
-
-def _echo(variables: Sequence[str], constants: Sequence[str], shown: Callable[[str], str]) -> str:
-    """What moves and what does not, in words."""
-    moving = f"{', '.join(map(shown, variables))} move{'' if len(variables) > 1 else 's'}"
-    still = f"{', '.join(map(shown, constants))} {'are' if len(constants) > 1 else 'is'} constant"
-    return f"{moving}; {still}" if constants else moving

@@ -104,7 +104,7 @@ def equations_of_entries(formulas: Mapping[Printed, Formula], time: str) -> Iter
     pairs = [pair for place in laws for pair in _equations(formulas[place], space)]
     vanishing = at.moving(moving, ()).differences(pairs)
     more = [*_derivatives(vanishing, [n for n in still if symbol(n).letter in SPECTRAL], space)]
-    found = _solve([*vanishing, *more], rates)
+    found = solve_linear([*vanishing, *more], rates)
     for name, rate, value in zip(unknown, rates, found, strict=True):
         if value is None:
             raise ValueError(
@@ -139,12 +139,12 @@ def _derivatives(
             yield from found
 
 
-def _solve(functions: Iterable[Element], rates: Sequence[str]) -> list[Element | None]:
+def solve_linear(functions: Iterable[Element], rates: Sequence[str]) -> list[Element | None]:
     """The rates for which all functions vanish; ``None`` for one that they do not determine.
 
     Raises ``ValueError`` if there are none.
     """
-    rows = [_linear(function, rates) for function in functions]
+    rows = [_parts(function, rates) for function in functions]
     pivots: list[list[Element] | None] = []
     for column in range(len(rates)):
         candidates = [row for row in rows if not row[column].is_zero]
@@ -166,7 +166,7 @@ def _solve(functions: Iterable[Element], rates: Sequence[str]) -> list[Element |
     return [None if row is None else -row[-1] for row in pivots]
 
 
-def _linear(function: Element, rates: Sequence[str]) -> list[Element]:
+def _parts(function: Element, rates: Sequence[str]) -> list[Element]:
     """The factors of rates in a function that is linear in them, and the rest."""
     factors = [along(function, {rate: function.ring.one}) for rate in rates]
     rest = function

@@ -62,12 +62,14 @@ def check_motion(
 
 
 def check_marks(formulas: Iterable[Formula]) -> None:
-    """Refuse dots beside primes, of which one may be no derivative by the time."""
+    """Refuse dots or fractions beside primes, which may be no derivatives by the time."""
     nodes = (node for formula in formulas for node in formula.nodes())
-    marks = {node.mark: node.argument for node in nodes if isinstance(node, Derivative)}
-    if {"dot", "prime"} <= marks.keys():
+    rates = (n for n in nodes if isinstance(n, Derivative) and n.argument != Name(n.mark))
+    marks = {rate.mark: rate.argument for rate in rates}
+    if "prime" in marks and len(marks) > 1:
+        other = "dots" if "dot" in marks else "d/d" + next(one for one in marks if one != "prime")
         raise ValueError(
-            f"{to_latex(marks['prime'])}' stands beside dots, and a prime is a derivative too: "
+            f"{to_latex(marks['prime'])}' stands beside {other}, and a prime is a derivative too: "
             "print dots or primes, and names with indices"
         )
 

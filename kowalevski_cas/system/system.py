@@ -24,11 +24,14 @@ from kowalevski_cas.paper.claims import (
     FirstIntegral,
     Identity,
     Implication,
+    IntegrableMap,
     InvariantRelations,
     Involution,
     Jacobi,
     LaxPair,
     LiouvilleIntegrable,
+    MeasureOfMap,
+    PoissonMap,
 )
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
@@ -53,6 +56,8 @@ class System(Field):
         name: what the claims of a file with several systems are called after.
         vectors: the components of the names in bold type, where the display does not name them,
             as :math:`\mathbf r=(x,y,z)`, and neither has vector products nor :math:`r_1,r_2`.
+        map: whether primes are images, as in :math:`x'=y`, and no rates. It is a map anyway
+            with :math:`x_{n+1}=\ldots`.
 
     Raises:
         NotationError: an equation cannot be read.
@@ -117,11 +122,24 @@ class System(Field):
 
     def integrable(self, *integrals: Tex, casimirs: Texs = (), expect: str = "") -> SystemClaim:
         """Integrability in the sense of Liouville; the first integral is the Hamiltonian."""
+        if self.images:
+            says = f"the map is integrable in the sense of Liouville, by {self._list(integrals)}"
+            kind, own = IntegrableMap, {"invariants": integrals, "casimirs": several(casimirs)}
+            return self.states(kind, "integrable", says, expect, **own)
         says = f"the motion is integrable in the sense of Liouville, by {self._list(integrals)}"
         return self.states(
             LiouvilleIntegrable, "integrable", says, expect,
             integrals=integrals, casimirs=several(casimirs),
         )  # fmt: skip
+
+    def measure(self, density: Tex = "1", expect: str = "") -> SystemClaim:
+        """A map preserves the measure with this density, up to the orientation."""
+        says = f"the map preserves the measure with the density ${self._tex(density)}$"
+        return self.states(MeasureOfMap, "measure", says, expect, density)
+
+    def symplectic(self, expect: str = "") -> SystemClaim:
+        """A map preserves the Poisson bracket, the canonical one if none is printed."""
+        return self.states(PoissonMap, "symplectic", "the map preserves the bracket", expect)
 
     def _list(self, formulas: Sequence[Tex]) -> str:
         return ", ".join(f"${self._tex(formula)}$" for formula in formulas)
@@ -162,6 +180,8 @@ class System(Field):
 
         What is found in time is claimed; if something may be left, that is said.
         """
+        if self.images:
+            raise ValueError(f"find {name} is not known of maps: claim what is found elsewhere")
         for key in ("degree", "order"):
             value = options.get(key, 0)
             if not isinstance(value, int) or value < 0:

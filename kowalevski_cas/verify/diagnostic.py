@@ -16,7 +16,7 @@ RULES = {
     "timeout": "The formula was not decided in time.",
     "moved": "The formula stands elsewhere than in the derivation.",
     "open": "The formula claims something, and is not judged.",
-    "different": "The verdict is another one than the recorded or expected one.",
+    "different": "The verdict differs from the recorded or expected one.",
 }
 """The kinds of diagnostics, with what each says."""
 

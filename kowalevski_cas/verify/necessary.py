@@ -115,7 +115,7 @@ def _where_it_is_singular(
     values = {n: v for n, v in place.point.values.items() if n not in names}
     says = f"only {count} of the {len(rows)} differentials are independent"
     witness = Counterexample(point(values, setting), Number(count), Number(len(rows)), says)
-    words = f"for {locus.words} differentials are dependent"
+    words = f"for {locus.words} the differentials are dependent"
     level = statement.goals[0]
     assert isinstance(level, Rank)
     there = statement.legend[level.space].equations(locus.equations)

@@ -81,7 +81,7 @@ def _identical(statement: Statement) -> ReportedStep:
     formula = None if own is None else statement.on.texts.formula(own)
     if isinstance(formula, Relation) and Unwritten() not in formula.nodes():
         return ReportedStep("Written out, this is an identity.")
-    return ReportedStep("Written out, each equation that says so is an identity.")
+    return ReportedStep("Written out, each of the equations is an identity.")
 
 
 def _steps(statement: Statement, goal: Goal, evidence: Evidence) -> Iterator[ReportedStep]:
@@ -149,7 +149,7 @@ def _independent(proof: Proof, setting: Elaboration) -> ReportedStep:
     """At all points of the set, by how many identities."""
     rows = [*_rows(proof)]
     terms = size(setting.finder.scalar(entry) for row in rows for entry in row)
-    words = "At every point of the set that the hypotheses admit the differentials are independent"
+    words = "The differentials are independent at every point of the set that the hypotheses admit"
     words += f", by {len(rows)} identities whose coefficients have {terms} terms"
     return ReportedStep(words, withheld=True)
 
@@ -163,7 +163,7 @@ def _rows(proof: Proof) -> Iterator[Row]:
 
 def _cases(proof: Proof, setting: Elaboration) -> ReportedStep:
     groups = [[setting.finder.scalar(entry) for entry in group] for group in proof.product]
-    words = "From what is given it follows that a product vanishes; it is shown case by case"
+    words = "The hypotheses imply that a product vanishes; the proof goes case by case"
     if size(element for group in groups for element in group) > LONGEST:
         return ReportedStep(f"{words}, for each of its factors", withheld=True)
     factors = [

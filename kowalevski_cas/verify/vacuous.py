@@ -23,6 +23,7 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.errors import closeness
 from kowalevski_cas.paper.claims import Neighbour
+from kowalevski_cas.paper.claims.maps import Images
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.finder import finder_of
@@ -141,13 +142,19 @@ def _common(formula: Formula) -> set[str]:
     return set()
 
 
-def stands_still(before: Elaboration, after: Elaboration, names: Iterable[str]) -> bool:
+def stands_still(
+    before: Elaboration, after: Elaboration, names: Iterable[str], images: Images = ()
+) -> bool:
     """Whether of what moves on a scene something stands still on an edited one, or of some names.
 
-    So no law is changed into one of which anything is true, and no function into a constant.
+    So no law is changed into one of which anything is true, and no function into a constant; nor
+    does a map leave a variable where it is.
     """
     was, now = before.finder, after.finder
-    if any(now.rates[x].is_zero for x, rate in was.rates.items() if not rate.is_zero):
+    if images:
+        return any((now.scalar(Name(x)) - now.scalar(Name(new))).is_zero for x, new in images)
+    moving = was.rates.items() if before.scene.field else ()
+    if any(now.rates[x].is_zero for x, rate in moving if not rate.is_zero):
         return True
     return any(_still(name, now) and not _still(name, was) for name in names)
 

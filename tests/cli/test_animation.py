@@ -50,9 +50,7 @@ def test_an_animation_is_a_gif_or_a_page(
 ) -> None:
     for wrong in (tmp_path, tmp_path / "body.mp4"):
         assert main(["animation", "--output", str(wrong)]) == 2
-        assert (
-            f"--output {wrong} is no file that ends with .gif or .html" in capsys.readouterr().err
-        )
+        assert f"--output {wrong} does not end with .gif or .html" in capsys.readouterr().err
 
 
 def test_any_motion_is_shown_but_for_parallel_fields(

@@ -8,7 +8,7 @@ import re
 from itertools import permutations
 
 import pytest
-from sympy import LeviCivita, Rational, Symbol, sympify
+from sympy import LeviCivita, Rational, Symbol, latex, sympify
 
 from kowalevski_cas import System
 from kowalevski_cas.algebra.present import formula_in
@@ -201,6 +201,8 @@ REFUSED = [
     (r"\dot x=y,\ \dot y=-sin x", "print .sin"),
     (r"\dot x=-(x-\bar x)", "rename it, or print i"),
     (r"\dot x=\delta_{ij}x", "print the sums"),
+    (r"\dot x=x'+y,\ \dot y=x", "a prime is a derivative too"),
+    (r"\frac{dx}{dt}=y,\ \frac{dy}{dt}=-x+y'", "a prime is a derivative too"),
     (r"where\ \dot x=y,\ \dot y=-x", "words outside"),
 ]
 
@@ -315,3 +317,76 @@ CASIMIR = r"M_1^2+M_2^2+M_3^2"
 def test_a_casimir_function_may_have_a_name_or_a_value(tex, verdict):
     system = System(r"\{M_i,M_j\}=\varepsilon_{ijk}M_k,\ H=aM_1^2+bM_2^2+cM_3^2")
     assert system.casimir(tex).verdict == verdict
+
+
+KOWALEVSKI = (
+    r"2\frac{dp}{dt}=qr,\ 2\frac{dq}{dt}=-pr-c_0\gamma'',\ \frac{dr}{dt}=c_0\gamma',\ "
+    r"\frac{d\gamma}{dt}=r\gamma'-q\gamma'',\ \frac{d\gamma'}{dt}=p\gamma''-r\gamma,\ "
+    r"\frac{d\gamma''}{dt}=q\gamma-p\gamma'"
+)
+
+
+@pytest.mark.parametrize("mark", [r"\frac{{d{}}}{{dt}}", r"\dot {}"])
+def test_names_with_primes_are_names_where_they_have_rates(mark):
+    """The equations of Kowalevski's memoir, with the direction cosines as she prints them."""
+    tex = re.sub(r"\\frac\{d([^}]*)\}\{dt\}", lambda rate: mark.format(rate[1]), KOWALEVSKI)
+    top = System(tex)
+    assert {*top.scene.variables} == {"p", "q", "r", r"\gamma", r"\gamma'", r"\gamma''"}
+    fourth = r"(p^2-q^2+c_0\gamma)^2+(2pq+c_0\gamma')^2"
+    for true in (fourth, r"\gamma^2+\gamma'^2+\gamma''^2", r"2(p\gamma+q\gamma')+r\gamma''"):
+        assert top.integral(true).verdict == "proved"
+    for false in (fourth.replace("+c_0", "-c_0"), r"\gamma^2+\gamma'^2-\gamma''^2"):
+        assert top.integral(false).verdict == "refuted"
+
+
+@FEW
+def test_ratios_of_differentials_are_rates(seed):
+    chance = random.Random(seed)
+    names = chance.choice(
+        [["x", "y", "z"], ["x_1", "x_2", "x_3"], ["p", "q", r"\varphi"], ["u", "v"]]
+    )
+    symbols = [plain(one) for one in names]
+    rate = [
+        chance.choice([1, 2, -1]) * chance.choice(symbols) * chance.choice([*symbols, Symbol("a")])
+        + chance.choice([0, 1, *symbols])
+        for _ in names
+    ]
+    texts = [latex(one) for one in rate]
+    form = chance.choice([r"\frac{{d{}}}{{{}}}", r"\frac{{\,d{}}}{{\displaystyle {}}}", "d{}/({})"])
+    time, by = chance.choice([("", 1), ("dt", 1), (r"\frac{dt}{a}", Symbol("a"))])
+    members = [form.format(n, t) for n, t in zip(names, texts, strict=True)] + [time] * bool(time)
+    chance.shuffle(members)
+    law = System("=".join(members))
+    meant = {str(one): force / by for one, force in zip(symbols, rate, strict=True)}
+    assert not differ(law, meant, seed), law
+    scaled = System("=".join(members).replace(texts[0], f"2({texts[0]})"))
+    assert differ(scaled, meant, seed)
+
+
+@FEW
+def test_a_letter_beside_the_vector_is_its_length(seed):
+    chance = random.Random(seed)
+    letter, bold = chance.choice([("r", r"\mathbf r"), ("q", r"\boldsymbol q"), ("x", r"\vec x")])
+    names = chance.choice(["(u,v,w)", "(u,v)"])
+    n = chance.choice([1, 2, 3, 4])
+    beside = chance.choice(["", rf",\ {letter}=|{bold}|"])
+    force = chance.choice([rf"-\frac{{{bold}}}{{{letter}^{n}}}", rf"-{letter}^{n}{bold}"])
+    law = System(rf"\ddot{{{bold}}}={force},\ {bold}={names}{beside}")
+    assert letter not in law.scene.constants
+    assert law.integral(r"u\dot v-v\dot u").verdict.green
+    power = 2 - n if "frac" in force else n + 2
+    if power:
+        U = (
+            rf"\frac{{1}}{{{power}}}{letter}^{{{power}}}"
+            if power > 0
+            else rf"-\frac{{1}}{{{-power}{letter}^{-power}}}"
+        )
+        kinetic = rf"\frac12|\dot{{{bold}}}|^2"
+        assert law.integral(f"{kinetic}+{U}").verdict.green, (law, U)
+        assert law.integral(f"{kinetic}-2{U}".replace("-2-", "+2")).verdict == "refuted"
+
+
+@pytest.mark.parametrize("tex", [r"\dot{\mathbf M}=M\mathbf M\times\boldsymbol\omega"])
+def test_a_capital_beside_its_vector_may_be_a_mass(tex):
+    with pytest.raises(ValueError, match="if it is the length"):
+        System(tex)

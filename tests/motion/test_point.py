@@ -124,8 +124,8 @@ def test_integrators_start_from_the_state_itself():
         ([0, 0, 0, 1, 0, 0, 0, 1, 0.5], "m = 0: the roots (ℓ±1)/2m are at infinity"),
         ([1, 0, 0, 1, 0, 0.5, 0, 1, 0], "is not on N⁴, or so close to x1x2 = 0"),
         ([1, 2, 3], "nine numbers, ω, α, β; 3 are given"),
-        (["x"] * 9, "“x” is no finite number"),
-        ([float("nan")] * 9, "“nan” is no finite number"),
+        (["x"] * 9, "“x” is not a finite number"),
+        ([float("nan")] * 9, "“nan” is not a finite number"),
     ],
 )
 def test_states_without_a_motion_are_refused_in_words(state, words):

@@ -78,10 +78,11 @@ def test_every_method_has_a_line_and_no_words_cover_others():
     figure = draw(ROWS)
     figure.draw_without_rendering()
     (axes,) = figure.axes
-    assert [label.get_text() for label in axes.get_yticklabels()][:3] == [
-        "FLINT",
-        "shy",
-        "residues",
+    labels = [label.get_text().partition(", $n=") for label in axes.get_yticklabels()]
+    assert [name for name, _, _ in labels][:3] == ["FLINT", "shy", "residues"]
+    counts = [len(one.rows) for one in summaries(ROWS)]
+    assert [many for _, _, many in labels] == [
+        "" if count == max(counts) else f"{count}$" for count in counts
     ]
     boxes = [text.get_window_extent() for text in axes.texts]
     for k, one in enumerate(boxes):

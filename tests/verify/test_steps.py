@@ -80,7 +80,7 @@ def test_what_is_too_long_is_counted(steps):
 
 def test_sides_that_are_equal_identically_are_said_to_be_so(steps):
     assert steps("eq13.conjugate") == [("Written out, this is an identity.", [])]
-    assert steps("Q1-prime") == [("Written out, each equation that says so is an identity.", [])]
+    assert steps("Q1-prime") == [("Written out, each of the equations is an identity.", [])]
 
 
 def test_cases_eliminants_and_constant_roots(steps):
@@ -93,7 +93,7 @@ def test_cases_eliminants_and_constant_roots(steps):
 
 def test_a_dimension_is_that_at_a_point_and_a_combination_for_all_others(told):
     step, everywhere = told["M4-dimension"].steps
-    assert everywhere.words.startswith("At every point of the set")
+    assert everywhere.words.startswith("The differentials are independent at every point")
     assert step.point is not None and len(step.point.values) == 9
     assert "near this point the common level is a manifold of dimension 4" in step.words
 

@@ -50,7 +50,7 @@ class MotionO4:
 
         ``torus`` is one of those of the regime, numbered from 1. Raises
         :class:`~kowalevski_cas.motion.parameters.Inadmissible` where there is no motion, and
-        ``ValueError`` for what is no finite number.
+        ``ValueError`` for what is not a finite number.
         """
         longer, shorter, turn = straighten(usable(a), usable(b), usable(c))
         parameters = ParametersO4(longer, shorter, usable(s), usable(tau))

@@ -41,7 +41,7 @@ class ParametersO4(Lengths):
 
     @staticmethod
     def of(a: Real, b: Real, s: Real, tau: Real) -> ParametersO4:
-        """The constants as they are given; raises ``ValueError`` for what is no finite number."""
+        """The constants as given; raises ``ValueError`` for what is not a finite number."""
         return ParametersO4(usable(a), usable(b), usable(s), usable(tau))
 
     @cached_property

@@ -22,6 +22,13 @@ from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.claims.lax_pair import LaxPair
 from kowalevski_cas.paper.claims.limit import Limit
 from kowalevski_cas.paper.claims.local_dimension import LocalDimension
+from kowalevski_cas.paper.claims.maps import (
+    IntegrableMap,
+    InvariantOfMap,
+    MeasureOfMap,
+    OfMap,
+    PoissonMap,
+)
 from kowalevski_cas.paper.claims.measure import LastMultiplier
 from kowalevski_cas.paper.claims.poisson import Casimir, Involution, Jacobi, LiouvilleIntegrable
 from kowalevski_cas.paper.claims.reality import Reality

@@ -70,7 +70,7 @@ class Involution(Claim):
             raise Meaningless("two functions at least are in involution")
         space = on(self.scene)
         functions = [function(on, space, place) for place in self.functions]
-        yield identity(space, *_commutation(space, functions))
+        yield identity(space, *commutation(space, functions))
 
     def establishes(self) -> Iterator[Printed]:
         yield from self.functions
@@ -110,10 +110,10 @@ class LiouvilleIntegrable(Claim):
         if casimirs:
             yield identity(space, *_central(space, casimirs))
         if len(integrals) > 1:
-            yield identity(space, *_commutation(space, integrals))
+            yield identity(space, *commutation(space, integrals))
         functions = tuple(map(space.plain, (*integrals, *casimirs)))
         yield Rank(space, functions, (), len(functions))
-        minors = (_pfaffian(space, some) for some in combinations(variables, rank))
+        minors = (pfaffian(space, some) for some in combinations(variables, rank))
         yield Fails(space, (tuple(map(vanishes, minors)),))
 
     def establishes(self) -> Iterator[Printed]:
@@ -142,19 +142,19 @@ def _central(space: Elaboration, functions: Sequence[Formula]) -> Iterator[Equat
         yield from (vanishes(_bracket(space, f, Name(x))) for x in space.variables)
 
 
-def _commutation(space: Elaboration, functions: Sequence[Formula]) -> Iterator[Equation]:
+def commutation(space: Elaboration, functions: Sequence[Formula]) -> Iterator[Equation]:
     """That functions commute with each other."""
     return (vanishes(_bracket(space, f, g)) for f, g in combinations(functions, 2))
 
 
-def _pfaffian(space: Elaboration, variables: Sequence[Formula]) -> Formula:
+def pfaffian(space: Elaboration, variables: Sequence[Formula]) -> Formula:
     """The Pfaffian of the brackets of an even number of variables, by its first row."""
     if not variables:
         return Number(1)
     first, *others = variables
     terms = []
     for k, other in enumerate(others):
-        rest = _pfaffian(space, [*others[:k], *others[k + 1 :]])
+        rest = pfaffian(space, [*others[:k], *others[k + 1 :]])
         term = times(_bracket(space, first, other), rest)
         terms.append(Negative(term) if k % 2 else term)
     return total(terms)

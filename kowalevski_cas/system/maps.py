@@ -1,0 +1,158 @@
+r"""Maps: :math:`x_{n+1}=y_n,\; y_{n+1}=-x_n`, or :math:`x'=y,\; y'=-x` where that is said.
+
+A name with the index :math:`n+1` is the image of the one with n, and that of the one with
+:math:`n-1`, if there is one, is the one with n. Equations that do not give the images are solved
+for them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import replace
+from itertools import chain
+
+from kowalevski_cas.algebra.present import formula_in
+from kowalevski_cas.notation import Derivative, Formula, Name, Relation, Vocabulary, to_latex
+from kowalevski_cas.notation.cursor import Cursor
+from kowalevski_cas.notation.lexer import scan
+from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.implied import canonical_brackets, conjugate_pairs
+from kowalevski_cas.paper.names import BRACKET, head
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.texts import Display, Printed, Texts
+from kowalevski_cas.paper.vocabulary import vocabulary
+from kowalevski_cas.system.equations import Names, read_rows, vocabulary_of, with_row
+from kowalevski_cas.system.matrices import solve_linear
+from kowalevski_cas.system.vectors import Vectors
+
+STEP = "+1"
+
+
+def index_of_map(tex: str) -> str:
+    r"""The index that counts the steps of a map, if a display is one; nothing for equations.
+
+    >>> index_of_map(r"x_{n+1}=y_n, y_{n+1}=-x_n"), index_of_map(r"\dot u_i=u_{i+1}")
+    ('n', '')
+    """
+    tokens = scan(tex)
+    letters = [letter + index for letter, index in Cursor(tex, tokens, Vocabulary()).letters()]
+    if any(token.kind in ("prime", "accent") or token.text == "d" for token in tokens):
+        return ""
+    steps = {symbol(name).index[:-2] for name in letters if symbol(name).index.endswith(STEP)}
+    here = {symbol(name).index for name in letters}
+    found = [one for one in steps if len(one) == 1 and one.isalpha() and one in here]
+    return found[0] if len(found) == 1 else ""
+
+
+def images_by_index(names: Iterable[str], index: str) -> dict[str, str]:
+    """The variables of a map with their images."""
+    names = parts = {name: symbol(name) for name in names}
+
+    def at(name: str, index: str) -> str:
+        return replace(parts[name], index=index).name
+
+    moving = [one for one in names if parts[one].index in (index, f"{index}{STEP}")]
+    here = dict.fromkeys(at(one, index) for one in moving if at(one, f"{index}{STEP}") in names)
+    before = dict.fromkeys(at(one, index) for one in names if parts[one].index == f"{index}-1")
+    found = {one: replace(symbol(one), index=f"{index}{STEP}").name for one in here}
+    return found | {replace(symbol(one), index=f"{index}-1").name: one for one in before}
+
+
+def images_by_primes(formulas: Collection[Formula]) -> dict[str, str]:
+    """The variables of a map that is printed with primes, with their images."""
+    nodes = chain.from_iterable(formula.nodes() for formula in formulas)
+    primed = (n.argument for n in nodes if isinstance(n, Derivative) and n.mark == "prime")
+    return {one.name: f"{one.name}'" for one in primed if isinstance(one, Name)}
+
+
+class Map:
+    """The equations of a map: rows that give an image, equations for images, and all others.
+
+    Raises ``ValueError`` if there is no image, or not one equation for each.
+    """
+
+    def __init__(self, display: Display, vectors: Vectors, declared: Names, index: str) -> None:
+        words = vocabulary_of(display, vectors, declared)
+        printed = read_rows(display, words).values()
+        nodes = (node for formula in printed for node in formula.nodes())
+        names = dict.fromkeys(node.name for node in nodes if isinstance(node, Name))
+        self.images = images_by_index(names, index) if index else images_by_primes([*printed])
+        """The variables with the names of their images."""
+        if not self.images:
+            tex = display.tex
+            raise ValueError(f"“{tex}” is no map: print x_{{n+1}}=…, or x'=…, for each variable")
+        self.new = [one for one in self.images.values() if one not in self.images]
+        self.words = replace(words, scalars=words.scalars.union(self.images.values()))
+        self.formulas = read_rows(display, self.words)
+        rows = self.formulas.items()
+        given = {one: place for one in self.new for place, f in rows if _gives(f, one)}
+        self.rows = {one: p for one, p in given.items() if one not in self._needed(one, given)}
+        self.others = [place for place, f in rows if f.names().isdisjoint(self.new)]
+        known = {*self.others, *self.rows.values()}
+        self.implicit = [place for place in self.formulas if place not in known]
+        self.left = [one for one in self.new if one not in self.rows]
+
+    def _needed(self, name: str, given: Mapping[str, Printed]) -> set[str]:
+        """The images by which an image is given, and those by which these are."""
+        found, waiting = set[str](), [name]
+        while waiting:
+            place = given.get(waiting.pop())
+            right = self.formulas[place].children()[1:] if place else ()
+            new = {one for side in right for one in side.names()} & {*self.new} - found
+            found |= new
+            waiting += new
+        return found
+
+    def scene(self, name: str, vectors: Vectors) -> Scene:
+        """The variables, and what the rows and the other statements say."""
+        defined = {head(n)[0] for place in self.others for n in place.heads.names}
+        nodes = (node for formula in self.formulas.values() for node in formula.nodes())
+        known = {*self.images, *self.new, *defined, *self.words.matrices}
+        fixed = dict.fromkeys(n.name for n in nodes if isinstance(n, Name))
+        constants = tuple(name for name in fixed if name not in known)
+        scene = Scene(name or "the map", vectors, (*self.images,), constants)
+        for place in self.others:
+            scene = with_row(scene, place, self.formulas[place])
+        for one, place in self.rows.items():
+            scene = scene.naming(one, place)
+        return scene
+
+    def solutions(self, vectors: Vectors) -> Iterator[str]:
+        """The images that are not given, by the equations in which they are linear."""
+        if not self.left:
+            return
+        if len(self.implicit) != len(self.left):
+            said = ", ".join(self.left)
+            raise ValueError(f"{len(self.implicit)} equations for {said}: print one for each")
+        scene = self.scene("", vectors).having(variables=tuple(self.left))
+        space = Elaborations(Texts(vocabulary((scene,))))(scene)
+        pairs = [space.texts.sides(place) for place in self.implicit]
+        sides = [(space.plain(left), space.plain(right)) for left, right in pairs]
+        values = solve_linear(space.finder.differences(sides), self.left)
+        for name, value in zip(self.left, values, strict=True):
+            if value is None or any(one in formula_in(value).names() for one in self.left):
+                raise ValueError(f"solve the equations for {name}: they are not linear in it")
+            yield f"{name}={to_latex(formula_in(value))}"
+
+
+def with_images(tex: str, vectors: Vectors, declared: Names, index: str) -> str:
+    """The equations of a map with its images, and the canonical bracket if none is printed."""
+    found = Map(Display("map", tex, ""), vectors, declared, index)
+    more = [*found.solutions(vectors)]
+    if not any(name.startswith(BRACKET) for place in found.others for name in place.heads.names):
+        names = [*found.images]
+        try:
+            pairs = conjugate_pairs(names)
+        except ValueError:
+            pairs = [(names[0], names[1])] if len(names) == 2 else []
+        more += canonical_brackets(pairs)
+    return r",\quad ".join((tex, *more))
+
+
+def _gives(formula: Formula, name: str) -> bool:
+    """Whether an equation has an image alone on its left side."""
+    match formula:
+        case Relation((Name(own), _), ("=",)) if own == name:
+            return True
+    return False

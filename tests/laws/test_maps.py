@@ -1,0 +1,118 @@
+"""Maps as they are printed: what they preserve is proved, and what they do not is refuted."""
+
+import random
+
+import pytest
+
+from kowalevski_cas import System
+from tests.laws.test_prints import FEW
+
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
+
+def names(chance):
+    """Two variables with their images, and whether it has to be said that it is a map."""
+    x, y = chance.choice([("x", "y"), ("q", "p"), (r"\theta", "I"), ("u", "v")])
+    n = chance.choice(["n", "k", "m", ""])
+    if not n:
+        return x, y, f"{x}'", f"{y}'", True
+    return f"{x}_{n}", f"{y}_{n}", f"{x}_{{{n}+1}}", f"{y}_{{{n}+1}}", False
+
+
+@FEW
+def test_a_matrix_with_determinant_one_preserves_a_form(seed):
+    chance = random.Random(seed)
+    x, y, x1, y1, told = names(chance)
+    k, m = chance.sample([-3, -2, 2, 3], 2)
+    a, b, c, d = 1 + k * m, k, m, 1  # two shears
+    rows = [f"{x1}={a}{x}{b:+}{y}", f"{y1}={c}{x}+{y}"]
+    chance.shuffle(rows)
+    law = System(",\\ ".join(rows), map=told)
+    assert {*law.scene.variables} == {x, y} and not law.scene.constants
+    form = f"{c}{x}^2{d - a:+}{x}{y}{-b:+}{y}^2"
+    assert law.integral(form).verdict == "proved", law
+    assert law.integral(f"({form})^2").verdict == "proved"
+    assert law.integral(f"{c + 1}{x}^2{d - a:+}{x}{y}{-b:+}{y}^2").verdict == "refuted"
+    assert law.integral("7").verdict == "refuted"
+    assert law.symplectic().verdict == law.measure().verdict == "proved"
+    assert law.integrable(form).verdict == "proved"
+    assert law.integrable(f"{form}+{x}").verdict == "refuted"
+    wide = System(",\\ ".join(rows).replace(f"{a}{x}", f"{a + 1}{x}"), map=told)
+    assert wide.symplectic().verdict == wide.measure().verdict == "refuted"
+
+
+@FEW
+def test_the_symmetric_map_of_quispel_roberts_and_thompson_has_its_invariant(seed):
+    r"""Of :math:`x_{n+1}+x_{n-1}=-(\beta x^2+\epsilon x+\xi)/(\alpha x^2+\beta x+\gamma)`."""
+    chance = random.Random(seed)
+    letter, n = chance.choice("xuw"), chance.choice("nkm")
+    x, y, new = f"{letter}_{n}", f"{letter}_{{{n}-1}}", f"{letter}_{{{n}+1}}"
+    al, be, ga, ep, xi = (chance.choice([-2, -1, 1, 2, 3]) for _ in range(5))
+    right = (
+        rf"-\frac{{{be}{x}^2{ep:+}{x}{xi:+}}}{{{al}{x}^2{be:+}{x}{ga:+}}}"  # the print of the paper
+    )
+    form = chance.choice([f"{new}+{y}={right}", f"{new}={right}-{y}"])
+    law = System(form)
+    assert law.scene.variables == (x, y)
+    invariant = (
+        f"{al}{x}^2{y}^2{be:+}({x}^2{y}+{x}{y}^2){ga:+}({x}^2+{y}^2){ep:+}{x}{y}{xi:+}({x}+{y})"
+    )
+    assert law.integral(invariant).verdict.green, law
+    assert (
+        law.integral(invariant.replace(f"{ep:+}{x}{y}", f"{ep + 1:+}{x}{y}")).verdict == "refuted"
+    )
+    assert law.symplectic().verdict.green and law.measure().verdict.green
+    assert law.integral(invariant.replace(y, new)).verdict.green
+    assert law.integrable(invariant).verdict.green
+
+
+def test_a_map_with_a_sine_preserves_the_area():
+    law = System(r"p_{n+1}=p_n+K\sin x_n,\ x_{n+1}=x_n+p_{n+1}")
+    assert law.symplectic().verdict == law.measure().verdict == "proved"
+    assert law.integral("p_n").verdict == "refuted"
+    rough = System(r"p_{n+1}=bp_n+K\sin x_n,\ x_{n+1}=x_n+p_{n+1}")
+    assert rough.symplectic().verdict == rough.measure().verdict == "refuted"
+
+
+def test_a_density_and_a_bracket_are_those_that_are_printed():
+    law = System(r"x_{n+1}x_{n-1}=x_n+a")
+    assert law.measure(r"\frac1{x_nx_{n-1}}").verdict == "conditional"
+    assert law.measure(r"\frac1{x_n}").verdict == law.measure().verdict == "refuted"
+    own = System(r"x_{n+1}x_{n-1}=x_n+a,\ \{x_n,x_{n-1}\}=x_nx_{n-1}")
+    assert own.symplectic().verdict == "conditional"
+    other = System(r"x_{n+1}x_{n-1}=x_n+a,\ \{x_n,x_{n-1}\}=x_n")
+    assert other.symplectic().verdict == "refuted"
+
+
+def test_images_that_need_each_other_are_solved_for():
+    law = System(r"x_{n+1}=x_n+y_{n+1},\ y_{n+1}=y_n+2x_{n+1}")
+    assert law.identity(r"x_{n+1}=-x_n-y_n").verdict == "proved"
+    assert law.measure().verdict == "proved"
+
+
+@pytest.mark.parametrize("tex", [r"x'=y,\ y'=-x", r"x'=1-ax^2+y,\ y'=bx"])
+def test_primes_are_rates_unless_it_is_said(tex):
+    assert "move" in repr(System(tex)) and "are mapped" in repr(System(tex, map=True))
+    with pytest.raises(ValueError, match="no map, but a motion"):
+        System(tex).measure()
+
+
+@pytest.mark.parametrize(
+    ("tex", "message"),
+    [
+        (r"x_{n+1}^2=y_n,\ y_{n+1}=x_n", "not linear"),
+        (r"x_{n+1}+y_{n+1}=y_n,\ x_n=1", "print one for each"),
+        (r"x=y", "is no map"),
+    ],
+)
+def test_what_is_no_map_is_refused(tex, message):
+    with pytest.raises(ValueError, match=message):
+        System(tex, map=True)
+
+
+@pytest.mark.parametrize("claim", ["darboux", "find_integrals", "invariant"])
+def test_what_is_known_of_motions_only_is_not_claimed_of_maps(claim):
+    law = System(r"x_{n+1}=y_n,\ y_{n+1}=-x_n")
+    given = {"darboux": ("x_n", "1"), "find_integrals": (2,), "invariant": ("x_n=0",)}[claim]
+    with pytest.raises(ValueError, match="of maps"):
+        getattr(law, claim)(*given)
