@@ -4,14 +4,27 @@ What is true is never refuted there, and what is false never proved.
 """
 
 import re
+from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kowalevski_cas.notation import Application
+from kowalevski_cas.notation import (
+    Application,
+    Name,
+    Number,
+    Power,
+    Quotient,
+    Sum,
+    Vocabulary,
+    read,
+    to_latex,
+)
+from kowalevski_cas.notation.functions import FAMILY_OF, FUNCTIONS
 from kowalevski_cas.paper.claims import EqualSolutions, Identity
 from kowalevski_cas.paper.derivation import Scene, Section
+from kowalevski_cas.problem import checker
 from tests.laws.identities import FALSE, TRUE
 from tests.paper.small import decide
 from tests.sample import sampled
@@ -127,3 +140,19 @@ def test_a_modulus_above_one_leads_to_one_below(modulus, wrong):
         section.claims.clear()
         [outcome] = decide(section, EqualSolutions(f"c{k}", scene, "", equations=(*display,)))
         assert str(outcome.verdict) in verdicts, tex
+
+
+@pytest.mark.parametrize("function", sampled(sorted(FAMILY_OF), 8))
+def test_what_is_printed_of_a_function_is_read_as_it_was(function):
+    names = Vocabulary(frozenset(["u", "v", "k", "n", "g_2", "g_3"]), functions=FUNCTIONS)
+    first = Sum((Name("u"), Quotient(Name("v"), Number(2))))
+    parameters = tuple(map(Name, FAMILY_OF[function].parameters))
+    for arguments in ((first,), (first, *parameters)):
+        formula = Power(Application(function, arguments), Number(2))
+        assert read(to_latex(formula), names) == formula
+
+
+def test_the_checker_knows_no_function_by_name():
+    words = {word for name in FAMILY_OF for word in re.findall(r"[a-z]{2,}", name)} - {"mathrm"}
+    texts = [path.read_text("utf-8") for path in Path(checker.__file__).parent.glob("*.py")]
+    assert texts and not words & {word for text in texts for word in re.findall("[a-z]+", text)}
