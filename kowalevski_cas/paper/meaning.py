@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from kowalevski_cas.notation import Formula, Name, Number, Partial
 from kowalevski_cas.paper.differentiate import derivative
+from kowalevski_cas.paper.directions import directions, without_direction
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.paper.transcendental import Transcendental
@@ -60,9 +61,9 @@ class Meaning(Setting):
         """The partial derivative of what is written out in the operations of a space."""
         if isinstance(formula, Name) and formula.name in self.transcendental:
             return Number(int(formula.name == name))
-        directions = self.transcendental.directions(name)
-        unknown = self.transcendental.with_parameter(name)
-        if not directions and not unknown:
+        known = directions(self.transcendental, name)
+        unknown = without_direction(self.transcendental, name)
+        if not known and not unknown:
             return Partial(formula, name)
 
         def step(one: str) -> Step | None:
@@ -72,8 +73,8 @@ class Meaning(Setting):
 
         reach = Reach(self)
         reach.formula(formula)
-        moving = reach.names.intersection(directions) - unknown
-        rates = {one: self.plain(directions[one]) for one in sorted(moving)}
+        moving = reach.names.intersection(known) - unknown
+        rates = {one: self.plain(known[one]) for one in sorted(moving)}
         return derivative(formula, {name: Number(1), **rates}, step)
 
     @abstractmethod

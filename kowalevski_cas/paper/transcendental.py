@@ -26,11 +26,9 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Number,
-    Partial,
     Power,
     Sum,
     substitute,
-    times,
     to_latex,
     total,
 )
@@ -38,12 +36,10 @@ from kowalevski_cas.notation.functions import FAMILY_OF, MEANING, Family
 from kowalevski_cas.paper.arguments import (
     Combination,
     Monomial,
-    by_name,
     combination,
     is_arithmetic,
     multiple,
     names_in,
-    product_of,
     single_name,
 )
 from kowalevski_cas.paper.families import (
@@ -394,48 +390,3 @@ class Transcendental:
         names, family = kind.names(argument), kind.family
         self.derived |= {name: Derived(values[g], family, by) for g, name in names.items()}
         return {letter: Name(name) for letter, name in names.items()}
-
-    # -- derivatives -------------------------------------------------------------
-
-    def with_parameter(self, name: str) -> frozenset[str]:
-        """The generators that have a name behind their arguments, by which nothing derives them.
-
-        Raises :class:`Meaningless` if values at constants are printed that hang together with it.
-        """
-        if name in self.known.names():
-            raise Meaningless(f"by {name} nothing is derived where values are printed at it", name)
-        found = set[str]()
-        for group in self.groups:
-            below = {n for one in group.kind.parameters for n in self.expanded(one).names()}
-            if name in below.union(*(self.radicals.get(n, ()) for n in below)):
-                known = group.kind.family.by if group.kind.parameters == (Name(name),) else ()
-                found.update(() if known else group.names.values())
-        return frozenset(found)
-
-    def directions(self, name: str) -> dict[str, Formula]:
-        """The derivatives by a name of all generators that have it in their arguments."""
-        found: dict[str, Formula] = {}
-        for group in self.groups:
-            if name in self.names_under(group):
-                by = self._slope(self.expanded(product_of(group.monomial)), name)
-                found |= {one: times(by, rate) for one, rate in group.rates().items()}
-            parameters = zip(group.kind.family.parameters, group.kind.parameters, strict=True)
-            for parameter, value in parameters:
-                if value == Name(name):
-                    found |= group.rates_by(parameter)
-        return found
-
-    def _slope(self, argument: Formula, name: str) -> Formula:
-        """The derivative of an argument by a name, which may stand under a root in it."""
-        roots = [one for one in argument.names() if name in self.radicals.get(one, ())]
-        slopes = {name: Number(1), **{root: Partial(Name(root), name) for root in sorted(roots)}}
-        return total(
-            _times(factor, times(by_name(term, one), slope))
-            for term, factor in combination(argument).items()
-            for one, slope in slopes.items()
-            if one in names_in(term)
-        )
-
-
-def _times(factor: Fraction, formula: Formula) -> Formula:
-    return multiple(product_of(((formula, 1),), factor.denominator), factor.numerator)

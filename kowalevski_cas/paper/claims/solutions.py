@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from kowalevski_cas.notation import Application, Formula, Name, Number
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import equation
+from kowalevski_cas.paper.directions import directions
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.families import Generators, Kind, kind_of, template
@@ -102,7 +103,7 @@ def _initial_values(kind: Kind, names: dict[str, str]) -> dict[str, Formula]:
 def _rates(group: Generators, space: Elaboration) -> dict[str, Formula]:
     """The rates of generators at a multiple of the time, by the time."""
     time = space.scene.time
-    rates = space.transcendental.directions(time)
+    rates = directions(space.transcendental, time)
     names = space.transcendental.names_under(group)
     if names - {*space.constants, time} or time not in names:
         raise Meaningless("a function of a multiple of the time is expected on the right")
