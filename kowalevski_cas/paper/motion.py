@@ -37,6 +37,7 @@ from kowalevski_cas.paper.generators import functions_of, with_generators
 from kowalevski_cas.paper.inverse import inverse
 from kowalevski_cas.paper.matrices import by_rows
 from kowalevski_cas.paper.meaning import Meaning
+from kowalevski_cas.paper.radicals import Radicals
 from kowalevski_cas.paper.scene import Change as ChangeOfScene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.paper.transcendental import Transcendental
@@ -96,7 +97,7 @@ def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[EquationOfMot
                     f"{found[name].place} and at {printed.place}: leave one out",
                     name,
                 )
-    rows = [*with_generators(setting, rows)]
+    rows = [*map(setting.radicals.row, with_generators(setting, rows))]
     yield from rows
     if others:
         known = {name for row in rows for name in row.names}
@@ -220,6 +221,24 @@ class Moving(Meaning):
     def transcendental(self) -> Transcendental:
         """The functions at the arguments that stand in what the scene and the claim print."""
         return functions_of(self)
+
+    @cached_property
+    def radicals(self) -> Radicals:
+        """The fractional powers in what the scene and the claim print."""
+        if isinstance(self.scene.field, ChangeOfScene):
+            return Radicals((), ())
+        places = [place for place in self.scene.places if place not in self.scene.field]
+        printed = [*self.printed_field, *self.met]
+        for place in places:
+            with suppress(NotationError):
+                printed.append(self.texts.formula(place))
+        for name in self.scene.roots:
+            if name.startswith(r"\sqrt"):
+                printed.append(self.texts.expression(name))
+        names = {*self.scene.variables, *self.scene.constants}
+        functions = self.transcendental
+        under = {name for group in functions.groups for name in functions.names_under(group)}
+        return Radicals(printed, names, under)
 
     @property
     def together(self) -> tuple[tuple[str, ...], ...]:
