@@ -71,3 +71,23 @@ def test_brackets_derive_by_what_is_under_the_power():
 def test_what_is_no_name_has_no_such_power(tex):
     with pytest.raises(ValueError, match=r"fractions are exponents of|stands under functions"):
         System(tex)
+
+
+@FEW
+def test_a_power_with_a_constant_is_derived_also_by_its_base(seed):
+    chance = random.Random(seed)
+    n, k = chance.choice([("n", "k"), (r"\gamma", "a"), ("m", r"\mu")])
+    orbit = System(
+        rf"H=\frac12\left(p_r^2+\frac{{p_\varphi^2}}{{r^2}}\right)+\frac{{{k}}}{{r^{{{n}}}}}"
+    )
+    assert orbit.integral("H").verdict == "conditional"
+    assert (
+        orbit.integral(rf"\frac12p_r^2+\frac{{p_\varphi^2}}{{2r^2}}-{k} r^{{-{n}}}").verdict
+        == "refuted"
+    )
+    assert orbit.identity(rf"\{{p_r,r^{{{n}}}\}}=-{n} r^{{{n}-1}}").verdict.green
+    assert orbit.identity(rf"\{{p_r,r^{{{n}}}\}}=-r^{{{n}-1}}").verdict == "refuted"
+    fall = System(rf"\ddot x=-{k} x^{{-{n}}}")
+    energy = rf"\frac12\dot x^2+{k}\frac{{x^{{1-{n}}}}}{{1-{n}}}"
+    assert fall.integral(energy).verdict == "conditional"
+    assert fall.integral(energy.replace(f"+{k}", f"-{k}")).verdict == "refuted"
