@@ -256,11 +256,20 @@ class Moving(Meaning):
         """The variables of which higher derivatives are printed, and those derivatives' names."""
         return velocities(self.printed_field, self.scene.variables, self.scene.vectors)
 
+    _is_solved = False
+    """Whether the equations of motion are being solved."""
+
     @cached_property
     def field(self) -> tuple[EquationOfMotion, ...]:
         """The printed equations of motion, solved for the rates where they are not."""
         rows = self.scene.field
-        return () if isinstance(rows, ChangeOfScene) else tuple(field(self, rows))
+        if self._is_solved:
+            raise Meaningless("the equations of motion rest on rates that they have to give")
+        self._is_solved = True
+        try:
+            return () if isinstance(rows, ChangeOfScene) else tuple(field(self, rows))
+        finally:
+            self._is_solved = False
 
     @cached_property
     def change(self) -> ChangeOfVariables | None:

@@ -17,6 +17,7 @@ from kowalevski_cas.notation.sympy import to_sympy
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.paper.vocabulary import vocabulary
+from kowalevski_cas.verify.outcome import Verdict
 
 pytestmark = pytest.mark.usefixtures("uncorrected")
 
@@ -415,3 +416,17 @@ def test_what_a_constant_is_divided_by_is_a_condition():
     special = System(r"\dot x=ay,\ \dot y=-bx").where("ab=0")
     claim = special.integral("y^2")
     assert not claim.verdict.green or claim.conditions
+
+
+def test_functions_in_a_sum_are_those_of_its_terms():
+    """The open lattice of Toda by its Hamiltonian, as it is printed everywhere."""
+    toda = System(r"H=\frac12\sum_{i=1}^3p_i^2+\sum_{i=1}^{2}e^{q_i-q_{i+1}}")
+    assert toda.integral("p_1+p_2+p_3").verdict is Verdict.PROVED
+    assert toda.integral("p_1p_2p_3-p_1e^{q_2-q_3}-p_3e^{q_1-q_2}").verdict is Verdict.PROVED
+    assert toda.integral("p_1p_2p_3-p_1e^{q_2-q_3}+p_3e^{q_1-q_2}").verdict is Verdict.REFUTED
+
+
+def test_a_correction_in_which_the_rates_rest_on_themselves_is_none():
+    """A dot in the Hamiltonian is tried, where the equations of motion are its derivatives."""
+    toda = System(r"H=\frac12(p_1^2+p_2^2+p_3^2)+e^{q_1-q_2}+e^{q_2-q_3}")
+    assert toda.integral("p_1p_2p_3").verdict is Verdict.REFUTED
