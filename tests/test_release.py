@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 import yaml
+from jinja2 import Template
 
 from kowalevski_cas import __version__
 
@@ -35,17 +36,26 @@ def test_a_citation_names_the_version_and_the_authors():
     assert citation["license"] == deposit["license"] == PROJECT["license"]["text"]
 
 
-def test_the_recipe_of_conda_requires_what_the_package_does():
-    recipe = (ROOT / "conda" / "meta.yaml").read_text(encoding="utf-8")
-    required = re.search(r"  run:\n((?:    - .*\n)+)", recipe)[1]
-    packages = {re.sub(r"[ >=].*", "", one): one for one in re.findall(r"- ([^#\n]+)", required)}
-    for one in PROJECT["dependencies"]:
-        name, least = one.split(">=")
-        named = packages[{"symengine": "python-symengine"}.get(name, name)]
-        assert named.strip() == f"{named.split(' ')[0]} >={least}"
-    pattern = re.search(r"regex_pattern='([^']+)'", recipe)[1]
-    text = (ROOT / "kowalevski_cas" / "__init__.py").read_text(encoding="utf-8")
-    assert re.search(pattern, text)[1] == __version__
+def test_the_recipe_of_conda_says_what_the_package_does():
+    """As conda build reads it: a template first, then data."""
+
+    def found(load_file, regex_pattern, from_recipe_dir):
+        assert from_recipe_dir
+        return re.search(regex_pattern, (ROOT / "conda" / load_file).read_text(encoding="utf-8"))
+
+    template = (ROOT / "conda" / "meta.yaml").read_text(encoding="utf-8")
+    recipe = yaml.safe_load(Template(template).render(load_file_regex=found, PYTHON="python"))
+    assert recipe["package"] == {"name": PROJECT["name"], "version": __version__}
+    (script,) = recipe["build"]["entry_points"]
+    assert dict([script.split(" = ")]) == PROJECT["scripts"]
+    assert recipe["about"]["summary"] == PROJECT["description"]
+    assert recipe["about"]["license"] == PROJECT["license"]["text"]
+    names = {"symengine": "python-symengine", "typst": "typst-py"}
+    required = [one.partition(">=") for one in PROJECT["dependencies"]]
+    required = {f"{names.get(name, name)} >={least}" for name, _, least in required}
+    python = f"python {PROJECT['requires-python']}"
+    assert {*recipe["requirements"]["run"]} == required | {python, "__unix"}
+    assert {python, "pip"} < {*recipe["requirements"]["host"]}
 
 
 def test_dev_has_what_the_tests_import():

@@ -21,6 +21,7 @@ from kowalevski_cas.audit.places import Correspondence
 from kowalevski_cas.limits import time_limit
 from kowalevski_cas.notation import Edit, Name, Negative, Number, Power, Relation, edits
 from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.processes import each
 from kowalevski_cas.reading import (
@@ -163,8 +164,9 @@ class ReadingSession:
         verdicts = {outcome.claim: outcome.verdict for outcome in outcomes}
         misprints = causes.misprints.keys()
         waiting = {c.id for c in session.derivation.claims if c.reads() & misprints}
-        explained = [o.claim for o in outcomes if o.correction or o.claim in waiting]
-        return Blame(session.decider.corrector, verdicts, [*explained, *in_words])
+        doubted = {id for id, doubt in session.derivation.doubts.items() if doubt is Doubt.ALWAYS}
+        explained = [o.claim for o in outcomes if o.correction or o.claim in waiting | doubted]
+        return Blame(session.decider.corrector, verdicts, [*explained, *in_words], PATIENCE)
 
     # -- what is mended elsewhere --------------------------------------------------------
 

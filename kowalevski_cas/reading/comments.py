@@ -6,10 +6,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 
-from kowalevski_cas.reading.grammar import NAMING, Directive, parse, wrong
+from kowalevski_cas.paper.scene import Locus
+from kowalevski_cas.reading.grammar import BESIDE, NAMING, Directive, parse, wrong
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 from kowalevski_cas.reading.text import Prose
 from kowalevski_cas.source.comments import Comment, find_comments
+from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.tokens import words
 
 
@@ -19,12 +21,19 @@ class Said:
 
     of: dict[SourceStatement, list[Directive]] = field(default_factory=dict)
     claims: list[Directive] = field(default_factory=list)
+    loci: list[Directive] = field(default_factory=list)
+    places: dict[Directive, TypedFormula | None] = field(default_factory=dict)
+    """The formulas by which claims and loci are said."""
     sentences: list[int] = field(default_factory=list)
     """The places in the text of the sentences that are skipped."""
 
     def role(self, item: SourceStatement) -> Directive | None:
         """What says which role a statement has."""
-        return next((one for one in self.of.get(item, ()) if one.verb != "on"), None)
+        return next((one for one in self.of.get(item, ()) if one.verb not in BESIDE), None)
+
+    def formulas(self, item: SourceStatement, verb: str) -> list[Directive]:
+        """What gives formulas at a statement: what is supposed from it on, or accepted for it."""
+        return [one for one in self.of.get(item, ()) if one.verb == verb]
 
     def verb(self, item: SourceStatement) -> str:
         """The verb of what says which role a statement has; empty if nothing does."""
@@ -40,10 +49,17 @@ class Said:
         """The intervals of the sentences that comments skip."""
         return [prose.sentence(one) for one in self.sentences]
 
+    def loci_at(self, found: Directive) -> tuple[Locus, ...]:
+        """The loci that comments at the same place say before a claim."""
+        before = (one for one in self.loci if one.comment.line < found.comment.line)
+        here = (one for one in before if self.places.get(one) is self.places.get(found))
+        return tuple(Locus(one.tex, tuple(one.tex.split(",")), one.off) for one in here)
+
     @property
     def directives(self) -> list[Directive]:
         """All of them, each once, in the order of the text."""
-        found = dict.fromkeys([*(one for own in self.of.values() for one in own), *self.claims])
+        of_formulas = (one for own in self.of.values() for one in own)
+        found = dict.fromkeys([*of_formulas, *self.claims, *self.loci])
         return sorted(found, key=lambda one: (one.comment.offset, one.comment.line))
 
 
@@ -58,7 +74,8 @@ def read_comments(paper: SourcePaper) -> Said:
     for comment in find_comments(paper.source):
         found = parse(comment, lambda word: places(word, paper))
         if not found.is_of_formula:
-            said.claims.append(found)
+            (said.loci if found.verb == "locus" else said.claims).append(found)
+            said.places[found] = attached.get(comment)
             continue
         if found.verb == "skip" and found.names == ("sentence",):
             said.sentences.append(_sentence(comment, paper))

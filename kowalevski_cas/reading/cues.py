@@ -126,6 +126,9 @@ CUES: dict[str, str] = {
     "a solution": r"""
         (?:is|are|gives?|form)\s+(?:\w+\s+){0,2}solutions? частн\w+\s+решени\w+
         (?:particular|special|exact|periodic)\s+solutions? (?:явля|да[её]т)\w*\s+решени\w+""",
+    "free of": r"""
+        \bfree\s+of\s*$ (?:not|never)\s+(?:depending\s+on|containing|involving)\s*$
+        \b(?:independent\s+of|without)\s*$ не\s+(?:завис\w+\s+от|содерж\w+)\s*$""",
     "if": r"""
         \bif\s*$ \bwhen\s*$ \bunless\b \bif\s+(?:and\s+only\s+if\s*)?$ если\s*$ когда\s*$""",
 }

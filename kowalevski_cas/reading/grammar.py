@@ -1,6 +1,7 @@
 r"""What comments of authors may say, made from the attributes of the kinds of claims.
 
     law | map | define NAMES | level NAMES | given NAMES | skip | on PLACES
+    suppose TEX | accept TEX | locus EQUATIONS off TEX
     claim [KIND [NUMBER] [FIELD VALUES] ...] [on PLACES]
 
 A kind is named by words of its name, as ``integral`` for a first integral; each of its attributes
@@ -28,7 +29,11 @@ from kowalevski_cas.source.text import SourceError
 
 NAMING = ("define", "level", "given", "map")
 """What may be followed by the names that get a meaning or a value."""
-VERBS = ("law", *NAMING, "claim", "on", "skip")
+OF_TEX = ("suppose", "accept")
+"""What is followed by a formula: one that is supposed, or the one that should stand there."""
+BESIDE = ("on", *OF_TEX)
+"""What may be said of a formula beside its role."""
+VERBS = ("law", *NAMING, "claim", "skip", "locus", *BESIDE)
 RULED = (
     "identity", "constant", "integral", "invariant", "rest", "inequality", "solution",
     "approximate", "somewhere",
@@ -72,6 +77,10 @@ class Directive:
     """The statements that are named."""
     on: tuple[SourceStatement, ...] | None = None
     """The statements on which the claim rests, if they are said."""
+    tex: str = ""
+    """The formula that is supposed or accepted, or the equations of a locus."""
+    off: str = ""
+    """What does not vanish off the locus."""
 
     @property
     def place(self) -> str:
@@ -81,7 +90,7 @@ class Directive:
     @property
     def is_of_formula(self) -> bool:
         """Whether it says something of the formula by which it stands."""
-        return self.kind is None or of_formula(self.kind)
+        return self.verb != "locus" and (self.kind is None or of_formula(self.kind))
 
 
 def wrong(comment: Comment, words: str, near: str = "", among: Iterable[str] = ()) -> SourceError:
@@ -139,6 +148,11 @@ class _Parser:
         made = Directive(self.comment, verb, number)
         if verb == "claim":
             return self.claim(made)
+        if verb in (*OF_TEX, "locus"):
+            tex, _, off = self.comment.words.partition(verb)[2].partition(" off ")
+            if not tex.strip() or bool(off.strip()) != (verb == "locus"):
+                raise wrong(self.comment, f"a formula is missing behind {verb}")
+            return replace(made, tex=tex.strip(), off=off.strip())
         if verb == "on":
             on = self.places(self.taken(()))
             return replace(made, items=tuple(self.items), on=on)
@@ -213,19 +227,20 @@ class _Parser:
         values: dict[str, object] = {}
         on: tuple[SourceStatement, ...] | None = None
         numbers = [name for name, one in own.items() if one.type == "int"]
+        stops = (*called, "of", "on")
         while self.words:
             word = self.words.pop(0)
             if word.isdigit() and numbers:
                 values[numbers.pop(0)] = int(word)
             elif word in called:
-                taken = self.taken((*called, "on"))
+                taken = self.taken(stops)
                 values[called[word]] = self.value(own[called[word]].type, taken)
             elif word == "on":
-                on = self.places(self.taken((*called, "on")))
+                on = self.places(self.taken(stops))
+            elif word == "of":  # a kind without places: about what it is said
+                self.places(self.taken(stops))
             else:
-                raise wrong(
-                    self.comment, f"the word {word} is not known here", word, (*called, "on")
-                )
+                raise wrong(self.comment, f"the word {word} is not known here", word, stops)
         for name, one in own.items():
             if name not in values and one.type.startswith("tuple") and name == "levels":
                 values[name] = ()

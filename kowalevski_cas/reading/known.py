@@ -97,7 +97,7 @@ class Known:
         self.borrow(item, role)
         if role.name == ASSUMPTION:
             self.assumptions.append(item)
-        if role.kind == "unit":
+        if role.kind == "unit" or (role.name == CLAIM and item.printed.heads.squares[:1] == ("i",)):
             self.units.append(item)
         if role.kind == "clock":
             self.clocks.append(item)

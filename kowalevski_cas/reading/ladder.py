@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from kowalevski_cas.notation import Application, Derivative, Name, Number, Root, to_latex
+from kowalevski_cas.notation import Application, Derivative, Name, Number, Root, Unwritten, to_latex
 from kowalevski_cas.paper.claims import (
     Claim,
+    Coefficient,
     FirstIntegral,
     Identity,
     Implication,
@@ -32,6 +33,8 @@ _OF_SETS: dict[str, tuple[type[Claim], str]] = {
     "rest": (RestPoints, "nothing moves where these equations hold"),
 }
 """The claims that are made of a set, by the kind of its role."""
+EQUATIONS = ("integral", "identity")
+"""The kinds of claims that may hold on a part of the phase space only."""
 
 
 @dataclass(frozen=True)
@@ -81,6 +84,9 @@ class _Ladder:
         root has either sign if the sentence speaks of it.
         """
         says = "both sides are equal"
+        if self._leaves_out():
+            yield from self.coefficients()
+            return
         hypotheses = self.hypotheses()
         for assumptions in self.suppositions():
             if not hypotheses or ZERO not in self.item.members:
@@ -98,6 +104,23 @@ class _Ladder:
                         Implication, chosen, assumptions, given, (self.item, *beside),
                         given=_places(given), root=root, together=_places(beside),
                     )  # fmt: skip
+
+    def _leaves_out(self) -> bool:
+        """Whether terms are not printed."""
+        nodes = self.item.formula.nodes() if self.item.formula is not None else ()
+        return any(isinstance(node, Unwritten) for node in nodes)
+
+    def coefficients(self) -> Iterator[Rung]:
+        """An equation up to terms of which the words say of what they are free."""
+        after = [one for one in self.known.items if one.order > self.item.order]
+        for one in after:
+            if one.sentence == self.item.sentence and isinstance(one.formula, Name):
+                if cue("free of", one.lead[-40:]):
+                    name = one.formula.name
+                    says = f"both sides are equal up to terms without ${name}$"
+                    yield self.rung(Coefficient, says, self.supposed, variable=name)
+                    return
+        raise ValueError("terms are left out, and no words say of what these are free")
 
     def _root(self) -> str:
         """The first square root that the statement prints."""
@@ -145,7 +168,8 @@ class _Ladder:
             return False
         if role.name == ASSUMPTION or role.kind in _OF_SETS:
             return True
-        return role.name == CLAIM and role.kind in ("integral", "identity") and not role.names
+        said = self.known.said.verb(one) == "claim"
+        return role.name == CLAIM and not role.names and (said or role.kind in EQUATIONS)
 
     def just_before(self) -> SetOfEquations:
         """The set that was spoken of, or cited, last in the same paragraph; none of several."""
@@ -188,8 +212,9 @@ class _Ladder:
                 yield self.rung(Implication, said, self.supposed, given, given=_places(given))
 
     def _ways(self) -> list[list[SourceStatement]]:
-        """Without assumptions, and with those in force."""
-        return [[], self.supposed] if self.supposed else [[]]
+        """Without assumptions, and with those in force; what is not zero is never left aside."""
+        kept = [one for one in self.supposed if self.known.roles[one].kind == "inequality"]
+        return [kept, self.supposed] if len(kept) < len(self.supposed) else [kept]
 
     def _derived(self) -> SourceStatement | bool | None:
         """Of a rate that vanishes: true, or where its function is defined by logarithms."""

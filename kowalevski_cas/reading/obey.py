@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from kowalevski_cas.notation import NotationError, read_display
+from kowalevski_cas.notation import NotationError, Number, read_display
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.claims import Claim, FirstIntegral, Identity, Implication
 from kowalevski_cas.reading.comments import Said, names_of
@@ -24,6 +24,7 @@ from kowalevski_cas.reading.ladder import Rung, rungs
 from kowalevski_cas.reading.stage import Stage
 from kowalevski_cas.reading.statements import SourceStatement
 
+ZERO = Number(0)
 SAID = "said"
 """The kind of a claim that a comment states with all that it is about."""
 SKIPPED = "skipped"
@@ -86,14 +87,20 @@ def said_rung(found: Directive, id: str, stage: Stage, item: SourceStatement | N
     assert found.kind is not None and found.values is not None
     own = [*([item] if item is not None else []), *about(found, stage.known)]
     on = found.on or ()
-    supposed = stage.scene(own, [*on, *stage.known.supposed(own[0])])
+    typed = stage.known.said.places.get(found)
+    here = next((one for one in stage.known.items if one.typed is typed), own[0])
+    in_force = (one for place in (here, own[0]) for one in stage.known.supposed(place))
+    supposed = stage.scene(own, [*on, *dict.fromkeys(in_force)])
     words = (found.kind.__doc__ or "").strip().partition("\n")[0].rstrip(".")
     values = spelled_out(found, stage.known)
     given = tuple(one.printed for one in on if one not in supposed.assumptions)
+    scene = supposed.scene.having(loci=stage.known.said.loci_at(found))
     if given and "given" in {one.name for one in own_fields(found.kind)}:
         values.setdefault("given", given)
+    else:  # what vanishes on a set does so on the whole scene
+        scene = scene.restricted(*(one.printed for one in on if ZERO in one.members))
     place = item.printed if item is not None else None
-    claim: Claim = found.kind(id, supposed.scene, printed=place, words=words, **values)  # type: ignore[arg-type]
+    claim: Claim = found.kind(id, scene, printed=place, words=words, **values)  # type: ignore[arg-type]
     return Rung(claim, (*supposed.assumptions, *on), supposed.constants)
 
 

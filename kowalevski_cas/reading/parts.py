@@ -5,13 +5,15 @@ from __future__ import annotations
 from bisect import bisect_right
 from functools import cached_property
 
+from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.reading.comments import Said
-from kowalevski_cas.reading.grammar import Directive
-from kowalevski_cas.reading.known import NAMING, Known, StatementRole
+from kowalevski_cas.reading.grammar import Directive, wrong
+from kowalevski_cas.reading.known import ASSUMPTION, NAMING, Known, StatementRole
 from kowalevski_cas.reading.laws import Law, find_laws, find_restated
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
+from kowalevski_cas.reading.unprinted import unprinted
 
 
 class Parts:
@@ -68,6 +70,20 @@ class Parts:
     def enter(self, item: SourceStatement, role: StatementRole) -> None:
         """Keep what a statement says."""
         self.of(item).enter(item, role)
+
+    def suppose(self, item: SourceStatement) -> None:
+        """Keep what comments suppose from a statement on, which the paper does not print."""
+        for number, said in enumerate(self.said.formulas(item, "suppose"), 1):
+            id = f"supposed-at-{item.printed.place}-{number}"
+            try:
+                found = unprinted(self.paper, id, said.tex, item, said.place)
+            except NotationError as error:
+                raise wrong(said.comment, error.message) from None
+            found.order -= 1  # it is in force at the statement itself
+            kind = "" if found.members else "inequality"
+            names = found.bare or tuple(sorted(found.names))
+            self.places[found] = self.places[item]
+            self.enter(found, StatementRole(ASSUMPTION, f"{said.place} says so", kind, names))
 
     def cite(self, item: SourceStatement) -> None:
         """Let names that are cited from another part have their meaning in that of a statement."""

@@ -23,7 +23,7 @@ from kowalevski_cas.reading.conventions import enter_conventions
 from kowalevski_cas.reading.doubts import doubt_of
 from kowalevski_cas.reading.grammar import wrong
 from kowalevski_cas.reading.in_words import claims_in_words
-from kowalevski_cas.reading.known import CLAIM, CONVENTION, StatementRole
+from kowalevski_cas.reading.known import CLAIM, StatementRole
 from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.names import Names, vectors_of
 from kowalevski_cas.reading.obey import SAID, about, claim_id, said_rung, said_rungs
@@ -32,6 +32,7 @@ from kowalevski_cas.reading.roles import role_of
 from kowalevski_cas.reading.stage import Stage
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, read_statements
 from kowalevski_cas.source.text import Source
+from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.statement import Statement
 
 SECONDS = 2.0
@@ -79,6 +80,7 @@ def read(source: Source, heard: Heard = lambda *_: None) -> Reading:
     parts = Parts(paper, Names(vectors_of(paper)), read_comments(paper))
     for item in _in_order(paper):
         parts.cite(item)
+        parts.suppose(item)
         parts.enter(item, role_of(item, parts.of(item)))
     enter_conventions(parts)
     return _DerivationReader(parts).reading(heard)
@@ -165,11 +167,12 @@ class _DerivationReader:
         waiting = [item for item, found in self.candidates.items() if found]
         first = self._derivation(self.candidates[item][0].claim for item in waiting)
         scenes = (rung.claim.scene for item in waiting for rung in self.candidates[item])
-        on = Elaborations(first.texts(None, *scenes))
+        on = Interpretation(first, first.texts(None, *scenes)).on
 
         def choice(place: int) -> Choice:
             tell(waiting[place].printed.place, place, len(waiting))
-            return chosen(self.candidates[waiting[place]], on)
+            rungs = self.candidates[waiting[place]]
+            return chosen(rungs, on(rungs[0].claim))
 
         found = each(choice, range(len(waiting)), heard=lambda *words: heard(*words[:3]))
         return dict(zip(waiting, found, strict=True))
@@ -196,9 +199,13 @@ class _DerivationReader:
         path = self.paper.source.path
         parts = self.paper.prose.sections
         sections = {str(k): Section(str(k), part.title) for k, part in enumerate(parts)}
-        unprinted = (i.printed.display for i, r in self.parts.roles.items() if r.name == CONVENTION)
-        for display in (*unprinted, *(display for display, _ in self.paper.displays)):
+        printed = [display for display, _ in self.paper.displays]
+        beside = dict.fromkeys(i.printed.display for i in self.parts.roles).keys() - {*printed}
+        for display in (*sorted(beside, key=lambda one: one.id), *printed):
             sections[display.section].displays.append(display)
+        for item in self.parts.roles:
+            for said in self.parts.said.formulas(item, "accept"):
+                sections[item.printed.display.section].accept(item.printed, said.tex)
         own = [one for one in sections.values() if one.displays] or [*sections.values()][:1]
         own[0].scenes["names"] = self._names()
         for claim in claims:
@@ -231,10 +238,12 @@ def chosen(found: list[Rung], on: Elaborations) -> Choice:
     """The first claim that holds, or the one with what is in force, where none does."""
     first: int | None = None
     message = ""
+    alone = len(found) == 1 and found[0].idle is None  # there is nothing to choose from
     for place, rung in enumerate(found):
         try:
             with time_limit(SECONDS):
-                if Statement(rung.claim, on).holds():
+                statement = Statement(rung.claim, on)
+                if (alone and statement.goals) or statement.holds():
                     if rung.idle is None or not Statement(rung.idle, on).holds():
                         return Choice(place)
                     message = message or IDLE

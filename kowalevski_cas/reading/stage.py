@@ -75,11 +75,14 @@ class Stage:
                 for root in self._roots(item.formula)
             )
         )
+        powers = tuple(
+            dict.fromkeys(power for item in items for power in self._powers(item.formula))
+        )
         clock = next((one for one in self.known.clocks if any(map(self._has_clock, items))), None)
         defined = (*closure.definitions.items(),)
-        key = (closure.law, closure.names, defined, (*about,), roots, clock)
+        key = (closure.law, closure.names, defined, (*about,), roots, powers, clock)
         if key not in self.scenes:
-            self.scenes[key] = self._made(closure, about, roots, clock)
+            self.scenes[key] = self._made(closure, about, roots, powers, clock)
         return self.scenes[key]
 
     # -- names -----------------------------------------------------------------------
@@ -165,6 +168,7 @@ class Stage:
         closure: _Closure,
         about: Sequence[SourceStatement],
         roots: Iterable[str],
+        powers: tuple[tuple[str, str], ...],
         clock: SourceStatement | None,
     ) -> Supposed:
         places, squares = self._places(closure)
@@ -177,7 +181,9 @@ class Stage:
         constants = tuple(self._constants(closure, places, squares, vectors))
         title = closure.law.title if closure.law else "the constants"
         rows = tuple(row.printed for row in closure.law.rows) if closure.law else ()
-        scene = Scene(title, vectors, closure.variables, constants, rows, definitions=places)
+        scene = Scene(
+            title, vectors, closure.variables, constants, rows, definitions=places, powers=powers
+        )
         scene = self._with_unit(scene.adjoining(*squares), closure.names, clock)
         used: list[SourceStatement] = []
         for one in sorted(about, key=lambda one: one.order):
@@ -244,6 +250,13 @@ class Stage:
             if isinstance(item.formula, Name) or role == ASSUMPTION or fixed:
                 found |= item.names
         return frozenset(found)
+
+    def _powers(self, formula: Formula | None) -> Iterator[tuple[str, str]]:
+        """The names with the constants that stand in their exponents."""
+        for node in formula.nodes() if formula is not None else ():
+            if isinstance(node, Power) and isinstance(node.base, Name):
+                fixed = (name for name in node.exponent.names() if not self.known.varies(name))
+                yield from ((node.base.name, name) for name in fixed)
 
     def _roots(self, formula: Formula | None) -> Iterator[str]:
         """The square roots that are printed in a formula, or that lengths of vectors are."""

@@ -17,10 +17,15 @@ SOURCE = "the usual convention"
 
 
 def unprinted(
-    paper: SourcePaper, id: str, tex: str, beside: SourceStatement | None = None
+    paper: SourcePaper,
+    id: str,
+    tex: str,
+    beside: SourceStatement | None = None,
+    source: str = SOURCE,
 ) -> SourceStatement:
     """A statement that the paper does not print, beside one that it does, or before all."""
-    display = Display(id, tex, paper.displays[0][0].section, source=SOURCE)
+    section = beside.printed.display.section if beside else paper.displays[0][0].section
+    display = Display(id, tex, section, source=source)
     formula = read(tex, paper.words, OpenParser)
     start = beside.typed.start if beside is not None else paper.prose.start
     order = beside.order if beside is not None else -1

@@ -110,8 +110,6 @@ class FollowsFinder(PointFinder):
             [e for e in at.differences(conclusion) if not e.is_zero]
             for conclusion in goal.conclusions
         ]
-        if any(all(vanish_on(one, known)) for one in failing):
-            return None
 
         def fail(values: Values) -> bool:
             return all(any(map(inverse_of, map(values, one))) for one in failing)
@@ -125,7 +123,10 @@ class FollowsFinder(PointFinder):
 
         divided = [*law(goal, at), *known, *(e for one in failing for e in one)]
         divided += [condition.inverse() for condition in conditions]
-        point = self.point(at, known, divided, good, among=SIMPLEST)
+        # The basis below costs more than points in general position.
+        point = self.point(at, known, divided, good, 0, SIMPLEST, squares=False)
+        if point is None and not any(all(vanish_on(one, known)) for one in failing):
+            point = self.point(at, known, divided, good, among=SIMPLEST)
         return None if point is None else At(point)
 
 

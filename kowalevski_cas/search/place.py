@@ -98,13 +98,14 @@ class PointFinder:
         good: Good = lambda candidate: True,
         most: int = 2,
         among: int = 1,
+        squares: bool = True,
     ) -> Point | None:
         """A real point where elements vanish, nothing is divided by zero, and all is good.
 
         It is sought among points in general position, and if ``most`` is not 0 where all variables
-        vanish, and then where some do, or all but some, as many as ``most``; and at last among
-        points at which variables are square roots. It is the simplest ``among`` the first of one
-        kind.
+        vanish, and then where some do, or all but some, as many as ``most``; and at last, if these
+        may be ``squares``, among points at which variables are square roots. It is the simplest
+        ``among`` the first of one kind.
         """
         avoid = [*at.granted, *at.norms, *at.ring.divisors_of(divided)]
         names = all_names(at.setting)
@@ -113,7 +114,8 @@ class PointFinder:
             ((point, {}) for point in real_points(at, names, [*norms, *further], avoid))
             for further in self._sections(at, most)
         )
-        for kind in chain(rational, [points_with_squares(at, names, norms, avoid)]):
+        irrational = [points_with_squares(at, names, norms, avoid)] if squares else []
+        for kind in chain(rational, irrational):
             tried = (
                 Candidate(at, point, negative, squares)
                 for point, squares in islice(kind, TRIES)

@@ -40,7 +40,7 @@ class RealCoordinates:
         roots = {
             name: radicand
             for name, radicand in zip(ring.roots, ring.radicands, strict=True)
-            if name in names and name != "i"
+            if name in names and (name != "i" or not self._has_unit)
         }
         inner = {bit for r in roots.values() for mask in r.parts for bit in _bits(mask)}
         inner |= {bit for element in constraints for bit in _roots_in_some(element)}
@@ -61,9 +61,15 @@ class RealCoordinates:
                 self.images[name] = place[partners[name]] - self.unit * place[name]
             else:
                 self.images[name] = place[name]
-        if "i" in ring.roots:
+        if self._has_unit:
             self.images["i"] = self.unit
         self.pairs = pairs
+
+    @property
+    def _has_unit(self) -> bool:
+        """Whether i is the imaginary unit; with another square it is a root like others."""
+        squares = dict(zip(self.ring.roots, self.ring.radicands, strict=True))
+        return "i" in squares and (squares["i"] + self.ring.one).is_zero
 
     def equations(self, element: Element) -> list[fmpq_mpoly]:
         """Real polynomials whose vanishing makes the element vanish."""

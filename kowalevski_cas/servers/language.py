@@ -7,6 +7,7 @@ a moment. Lines and columns of an audit are those of Unicode; the editor says in
 from __future__ import annotations
 
 import asyncio
+import os
 import re
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
@@ -263,5 +264,5 @@ def code_actions(ls: AuditServer, params: lsp.CodeActionParams) -> list[lsp.Code
 
 def serve() -> None:
     """Serve an editor on standard input and output, until it ends."""
-    with suppress(KeyboardInterrupt):
-        server.start_io()
+    with suppress(KeyboardInterrupt), open(os.dup(1), "wb") as output:  # it is closed there
+        server.start_io(stdout=output)

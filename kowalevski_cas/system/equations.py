@@ -55,7 +55,7 @@ from kowalevski_cas.system.refused import (
     check_unit,
     check_words,
 )
-from kowalevski_cas.system.vectors import Vectors, bold, names_only, vectors_of
+from kowalevski_cas.system.vectors import Vectors, bold, lengths, names_only, vectors_of
 
 Names = Collection[str]
 
@@ -80,6 +80,7 @@ def with_motion(tex: str, vectors: Vectors, declared: Names = ()) -> str:
     formulas = [*printed.values()]
     moving = {name for formula in formulas for name in _moving_names(formula)}
     more = [*implied_equations(formulas), *conjugate_equations(formulas, moving)]
+    more += lengths(formulas, vectors, moving)
     tex = r",\quad ".join((tex, *more))
     display = Display("field", tex, "")
     if places := constraints_in(display, vectors, declared):

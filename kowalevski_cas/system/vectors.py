@@ -81,6 +81,29 @@ def _named_vectors(
                 yield name, tuple(entry.name for entry in entries if isinstance(entry, Name))
 
 
+def lengths(
+    formulas: Sequence[Formula], vectors: Vectors, moving: Collection[str]
+) -> Iterator[str]:
+    r"""The equations :math:`r=|\mathbf r|` for the letters of vectors that move and are not bold.
+
+    Raises ``ValueError`` for a capital, which may be a mass beside a moment.
+    """
+    names = {name for formula in formulas for name in formula.names()}
+    heads = {one.name for f in formulas for one in f.children()[:1] if isinstance(one, Name)}
+    components = {part for parts in vectors.values() for part in parts}
+    for name, parts in vectors.items():
+        letter = symbol(name).without_type
+        known = letter.name in heads | components | {*moving} or letter.name not in names
+        if known or {*moving}.isdisjoint((name, *parts)):
+            continue
+        if letter.letter.isupper():
+            raise ValueError(
+                f"{letter.name} stands beside {name}: print {letter.name}=|{name}| if it is the "
+                "length, or rename it"
+            )
+        yield f"{letter.name}=|{name}|"
+
+
 def names_only(formula: Formula) -> bool:
     r"""Whether a statement only names the components of a vector: :math:`\mathbf r=(x,y,z)`."""
     match formula:

@@ -18,14 +18,11 @@ the ids of the claims. Of a repair of another formula ``blamed`` is what is prin
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property
-from itertools import islice
 from math import inf
 from time import perf_counter
 
-from kowalevski_cas.limits import time_limit
 from kowalevski_cas.notation import Derivative, Edit, Name, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour, OfMap
 from kowalevski_cas.paper.derivation import Derivation
@@ -92,12 +89,10 @@ class Blame:
 
     def alone(self, claim: Claim) -> tuple[Correction, ...]:
         """The corrections of one claim: of its own formula, or else of what it stands on."""
-        near = self.corrector.near(self.corrector.interpretation.statement(claim), MOST)
-        if own := [*islice(near, 1)]:
-            with suppress(TimeoutError), time_limit(self.seconds / SHARE):
-                own += near
+        printed = self.corrector.interpretation.statement(claim)
+        own = tuple(self.corrector.near(printed, MOST, self.seconds / SHARE))
         if own or self._is_expected(claim):
-            return tuple(own)
+            return own
         others = [one for one in self._failing if one is not claim]
         repairs = self._search([claim, *others], least=1, one=claim)
         return self._proofs(repairs, least=1).get(claim.id, ())

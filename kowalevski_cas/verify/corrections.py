@@ -5,8 +5,9 @@ A correction is a proposal. It stands in for the print elsewhere only if the der
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
+from itertools import takewhile
 from typing import TYPE_CHECKING, TypeGuard
 
 from kowalevski_cas.algebra.points import NoPoint
@@ -24,6 +25,7 @@ from kowalevski_cas.verify.vacuous import says_something, unlike
 
 if TYPE_CHECKING:
     from kowalevski_cas.problem.sampled import Sampled
+    from kowalevski_cas.search.on_hypotheses import HypothesisPoints
 
 DECIDED = 400
 """How many candidates are decided in full, for claims that are more than identities."""
@@ -75,11 +77,17 @@ def statement_of(neighbour: Neighbour, on: Elaborations) -> Statement:
     return Statement(neighbour.claim, on.under(neighbour.texts))
 
 
-def corrections(printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:
-    """The neighbours of what is refuted that are true and say something, the likeliest first."""
+def corrections(
+    printed: Statement, goes_on: Callable[[], bool] = lambda: True
+) -> Iterator[tuple[Neighbour, Statement]]:
+    """The neighbours of what is refuted that are true and say something, the likeliest first.
+
+    No other one is looked at as soon as the search does not go on.
+    """
     near = printed.claim.neighbours(printed.on.texts)
     meant = [one for one in near if one.edit is None or not changes_subject(one.edit)]
-    for neighbour in true_ones(sorted(meant, key=_likelihood), printed.on):
+    wanted = takewhile(lambda _: goes_on(), sorted(meant, key=_likelihood))
+    for neighbour in true_ones(wanted, printed.on):
         statement = statement_of(neighbour, printed.on)
         if says_something(neighbour, statement, printed):
             yield neighbour, statement
@@ -121,9 +129,12 @@ def formulas_printed_by(neighbour: Neighbour) -> tuple[Formula, ...]:
 def _screen_neighbours(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Neighbour]:
     """The neighbours that pass the screen."""
     stages: dict[object, Sampled] = {}
+    points: dict[object, HypothesisPoints] = {}
     decided = 0
     for neighbour in neighbours:
         verdict = passes(neighbour, on, stages)
+        if verdict is None and _fails_where_given(neighbour, on, points):
+            continue
         if verdict is None:
             decided += 1
             verdict = decided <= DECIDED
@@ -155,6 +166,24 @@ def passes(neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled]
     except NoPoint:  # as modulo a prime where a printed root of a number has no residue
         return None
     return True if len(identities) == len(goals) else None
+
+
+def _fails_where_given(
+    neighbour: Neighbour, on: Elaborations, points: dict[object, HypothesisPoints]
+) -> bool:
+    """Whether a conclusion fails at points of its hypotheses, of which these are known."""
+    from kowalevski_cas.search.on_hypotheses import HypothesisPoints
+
+    with suppress(NotationError, Meaningless, ZeroDivisionError):
+        claim = neighbour.claim
+        for goal in claim.goals(claim.settings(on.under(neighbour.texts))):
+            if type(goal) is Follows and goal.given:
+                key = goal.space, goal.given
+                if key not in points:
+                    points[key] = HypothesisPoints(goal, finder_of)
+                if points[key].refute(goal, finder_of(goal.space)):
+                    return True
+    return False
 
 
 def _is_identity(goal: Goal) -> TypeGuard[Follows]:

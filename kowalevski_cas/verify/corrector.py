@@ -6,8 +6,10 @@ on a proof of the claim as it is corrected.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import islice
+from math import inf
+from time import perf_counter
 
 from kowalevski_cas.notation import Edit, Formula, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
@@ -46,9 +48,16 @@ class Corrector:
         """What the derivation accepts, or else is recorded, decided in every arithmetic."""
         return [*islice(self._proposal(self._accepted_or_recorded(printed)), 1)]
 
-    def near(self, printed: Statement, most: int) -> Iterator[Correction]:
-        """The nearest true statements, so many at most, decided in every arithmetic."""
-        return islice(self._proposal(self._near(printed)), most)
+    def near(self, printed: Statement, most: int, seconds: float = inf) -> Iterator[Correction]:
+        """The nearest true statements, so many at most, decided in every arithmetic.
+
+        Behind the first one others are sought for so many seconds.
+        """
+        ends = [inf]
+        near = self._near(printed, lambda: perf_counter() < ends[-1])
+        for correction in islice(self._proposal(near), most):
+            yield correction
+            ends.append(min(ends[-1], perf_counter() + seconds))
 
     def _proposal(self, candidates: Iterable[tuple[Neighbour, Statement]]) -> Iterator[Correction]:
         found = (self.correction_of(*candidate) for candidate in candidates)
@@ -67,9 +76,11 @@ class Corrector:
                 if known in accepted or self._leaves_true(claim, found[0]):
                     yield found
 
-    def _near(self, printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:
+    def _near(
+        self, printed: Statement, goes_on: Callable[[], bool]
+    ) -> Iterator[tuple[Neighbour, Statement]]:
         """What is found near a claim that is true, and leaves true what is true."""
-        for found in corrections(printed):
+        for found in corrections(printed, goes_on):
             if self._leaves_true(printed.claim, found[0]):
                 yield found
 

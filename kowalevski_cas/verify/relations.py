@@ -58,10 +58,12 @@ class ConstantRelation:
         return Neighbour(self.words, replace(claim, scene=scene), texts, self.place)
 
 
-def supposes(scene: Scene, derivation: Derivation) -> bool:
-    """Whether a scene supposes something of what is a constant on another scene."""
+def supposes(scene: Scene, derivation: Derivation, texts: Texts) -> bool:
+    """Whether a scene gives what is a constant on another scene a value by constants."""
     constants = {name for other in derivation.scenes() for name in other.constants}
-    return not constants.isdisjoint(scene.definitions)
+    known = constants - {*scene.variables} - {part for v in scene.vectors.values() for part in v}
+    places = (place for name, place in scene.definitions.items() if name in known)
+    return any(texts.statement(place).formula.names() <= known for place in places)
 
 
 def relations(statement: Statement) -> Iterator[ConstantRelation]:

@@ -83,7 +83,8 @@ def changes(
     """
     for claim in failing:
         for relation in relations(interpretation.statement(claim)):
-            supposed = supposes(claim.scene, interpretation.derivation)
+            texts = interpretation.on(claim).texts
+            supposed = supposes(claim.scene, interpretation.derivation, texts)
             if not supposed and len(relation.formula.names()) == 1:
                 continue  # a number for a constant, of which the paper does not think
             suspect = Suspect.ASSUMPTION if supposed else Suspect.RELATION

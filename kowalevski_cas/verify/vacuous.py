@@ -153,7 +153,8 @@ def stands_still(
     was, now = before.finder, after.finder
     if images:
         return any((now.scalar(Name(x)) - now.scalar(Name(new))).is_zero for x, new in images)
-    if any(now.rates[x].is_zero for x, rate in was.rates.items() if not rate.is_zero):
+    moving = was.rates.items() if before.scene.field else ()
+    if any(now.rates[x].is_zero for x, rate in moving if not rate.is_zero):
         return True
     return any(_still(name, now) and not _still(name, was) for name in names)
 

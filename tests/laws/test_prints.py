@@ -361,3 +361,32 @@ def test_ratios_of_differentials_are_rates(seed):
     assert not differ(law, meant, seed), law
     scaled = System("=".join(members).replace(texts[0], f"2({texts[0]})"))
     assert differ(scaled, meant, seed)
+
+
+@FEW
+def test_a_letter_beside_the_vector_is_its_length(seed):
+    chance = random.Random(seed)
+    letter, bold = chance.choice([("r", r"\mathbf r"), ("q", r"\boldsymbol q"), ("x", r"\vec x")])
+    names = chance.choice(["(u,v,w)", "(u,v)"])
+    n = chance.choice([1, 2, 3, 4])
+    beside = chance.choice(["", rf",\ {letter}=|{bold}|"])
+    force = chance.choice([rf"-\frac{{{bold}}}{{{letter}^{n}}}", rf"-{letter}^{n}{bold}"])
+    law = System(rf"\ddot{{{bold}}}={force},\ {bold}={names}{beside}")
+    assert letter not in law.scene.constants
+    assert law.integral(r"u\dot v-v\dot u").verdict.green
+    power = 2 - n if "frac" in force else n + 2
+    if power:
+        U = (
+            rf"\frac{{1}}{{{power}}}{letter}^{{{power}}}"
+            if power > 0
+            else rf"-\frac{{1}}{{{-power}{letter}^{-power}}}"
+        )
+        kinetic = rf"\frac12|\dot{{{bold}}}|^2"
+        assert law.integral(f"{kinetic}+{U}").verdict.green, (law, U)
+        assert law.integral(f"{kinetic}-2{U}".replace("-2-", "+2")).verdict == "refuted"
+
+
+@pytest.mark.parametrize("tex", [r"\dot{\mathbf M}=M\mathbf M\times\boldsymbol\omega"])
+def test_a_capital_beside_its_vector_may_be_a_mass(tex):
+    with pytest.raises(ValueError, match="if it is the length"):
+        System(tex)

@@ -422,8 +422,7 @@ class Reader:
                 power = self.within(self.take().arguments[0])
             else:
                 break
-        if primes and called + "'" * primes in self.words.ranks:  # as k'
-            called, primes = called + "'" * primes, 0
+        called, primes = self.primed(called, primes)
         function = called in self.words.functions
         listed = isinstance(self.here, str) and self.here in PAIRS
         if function and (listed or called not in self.words.ranks):
@@ -437,6 +436,11 @@ class Reader:
             return value if power is None else n.to(value, power)
         value = derived(self.value(called, accents), ["prime"] * primes)
         return value if power is None else n.to(value, power)
+
+    def primed(self, called, primes):
+        """A name with its primes, as k', or beside the primes that derive it."""
+        whole = called + "'" * primes
+        return (whole, 0) if whole in self.words.ranks else (called, primes)
 
     def value(self, called, accents):
         """The value of a name under accents."""

@@ -88,6 +88,41 @@ def test_a_kind_of_claim_is_stated_by_its_attributes():
     assert [place.display.id for place in claim.equations] == ["set"]
 
 
+def outcome(source, id="dot-T-0"):
+    return ReadingSession(read(source)).outcomes[id]
+
+
+def test_what_is_supposed_is_no_condition_any_more():
+    assert outcome(paper()).verdict is Verdict.CONDITIONAL
+    source = paper(r"%kc: suppose ABC\ne 0")
+    assert outcome(source).verdict is Verdict.PROVED
+    supposed = {item.printed.tex: role.name for item, role in read(source).parts.roles.items()}
+    assert supposed[r"ABC\ne 0"] == "assumption"
+
+
+def test_what_is_supposed_behind_a_claim_is_no_hypothesis_of_it():
+    source = paper(last="%kc: suppose ABC\\ne 0\nIt is $T$.")
+    assert outcome(source).verdict is Verdict.CONDITIONAL
+
+
+def test_an_accepted_formula_is_read_by_what_rests_on_it_and_its_own_print_stays_refuted():
+    right = r"T=\frac{1}{2}(Ap^2+Bq^2+Cr^2)"
+    lines = f"%kc: claim integral names T\n%kc: accept {right}"
+    text = paper(lines).text.replace(f"\n{right}", "\n" + right.replace("+C", "-C"))
+    outcomes = ReadingSession(read(Source("top.tex", text))).outcomes
+    own, rate = outcomes["T"], outcomes["dot-T-0"]
+    assert own.verdict is Verdict.REFUTED and own.correction.accepted
+    assert rate.verdict.green and rate.corrected == ("T",)
+
+
+def test_a_locus_is_tried_by_the_claims_that_follow_it_there():
+    lines = "%kc: locus p=0, q=0 off p^2+q^2\n%kc: claim dimension 2 of set"
+    text = paper().text.replace("On the set", f"On the set\n{lines}")
+    (found,) = read(Source("top.tex", text)).statements
+    (locus,) = found.claim.scene.loci
+    assert (locus.equations, locus.condition) == (("p=0", " q=0"), "p^2+q^2")
+
+
 def test_the_same_comments_stand_in_a_file_beside():
     source = replace(paper(), beside=decode("top.kc", b"T %kc: skip\nnext %kc: claim on set"))
     assert told(source, "T").role.name == "other"
@@ -107,6 +142,8 @@ def test_the_same_comments_stand_in_a_file_beside():
         ("%kc: law", "belongs to no closed set of rates"),
         ("%kc: 3 skip", "the formula has no statement 3"),
         ("%kc:", "it says nothing"),
+        ("%kc: suppose", "a formula is missing behind suppose"),
+        ("%kc: locus p=0", "a formula is missing behind locus"),
         ('%kc: on "x=y"', "is no formula of the paper"),
     ],
 )

@@ -1,6 +1,8 @@
 """An editor and a paper: what is wrong is shown where it stands, and mended from there."""
 
 import asyncio
+import json
+import subprocess
 import sys
 from pathlib import Path
 
@@ -204,3 +206,17 @@ def test_who_types_on_hears_of_the_last_text_only(tmp_path):
         assert editor.told.empty()
 
     with_editor(tmp_path, session)
+
+
+def test_it_ends_without_a_word_when_the_editor_says_so():
+    asked = [
+        ("initialize", {"params": {"capabilities": {}}, "id": 1}),
+        ("shutdown", {"id": 2}),
+        ("exit", {}),
+    ]
+    texts = [json.dumps({"jsonrpc": "2.0", "method": method} | more) for method, more in asked]
+    done = subprocess.run(
+        [sys.executable, "-m", "kowalevski_cas", "lsp"], capture_output=True, text=True, timeout=60,
+        input="".join(f"Content-Length: {len(text)}\r\n\r\n{text}" for text in texts),
+    )  # fmt: skip
+    assert (done.returncode, done.stderr) == (0, "")
