@@ -5,9 +5,10 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 
-from kowalevski_cas.notation import Formula, Name, Number, Partial
+from kowalevski_cas.notation import Formula, Name, Number, Partial, Quotient, times, total
 from kowalevski_cas.paper.differentiate import derivative
 from kowalevski_cas.paper.directions import directions, without_direction
+from kowalevski_cas.paper.radicals import Radicals
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.paper.transcendental import Transcendental
@@ -57,8 +58,19 @@ class Meaning(Setting):
     def transcendental(self) -> Transcendental:
         """The variables that stand under sines, cosines and exponentials."""
 
+    @property
+    @abstractmethod
+    def radicals(self) -> Radicals:
+        """The variables and constants of which fractional powers stand here."""
+
     def partial(self, formula: Formula, name: str) -> Formula:
         """The partial derivative of what is written out in the operations of a space."""
+        above = [(one, next) for one, next, by in self.scene.jets if by == name]
+        if above:
+            parts = (times(Partial(formula, one), Name(next)) for one, next in above)
+            return total((Partial(formula, name), *parts))
+        if name in self.radicals:
+            return Quotient(Partial(formula, self.radicals.root(name)), self.radicals.slope(name))
         if isinstance(formula, Name) and formula.name in self.transcendental:
             return Number(int(formula.name == name))
         known = directions(self.transcendental, name)

@@ -37,6 +37,7 @@ from kowalevski_cas.paper.generators import functions_of, with_generators
 from kowalevski_cas.paper.inverse import inverse
 from kowalevski_cas.paper.matrices import by_rows
 from kowalevski_cas.paper.meaning import Meaning
+from kowalevski_cas.paper.radicals import Radicals
 from kowalevski_cas.paper.scene import Change as ChangeOfScene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.paper.transcendental import Transcendental
@@ -96,11 +97,26 @@ def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[EquationOfMot
                     f"{found[name].place} and at {printed.place}: leave one out",
                     name,
                 )
-    rows = [*with_generators(setting, rows)]
-    yield from rows
+    rows = [*map(setting.radicals.row, with_generators(setting, rows))]
+    jets = [one for one, _, _ in setting.scene.jets]
     if others:
-        known = {name for row in rows for name in row.names}
-        yield from _solve(others, [n for n in setting.variables if n not in known], rows, setting)
+        known = {name for row in rows for name in row.names}.union(jets)
+        unknown = [name for name in setting.variables if name not in known]
+        rows += _solve(others, unknown, rows, setting)
+    yield from rows
+    yield from _rows_of_jets(rows, setting)
+
+
+def _rows_of_jets(rows: Sequence[EquationOfMotion], setting: Meaning) -> Iterator[EquationOfMotion]:
+    """The rows of the values of functions, which move as their arguments do."""
+    known = {
+        name: (factor, force) for row in rows for name, factor, force in setting.components(row)
+    }
+    known[setting.scene.time] = Number(1), Number(1)
+    for name, next, by in setting.scene.jets:
+        if by in known:
+            factor, force = known[by]
+            yield EquationOfMotion((name,), factor, times(Name(next), force))
 
 
 def _check_marks(setting: Meaning) -> None:
@@ -163,7 +179,13 @@ def _solve(
     rates = {name: rate_name(name) for name in unknown}
     at = setting.free([*rates.values()])
     generators = {name: at.ring.generator(rate) for name, rate in rates.items()}
-    values = at.moving(generators, known).differences(equations)
+    jets = {
+        one: at.ring.generator(next) * generators[by]
+        for one, next, by in setting.scene.jets
+        if by in generators
+    }
+    given = [*known, *_rows_of_jets(known, setting)]
+    values = at.moving({**generators, **jets}, given).differences(equations)
     if len(values) != len(unknown):
         raise Meaningless(
             f"{len(values)} equations of motion for the {len(unknown)} rates of "
@@ -220,6 +242,24 @@ class Moving(Meaning):
     def transcendental(self) -> Transcendental:
         """The functions at the arguments that stand in what the scene and the claim print."""
         return functions_of(self)
+
+    @cached_property
+    def radicals(self) -> Radicals:
+        """The fractional powers in what the scene and the claim print."""
+        if isinstance(self.scene.field, ChangeOfScene):
+            return Radicals((), ())
+        places = [place for place in self.scene.places if place not in self.scene.field]
+        printed = [*self.printed_field, *self.met]
+        for place in places:
+            with suppress(NotationError):
+                printed.append(self.texts.formula(place))
+        for name in self.scene.roots:
+            if name.startswith(r"\sqrt"):
+                printed.append(self.texts.expression(name))
+        names = {*self.scene.variables, *self.scene.constants}
+        functions = self.transcendental
+        under = {name for group in functions.groups for name in functions.names_under(group)}
+        return Radicals(printed, names, under)
 
     @property
     def together(self) -> tuple[tuple[str, ...], ...]:

@@ -393,6 +393,31 @@ def test_a_capital_beside_its_vector_may_be_a_mass(tex):
         System(tex)
 
 
+@pytest.mark.parametrize(
+    ("relations", "true", "false"),
+    [
+        (("a=b=1",), "3y^2+3x^2-2x^3", "3y^2-3x^2-2x^3"),
+        ((r"a=1,\ b=2",), "3y^2+6x^2-4x^3", "3y^2+6x^2+4x^3"),
+        (("ab+1=0",), "aby^2+b^2x^2+\\frac{2b}{3}x^3", "aby^2+b^2x^2-\\frac{2b}{3}x^3"),
+        ((r"\frac1a+\frac1b=0",), r"3y^2-3x^2-2bx^3", r"3y^2-3x^2+2bx^3"),
+        (("a^2+b^2=5",), "3ay^2+3bx^2-2abx^3", "3ay^2+3bx^2-2x^3"),
+        (("a=kc,\\ b=kd",), "3cy^2+3dx^2-2dkcx^3", "3cy^2+3dx^2-2dx^3"),
+        (("b(a-1)s^2=a",), "3ay^2+3bx^2-2abx^3", "3ay^2-3bx^2-2abx^3"),
+    ],
+)
+def test_any_relation_of_constants_is_supposed(relations, true, false):
+    system = System(r"\dot x=ay,\ \dot y=-bx+abx^2").where(*relations)
+    assert system.integral(true).verdict.green
+    assert system.integral(false).verdict == "refuted"
+
+
+def test_what_a_constant_is_divided_by_is_a_condition():
+    """Of ab=0 one of two cases is supposed, and that is said."""
+    special = System(r"\dot x=ay,\ \dot y=-bx").where("ab=0")
+    claim = special.integral("y^2")
+    assert not claim.verdict.green or claim.conditions
+
+
 def test_functions_in_a_sum_are_those_of_its_terms():
     """The open lattice of Toda by its Hamiltonian, as it is printed everywhere."""
     toda = System(r"H=\frac12\sum_{i=1}^3p_i^2+\sum_{i=1}^{2}e^{q_i-q_{i+1}}")
