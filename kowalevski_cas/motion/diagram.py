@@ -137,6 +137,16 @@ class Fields:
         below, constant, above = (self.squares(s, 0 * s + tau)[1] for tau in (-1, 0, 1))
         return _roots((above - below) / 2, constant)
 
+    def where_type_changes(self, s: Array) -> Array:
+        """The τ₃, beside zero, at which tori of O⁴ turn from elliptic to hyperbolic, for each s.
+
+        The curvature is linear in τ₃.
+        """
+        curvature = formulas.values_of_offer("curvature", HyperellipticForm)
+        (start,), (end,) = (curvature(s, tau, *self._pr) for tau in (0.0, 1.0))
+        found: Array = start / (start - end)
+        return found
+
     def where_sigma_vanishes(self) -> list[float]:
         """The two τ₃ for which σ = 0."""
         below, constant, above = (self.squares(np.zeros(1), np.array([t]))[0] for t in (-1.0, 0, 1))
@@ -184,6 +194,17 @@ class Fields:
         second -= np.sum(first * second, axis=1)[:, None] * first
         second /= np.linalg.norm(second, axis=1)[:, None]
         return np.hstack([0 * first, float(self.a) * first, float(self.b) * second])
+
+    def at_energy(self, h: float, count: int) -> Array:
+        """Up to so many states (N, 9) by chance with the energy h."""
+        states = self.states(count)
+        rest = formulas.values_of_offer("integrals")(*states.T)[0]
+        states, rest = states[rest < h], rest[rest < h]
+        directions = np.random.default_rng(3).normal(size=(len(states), 3))
+        directions *= np.sqrt((h - rest) / np.sum(directions**2, axis=1))[:, None]
+        states[:, :3] = directions * (1, 1, np.sqrt(2))
+        found: Array = states
+        return found
 
 
 def _roots(linear: Array, constant: Array) -> list[Array]:

@@ -92,9 +92,9 @@ class SumSign(NamedTuple):
             if token.kind in SIGNS
             for letter in SumSign.at(self.body, k).letters
         }
-        texts = [token.text for token in self.body]
-        pairs = {frozenset(pair) for pair in pairwise(texts)}
-        return any({*pair} & self.own and {*pair} & inner for pair in pairs)
+        inner -= self.own
+        pairs = [{one.text, other.text} for one, other in pairwise(self.body)]
+        return any(pair & self.own and pair & inner for pair in pairs)
 
     @property
     def is_one_factor(self) -> bool:

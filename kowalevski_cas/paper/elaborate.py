@@ -82,8 +82,9 @@ class Elaboration(Moving):
         ]
         still = [n for one in (*scene.constants, *scene.undefined) for n in functions.instead(one)]
         still += functions.products(moving=False)
-        self.variables = tuple(n for n in moving if n not in named | self.zero)
-        self.constants = tuple(n for n in still if n not in named)
+        root = self.radicals.root
+        self.variables = tuple(root(n) for n in moving if n not in named | self.zero)
+        self.constants = tuple(root(n) for n in still if n not in named)
         self.powers = tuple(self._powers)
         self.turning: dict[str, Formula] | None = None
         self._steps: dict[str, Step | None] = {}
@@ -99,11 +100,16 @@ class Elaboration(Moving):
         for name, printed in self.scene.roots.items():
             if not name.startswith(r"\sqrt"):
                 names.append(name)
-            elif printed is None:
+            elif printed is None and not self._is_power(name):
                 number = root_of_number(self.texts.expression(name).children()[0])
                 primes |= dict.fromkeys(rf"\sqrt{{{p}}}" for p in number[1]) if number else {}
                 names += [] if number else [name]
         yield from (*primes, *names, *self.transcendental.roots)
+
+    def _is_power(self, root: str) -> bool:
+        """Whether a printed root is that of a name with a root in its place."""
+        radicand = self.texts.expression(root).children()[0]
+        return isinstance(radicand, Name) and radicand.name in self.radicals
 
     @cached_property
     def loci(self) -> tuple[tuple[tuple[Equation, ...], Formula], ...]:  # type: ignore[override] # computed here, an attribute above
@@ -131,7 +137,8 @@ class Elaboration(Moving):
     @cached_property
     def nonzero(self) -> tuple[Formula, ...]:  # type: ignore[override] # computed here, an attribute above
         """What the scene takes for granted not to vanish."""
-        return (*map(self.formula, self.scene.nonzero), *self.transcendental.nonzero)
+        roots = (Name(self.radicals.root(name)) for name in self.radicals.orders)
+        return (*map(self.formula, self.scene.nonzero), *self.transcendental.nonzero, *roots)
 
     @cached_property
     def conjugates(self) -> tuple[tuple[str, str], ...]:  # type: ignore[override] # computed here, an attribute above
@@ -185,6 +192,8 @@ class Elaboration(Moving):
             return Raised(name, Name(base), exponent)
         if name in self.zero:
             return self._let(name, Number(0), *scene.zero)
+        if name in self.radicals:
+            return self._let(name, self.radicals.value(name))
         return self._definition_of(name)
 
     def _definition_of(self, name: str) -> Let:

@@ -29,7 +29,8 @@ class Elaborations:
         """The setting that a scene means."""
         if scene not in self._own:
             setting = self._elaborate(scene, ())
-            if not setting.transcendental.knows(self.met, free_names(setting, self.met)):
+            known = setting.transcendental.knows(self.met, free_names(setting, self.met))
+            if not known or not setting.radicals.knows(self.met, scene):
                 setting = self._elaborate(scene, self.met)
             self._own[scene] = setting
         return self._own[scene]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Quotient, Sum, to_latex
 from kowalevski_cas.problem.space import Meaningless
 
@@ -31,6 +33,18 @@ def half_power(exponent: Formula) -> int | None:
             return above
         case Negative(argument) if (halves := half_power(argument)) is not None:
             return -halves
+    return None
+
+
+def fraction(exponent: Formula) -> Fraction | None:
+    """An exponent that is printed as a fraction of whole numbers; ``None`` for any other one."""
+    match exponent:
+        case Quotient(Number(above), Number(below)) if below:
+            return Fraction(above, below)
+        case Quotient(Negative(Number(above)), Number(below)) if below:
+            return Fraction(-above, below)
+        case Negative(argument) if (found := fraction(argument)) is not None:
+            return -found
     return None
 
 

@@ -14,6 +14,7 @@ from kowalevski_cas.notation import (
     Name,
     Number,
     Quotient,
+    Summation,
     Vocabulary,
     once,
     read,
@@ -23,6 +24,7 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.functions import FAMILY_OF, FUNCTIONS, ROTATED, Family, canonical
 from kowalevski_cas.paper.arguments import Monomial, product_of
+from kowalevski_cas.paper.summation import expand_sum, without_sums
 from kowalevski_cas.problem.space import Adjoined, Meaningless
 
 ONE, PRIME = Number(1), "'"
@@ -236,7 +238,7 @@ def kind_of(formula: Application) -> Kind:
 @once
 def applications(formula: Formula) -> tuple[Application, ...]:
     """The functions of known families in a formula."""
-    found = (one for one in formula.nodes() if isinstance(one, Application))
+    found = (one for one in without_sums(formula).nodes() if isinstance(one, Application))
     return tuple(dict.fromkeys(one for one in found if one.function in FAMILY_OF))
 
 
@@ -248,6 +250,8 @@ def outside(formula: Formula) -> frozenset[str]:
             return frozenset([name])
         case Application(function) if function in FAMILY_OF:
             return frozenset[str]().union(*map(outside, split_arguments(formula)[1]))
+        case Summation(_, Number(), Number()):
+            return outside(expand_sum(formula))
         case Derivative(Name()):
             return frozenset()
         case Derivative(argument):

@@ -5,8 +5,9 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 
-from kowalevski_cas.notation import Formula, Name, Number, Partial
+from kowalevski_cas.notation import Formula, Name, Number, Partial, Quotient
 from kowalevski_cas.paper.differentiate import derivative
+from kowalevski_cas.paper.radicals import Radicals
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.paper.transcendental import Transcendental
@@ -56,8 +57,15 @@ class Meaning(Setting):
     def transcendental(self) -> Transcendental:
         """The variables that stand under sines, cosines and exponentials."""
 
+    @property
+    @abstractmethod
+    def radicals(self) -> Radicals:
+        """The variables and constants of which fractional powers stand here."""
+
     def partial(self, formula: Formula, name: str) -> Formula:
         """The partial derivative of what is written out in the operations of a space."""
+        if name in self.radicals:
+            return Quotient(Partial(formula, self.radicals.root(name)), self.radicals.slope(name))
         if isinstance(formula, Name) and formula.name in self.transcendental:
             return Number(int(formula.name == name))
         directions = self.transcendental.directions(name)

@@ -37,6 +37,7 @@ from kowalevski_cas.paper.generators import functions_of, with_generators
 from kowalevski_cas.paper.inverse import inverse
 from kowalevski_cas.paper.matrices import by_rows
 from kowalevski_cas.paper.meaning import Meaning
+from kowalevski_cas.paper.radicals import Radicals
 from kowalevski_cas.paper.scene import Change as ChangeOfScene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.paper.transcendental import Transcendental
@@ -96,7 +97,7 @@ def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[EquationOfMot
                     f"{found[name].place} and at {printed.place}: leave one out",
                     name,
                 )
-    rows = [*with_generators(setting, rows)]
+    rows = [*map(setting.radicals.row, with_generators(setting, rows))]
     yield from rows
     if others:
         known = {name for row in rows for name in row.names}
@@ -221,6 +222,24 @@ class Moving(Meaning):
         """The functions at the arguments that stand in what the scene and the claim print."""
         return functions_of(self)
 
+    @cached_property
+    def radicals(self) -> Radicals:
+        """The fractional powers in what the scene and the claim print."""
+        if isinstance(self.scene.field, ChangeOfScene):
+            return Radicals((), ())
+        places = [place for place in self.scene.places if place not in self.scene.field]
+        printed = [*self.printed_field, *self.met]
+        for place in places:
+            with suppress(NotationError):
+                printed.append(self.texts.formula(place))
+        for name in self.scene.roots:
+            if name.startswith(r"\sqrt"):
+                printed.append(self.texts.expression(name))
+        names = {*self.scene.variables, *self.scene.constants}
+        functions = self.transcendental
+        under = {name for group in functions.groups for name in functions.names_under(group)}
+        return Radicals(printed, names, under)
+
     @property
     def together(self) -> tuple[tuple[str, ...], ...]:
         return self.transcendental.together
@@ -237,11 +256,20 @@ class Moving(Meaning):
         """The variables of which higher derivatives are printed, and those derivatives' names."""
         return velocities(self.printed_field, self.scene.variables, self.scene.vectors)
 
+    _is_solved = False
+    """Whether the equations of motion are being solved."""
+
     @cached_property
     def field(self) -> tuple[EquationOfMotion, ...]:
         """The printed equations of motion, solved for the rates where they are not."""
         rows = self.scene.field
-        return () if isinstance(rows, ChangeOfScene) else tuple(field(self, rows))
+        if self._is_solved:
+            raise Meaningless("the equations of motion rest on rates that they have to give")
+        self._is_solved = True
+        try:
+            return () if isinstance(rows, ChangeOfScene) else tuple(field(self, rows))
+        finally:
+            self._is_solved = False
 
     @cached_property
     def change(self) -> ChangeOfVariables | None:

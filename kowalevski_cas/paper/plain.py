@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from functools import cached_property, partial, reduce
 
 from kowalevski_cas.algebra.present import fraction_formula
@@ -35,7 +36,7 @@ from kowalevski_cas.notation.symbol import name_of_rate, rate_name
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.paper.brackets import Brackets
 from kowalevski_cas.paper.components import parts
-from kowalevski_cas.paper.exponents import half_power, is_whole, linear_exponent
+from kowalevski_cas.paper.exponents import fraction, is_whole, linear_exponent
 from kowalevski_cas.paper.functions import value_of
 from kowalevski_cas.paper.logarithms import derivative_of, has_logarithm
 from kowalevski_cas.paper.matrices import OF_MATRICES, by_rows, matrix_times_column, rows
@@ -78,15 +79,34 @@ class Plain:
             case Application():
                 known = self.setting.transcendental(formula)
                 return self(value_of(formula, self.setting) if known is None else known)
-            case Root(argument):
-                value = self._value_in_print(formula)
-                return self._positive(Root(self(argument))) if value is None else value
-            case Power(base, exponent) if (halves := half_power(exponent)) is not None:
-                power = Power(Root(base), Number(abs(halves)))
-                return self(power if halves > 0 else Quotient(Number(1), power))
+            case Power(base, exponent) if (part := fraction(exponent)) is not None:
+                return self._fractional(base, part)
+            case Root():
+                return self._root(formula)
             case Power(Name(base), exponent) if not is_whole(exponent):
                 return self._symbolic(base, exponent)
         return self._shorthand(formula) or formula.map_children(self)
+
+    def _root(self, root: Root) -> Formula:
+        """A square root: a power of the one in the place of its name, or what is printed for it."""
+        if isinstance(root.argument, Name) and root.argument.name in self.setting.radicals:
+            return self.setting.radicals.power(root.argument.name, Fraction(1, 2))
+        value = self._value_in_print(root)
+        return self._positive(Root(self(root.argument))) if value is None else value
+
+    def _fractional(self, base: Formula, exponent: Fraction) -> Formula:
+        """A power with a fraction, of a name with a root in its place, or of a square root."""
+        if isinstance(base, Name) and base.name in self.setting.radicals:
+            return self.setting.radicals.power(base.name, exponent)
+        if exponent.denominator > 2:
+            shown = to_latex(base)
+            raise Meaningless(
+                f"the power {exponent} of {shown} is not known here: fractions are exponents of "
+                "variables and constants"
+            )
+        root = Root(base) if exponent.denominator == 2 else base
+        power = Power(root, Number(abs(exponent.numerator)))
+        return self(power if exponent > 0 else Quotient(Number(1), power))
 
     def _rank(self, formula: Formula) -> int:
         return rank(formula, self.setting.texts.vocabulary)

@@ -23,6 +23,14 @@ def expand_sum(formula: Summation) -> Formula:
     raise Meaningless(f"print both limits as numbers, for all terms to be known: {shown}")
 
 
+def without_sums(formula: Formula) -> Formula:
+    """A formula with its sums written out, but for those whose limits are no numbers."""
+    match formula:
+        case Summation(_, Number(), Number()):
+            return without_sums(expand_sum(formula))
+    return formula.map_children(without_sums)
+
+
 def _at(formula: Formula, index: str, value: int) -> Formula:
     """The term of a sum for a value of its index, which stands in names too."""
     if isinstance(formula, Summation) and formula.index == index:  # there it is another one

@@ -207,13 +207,19 @@ class Evaluation(Fold):
             found[name] = self._rate_of_generator(name, found)
         for name in moving:
             self._check_root(name, found)
-        for name in setting.powers:
-            step = setting.step(name)
+        return self._with_powers(found)
+
+    def _with_powers(self, rates: Field) -> Field:
+        """A field with the rates of powers of what moves by it."""
+        field = {**rates}
+        for name in self.setting.powers:
+            step = self.setting.step(name)
             assert isinstance(step, Raised)
             base = self.scalar(step.base)
-            rate = along(base, found) * base.inverse()
-            found[name] = rate * self.scalar(Name(step.exponent)) * self.ring.generator(name)
-        return found
+            if not (change := along(base, field)).is_zero:
+                rate = change * base.inverse()
+                field[name] = rate * self.scalar(Name(step.exponent)) * self.ring.generator(name)
+        return field
 
     @cached_property
     def time_sign(self) -> int:
@@ -321,7 +327,9 @@ class Evaluation(Fold):
         if name not in self.names and name not in self.ring.roots:
             raise Meaningless(f"{name} is no variable here", name)
         # One field for each name: what is known of a motion along it is known by its identity.
-        return along(element, self._directions.setdefault(name, {name: self.ring.one}))
+        if name not in self._directions:
+            self._directions[name] = self._with_powers({name: self.ring.one})
+        return along(element, self._directions[name])
 
     # -- maps --------------------------------------------------------------------
 

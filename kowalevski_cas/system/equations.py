@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 
 from kowalevski_cas.notation import (
@@ -34,13 +35,14 @@ from kowalevski_cas.notation.open import OpenParser, independent, words_that_mov
 from kowalevski_cas.notation.symbol import name_of_rate
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
-from kowalevski_cas.paper.exponents import half_power
+from kowalevski_cas.paper.exponents import half_power, linear_exponent
 from kowalevski_cas.paper.implied import implied_equations
 from kowalevski_cas.paper.names import BRACKET, head, is_bold, summation_indices
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.summation import expand_sum
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.system.amplitudes import SQUARE, conjugate_equations, with_conjugates
 from kowalevski_cas.system.constraints import constraints, multipliers
 from kowalevski_cas.system.differentials import differentials, rates
@@ -153,7 +155,21 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
     check_unit(scene.constants)
     if scene.unit is not None:
         scene = with_conjugates(scene, formulas.values())
+    scene = scene.having(powers=tuple(dict.fromkeys(_powers(formulas.values(), scene))))
     return with_roots(scene, display)
+
+
+def _powers(formulas: Iterable[Formula], scene: Scene) -> Iterator[tuple[str, str]]:
+    r"""The names of which powers stand in formulas, with the constants in the exponents.
+
+    A T may be that of a transposed matrix.
+    """
+    for node in (node for formula in formulas for node in formula.nodes()):
+        match node:
+            case Power(Name(base), exponent) if exponent.names():
+                with suppress(Meaningless):
+                    symbols = {*linear_exponent(exponent)} & {*scene.constants} - {"T"}
+                    yield from ((base, one) for one in sorted(symbols))
 
 
 def vocabulary_of(display: Display, vectors: Vectors, declared: Names) -> Vocabulary:

@@ -43,7 +43,13 @@ from kowalevski_cas.system.equations import (
 from kowalevski_cas.system.maps import Map, index_of_map, with_images
 from kowalevski_cas.system.matrices import at_parameters, without_parameters
 from kowalevski_cas.system.refused import check_constant, check_field, names_of
-from kowalevski_cas.system.solved import solve_for_constant
+from kowalevski_cas.system.solved import (
+    gives_constant,
+    simple_relations,
+    solve_for_constant,
+    speaks_of_constants,
+    with_new_names,
+)
 from kowalevski_cas.system.symbols import latex_of
 from kowalevski_cas.verify.finding import Finding
 from kowalevski_cas.verify.outcome import Verdict, in_latex
@@ -197,13 +203,12 @@ class Field:
         """
         special, said = copy(self), ", ".join(map(self._tex, relations))
         scene = self.scene.called(f"{self.scene.name} where {said}")
-        for relation in relations:
-            tex = self._tex(relation)
-            tex = (
-                tex
-                if any(name.names for name in defined_names(tex))
-                else solve_for_constant(tex, scene) or tex
-            )
+        simple = (one for tex in relations for one in simple_relations(self._tex(tex), scene))
+        for tex in simple:
+            scene = with_new_names(tex, scene)
+            if speaks_of_constants(tex, scene) and not gives_constant(tex, scene):
+                solved, below = solve_for_constant(tex, scene)
+                tex, scene = solved or tex, scene.having(nonzero=below)
             place = self._place("where", tex, IN_WORDS)
             constants, scene = scene.constants, restrict(scene, place)
             check_constant(scene, place, constants)

@@ -7,6 +7,7 @@ for them.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from itertools import chain
@@ -34,6 +35,11 @@ def index_of_map(tex: str) -> str:
 
     >>> index_of_map(r"x_{n+1}=y_n, y_{n+1}=-x_n"), index_of_map(r"\dot u_i=u_{i+1}")
     ('n', '')
+
+    The index of a sum, and one with a range, counts something else.
+
+    >>> index_of_map(r"H=\sum_{i=1}^2q_iq_{i+1}"), index_of_map(r"a_i=b_{i+1}-b_i, i=1,2")
+    ('', '')
     """
     tokens = scan(tex)
     letters = [letter + index for letter, index in Cursor(tex, tokens, Vocabulary()).letters()]
@@ -41,7 +47,8 @@ def index_of_map(tex: str) -> str:
         return ""
     steps = {symbol(name).index[:-2] for name in letters if symbol(name).index.endswith(STEP)}
     here = {symbol(name).index for name in letters}
-    found = [one for one in steps if len(one) == 1 and one.isalpha() and one in here]
+    bound = set(re.findall(r"\b([A-Za-z])\s*=\s*\d", tex))
+    found = [one for one in steps - bound if len(one) == 1 and one.isalpha() and one in here]
     return found[0] if len(found) == 1 else ""
 
 

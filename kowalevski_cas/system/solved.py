@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from contextlib import suppress
+from fractions import Fraction
+from itertools import pairwise
 
 from kowalevski_cas.algebra.numbers import rational
-from kowalevski_cas.algebra.present import formula_of
-from kowalevski_cas.notation import to_latex
+from kowalevski_cas.algebra.present import formula_in, formula_of
+from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.notation import Name, Relation, defined_names, read, to_latex
+from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display, Texts
@@ -15,17 +19,74 @@ from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.system.equations import with_roots
 
 
-def solve_for_constant(relation: str, scene: Scene) -> str:
-    r"""A constant by the others, as :math:`\alpha=2-\beta` for :math:`\alpha+\beta=2`.
+def simple_relations(tex: str, scene: Scene) -> list[str]:
+    r"""The equations of a list or a chain, as :math:`A=B` and :math:`B=4C` for :math:`A=B=4C`.
 
-    Its coefficient is a number; if there is none, or no equation, the string is empty.
+    What is no such chain stays as it is printed. Raises ``ValueError`` for nothing.
+    """
+    found: list[str] = []
+    for place in Display("where", tex, ""):
+        formula = read(place.tex, vocabulary((scene,)), OpenParser)
+        if isinstance(formula, Relation) and len(formula.members) > 2 and {*formula.signs} == {"="}:
+            found += (f"{to_latex(a)}={to_latex(b)}" for a, b in pairwise(formula.members))
+        else:
+            found.append(place.tex)
+    if not found:
+        raise ValueError(f"“{tex}” is no relation of constants")
+    return found
+
+
+def speaks_of_constants(tex: str, scene: Scene) -> bool:
+    """Whether a constant of the scene stands in a relation."""
+    names = read(tex, vocabulary((scene,)), OpenParser).names()
+    return not names.isdisjoint(scene.constants)
+
+
+def with_new_names(tex: str, scene: Scene) -> Scene:
+    """A scene with the names that a relation has beside its constants, as further ones."""
+    if not speaks_of_constants(tex, scene):
+        return scene
+    formula = read(tex, vocabulary((scene,)), OpenParser)
+    known = {*scene.names(), *scene.vectors, *scene.definitions, scene.time}
+    names = (node.name for node in formula.nodes() if isinstance(node, Name))
+    return scene.having(constants=tuple(dict.fromkeys(n for n in names if n not in known)))
+
+
+def gives_constant(tex: str, scene: Scene) -> bool:
+    """Whether a relation has a constant, or its square, alone on one side only."""
+    members = read(tex, vocabulary((scene,)), OpenParser).children()
+    return any(
+        name in scene.constants and sum(name in member.names() for member in members) == 1
+        for heads in defined_names(tex)
+        for name in (*heads.names, *heads.squares)
+    )
+
+
+def solve_for_constant(relation: str, scene: Scene) -> tuple[str, tuple[str, ...]]:
+    r"""A constant, or its square, by the others, as :math:`\alpha=2-\beta` for their sum 2.
+
+    The second part are the factors that the relation prints below a line, which do not vanish.
+    A coefficient that is a number is preferred, and then a square with one; what else a constant is
+    multiplied by is divided by. If there is no such constant, the string is empty.
     """
     space = Elaborations(Texts(vocabulary((scene,))))(with_roots(scene, Display("", relation, "")))
-    at = space.finder
+    at, words = space.finder, space.texts.vocabulary
+    found = ""
     with suppress(Meaningless):
         difference, *more = at.differences(space.equations((relation,)))
+        divisors = (at.ring.divisors[index] for index in difference.denominator)
+        printed = tuple(to_latex(formula_in(Element(at.ring, {0: one}, {}))) for one in divisors)
+        whole = Element(at.ring, difference.parts, {})
         for name in () if more else scene.constants:
-            if rational(slope := at.partial(difference, name)):
-                value = at.ring.generator(name) - difference / slope
-                return f"{name}={to_latex(formula_of(value, space.texts.vocabulary))}"
-    return ""
+            slope = at.partial(whole, name)
+            square = at.partial(slope, name) * at.ring.number(Fraction(1, 2))
+            own = at.ring.generator(name)
+            if rational(slope):
+                return f"{name}={to_latex(formula_of(own - whole / slope, words))}", printed
+            if rational(square) and (slope - own * square * at.ring.number(2)).is_zero:
+                found = f"{name}^2={to_latex(formula_of(own**2 - whole / square, words))}"
+            elif not slope.is_zero and square.is_zero and not found:
+                rest, below = to_latex(formula_in(slope * own - whole)), to_latex(formula_in(slope))
+                found = rf"{name}=\frac{{{rest}}}{{{below}}}"  # also where it cancels
+        return found, printed
+    return "", ()

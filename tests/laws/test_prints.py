@@ -17,6 +17,7 @@ from kowalevski_cas.notation.sympy import to_sympy
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.paper.vocabulary import vocabulary
+from kowalevski_cas.verify.outcome import Verdict
 
 pytestmark = pytest.mark.usefixtures("uncorrected")
 
@@ -390,3 +391,42 @@ def test_a_letter_beside_the_vector_is_its_length(seed):
 def test_a_capital_beside_its_vector_may_be_a_mass(tex):
     with pytest.raises(ValueError, match="if it is the length"):
         System(tex)
+
+
+@pytest.mark.parametrize(
+    ("relations", "true", "false"),
+    [
+        (("a=b=1",), "3y^2+3x^2-2x^3", "3y^2-3x^2-2x^3"),
+        ((r"a=1,\ b=2",), "3y^2+6x^2-4x^3", "3y^2+6x^2+4x^3"),
+        (("ab+1=0",), "aby^2+b^2x^2+\\frac{2b}{3}x^3", "aby^2+b^2x^2-\\frac{2b}{3}x^3"),
+        ((r"\frac1a+\frac1b=0",), r"3y^2-3x^2-2bx^3", r"3y^2-3x^2+2bx^3"),
+        (("a^2+b^2=5",), "3ay^2+3bx^2-2abx^3", "3ay^2+3bx^2-2x^3"),
+        (("a=kc,\\ b=kd",), "3cy^2+3dx^2-2dkcx^3", "3cy^2+3dx^2-2dx^3"),
+        (("b(a-1)s^2=a",), "3ay^2+3bx^2-2abx^3", "3ay^2-3bx^2-2abx^3"),
+    ],
+)
+def test_any_relation_of_constants_is_supposed(relations, true, false):
+    system = System(r"\dot x=ay,\ \dot y=-bx+abx^2").where(*relations)
+    assert system.integral(true).verdict.green
+    assert system.integral(false).verdict == "refuted"
+
+
+def test_what_a_constant_is_divided_by_is_a_condition():
+    """Of ab=0 one of two cases is supposed, and that is said."""
+    special = System(r"\dot x=ay,\ \dot y=-bx").where("ab=0")
+    claim = special.integral("y^2")
+    assert not claim.verdict.green or claim.conditions
+
+
+def test_functions_in_a_sum_are_those_of_its_terms():
+    """The open lattice of Toda by its Hamiltonian, as it is printed everywhere."""
+    toda = System(r"H=\frac12\sum_{i=1}^3p_i^2+\sum_{i=1}^{2}e^{q_i-q_{i+1}}")
+    assert toda.integral("p_1+p_2+p_3").verdict is Verdict.PROVED
+    assert toda.integral("p_1p_2p_3-p_1e^{q_2-q_3}-p_3e^{q_1-q_2}").verdict is Verdict.PROVED
+    assert toda.integral("p_1p_2p_3-p_1e^{q_2-q_3}+p_3e^{q_1-q_2}").verdict is Verdict.REFUTED
+
+
+def test_a_correction_in_which_the_rates_rest_on_themselves_is_none():
+    """A dot in the Hamiltonian is tried, where the equations of motion are its derivatives."""
+    toda = System(r"H=\frac12(p_1^2+p_2^2+p_3^2)+e^{q_1-q_2}+e^{q_2-q_3}")
+    assert toda.integral("p_1p_2p_3").verdict is Verdict.REFUTED

@@ -10,12 +10,12 @@ from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, load
 from kowalevski_cas.motion.critical import residuals
+from kowalevski_cas.motion.cut import rotations, section, values
 from kowalevski_cas.motion.diagram import Fields
 from kowalevski_cas.motion.formulas import INTEGRALS, values_of_offer
 from kowalevski_cas.motion.o4.parameters import ParametersO4
 from kowalevski_cas.motion.o4.regimes import regime_of
 from kowalevski_cas.motion.pictures.regions import fill_regions
-from kowalevski_cas.motion.pictures.sections import rotations, section, values
 from kowalevski_cas.motion.pictures.subsystems import separating_curves
 from kowalevski_cas.pictures import new_figure
 from tests.motion.levels_on_M4 import at_level, by_chance, critical_levels, pieces
@@ -204,9 +204,10 @@ def test_the_critical_values_enclose_those_of_all_states(fields, share):
         xlim=(g.min() - 0.1 * width, g.max() + 0.1 * width), ylim=(-0.1 * height, 1.1 * height)
     )
     curves = [curve[:2] for some in section(fields, h) for curve in some]
-    inside = fill_regions(axes, curves, (g, root))
+    inside, chambers = fill_regions(axes, curves, (g, root))
     assert not inside[[0, 0, -1, -1], [0, -1, 0, -1]].any()
     assert 0.1 < inside.mean() < 0.8
+    assert chambers
 
 
 @pytest.mark.parametrize("fields", OTHERS)

@@ -15,11 +15,12 @@ from kowalevski_cas.motion import (
     regime_of,
 )
 from kowalevski_cas.motion.formulas import values_of_offer
-from kowalevski_cas.motion.pictures import ON_N4, PICTURES, orbit, third
+from kowalevski_cas.motion.pictures import ON_N4, PICTURES, orbit, poincare, sections, third
 from kowalevski_cas.motion.pictures import load as picture
 from kowalevski_cas.motion.pictures.atlas import examples
-from kowalevski_cas.motion.pictures.bifurcation import regime_at, separating_curves
+from kowalevski_cas.motion.pictures.bifurcation import separating_curves
 from kowalevski_cas.motion.pictures.space import View
+from kowalevski_cas.motion.plane import regime_at
 from kowalevski_cas.pictures import save, style
 from tests.motion.regions import EVERY_REGIME, SEPARATING, motion
 from tests.sample import sampled
@@ -52,7 +53,9 @@ LONG = ("resonances", "sections", "atlas")
     sampled([one for one in DRAWN if one[0] not in LONG], 1)
     + sampled([one for one in DRAWN if one[0] in LONG], 0),
 )
-def test_every_picture_can_be_drawn(name, drawn, tmp_path):
+def test_every_picture_can_be_drawn(name, drawn, tmp_path, monkeypatch):
+    monkeypatch.setattr(sections, "representatives", lambda fields: [0.5, 1.0])
+    monkeypatch.setattr(poincare, "UNTIL", 40.0)
     with style():
         file = save(picture(name).draw(drawn), tmp_path, name)
     assert file.stat().st_size > 5000

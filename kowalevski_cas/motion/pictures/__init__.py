@@ -28,7 +28,7 @@ PICTURES = {
     "atlas": "of all regimes in these fields",
     "resonances": "maps of the rotation number over the diagrams of N⁴ and O⁴",
     "subsystems": "diagrams of O⁴ and M⁴",
-    "sections": "of the diagram of the whole top",
+    "sections": "of the diagram of the whole top, with the tori in its chambers",
     "surfaces": "of critical values, that diagram in space",
     "third": "subsystem: hodographs of a motion on O⁴",
 }

@@ -8,9 +8,9 @@ from scipy.ndimage import distance_transform_edt
 
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.parameters import Parameters
-from kowalevski_cas.motion.pictures.bifurcation import regime_at
 from kowalevski_cas.motion.pictures.orbit import orbit
 from kowalevski_cas.motion.pictures.space import View, blank, curve, triad
+from kowalevski_cas.motion.plane import regime_at
 from kowalevski_cas.motion.regimes import Regime, all_regimes
 from kowalevski_cas.pictures import mark, new_figure
 

@@ -7,17 +7,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import partial
-from itertools import pairwise
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from kowalevski_cas.motion.arrays import Array, Integers
+from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.parameters import Parameters
 from kowalevski_cas.motion.pictures.regions import GRID, hatch, mesh, shade
-from kowalevski_cas.motion.regimes import FIELD_1, FIELD_2, PHI, Regime, all_regimes, coordinates
+from kowalevski_cas.motion.plane import ell_at, line, regime_at
+from kowalevski_cas.motion.regimes import FIELD_1, FIELD_2, PHI, Regime, all_regimes
 from kowalevski_cas.motion.transverse import degenerate
 from kowalevski_cas.pictures import FAINT, INK, mark, new_figure
 
@@ -79,37 +79,6 @@ def draw(motion: Motion) -> Figure:
     return figure
 
 
-def ell_at(parameters: Parameters, m: Array, h: Array) -> Array:
-    """The ℓ ≥ 0 at an energy; not a number where there is none."""
-    with np.errstate(invalid="ignore"):
-        return np.asarray(np.sqrt(2 * float(parameters.p_square) * m**2 + 2 * h * m + 1))
-
-
-def regime_at(parameters: Parameters, m: Array, ell: Array) -> Integers:
-    """The place among all regimes of each (m, ℓ) in the fields of a motion; −1 if there is none."""
-    roots = {}
-    for root in (*FIELD_1, *FIELD_2, *PHI):
-        slope, constant = _line(parameters, m, root)
-        with np.errstate(invalid="ignore"):  # at m = 0 there are no roots, and no regime
-            roots[root] = slope * ell + constant
-    found = np.full(m.shape, -1)
-    for number, regime in enumerate(all_regimes()):
-        inside = np.sign(m) == regime.sign
-        for low, high in pairwise(regime.order):
-            inside &= roots[low] < roots[high]
-        found[inside] = number
-    return found
-
-
-def _line(parameters: Parameters, m: Array, root: str) -> tuple[Array, Array]:
-    """A root as a linear expression in ℓ, for each m; those of φ are proportional to 1/m."""
-    one = Parameters.of(parameters.a, parameters.b, 1, 0)
-    slope, constant = (float(value) for value in coordinates(one, root))
-    with np.errstate(divide="ignore"):
-        scale = 1 / m if root in PHI else np.ones_like(m)
-    return slope * scale, constant * scale
-
-
 def _curves(axes: Axes, parameters: Parameters, ordinate: Map) -> None:
     """Draw the separating curves, thick where the regimes on their two sides differ."""
     m = np.linspace(*axes.get_xlim(), 4 * GRID)
@@ -148,6 +117,6 @@ def separating_curves(parameters: Parameters, m: Array) -> Iterator[tuple[str, i
     ):
         for end in ends:
             for root in PHI:
-                slope, constant = _line(parameters, m, root)
-                yield words, style, (_line(parameters, m, end)[1] - constant) / slope
+                slope, constant = line(parameters, m, root)
+                yield words, style, (line(parameters, m, end)[1] - constant) / slope
     yield r"$\ell=0$", 2, np.zeros_like(m)

@@ -14,8 +14,8 @@ from kowalevski_cas.motion.attitude import quaternions
 from kowalevski_cas.motion.methods.closed import states
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.parameters import Inadmissible
-from kowalevski_cas.motion.pictures.bifurcation import regime_at
 from kowalevski_cas.motion.pictures.orbit import in_space
+from kowalevski_cas.motion.plane import regime_at
 from kowalevski_cas.motion.regimes import all_regimes
 from kowalevski_cas.motion.transverse import kind
 

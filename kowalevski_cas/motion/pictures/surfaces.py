@@ -7,10 +7,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from kowalevski_cas.motion.arrays import Array
+from kowalevski_cas.motion.cut import rotations, section
 from kowalevski_cas.motion.diagram import Fields
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.motion import MotionO4
-from kowalevski_cas.motion.pictures.sections import SETS, rotations, section
+from kowalevski_cas.motion.pictures.sections import SETS
 from kowalevski_cas.motion.pictures.space import View, blank, triad
 from kowalevski_cas.paper.closed_form import CriticalSets
 from kowalevski_cas.pictures import INK, PlotMark, mark, new_figure
@@ -37,7 +38,7 @@ def draw(motion: Motion | MotionO4) -> Figure:
     across: tuple[list[list[float]], ...] = ([], [])
     for level in levels.tolist():
         for index, curves in enumerate(section(fields, level)):
-            for number, (g, root, _) in enumerate(curves):
+            for number, (g, root, *_) in enumerate(curves):
                 points = np.stack([np.full_like(g, level), g, root], axis=-1)
                 label = SETS[index] if number == 0 and level == levels[-1] else None
                 line(axes, view, points, mark((2, 0, 1)[index]), 0.8, label)
