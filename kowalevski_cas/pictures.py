@@ -7,6 +7,7 @@ alone. Files carry no date and no version: the same figure gives the same bytes.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -25,6 +26,9 @@ FAINT = "#9a9a9a"
 
 COLOURS = 128
 """How many colours a picture has."""
+
+LIGHT = 300_000
+"""How many characters of SVG a page carries for a picture at most."""
 
 WIDTH = 6.3
 """The width in inches of a picture that fills a line of the report."""
@@ -124,4 +128,30 @@ def save(figure: Figure, folder: Path, name: str) -> Path:
         few = image.convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE)
     few.save(small, "PNG", optimize=True)
     write(path, small.getvalue())
+    return path
+
+
+def save_drawing(figure: Figure, folder: Path, name: str) -> Path | None:
+    """Write a figure as ``folder/name.svg``, an element of a page, if it is light and all lines.
+
+    It has the ground of the page and its ink, so that it can be read in the dark, as greys could
+    not; what is named in it begins with the name of the figure. One that was there before, and is
+    no more, is removed.
+    """
+    import matplotlib
+
+    path, drawn = folder / f"{name}.svg", BytesIO()
+    with style(), matplotlib.rc_context({"svg.hashsalt": name}):
+        silent = dict.fromkeys(("Creator", "Date", "Format", "Type"))
+        figure.savefig(drawn, format="svg", transparent=True, metadata=silent)
+    text = drawn.getvalue().decode()
+    text = re.sub(r'(?<=id="|f="#|rl\(#)', f"{name}-", text[text.index("<svg") :])
+    text = re.sub(r' d="[^"]*"', lambda path: re.sub(r"(\.\d)\d+", r"\1", path[0]), text)
+    text = text.replace("<svg ", '<svg aria-hidden="true" fill="currentColor" ', 1)
+    text = re.sub(rf"{INK}|#000000\b", "currentColor", text).replace("#ffffff", "var(--page, #fff)")
+    greys = {*re.findall(r"fill: (#\w+)", text)} - {FAINT, *(one.colour for one in MARKS)}
+    if greys or len(text) > LIGHT:
+        path.unlink(missing_ok=True)
+        return None
+    write(path, text)
     return path

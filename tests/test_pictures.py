@@ -3,6 +3,7 @@ from __future__ import annotations
 import re
 import sys
 from itertools import combinations
+from xml.etree import ElementTree
 
 from PIL import Image
 
@@ -35,6 +36,33 @@ def test_a_page_can_carry_a_file(tmp_path):
 def test_files_carry_no_date_and_no_version(tmp_path):
     data = pictures.save(figure(), tmp_path, "x").read_bytes()
     assert not re.search(rb"tEXt|tIME|Matplotlib", data)
+
+
+def test_a_drawing_takes_the_ink_of_the_page_and_is_alone_in_it(tmp_path):
+    first, second = (pictures.save_drawing(figure(), tmp_path, name) for name in ("x", "y"))
+    drawn = first.read_text()
+    root = ElementTree.fromstring(drawn)
+    assert root.tag.endswith("svg") and root.get("fill") == "currentColor"
+    assert pictures.INK not in drawn and "#ffffff" not in drawn and "Matplotlib" not in drawn
+    own, others = (set(re.findall(r'\bid="([^"]*)"', p.read_text())) for p in (first, second))
+    assert own and not own & others
+    assert {*re.findall(r'(?:href="|url\()#([^")]*)', drawn)} <= own
+    data = first.read_bytes()
+    assert data == pictures.save_drawing(figure(), tmp_path, "x").read_bytes()
+
+
+def test_a_drawing_that_is_heavy_is_none(tmp_path, monkeypatch):
+    assert pictures.save_drawing(figure(), tmp_path, "x").is_file()
+    monkeypatch.setattr(pictures, "LIGHT", 100)
+    assert pictures.save_drawing(figure(), tmp_path, "x") is None
+    assert not (tmp_path / "x.svg").exists()
+
+
+def test_what_has_greys_is_no_drawing_for_the_dark(tmp_path):
+    with pictures.style():
+        shaded = pictures.new_figure(2, 1)
+        shaded.subplots().axhspan(0, 1, color="#d9d9d9")
+    assert pictures.save_drawing(shaded, tmp_path, "x") is None
 
 
 def test_marks_differ_in_grey_and_without_colour():

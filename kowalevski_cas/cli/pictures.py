@@ -23,7 +23,7 @@ from kowalevski_cas.motion.formulas import source
 from kowalevski_cas.motion.general import AnyMotion
 from kowalevski_cas.motion.pictures import OF_ANY, OF_FIELDS, ON_N4, PICTURES, load
 from kowalevski_cas.motion.section import COORDINATES
-from kowalevski_cas.pictures import save, style
+from kowalevski_cas.pictures import save, save_drawing, style
 from kowalevski_cas.report.figures import LIST
 from kowalevski_cas.schema import head
 
@@ -123,6 +123,8 @@ def _draw(name: str, motion: AnyMotion, folder: Path, *how: int) -> None:
     """Draw a picture and write it."""
     try:
         with style():
-            save(load(name).draw(motion, *how), folder, name)
+            figure = load(name).draw(motion, *how)
+            save(figure, folder, name)
+            save_drawing(figure, folder, name)
     except (ValueError, MethodError) as error:
         raise CommandError(f"{name} cannot be drawn: {error}") from None

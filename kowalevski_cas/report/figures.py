@@ -5,7 +5,7 @@ A folder below that of the reports has a list of them, ``figures.json``::
     {"format": "kowalevski-cas figures", "version": 1,
      "derivations": {"kharlamov2002": [{"name": "torus", "caption": "A torus."}]}}
 
-and each picture as ``torus.png``.
+and each picture as ``torus.png``, and as ``torus.svg`` too where it is a drawing of few lines.
 """
 
 from __future__ import annotations
@@ -35,6 +35,11 @@ class FigureFile:
     def file(self, folder: Path) -> Path:
         """The picture below the folder of the report."""
         return folder / f"{self.place}{SUFFIX}"
+
+    def drawing(self, folder: Path) -> str:
+        """The picture as an element of a page, if it is a drawing of lines; else nothing."""
+        file = self.file(folder).with_suffix(".svg")
+        return file.read_text(encoding="utf-8") if file.is_file() else ""
 
 
 def figures_of(folder: Path, derivation: str) -> tuple[FigureFile, ...]:

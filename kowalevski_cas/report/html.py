@@ -230,12 +230,13 @@ class HtmlWriter(Writer):
         return f'<div class="graph" tabindex="0" style="{wide}">{svg(block.picture)}</div>'
 
     def figure(self, block: Figure) -> str:
-        image = b64encode(block.figure.file(self.beside).read_bytes()).decode()
+        """A picture, which its caption puts into words: as a drawing that takes the page's ink."""
+        image = block.figure.drawing(self.beside)
+        if not image:
+            data = b64encode(block.figure.file(self.beside).read_bytes()).decode()
+            image = f'<img alt="" src="data:image/png;base64,{data}">'
         caption = self.text(block.caption)
-        return (
-            f'<figure><img alt="" src="data:image/png;base64,{image}">'
-            f"<figcaption>{caption}</figcaption></figure>"
-        )
+        return f"<figure>{image}<figcaption>{caption}</figcaption></figure>"
 
     def trial(self, block: Trial) -> str:
         """Boxes for the numbers of each version, which the script shows."""

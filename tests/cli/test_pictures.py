@@ -20,7 +20,7 @@ def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_it_writes_the_picture_and_the_list_for_the_report(reports: Path) -> None:
     written = {path.name for path in (reports / "motion").iterdir()}
-    assert written == {"rectangle.png", "figures.json"}
+    assert written == {"rectangle.png", "rectangle.svg", "figures.json"}
     listed = json.loads((reports / "motion/figures.json").read_text(encoding="utf-8"))[
         "derivations"
     ]

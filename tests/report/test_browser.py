@@ -119,6 +119,22 @@ def test_a_link_shows_what_it_leads_to(browser: Browser) -> None:
         assert browser.value(f"{POINT}([{link}, 'pointerleave'])")[0]
 
 
+NEAR = """(([link, kind]) => { link.dispatchEvent(new PointerEvent(kind));
+  const lines = [...document.querySelectorAll('.graph .line')], own = link.getAttribute('href').slice(7);
+  const near = link => link.classList.contains('near');
+  return [lines.every(line => near(line) === line.dataset.ends.split(' ').includes(own)),
+    lines.filter(near).length, [...document.querySelectorAll('.graph a')].filter(near).length,
+    near(link)]; })"""
+
+
+def test_a_box_shows_its_lines_and_the_boxes_at_their_ends(browser: Browser) -> None:
+    for k in range(3):
+        box = f"document.querySelectorAll('.graph a')[{k}]"
+        exact, lines, boxes, own = browser.value(f"{NEAR}([{box}, 'pointerenter'])")
+        assert exact and lines >= 1 and boxes >= 1 and not own
+        assert browser.value(f"{NEAR}([{box}, 'pointerleave'])")[1:3] == [0, 0]
+
+
 def test_formulas_and_errata_are_copied_as_tex(browser: Browser) -> None:
     buttons = "[...document.querySelectorAll('.copy button')]"
     assert browser.value(f"{buttons}.every(one => !one.parentElement.hidden)")

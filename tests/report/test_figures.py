@@ -40,6 +40,16 @@ def test_a_report_shows_the_pictures_of_its_derivation_that_are_there(tmp_path: 
     assert figures_of(tmp_path, "another2003") == (FigureFile("others/line", CAPTION),)
 
 
+def test_a_drawing_stands_in_the_page_and_a_picture_where_there_is_none(tmp_path: Path) -> None:
+    offer(tmp_path / "motion")
+    (one,) = figures_of(tmp_path, "kharlamov2002")
+    shown = Contents(SMALL, in_order(SMALL)).document((one,))
+    assert "<img" in render_html(shown, tmp_path)
+    (tmp_path / "motion/line.svg").write_text("<svg><path d='M0 0'/></svg>")
+    page = render_html(shown, tmp_path)
+    assert "<figure><svg><path" in page and "<img" not in page
+
+
 @pytest.mark.parametrize("text", ["", "{", "[]", '{"kharlamov2002": [1]}'])
 def test_a_list_that_cannot_be_read_shows_nothing(tmp_path: Path, text: str) -> None:
     (offer(tmp_path / "motion") / "figures.json").write_text(text)
