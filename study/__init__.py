@@ -12,7 +12,16 @@ from typing import cast
 
 from study.step import Measured, Row, StudyStep, Task
 
-STEPS = ("speed-accuracy", "growth", "failures", "work-precision", "leaving", "searches")
+STEPS = (
+    "speed-accuracy",
+    "growth",
+    "failures",
+    "work-precision",
+    "leaving",
+    "lasting",
+    "perturbed",
+    "searches",
+)
 """The steps in the order of the study; each is a module of that name below this package."""
 
 

@@ -31,6 +31,7 @@ _NAMES = {
     "radau": "Radau",
     "lsoda": "LSODA",
     "taylor": "Taylor series",
+    "splitting": "splitting",
 }
 
 _MARKS = (
