@@ -604,7 +604,7 @@ def test_what_moves_is_no_value_of_an_integral(side):
             "H is differentiated, and nothing defines it: add H=…",
         ),
         (r"\dot u=\partial u/\partial x, \dot x=1", "u is differentiated, and nothing defines it"),
-        (r"\dot x=k(t)x", r"a product, or k at this argument\?"),
+        (r"\dot x=k(s)x", r"a product, or k at this argument\?"),
         (r"\ddot q=-V_q, V=q^4", r"V_q is a name here: print .partial V/.partial q, or rename it"),
         (r"\dot x=x-\bar x", "x} is a conjugate, and all is real: rename it"),
         (

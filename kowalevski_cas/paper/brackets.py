@@ -71,8 +71,10 @@ class Brackets:
         return Vector(tuple(rows)) if left[0] or right[0] else rows[0]
 
     def _bracket(self, f: Formula, g: Formula) -> Formula:
+        scene = self.setting.scene
+        variables = {*scene.variables} - {name for name, _, _ in scene.jets}
         match f, g:
-            case Name(x), Name(y) if {x, y} <= {*self.setting.scene.variables}:
+            case Name(x), Name(y) if {x, y} <= variables:
                 if (y, x) in self.structure:
                     return Negative(self.structure[y, x])
                 return self.structure.get((x, y), Number(0))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 
-from kowalevski_cas.notation import Formula, Name, Number, Partial, Quotient
+from kowalevski_cas.notation import Formula, Name, Number, Partial, Quotient, times, total
 from kowalevski_cas.paper.differentiate import derivative
 from kowalevski_cas.paper.radicals import Radicals
 from kowalevski_cas.paper.scene import Scene
@@ -64,6 +64,10 @@ class Meaning(Setting):
 
     def partial(self, formula: Formula, name: str) -> Formula:
         """The partial derivative of what is written out in the operations of a space."""
+        above = [(one, next) for one, next, by in self.scene.jets if by == name]
+        if above:
+            parts = (times(Partial(formula, one), Name(next)) for one, next in above)
+            return total((Partial(formula, name), *parts))
         if name in self.radicals:
             return Quotient(Partial(formula, self.radicals.root(name)), self.radicals.slope(name))
         if isinstance(formula, Name) and formula.name in self.transcendental:

@@ -98,10 +98,25 @@ def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[EquationOfMot
                     name,
                 )
     rows = [*map(setting.radicals.row, with_generators(setting, rows))]
-    yield from rows
+    jets = [one for one, _, _ in setting.scene.jets]
     if others:
-        known = {name for row in rows for name in row.names}
-        yield from _solve(others, [n for n in setting.variables if n not in known], rows, setting)
+        known = {name for row in rows for name in row.names}.union(jets)
+        unknown = [name for name in setting.variables if name not in known]
+        rows += _solve(others, unknown, rows, setting)
+    yield from rows
+    yield from _rows_of_jets(rows, setting)
+
+
+def _rows_of_jets(rows: Sequence[EquationOfMotion], setting: Meaning) -> Iterator[EquationOfMotion]:
+    """The rows of the values of functions, which move as their arguments do."""
+    known = {
+        name: (factor, force) for row in rows for name, factor, force in setting.components(row)
+    }
+    known[setting.scene.time] = Number(1), Number(1)
+    for name, next, by in setting.scene.jets:
+        if by in known:
+            factor, force = known[by]
+            yield EquationOfMotion((name,), factor, times(Name(next), force))
 
 
 def _check_marks(setting: Meaning) -> None:
@@ -164,7 +179,13 @@ def _solve(
     rates = {name: rate_name(name) for name in unknown}
     at = setting.free([*rates.values()])
     generators = {name: at.ring.generator(rate) for name, rate in rates.items()}
-    values = at.moving(generators, known).differences(equations)
+    jets = {
+        one: at.ring.generator(next) * generators[by]
+        for one, next, by in setting.scene.jets
+        if by in generators
+    }
+    given = [*known, *_rows_of_jets(known, setting)]
+    values = at.moving({**generators, **jets}, given).differences(equations)
     if len(values) != len(unknown):
         raise Meaningless(
             f"{len(values)} equations of motion for the {len(unknown)} rates of "

@@ -90,6 +90,9 @@ class Scene:
         at the quarter period.
     ``loci``
         the places at which every statement about sets is tried once more.
+    ``jets``
+        variables that are values of functions which nothing gives, as ``V`` and ``V'``: each with
+        its derivative, and the variable, or the time, by which it is derived.
     """
 
     name: str = ""
@@ -109,6 +112,7 @@ class Scene:
     nonzero: tuple[str, ...] = ()
     values: tuple[Printed, ...] = ()
     loci: tuple[Locus, ...] = ()
+    jets: tuple[tuple[str, str, str], ...] = ()
 
     def __post_init__(self) -> None:
         """Refuse names that are given twice; raises ``ValueError`` or ``TypeError``."""

@@ -10,7 +10,7 @@ from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, SETS, Known
-from kowalevski_cas.reading.ladder import Rung
+from kowalevski_cas.reading.ladder import EQUATIONS, Rung
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement
@@ -43,6 +43,7 @@ def doubt_of(
         return Doubt.ALWAYS
     given = any(one.given for one in candidates)
     sure = not (given or rung.constants or cue("on it", item.words))
+    sure = sure and not _has_level(item, rung, known)
     sure = sure and _is_plain(rung, item, parts)
     sure = sure and not any(one.title == "abstract" for one in item.sections)
     return None if sure and (role.kind == "integral" or item.derives) else Doubt.UNLESS_MENDED
@@ -89,6 +90,22 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
         if proved and not apart and role is not None and role.name == ASSUMPTION and one.members:
             return True
     return False
+
+
+def _has_level(item: SourceStatement, rung: Rung, known: Known) -> bool:
+    """Whether something that moves has a number for its value before it, where it may hold.
+
+    That a vector is a unit vector is said once, and used from there on.
+    """
+    return any(
+        role.kind in EQUATIONS
+        and one.order < item.order
+        and one not in rung.on
+        and not one.derives
+        and any(isinstance(member, Number) for member in one.members)
+        and known.varying(one.names)
+        for one, role in known.roles.items()
+    )
 
 
 def _has_case(

@@ -19,6 +19,7 @@ from kowalevski_cas.notation import (
     rank,
     to_latex,
 )
+from kowalevski_cas.notation.functions import FAMILY_OF
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.exponents import half_power
@@ -119,7 +120,8 @@ class Stage:
         found = set(item.names)
         for node in item.formula.nodes() if item.formula is not None else ():
             if isinstance(node, Application):
-                found.add(node.function)
+                own = node.function not in FAMILY_OF or node.function in self.known.definitions
+                found |= {node.function} if own else set()
             elif isinstance(node, PoissonBracket):
                 found |= {name for name in self.known.definitions if name.startswith(BRACKET)}
         return sorted(found)

@@ -69,8 +69,11 @@ def components(tex: str, vectors: Vectors, declared: Names = ()) -> dict[str, tu
     return vectors_of(display, known, words)
 
 
-def with_motion(tex: str, vectors: Vectors, declared: Names = ()) -> str:
-    """Equations of motion, with those that what is printed implies."""
+def with_motion(tex: str, vectors: Vectors, declared: Names = (), arguments: Names = ()) -> str:
+    """Equations of motion, with those that what is printed implies.
+
+    ``arguments`` of functions may stand nowhere else.
+    """
     display = Display("field", tex, "")
     words = vocabulary_of(display, vectors, declared)
     printed = read_rows(display, words)
@@ -78,10 +81,11 @@ def with_motion(tex: str, vectors: Vectors, declared: Names = ()) -> str:
         return r",\quad ".join((tex, *rows))
     if ratios := {place: rates(one) for place, one in printed.items() if differentials(one)}:
         rows = [row for place in printed for row in ratios.get(place, [place.tex])]
-        return with_motion(r",\quad ".join(rows), vectors, declared)
+        return with_motion(r",\quad ".join(rows), vectors, declared, arguments)
     formulas = [*printed.values()]
     moving = {name for formula in formulas for name in _moving_names(formula)}
-    more = [*implied_equations(formulas), *conjugate_equations(formulas, moving)]
+    implied = implied_equations([*formulas, *map(Name, arguments)])
+    more = [*implied, *conjugate_equations(formulas, moving)]
     more += lengths(formulas, vectors, moving)
     tex = r",\quad ".join((tex, *more))
     display = Display("field", tex, "")

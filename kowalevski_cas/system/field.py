@@ -51,6 +51,13 @@ from kowalevski_cas.system.solved import (
     with_new_names,
 )
 from kowalevski_cas.system.symbols import latex_of
+from kowalevski_cas.system.unknown import (
+    TIMES,
+    Unknown,
+    unknown_functions,
+    with_jets,
+    without_arguments,
+)
 from kowalevski_cas.verify.finding import Finding
 from kowalevski_cas.verify.outcome import Verdict, in_latex
 
@@ -64,6 +71,9 @@ OF_MAPS: dict[type[Claim], type[Claim]] = {FirstIntegral: InvariantOfMap}
 """What is claimed of a map for what is claimed of a motion."""
 STATIC = (Identity, Implication, Jacobi, Casimir, Involution)
 """What is claimed of functions, whatever moves."""
+
+OF_FUNCTIONS = (Identity, FirstIntegral, Jacobi)
+"""What is claimed where a function may be any one: no dependence of several, and no set."""
 
 LONGEST = 24
 """The signs of a formula by which a claim is called."""
@@ -93,10 +103,15 @@ class Field:
         self.section = Section(name or "1", "", copied=None)
         MADE.append(self.section)
         self.spectral: dict[str, str] = {}
+        self.functions: list[Unknown] = []
         tex = field if isinstance(field, str) else self._rows(field)
         self.spectral = at_parameters(tex)
         """The parameters of matrices that move; a matrix is called by its name alone."""
-        tex, words = without_parameters(tex, self.spectral), [*self.symbols]
+        self.functions = unknown_functions(tex)
+        """The functions of which nothing is known; they are called by their names alone."""
+        jets = [jet for one in self.functions for jet in one.jets]
+        names = dict.fromkeys(name for *both, _ in jets for name in both)
+        tex, words = self._tex(tex), [*self.symbols, *names]
         parts = components(tex, vectors or {}, words)
         printed = {name for statement in defined_names(tex) for name in statement.names}
         index = index_of_map(tex)
@@ -107,7 +122,8 @@ class Field:
         if map or index:
             tex = with_images(tex, parts, words, index)
         else:
-            tex = with_time(with_motion(tex, parts, words), parts, words)
+            arguments = [one.by for one in self.functions if one.by not in TIMES]
+            tex = with_time(with_motion(tex, parts, words, arguments), parts, words)
         display = self.section.display(f"{self.prefix}field", tex)
         self.shown = {display.id}
         """The ids of displays."""
@@ -121,6 +137,8 @@ class Field:
             self._stand_on(scene_by(display, name, parts, words))
             bound = constraints_in(display, parts, words)
             self.constraints = (*equations_on(self.scene, bound),)
+        if jets:
+            self._stand_on(with_jets(self.scene, jets))
         self.implied = frozenset(_brackets(self.scene.definitions)) - printed
         """The canonical brackets, which equations of Hamilton imply and nobody has printed."""
         check_field(self.scene)
@@ -156,12 +174,14 @@ class Field:
 
     def _echo(self, shown: Callable[[str], str]) -> str:
         """What moves, or is mapped, and what does not, in words."""
-        names, fixed = self.scene.variables, self.scene.constants
+        jets, fixed = {name for name, _, _ in self.scene.jets}, self.scene.constants
+        names = [name for name in self.scene.variables if name not in jets]
         one = len(names) < 2
         moves = ("is mapped" if one else "are mapped") if self.images else f"move{'s' * one}"
         still = f"{', '.join(map(shown, fixed))} {'are' if len(fixed) > 1 else 'is'} constant"
         moving = f"{', '.join(map(shown, names))} {moves}"
-        return f"{moving}; {still}" if fixed else moving
+        any_ = [f"{shown(f.name)} is any function of {shown(f.by)}" for f in self.functions]
+        return "; ".join([moving, *([still] if fixed else []), *any_])
 
     # -- scenes ------------------------------------------------------------------
 
@@ -248,6 +268,9 @@ class Field:
             NotationError: a formula is broken TeX.
             ValueError: a formula is several, or there is no such verdict to expect.
         """
+        if self.functions and (kind not in OF_FUNCTIONS or any(attributes.values())):
+            names = ", ".join(one.name for one in self.functions)
+            raise ValueError(f"{kind.__name__} is not known where {names} may be any function")
         if self.images:
             kind, says, attributes = self._of_map(kind, says, attributes)
         elif "images" in {field.name for field in fields(kind)}:
@@ -315,7 +338,7 @@ class Field:
 
     def _tex(self, formula: Tex) -> str:
         if isinstance(formula, str):
-            return without_parameters(formula, self.spectral)
+            return without_parameters(without_arguments(formula, self.functions), self.spectral)
         if not isinstance(formula, Function):
             return latex_of(formula, self.symbols)
         if self.scene.definitions.get(formula.name) != formula.place:

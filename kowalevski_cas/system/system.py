@@ -180,8 +180,9 @@ class System(Field):
 
         What is found in time is claimed; if something may be left, that is said.
         """
-        if self.images:
-            raise ValueError(f"find {name} is not known of maps: claim what is found elsewhere")
+        if self.images or self.functions:
+            of = "maps" if self.images else "a motion with functions that may be any"
+            raise ValueError(f"find {name} is not known of {of}")
         for key in ("degree", "order"):
             value = options.get(key, 0)
             if not isinstance(value, int) or value < 0:

@@ -360,3 +360,18 @@ def test_a_root_has_either_sign_where_the_sentence_speaks_of_it(words, is_said):
     for printed, green in ((half, is_said), (half.replace("-", "+"), False)):
         (found,) = verdicts(law + rf"For half the angle $${printed},$$ {words}.").values()
         assert found.green == green
+
+
+@pytest.mark.parametrize("said", ["It has the integral $x^2+y^2=1$.", "Here $x^2+y^2=1$."])
+def test_a_rate_may_be_meant_where_what_moves_has_a_value_that_is_said_before(said):
+    system = r"The equations of motion are $$\dot x=y,\quad \dot y=-x.$$ "
+    rate = r"$\dot x^2=1-x^2$"
+    assert verdicts(f"{system}{said} Then {rate}.")[rate[1:-1]] is Verdict.UNDECIDED
+    assert verdicts(f"{system}Then {rate}. {said}")[rate[1:-1]] is Verdict.REFUTED
+
+
+def test_a_function_that_everybody_knows_is_no_constant_of_the_paper():
+    system = r"The equations of motion are $$\dot x=-x+y,\quad \dot y=-y.$$ "
+    session = ReadingSession(reading(system + "The function $F=ye^{t}$ is constant."), timeout=5)
+    assert next(iter(session.outcomes.values())).verdict is Verdict.PROVED
+    assert not [*assumptions_of(audit_reading(session))]
