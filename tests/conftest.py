@@ -4,6 +4,7 @@ import gc
 import os
 import pickle
 import signal
+import sys
 from fcntl import LOCK_EX, flock
 from functools import wraps
 from pathlib import Path
@@ -33,8 +34,12 @@ for profile, examples in (("quick", 6), ("slow", 100)):
 def pytest_configure(config):
     """Without slow tests, Hypothesis looks less hard, too; Ctrl-C interrupts in the background.
 
-    Garbage in circles is rarely looked for: processes end before it matters.
+    Garbage in circles is rarely looked for: processes end before it matters. The thread of
+    pytest-xdist, which waits meanwhile, does not count: work is done in copies of this process as
+    at a terminal, with what a test has patched, and the law of verdicts, in it.
     """
+    waiting = len(sys._current_frames()) - 1
+    forkserver.has_threads = lambda: len(sys._current_frames()) > 1 + waiting
     gc.set_threshold(100_000)
     signal.signal(signal.SIGINT, signal.default_int_handler)
     settings.load_profile("quick" if config.option.markexpr == "not slow" else "slow")
@@ -114,16 +119,9 @@ def uncorrected():
         yield
 
 
-def pytest_collection_modifyitems(items):
-    """Copies of this process are made as if pytest-xdist had no threads, which wait meanwhile."""
-    for item in items:
-        if "copies" in item.fixturenames:
-            item.add_marker(pytest.mark.filterwarnings("ignore:This process"))
-
-
 @pytest.fixture
 def copies(monkeypatch):
-    """Work is done in copies of this process, which have what a test has patched in it."""
+    """Work is done in copies of this process, also where tests have left threads behind."""
     monkeypatch.setattr(forkserver, "has_threads", lambda: False)
 
 

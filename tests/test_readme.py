@@ -21,9 +21,9 @@ def test_its_pictures_are_of_this_version(tmp_path):
     made = sorted(file.name for file in tmp_path.iterdir())
     assert "erratum.png" in made and all(f"docs/{name}" in README for name in made)
     for name in made:
-        now, then = Image.open(tmp_path / name), Image.open(script.parent / name)
-        assert now.size == then.size
-        differences = ImageChops.difference(now.convert("L"), then.convert("L"))
+        with Image.open(tmp_path / name) as now, Image.open(script.parent / name) as then:
+            assert now.size == then.size
+            differences = ImageChops.difference(now.convert("L"), then.convert("L"))
         assert ImageStat.Stat(differences).mean[0] < 1, f"{name} is old: make docs"
 
 

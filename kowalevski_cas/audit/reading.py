@@ -166,7 +166,8 @@ class ReadingSession:
         waiting = {c.id for c in session.derivation.claims if c.reads() & misprints}
         doubted = {id for id, doubt in session.derivation.doubts.items() if doubt is Doubt.ALWAYS}
         explained = [o.claim for o in outcomes if o.correction or o.claim in waiting | doubted]
-        return Blame(session.decider.corrector, verdicts, [*explained, *in_words], PATIENCE)
+        corrector = session.decider.corrector
+        return Blame(corrector, verdicts, [*explained, *in_words], PATIENCE, doubted)
 
     # -- what is mended elsewhere --------------------------------------------------------
 

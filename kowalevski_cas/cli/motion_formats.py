@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from decimal import Decimal
 from io import BytesIO
 
 import numpy as np
@@ -43,13 +44,18 @@ def as_json(result: Trajectory) -> bytes:
     return ",\n".join([f'{begin}, "states": [\n{states}\n]', *told]).encode() + b"\n}\n"
 
 
+def _digits(value: float | str) -> str:
+    """A constant to six digits, also where no float holds it."""
+    return f"{value if isinstance(value, float) else Decimal(value):.6g}"
+
+
 def as_table(result: Trajectory) -> bytes:
     """For reading: the states to four decimals, then the constants, their drift and the regime."""
     names = ("t", *(f"{letter}{k}" for letter in "ωαβ" for k in "₁₂₃"))
     lines = ["".join(f"{name:>8}" for name in names)]
     for t, row in zip(result.times.tolist(), result.rows, strict=True):
         lines.append(f"{t:>8.6g}" + "".join(map(_decimal, row)))
-    constants = [f"{n} = {v:.6g}" for n, v in result.motion.constants.items()]
+    constants = [f"{n} = {_digits(v)}" for n, v in result.motion.constants.items()]
     lines += ["", ", ".join(constants)]
     lines.append(f"The integrals drift by at most {max(map(abs, result.drift.values())):.2g}.")
     if "frequencies" in result.also:

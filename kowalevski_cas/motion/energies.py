@@ -21,7 +21,7 @@ from kowalevski_cas.motion.diagram import Fields
 NARROW = 4
 """Parts of a curve of fewer points are passed over."""
 
-SAME, LARGEST = 1e-5, 10.0
+SAME, LARGEST = 1e-5, 1e3
 """Energies nearer to each other, in units of a + b, are one; beyond so many none separates."""
 
 ROUNDING = 1e-12

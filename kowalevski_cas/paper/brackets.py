@@ -7,6 +7,7 @@ Brackets that no place prints vanish.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from itertools import product
 
@@ -25,10 +26,11 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.symbol import rate_name
 from kowalevski_cas.paper.meaning import Meaning
-from kowalevski_cas.paper.names import BRACKET, EPSILON, head, is_indexed
+from kowalevski_cas.paper.names import BRACKET, DELTA, EPSILON, head, is_indexed
 from kowalevski_cas.problem.space import Meaningless
 
 DIGITS = "123"
+_INDEXED = re.compile(r"_(?:[ijk]|\{[ijk]+\})$")
 Parts = tuple[bool, tuple[Formula, ...]]
 """Whether something is a vector, and its components."""
 
@@ -96,10 +98,20 @@ class Brackets:
                 raise Meaningless(f"{min(others)} is no variable, and has no Poisson bracket")
             yield (arguments[0], arguments[1]), setting.plain(formula)
             return
-        stems = sorted({argument[:-1] for argument in arguments})
+        known = {*setting.scene.names()}
+        indexed = (n[:-1] for n in formula.names() if n.endswith(("_i", "_j", "_k")))
+        stems = sorted(
+            {argument[:-1] for argument in arguments}
+            | {stem for stem in indexed if {f"{stem}{digit}" for digit in DIGITS} <= known}
+        )
+        summed = {EPSILON, *(f"{stem}k" for stem in stems)}
+        terms = formula.terms if isinstance(formula, Sum) else (formula,)
         for i, j in product(DIGITS, DIGITS):
-            terms = [self._with_indices(formula, stems, i + j + k) for k in DIGITS]
-            found: Formula = Sum(tuple(terms))
+            found: Formula = total(
+                self._with_indices(term, stems, i + j + k)
+                for term in terms
+                for k in (DIGITS if summed & term.names() else DIGITS[0])
+            )
             pair = []
             for argument, digit in zip(arguments, (i, j), strict=True):
                 variable, factor = self._variable(argument[:-1] + digit)
@@ -113,7 +125,10 @@ class Brackets:
             for stem in stems
             for letter, digit in zip("ijk", indices, strict=True)
         }
-        return self.setting.plain(substitute(formula, {**values, EPSILON: _sign(indices)}))
+        values |= {EPSILON: _sign(indices), DELTA: Number(int(indices[0] == indices[1]))}
+        if unknown := {n for n in formula.names() - {*values} if _INDEXED.search(n)}:
+            raise Meaningless(f"nothing says for what {min(unknown)} stands in the bracket")
+        return self.setting.plain(substitute(formula, values))
 
     def _variable(self, coordinate: str) -> tuple[str, Formula]:
         """The variable of which a coordinate is a multiple, and the factor."""

@@ -284,6 +284,11 @@ class Moving(Meaning):
     def field(self) -> tuple[EquationOfMotion, ...]:
         """The printed equations of motion, solved for the rates where they are not."""
         rows = self.scene.field
+        if self.scene.unit is not None:
+            _ = self.finder  # it asks for the rates when it is made, which conjugates wait for
+            if "field" in self.__dict__:
+                found: tuple[EquationOfMotion, ...] = self.__dict__["field"]
+                return found
         if self._is_solved:
             raise Meaningless("the equations of motion rest on rates that they have to give")
         self._is_solved = True

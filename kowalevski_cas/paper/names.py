@@ -19,8 +19,8 @@ def is_capital(name: str) -> bool:
     return parts.font == r"\mathbf" and parts.letter.isupper()
 
 
-BRACKET, EPSILON = r"\{", r"\varepsilon_{ijk}"
-"""The Poisson bracket as a function, and the sign of a permutation."""
+BRACKET, EPSILON, DELTA = r"\{", r"\varepsilon_{ijk}", r"\delta_{ij}"
+"""The Poisson bracket as a function, the sign of a permutation, and Kronecker's delta."""
 
 
 def is_indexed(name: str) -> bool:
@@ -29,7 +29,7 @@ def is_indexed(name: str) -> bool:
 
 
 def summation_indices(arguments: Iterable[str]) -> set[str]:
-    r"""What is summed over in a bracket of these coordinates, if they are indexed.
+    r"""What is summed over k in a bracket of these coordinates, if they are indexed.
 
     >>> sorted(summation_indices(("M_i", "p_j")))
     ['M_k', '\\varepsilon_{ijk}', 'p_k']

@@ -13,7 +13,15 @@ from dataclasses import field as default
 from functools import cached_property
 
 from kowalevski_cas.notation.symbol import rate_name
-from kowalevski_cas.paper.names import BRACKET, EPSILON, check_names, head, is_bold, is_indexed
+from kowalevski_cas.paper.names import (
+    BRACKET,
+    DELTA,
+    EPSILON,
+    check_names,
+    head,
+    is_bold,
+    is_indexed,
+)
 from kowalevski_cas.paper.texts import Display, Printed, check_attributes, statements
 
 
@@ -313,7 +321,7 @@ class Scene:
             function, arguments = head(name)
             if function == BRACKET:
                 indexed = [argument for argument in arguments if is_indexed(argument)]
-                yield from [EPSILON] if indexed else []
+                yield from [EPSILON, DELTA] if indexed else []
                 yield from (f"{argument[:-1]}{k}" for argument in indexed for k in "ijk")
             elif is_bold(name) or self.definitions[name].heads.matrix:
                 yield from self.vectors.get(name, ())

@@ -23,7 +23,7 @@ from kowalevski_cas.notation.functions import FAMILY_OF
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.exponents import half_power
-from kowalevski_cas.paper.names import BRACKET, head
+from kowalevski_cas.paper.names import BRACKET, DELTA, head, summation_indices
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, Known
@@ -224,7 +224,9 @@ class Stage:
         words = self.known.paper.words
         taken = {head(name)[0] for name in places} | {n for p in squares for n in p.heads.squares}
         taken |= {part for name in taken for part in vectors.get(name, ())}
-        taken |= {argument for name in places for argument in head(name)[1]}
+        for name in places:
+            arguments = head(name)[1]
+            taken |= {*arguments, *summation_indices(arguments), DELTA}
         clocks = {name for item in self.known.clocks for name in item.bare}
         taken |= {*closure.variables, "t"} | words.matrices | clocks
         taken |= words.functions - words.scalars

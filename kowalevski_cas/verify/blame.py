@@ -53,6 +53,8 @@ class Blame:
     """The claims that have a correction already."""
     seconds: float = inf
     """For the search of what claims stand on, which then has what was found so far."""
+    doubted: Collection[str] = ()
+    """Of those that have a correction, the claims that may have been meant otherwise."""
     _true: dict[str, bool] = field(default_factory=dict)
 
     @property
@@ -171,6 +173,8 @@ class Blame:
                     allowed = -1
                     break
             repair = repair._replace(mends=tuple(mends))
+            if allowed >= 0 and len(mends) >= most:
+                repair = repair._replace(beside=self._mended_beside(repair))
             if (
                 allowed >= 0
                 and len(mends) >= most
@@ -179,6 +183,22 @@ class Blame:
                 most = len(mends)
                 found.append(repair)
         return sorted(found, key=likelihood)
+
+    def _mended_beside(self, repair: Repair) -> int:
+        """How many claims a repair mends that may have been meant otherwise."""
+        about = (c for c in self._derivation.claims if repair.place in c.reads())
+        failing = (c for c in about if self.verdicts.get(c.id) is Verdict.REFUTED)
+        return sum(c.id in self.doubted and self._is_mended(repair, c) for c in failing)
+
+    def _is_mended(self, repair: Repair, claim: Claim) -> bool:
+        """Whether a repair makes a claim true: at points, or by a proof if they cannot tell."""
+        if (at_points := self._passes(repair, claim)) is not None:
+            return at_points
+        on = self._on(claim)
+        try:
+            return statement_of(repair.of(claim, on.texts), on).holds()
+        except (NotationError, Meaningless, ZeroDivisionError):
+            return False
 
     def _passes(self, repair: Repair, claim: Claim) -> bool | None:
         on = self._on(claim)

@@ -51,6 +51,8 @@ class Repair(NamedTuple):
     change: Edit | ConstantRelation
     place: Printed
     mends: tuple[Claim, ...]
+    beside: int = 0
+    """How many more it mends of which nobody is sure that they are meant as they are read."""
 
     @property
     def tolerates(self) -> int:
@@ -58,7 +60,8 @@ class Repair(NamedTuple):
 
         What was claimed of a misprinted law may be true of that by chance.
         """
-        return (len(self.mends) - 1) // 2 if self.suspect is Suspect.LAW else 0
+        mended = len(self.mends) + self.beside
+        return (mended - 1) // 2 if self.suspect is Suspect.LAW else 0
 
     def of(self, claim: Claim, texts: Texts) -> Neighbour:
         """What a claim says with the repair."""

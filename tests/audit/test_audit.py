@@ -14,8 +14,6 @@ from kowalevski_cas.verify.run import Session
 from study.mutants.synthetic import synthetic
 from tests.audit.material import audited, base, changed, source, watched
 
-pytestmark = pytest.mark.usefixtures("copies")  # they have the run of the paper
-
 
 def by_id(found):
     return {formula.id: formula for formula in found.formulas}

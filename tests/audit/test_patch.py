@@ -10,8 +10,6 @@ from kowalevski_cas.audit.patch import patch, repair_source
 from kowalevski_cas.source.text import Source
 from tests.audit.material import audited, audited_again, base, changed, patched, source, watched
 
-pytestmark = pytest.mark.usefixtures("copies")  # they have the run of the paper
-
 
 def wrong(text: str) -> list[str]:
     found = audit(Source("paper.tex", text), base())

@@ -14,8 +14,6 @@ from kowalevski_cas.verify.outcome import Verdict
 from tests.audit.material import base, source
 from tests.sample import sampled
 
-pytestmark = pytest.mark.usefixtures("copies")  # they have the run of the paper
-
 PIECES = r"""\ne = < $ $$ { } \\ & \begin{array}{l} \end{array} \end{equation} \def\a{ \let \sqrt ^ _ '
 \frac \text{ , 0 x_1 \omega_1 \theta J_1 K i % ( ) \dot /0 ^{-1} \bs\alpha""".split()
 

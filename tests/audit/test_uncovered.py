@@ -14,8 +14,6 @@ from kowalevski_cas.source.tokens import tokens_of
 from tests.audit.material import audited, base, paper_path, source, watched
 from tests.sample import sampled
 
-pytestmark = pytest.mark.usefixtures("copies")  # they have the run of the paper
-
 SEED, SIZE = 2002, 44
 
 CHANGES = [

@@ -34,6 +34,9 @@ def test_a_state_of_any_size_is_followed_and_no_constant_is_lost(capfd):
         assert main(["motion", "--point", *numbers, "0", numbers[3], "0", "--until", "0"]) == 0
         invariants = json.loads(capfd.readouterr().out)["invariants"]
         assert all(Decimal(str(invariants[name])) != 0 for name in "abh")
+        point = ["--point", *numbers, "0", numbers[3], "0", "--until", "0", "--format", "table"]
+        assert main(["motion", *point]) == 0
+        assert f"a = {float(invariants['a']):.6g}"[:6] in capfd.readouterr().out
 
 
 def test_a_state_beside_a_set_is_followed_where_it_is(capfd):

@@ -120,3 +120,9 @@ def test_constants_under_bars_are_complex():
     assert law.integral(r"|a|^2+|b|^2").verdict == "proved"
     real = System(r"i\dot a=\Delta a+\bar cb,\ i\dot b=\bar ca-\Delta b")
     assert real.integral(r"|a|^2+|b|^2").verdict == "refuted"
+
+
+def test_an_amplitude_may_have_its_modulus_in_its_own_equation():
+    law = System(r"i\dot\psi=|\psi|^2\psi")
+    assert law.integral(r"|\psi|^2").verdict == law.integral(r"|\psi|").verdict == "proved"
+    assert law.integral(r"\psi").verdict == law.integral(r"\psi^2").verdict == "refuted"

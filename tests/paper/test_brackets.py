@@ -59,3 +59,38 @@ def test_a_printed_bracket_has_to_be_antisymmetric():
 def test_the_bracket_with_the_energy_is_the_motion():
     assert FreeTop().verdict(Identity, r"\dot{\bf M}=\{{\bf M},H\}") == "proved"
     assert FreeTop().verdict(Identity, r"\dot{\bf M}=\{H,{\bf M}\}") == "refuted"
+
+
+class Particle(Paper):
+    """A particle, with a bracket that is printed with indices."""
+
+    def __init__(self, *brackets):
+        super().__init__()
+        parts = {r"\mathbf{r}": ("r_1", "r_2", "r_3"), r"\mathbf{p}": ("p_1", "p_2", "p_3")}
+        self.scene = Scene(
+            "particle", variables=(*parts[r"\mathbf{r}"], *parts[r"\mathbf{p}"]), vectors=parts,
+            definitions={tex.partition("=")[0]: self(tex) for tex in brackets},
+        )  # fmt: skip
+
+
+CANONICAL, OF_MOMENTA = (
+    r"\{r_i,p_j\}=\delta_{ij}",
+    r"\{p_i,p_j\}=r_ir_j-r_jr_i+\varepsilon_{ijk}r_k",
+)
+
+
+@pytest.mark.parametrize(
+    ("brackets", "tex", "verdict"),
+    [
+        ([CANONICAL], r"\{r_1,p_1\}=1", "proved"),
+        ([CANONICAL], r"\{r_1,p_2\}=0", "proved"),
+        ([CANONICAL], r"\{r_2p_3-r_3p_2,r_3p_1-r_1p_3\}=r_1p_2-r_2p_1", "proved"),
+        ([CANONICAL], r"\{r_2p_3-r_3p_2,p_2\}=3p_3", "refuted"),
+        ([CANONICAL, OF_MOMENTA], r"\{p_1,p_2\}=r_3", "proved"),
+        ([r"\{r_i,p_j\}=r_ip_j"], r"\{r_1,p_2\}=r_1p_2", "proved"),
+        ([r"\{r_i,p_j\}=r_ip_j+r_kp_k\delta_{ij}"], r"\{r_1,p_1\}=2r_1p_1+r_2p_2+r_3p_3", "proved"),
+        ([r"\{r_i,p_j\}=c_{ij}"], r"\{r_1,p_2\}=0", "error"),
+    ],
+)
+def test_what_has_no_index_k_is_not_summed_over_it(brackets, tex, verdict):
+    assert Particle(*brackets).verdict(Identity, tex) == verdict

@@ -362,6 +362,32 @@ def test_a_root_has_either_sign_where_the_sentence_speaks_of_it(words, is_said):
         assert found.green == green
 
 
+LAWS = r"""\documentclass{article}\begin{document}
+The equations of motion are
+\begin{equation}\label{law}
+\dot x=yz+by,\qquad \dot y=xz+bx,\qquad \dot z=-xy.
+\end{equation}
+The functions
+\begin{equation}\label{integrals}
+A=x^2+y^2+2z^2,\qquad B=x^2-y^2+4bz
+\end{equation}
+are integrals. Points of the lines
+\begin{equation}\label{lines}
+y=0,\ z=b\qquad\text{and}\qquad x=0,\ z=-b
+\end{equation}
+are in equilibrium. The plane $x=y$ is invariant.
+\end{document}
+"""
+
+
+def test_what_may_have_been_meant_otherwise_speaks_for_a_repair_all_the_same():
+    run = ReadingSession(read(decode("disks.tex", LAWS.encode())), timeout=20)
+    found = {id: outcome.verdict for id, outcome in run.outcomes.items()}
+    assert [place.place for place in run.causes.misprints] == ["law.2"]
+    assert found["integrals.1"] is found["integrals.2"] is Verdict.REFUTED
+    assert found["x-y"] is Verdict.UNDECIDED
+
+
 @pytest.mark.parametrize("said", ["It has the integral $x^2+y^2=1$.", "Here $x^2+y^2=1$."])
 def test_a_rate_may_be_meant_where_what_moves_has_a_value_that_is_said_before(said):
     system = r"The equations of motion are $$\dot x=y,\quad \dot y=-x.$$ "

@@ -18,7 +18,7 @@ LETTER: Final = 1.32
 """The width of a letter in a box."""
 
 _HEIGHT: Final = 205.0
-_LAYER: Final = 13.0
+_LAYER: Final = 10.5
 
 
 @dataclass(frozen=True)
