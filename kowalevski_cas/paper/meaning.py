@@ -67,8 +67,12 @@ class Meaning(Setting):
         """The partial derivative of what is written out in the operations of a space."""
         above = [(one, next) for one, next, by in self.scene.jets if by == name]
         if above:
-            parts = (times(Partial(formula, one), Name(next)) for one, next in above)
-            return total((Partial(formula, name), *parts))
+            parts = (times(self._partial(formula, one), Name(next)) for one, next in above)
+            return total((self._partial(formula, name), *parts))
+        return self._partial(formula, name)
+
+    def _partial(self, formula: Formula, name: str) -> Formula:
+        """The derivative by a name, of which no function without a formula is one."""
         if name in self.radicals:
             return Quotient(Partial(formula, self.radicals.root(name)), self.radicals.slope(name))
         if isinstance(formula, Name) and formula.name in self.transcendental:

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kowalevski_cas import System
 from kowalevski_cas.notation import (
     Application,
     Name,
@@ -29,7 +30,7 @@ from tests.laws.identities import FALSE, TRUE
 from tests.paper.small import decide
 from tests.sample import sampled
 
-pytestmark = pytest.mark.usefixtures("uncorrected")
+pytestmark = pytest.mark.usefixtures("uncorrected", "here")
 
 MOTION = r"\dot x=y,\quad\dot y=-a\sin x"
 QUARTER = r"\operatorname{sn}(K,k)=1,\quad\operatorname{cn}(K,k)=0,\quad\operatorname{dn}(K,k)=k'"
@@ -156,3 +157,12 @@ def test_the_checker_knows_no_function_by_name():
     words = {word for name in FAMILY_OF for word in re.findall(r"[a-z]{2,}", name)} - {"mathrm"}
     texts = [path.read_text("utf-8") for path in Path(checker.__file__).parent.glob("*.py")]
     assert texts and not words & {word for text in texts for word in re.findall("[a-z]+", text)}
+
+
+def test_beside_a_potential_that_may_be_any_functions_are_derived_as_well():
+    system = System(r"\dot x=p,\ \dot p=-V'(x)-\sin x-x\cos x")
+    rate, cosine = r"\frac{\partial}{\partial x}(V(x)+x\sin x)=V'(x)+\sin x", r"+x\cos x"
+    assert system.identity(rate + cosine).verdict.green
+    assert not system.identity(rate).verdict.green
+    assert system.integral(r"\frac12p^2+V(x)+x\sin x").verdict.green
+    assert not system.integral(r"\frac12p^2+V(x)+\sin x").verdict.green
