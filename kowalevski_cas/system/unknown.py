@@ -47,7 +47,7 @@ class Unknown(NamedTuple):
 def unknown_functions(tex: str) -> list[Unknown]:
     r"""The functions of which a display says nothing but their argument.
 
-    >>> unknown_functions(r"\ddot r=-V'(r)+\frac{c^2}{r^3}, \dot x(t)=y(t)")
+    >>> unknown_functions(r"\ddot r=-V'(r)+\frac{c^2}{r^3}, \dot x(t)=y(t), \dot y(t)=-x(t)")
     [Unknown(name='V', by='r', order=5)]
     """
     known = {
