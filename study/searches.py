@@ -11,9 +11,9 @@ from time import perf_counter
 
 from flint import (
     Ordering,
-    fmpq_mat,
     fmpq_mpoly,
     fmpq_mpoly_ctx,
+    fmpz_mat,
     fmpz_mpoly_ctx,
     fmpz_mpoly_vec,
     nmod_mat,
@@ -24,7 +24,7 @@ from sympy import QQ, Poly, groebner, symbols
 from sympy.polys.matrices import DomainMatrix
 
 from kowalevski_cas.algebra.elimination import PRIME
-from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_flint
+from kowalevski_cas.algebra.flint import polynomial_of, terms_of
 from kowalevski_cas.algebra.kernels import kernel, residue
 from kowalevski_cas.algebra.polynomials import primitive
 from kowalevski_cas.limits import time_limit
@@ -67,9 +67,10 @@ CAPTION = (
     f"The share of systems that a search finishes within a time, up to {SECONDS:g} s. On the "
     f"left the polynomials without a derivative along {len(LEFT)} published fields, up to the "
     "degree of the published integrals: the kernel of one matrix over the rational numbers, by "
-    "python-flint and SymPy; modulo a prime of 61 bits as a whole, which is its rank only, and by "
-    "blocks, lifted and checked: constants are numbers there. In the middle the whole search of "
-    "this program, for all values of constants. On the right the equations for quadratic $F$ "
+    "python-flint (of integers), SymPy and Singular (syzygies, with its start); modulo a prime of "
+    "61 bits as a whole, which is its rank only, and by blocks, lifted and checked: constants are "
+    "numbers there. In the middle the whole search of this program, for all values of constants. "
+    "On the right the equations for quadratic $F$ "
     f"with $F'=KF$ in {len(RIGHT)} published fields, where constants are unknown too: solved by "
     "cases, one factor after another, and by Gröbner bases of four programs, of which the one with "
     "cofactors is this one's."
@@ -152,11 +153,12 @@ def _modulo_a_prime(columns: Sequence[Terms]) -> int:
 
 
 def _rational(columns: Sequence[Terms]) -> int:
-    height, places = _entries(columns)
-    matrix = fmpq_mat(height, len(columns))
+    whole = [primitive(column) if column else column for column in columns]
+    height, places = _entries(whole)
+    matrix = fmpz_mat(height, len(columns))
     for row, k, value in places:
-        matrix[row, k] = to_flint(value)
-    return len(columns) - int(matrix.rref()[1])
+        matrix[row, k] = int(value)
+    return int(matrix.nullspace()[1])
 
 
 def _rational_by_sympy(columns: Sequence[Terms]) -> int:
@@ -165,6 +167,25 @@ def _rational_by_sympy(columns: Sequence[Terms]) -> int:
     for row, k, value in places:
         rows.setdefault(row, {})[k] = QQ(value.numerator, value.denominator)
     return int(DomainMatrix(rows, (height, len(columns)), QQ).nullspace().shape[0])
+
+
+def _syzygies(one: Published) -> Callable[[], int]:
+    """The relations of the columns, which are vectors of constants for Singular."""
+    columns = _columns(one)
+    _, places = _entries(columns)
+    vectors = [["0*gen(1)"] for _ in columns]
+    for row, k, value in places:
+        vectors[k].append(f"({value})*gen({row + 1})")
+    module = ",".join("+".join(vector) for vector in vectors)
+    text = f"ring r=0,x,dp; module m={module}; size(syz(m)); quit;"
+    return partial(_number_by_singular, text)
+
+
+def _number_by_singular(text: str) -> int:
+    """The last number that Singular prints, which is started for it."""
+    call = [*TOOLS["singular"].call(), "-q"]
+    done = subprocess.run(call, input=text, capture_output=True, text=True, check=True)
+    return int(done.stdout.split()[-1])
 
 
 def _kernel(of: Callable[[Sequence[Terms]], int], one: Published) -> Callable[[], int]:
@@ -182,6 +203,7 @@ LINEAR: dict[str, Prepared] = {
     "modular": partial(_kernel, _modulo_a_prime),
     "python-flint": partial(_kernel, _rational),
     "sympy": partial(_kernel, _rational_by_sympy),
+    "singular": _syzygies,
 }
 
 
@@ -247,13 +269,7 @@ def _by_singular(one: Published) -> Callable[[], int]:
     names = ",".join(equations[0].context().names() if equations else (f"g{k}" for k in places))
     ideal = ",".join(map(str, equations))
     text = f"ring r=0,({names}),dp; ideal i={ideal}; option(redSB); size(std(i)); quit;"
-    call = TOOLS["singular"].call()
-
-    def work() -> int:
-        done = subprocess.run([*call, "-q"], input=text, capture_output=True, text=True, check=True)
-        return int(done.stdout.split()[-1])
-
-    return work
+    return partial(_number_by_singular, text)
 
 
 POLYNOMIAL: dict[str, Prepared] = {
