@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Callable
 from decimal import Decimal
 from io import BytesIO
@@ -11,6 +12,12 @@ import numpy as np
 
 from kowalevski_cas.motion.result import Trajectory
 from kowalevski_cas.schema import head
+
+SMALL = 1e-2
+"""Numbers below this one are small for four decimals."""
+
+LEAST = -300
+"""The least power of ten in units of which states are printed."""
 
 TOLD = ("invariants", "critical_sets", "regime")
 """What is said of a motion besides its states."""
@@ -50,11 +57,21 @@ def _digits(value: float | str) -> str:
 
 
 def as_table(result: Trajectory) -> bytes:
-    """For reading: the states to four decimals, then the constants, their drift and the regime."""
+    """For reading: the states to four decimals, then the constants, their drift and the regime.
+
+    Where the velocities or the fields are too small for four decimals, all of them are in units of
+    a power of ten.
+    """
     names = ("t", *(f"{letter}{k}" for letter in "ωαβ" for k in "₁₂₃"))
     lines = ["".join(f"{name:>8}" for name in names)]
-    for t, row in zip(result.times.tolist(), result.rows, strict=True):
+    rows = np.array(result.rows).reshape(-1, 9)
+    powers = [_power(rows[:, :3])] * 3 + [_power(rows[:, 3:])] * 6
+    for t, row in zip(
+        result.times.tolist(), (rows / 10.0 ** np.array(powers)).tolist(), strict=True
+    ):
         lines.append(f"{t:>8.6g}" + "".join(map(_decimal, row)))
+    units = [f"{n} in units of 1e{k}" for n, k in (("ω", powers[0]), ("α, β", powers[-1])) if k]
+    lines += [", ".join(units)] * bool(units)
     constants = [f"{n} = {_digits(v)}" for n, v in result.motion.constants.items()]
     lines += ["", ", ".join(constants)]
     lines.append(f"The integrals drift by at most {max(map(abs, result.drift.values())):.2g}.")
@@ -70,6 +87,13 @@ def _words(value: object) -> str:
     if isinstance(value, list):
         return ", ".join(map(_words, value))
     return f"{value:.12g}" if isinstance(value, float) else str(value)
+
+
+def _power(values: np.ndarray[tuple[int, int], np.dtype[np.float64]]) -> int:
+    """The power of ten in units of which values are printed, zero unless they are small."""
+    largest = float(np.max(np.abs(values), initial=0.0))
+    small = 0 < largest < SMALL
+    return max(math.floor(math.log10(largest)), LEAST) if small else 0
 
 
 def _decimal(value: float) -> str:

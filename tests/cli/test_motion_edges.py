@@ -39,6 +39,17 @@ def test_a_state_of_any_size_is_followed_and_no_constant_is_lost(capfd):
         assert f"a = {float(invariants['a']):.6g}"[:6] in capfd.readouterr().out
 
 
+def test_a_small_state_is_printed_in_units_of_its_size(capfd):
+    for size, power in (("e-6", -6), ("e-200", -200), ("e-320", -300)):
+        state = [f"{x}{size}" for x in (1, 2, 3, 1, 0, 0, 0, 4, 1)]
+        assert main(["motion", "--point", *state, "--until", "0", "--format", "table"]) == 0
+        table = capfd.readouterr().out
+        assert f"ω in units of 1e{power}, α, β in units of 1e{power}" in table
+        assert power == -300 or "  1.0000  2.0000  3.0000  1.0000" in table
+    assert main(["motion", *FAST, "--format", "table"]) == 0
+    assert "in units of" not in capfd.readouterr().out
+
+
 def test_a_state_beside_a_set_is_followed_where_it_is(capfd):
     """Not its neighbour on the set, which may leave it, unless that is asked for."""
     on_N4 = json.loads(_printed(capfd, ["--a", "1", "--b", "0.4", "--m", "0.8", "--l", "0.9"]))
