@@ -17,7 +17,7 @@ PAGE = Path(__file__).with_name("kowalevski-cas.1")
 def page() -> str:
     """The manual page, the same in every version of Python that formats help alike."""
     parser = whole_parser()
-    parser.man_short_description = "check the formulas of papers in mechanics"  # type: ignore[attr-defined]
+    parser.man_short_description = "check the formulas of papers in mechanics"  # type: ignore[attr-defined] # where argparse-manpage looks for it
     data = {
         "project_name": "kowalevski-cas",
         "version": __version__,

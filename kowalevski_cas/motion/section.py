@@ -80,7 +80,7 @@ def _by_dop853(starts: Array, until: float, coordinate: int, rates: Function) ->
     def largest(_: float, state: Array) -> float:
         return float(rates(*state.tolist())[coordinate])
 
-    largest.direction = -1.0  # type: ignore[attr-defined]
+    largest.direction = -1.0  # type: ignore[attr-defined] # where SciPy looks for it
     found = []
     for start in starts:
         solution = solve_ivp(

@@ -36,10 +36,10 @@ def index_of_map(tex: str) -> str:
     >>> index_of_map(r"x_{n+1}=y_n, y_{n+1}=-x_n"), index_of_map(r"\dot u_i=u_{i+1}")
     ('n', '')
 
-    The index of a sum, and one with a range, counts something else.
+    The index of a sum counts something else.
 
-    >>> index_of_map(r"H=\sum_{i=1}^2q_iq_{i+1}"), index_of_map(r"a_i=b_{i+1}-b_i, i=1,2")
-    ('', '')
+    >>> index_of_map(r"H=\sum_{i=1}^2q_iq_{i+1}"), index_of_map(r"x_{n+1}=2x_n, n=0,1,2")
+    ('', 'n')
     """
     tokens = scan(tex)
     letters = [letter + index for letter, index in Cursor(tex, tokens, Vocabulary()).letters()]
@@ -47,7 +47,7 @@ def index_of_map(tex: str) -> str:
         return ""
     steps = {symbol(name).index[:-2] for name in letters if symbol(name).index.endswith(STEP)}
     here = {symbol(name).index for name in letters}
-    bound = set(re.findall(r"\b([A-Za-z])\s*=\s*\d", tex))
+    bound = set(re.findall(r"\\(?:sum|prod)\s*_\s*\{?\s*([A-Za-z])", tex))
     found = [one for one in steps - bound if len(one) == 1 and one.isalpha() and one in here]
     return found[0] if len(found) == 1 else ""
 

@@ -5,6 +5,7 @@ import random
 import pytest
 
 from kowalevski_cas import System
+from kowalevski_cas.verify.outcome import Verdict
 from tests.laws.test_prints import FEW
 
 pytestmark = pytest.mark.usefixtures("uncorrected")
@@ -116,3 +117,14 @@ def test_what_is_known_of_motions_only_is_not_claimed_of_maps(claim):
     given = {"darboux": ("x_n", "1"), "find_integrals": (2,), "invariant": ("x_n=0",)}[claim]
     with pytest.raises(ValueError, match="of maps"):
         getattr(law, claim)(*given)
+
+
+@pytest.mark.parametrize("behind", ["", r",\ n=0,1,2,\dots", r",\ n=1,2,\ldots"])
+@pytest.mark.parametrize(
+    "factor", ["", r"\sum_{i=1}^{1}", r"\sum_{i=1}^2\frac12", r"\prod_{k=1}^3"]
+)
+def test_the_steps_of_a_map_are_counted_by_no_index_of_a_sum_or_a_product(factor, behind):
+    turn = System(rf"x_{{n+1}}={factor} y_n,\ y_{{n+1}}=-x_n{behind}")
+    expected = Verdict.REFUTED if "prod" in factor else Verdict.PROVED
+    assert turn.integral("x_n^2+y_n^2").verdict is expected
+    assert turn.integral("x_n^2-y_n^2").verdict is Verdict.REFUTED
