@@ -1,5 +1,7 @@
 """Ranks and relations modulo a prime, by both programs, against FLINT's dense matrices."""
 
+import random
+
 import pytest
 from flint import nmod_mat
 from hypothesis import given
@@ -7,6 +9,7 @@ from hypothesis import strategies as st
 
 from kowalevski_cas.algebra.elimination import LARGEST, PRIME, Echelon, TooLarge, rank, relations
 from kowalevski_cas.problem.checker import elimination as checker
+from tests.sample import sampled
 
 full = st.lists(st.lists(st.integers(-2, 2), min_size=6, max_size=6), min_size=1, max_size=9).map(
     lambda rows: [{k: v % PRIME for k, v in enumerate(row) if v} for row in rows]
@@ -68,3 +71,28 @@ def test_what_would_take_too_much_memory_is_refused(monkeypatch):
     rows = [{k: pow(j + 2, k, PRIME) for k in range(60)} for j in range(70)]
     with pytest.raises(TooLarge, match="60 rows and 70 columns"):
         rank(rows)
+
+
+@pytest.mark.parametrize("seed", sampled(range(200), 8))
+def test_vectors_of_any_density_with_dependent_ones_among_them(seed):
+    """From nearly empty ones, through those that fill up on the way, to full ones."""
+    chosen = random.Random(seed)
+    height, width = chosen.randint(0, 70), chosen.randint(1, 70)
+    density = chosen.choice([0.02, 0.05, 0.1, 0.2, 0.3, 0.6, 1])
+    values = [1, 2, PRIME - 1, chosen.randrange(1, PRIME)]
+    rows = [
+        {k: chosen.choice(values) for k in range(width) if chosen.random() < density}
+        for _ in range(height)
+    ]
+    for _ in range(chosen.randint(0, 15) if rows else 0):
+        one, other, factor = chosen.choice(rows), chosen.choice(rows), chosen.randrange(PRIME)
+        total = {k: one.get(k, 0) + factor * other.get(k, 0) for k in one.keys() | other.keys()}
+        rows.insert(
+            chosen.randint(0, len(rows)), {k: v % PRIME for k, v in total.items() if v % PRIME}
+        )
+    assert rank(rows) == checker.rank(rows, spend) == by_flint(rows)
+    found = relations(rows)
+    assert len(found) == len(rows) - by_flint(rows)
+    for relation in found:
+        for place in range(width):
+            assert sum(v * rows[k].get(place, 0) for k, v in relation.items()) % PRIME == 0
