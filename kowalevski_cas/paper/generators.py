@@ -49,9 +49,9 @@ def functions_of(setting: Meaning) -> Transcendental:
     radicals: dict[str, frozenset[str]] = {}
     squares = [*_squares(setting)]
     for name, formulas in squares:
-        names = (_expand(setting, one).names() for one in formulas)
+        names = (_expand(setting, formula).names() for formula in formulas)
         below = frozenset[str]().union(*names) - {name}
-        radicals[name] = below.union(*(radicals.get(one, ()) for one in below))
+        radicals[name] = below.union(*(radicals.get(letter, ()) for letter in below))
         (constants if radicals[name].issubset(constants) else moving).append(name)
     printed = [formula for _, formulas in squares for formula in formulas]
     free, expanded = free_names(setting, [*own, *printed]), partial(_expand, setting)
@@ -131,7 +131,9 @@ def free_names(setting: Meaning, formulas: Iterable[Formula]) -> frozenset[str]:
         new = (outside(formula) | applied) - found
         found |= new
         found.update(part for name in new for part in scene.vectors.get(name, ()))
-        waiting += _definitions(setting, [one for name in new for one in heads.get(name, ())])
+        waiting += _definitions(
+            setting, [definition for name in new for definition in heads.get(name, ())]
+        )
     return frozenset(found)
 
 
@@ -203,8 +205,8 @@ def _rate(
     if name in known:
         return known[name]
     rates = {
-        one: force if factor == ONE else Quotient(force, factor)
-        for one, (factor, force) in known.items()
+        moving: force if factor == ONE else Quotient(force, factor)
+        for moving, (factor, force) in known.items()
     }
     argument = setting.plain(product_of(monomial))
     reach = Reach(setting)
@@ -220,7 +222,7 @@ def check_hypotheses(goals: Iterable[Goal]) -> None:
 
     Nor is anything known of the dependence of several functions of them.
     """
-    for goal in (one for whole in goals for one in simple(whole)):
+    for goal in (part for whole in goals for part in simple(whole)):
         setting = goal.space
         if not isinstance(setting, Meaning) or not setting.transcendental.dependent:
             continue

@@ -58,11 +58,13 @@ def velocities(
     found: dict[str, str] = {}
     for equation in equations:
         for name, order in _orders(equation, given=given):
-            for one in vectors.get(name, (name,)):
-                rate = one
-                if one in variables and order > 3:
-                    raise Meaningless(f"{one} is derived {order} times: at most three are read")
-                for _ in range(order - 1 if one in variables else 0):
+            for variable in vectors.get(name, (name,)):
+                rate = variable
+                if variable in variables and order > 3:
+                    raise Meaningless(
+                        f"{variable} is derived {order} times: at most three are read"
+                    )
+                for _ in range(order - 1 if variable in variables else 0):
                     found[rate] = rate = rate_name(rate)
     return found
 
@@ -110,7 +112,7 @@ def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[EquationOfMot
                 )
     whole = with_generators(setting, rows, complete=not others)
     rows = [*map(setting.radicals.row, whole)]
-    jets = [one for one, _, _ in setting.scene.jets]
+    jets = [jet for jet, _, _ in setting.scene.jets]
     if others:
         known = {name for row in rows for name in row.names}.union(jets)
         unknown = [name for name in setting.variables if name not in known]
@@ -197,8 +199,8 @@ def _solve(
     generators = {name: at.ring.generator(rate) for name, rate in rates.items()}
     turned = {one: at.scalar(by) * generators[name] for one, (name, by) in angles.items()}
     jets = {
-        one: at.ring.generator(next) * generators[by]
-        for one, next, by in setting.scene.jets
+        jet: at.ring.generator(next) * generators[by]
+        for jet, next, by in setting.scene.jets
         if by in generators
     }
     given = [*known, *_rows_of_jets(known, setting)]
@@ -224,11 +226,11 @@ def _solve(
         pairs = zip(matrix, constant, strict=True)
         changed = [[*line[:k], -value, *line[k + 1 :]] for line, value in pairs]
         row = formula_in(whole), formula_in(determinant(changed))
-        left = {index for one in row for index in at.scalar(one).denominator}
+        left = {index for entry in row for index in at.scalar(entry).denominator}
         gone = sorted({index for value in values for index in value.denominator} - left)
         below = [formula_in(Element(at.ring, {0: at.ring.divisors[n]}, {})) for n in gone]
         yield EquationOfMotion(
-            (name,), *(times(*below, one) for one in row)
+            (name,), *(times(*below, entry) for entry in row)
         )  # what cancels is remembered
 
 
