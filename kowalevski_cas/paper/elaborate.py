@@ -80,7 +80,11 @@ class Elaboration(Moving):
             *functions.products(moving=True),
             *(functions.instead(scene.time) if functions.depends_on_time else ()),
         ]
-        still = [n for one in (*scene.constants, *scene.undefined) for n in functions.instead(one)]
+        still = [
+            n
+            for constant in (*scene.constants, *scene.undefined)
+            for n in functions.instead(constant)
+        ]
         still += functions.products(moving=False)
         root = self.radicals.root
         self.variables = tuple(root(n) for n in moving if n not in named | self.zero)

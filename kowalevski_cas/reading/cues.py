@@ -106,6 +106,10 @@ CUES: dict[str, str] = {
         \bclaims?\s+that \bclaimed\b \basserted?\b \bwrites\b \bconjectur\w+
         one\s+might\s+(?:think|expect) \bbelieve[sd]?\b it\s+is\s+said утвержда\w+ по\s+мнению
         предположительно гипотез\w+""",
+    "another law": r"""
+        (?:\bif|\bwhen|\bfor|even|also)\b[^.;]*\bfunctions?\s+of\s+(?:the\s+)?time
+        (?:\bif|\bwhen|even|also)\b[^.;]*\bdepends?\s+on\s+(?:the\s+)?time
+        (?:\bесли|\bкогда|\bпри)\b[^.;]*(?:функци\w+\s+времени|завис\w+\s+от\s+времени)""",
     "system": r"""
         equations?\s+of\s+motion equations?\s+(?:are|read|take|have) \bsystem\b \bmodel\b
         now\s+consider reduced\s+(?:system|equations) in\s+polar\s+coordinates another\s+system

@@ -85,8 +85,11 @@ class FollowsFinder(PointFinder):
         conclusions: Sequence[Sequence[Element]], known: Sequence[Element], at: Evaluation
     ) -> Proof | None:
         """A proof by cases where all are polynomials."""
-        everything = (*known, *(one for conclusion in conclusions for one in conclusion))
-        plain = not any(one.denominator for one in everything) and not at.ring.roots
+        everything = (
+            *known,
+            *(difference for conclusion in conclusions for difference in conclusion),
+        )
+        plain = not any(difference.denominator for difference in everything) and not at.ring.roots
         if not plain or not known or not is_real(at.setting):
             return None
         return proof_by_cases(conclusions, known)
@@ -123,20 +126,20 @@ class FollowsFinder(PointFinder):
         ]
 
         def fail(values: Values) -> bool:
-            return all(any(map(inverse_of, map(values, one))) for one in failing)
+            return all(any(map(inverse_of, map(values, conclusion))) for conclusion in failing)
 
         everywhere = isinstance(goal, Fails) and not goal.given
         on_pieces = self.on_pieces(known, fail) if everywhere else None
 
         def good(candidate: Candidate) -> bool:
-            some = all(not candidate.vanish(one) for one in failing)
+            some = all(not candidate.vanish(conclusion) for conclusion in failing)
             return some and (on_pieces is None or on_pieces(candidate))
 
-        divided = [*law(goal, at), *known, *(e for one in failing for e in one)]
+        divided = [*law(goal, at), *known, *(e for conclusion in failing for e in conclusion)]
         divided += [condition.inverse() for condition in conditions]
         # The basis below costs more than points in general position.
         point = self.point(at, known, divided, good, 0, SIMPLEST, squares=False)
-        if point is None and not any(all(vanish_on(one, known)) for one in failing):
+        if point is None and not any(all(vanish_on(conclusion, known)) for conclusion in failing):
             point = self.point(at, known, divided, good, among=SIMPLEST)
         return None if point is None else At(point)
 

@@ -194,7 +194,7 @@ def _points(
     """Those candidates as points where elements vanish, nothing to avoid does, and all is good."""
     for candidate in tried:
         with suppress(ZeroDivisionError, Misplaced):
-            if candidate.squares and any(candidate(one).is_zero for one in avoid):
+            if candidate.squares and any(candidate(element).is_zero for element in avoid):
                 continue
             if candidate.vanish(zero) and good(candidate):
                 point = candidate.point(names)

@@ -122,7 +122,7 @@ def _choices(constraints: list[fmpq_mpoly], variables: Sequence[int]) -> Iterato
         if len(chosen) == len(constraints):
             yield chosen
             return
-        if not _has_matching([one.difference(chosen) for one in usable[len(chosen) :]]):
+        if not _has_matching([columns.difference(chosen) for columns in usable[len(chosen) :]]):
             return
         degrees = occurring[len(chosen)]
         own = usable[len(chosen)].difference(chosen)

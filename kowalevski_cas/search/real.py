@@ -206,7 +206,7 @@ def points_with_squares(
     }
     if not squared:
         return
-    halves = [_halved(one, squared) for one in (*constraints, *radicands)]
+    halves = [_halved(polynomial, squared) for polynomial in (*constraints, *radicands)]
     avoid = [
         _halved(equation, squared)
         for element in nonzero
@@ -216,7 +216,7 @@ def points_with_squares(
     positive = [coordinates.context.gens()[place] for place in squared]
     positive += halves[len(constraints) :]
     for values in points(halves[: len(constraints)], range(len(coordinates.names)), avoid):
-        if all(constant(one, values) >= 0 for one in positive):
+        if all(constant(polynomial, values) >= 0 for polynomial in positive):
             point = {**coordinates.point(values)}
             found = {coordinates.names[place]: values[place] for place in squared}
             yield {name: point[name] for name in point.keys() - found.keys()}, found

@@ -275,5 +275,5 @@ def instances(certificate: Json) -> Iterable[tuple[Json, Json, Json, bool]]:
         if denied:
             raise Inexpressible("nothing can be said about all expressions")
         values = dict(evidence["values"])
-        for one, entry in zip(goal["goals"], evidence["evidence"], strict=True):
-            yield one, entry, values, True
+        for inner, entry in zip(goal["goals"], evidence["evidence"], strict=True):
+            yield inner, entry, values, True
