@@ -58,12 +58,16 @@ def statements(tex: str) -> tuple[StatementTokens, ...]:
     With a ± in it, it is two statements, and one for each value of an index with a range.
     """
     tokens, ranges = without_ranges(scan(tex), tex)
-    found = [one for own in _statement_of(tokens, tex) for one in each_value(own, ranges, tex)]
+    found = [
+        statement
+        for own in _statement_of(tokens, tex)
+        for statement in each_value(own, ranges, tex)
+    ]
     groups = _groups(tex)
     return tuple(
-        StatementTokens(one, *_interval(one, groups))
+        StatementTokens(tokens, *_interval(tokens, groups))
         for statement in found
-        for one in _signs_of(statement)
+        for tokens in _signs_of(statement)
     )
 
 

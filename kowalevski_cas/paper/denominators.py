@@ -26,7 +26,7 @@ class Divisor(NamedTuple):
 
     def without(self, known: Set[Shape]) -> Divisor:
         """The product of the factors that are not known, each once."""
-        new = {shape: one for shape, one in self.factors.items() if shape not in known}
+        new = {shape: exponent for shape, exponent in self.factors.items() if shape not in known}
         return Divisor(reduce(mul, new.values(), self.element.ring.one), new)
 
 
@@ -66,7 +66,7 @@ class Divisors:
                 element = self.setting.finder.scalar(formula)
                 cancelled = _common_factors(element)
                 factors = factors_below(element.inverse()).items()
-                left = {shape: one for shape, one in factors if shape not in cancelled}
+                left = {shape: exponent for shape, exponent in factors if shape not in cancelled}
                 found[formula] = Divisor(element, left)
         return found
 
@@ -125,7 +125,7 @@ def _common_factors(element: Element) -> set[Shape]:
 
 def factors_of(element: Element) -> dict[Shape, Element]:
     """The irreducible factors of a numerator without roots, in FLINT."""
-    factors = (Element(element.ring, {0: one}, {}) for one, _ in element.parts[0].factor()[1])
+    factors = (Element(element.ring, {0: factor}, {}) for factor, _ in element.parts[0].factor()[1])
     return {shape_of(factor): factor for factor in factors}
 
 

@@ -244,7 +244,7 @@ class Plain:
         either = [name for name in others if name in self.setting.scene.roots]
         if first != "i" and not first.startswith(r"\sqrt"):
             either = [first]
-        for name in (one for one in either if not one.startswith(r"\sqrt")):
+        for name in (base for base in either if not base.startswith(r"\sqrt")):
             shown = to_latex(root)
             raise Meaningless(f"{name} may be {shown} or its opposite: print {name}, not {shown}")
         return root

@@ -76,8 +76,8 @@ def _moves(statement: Statement) -> bool:
 
 def _empty(statement: Statement) -> int:
     """How many of the equations that are supposed hold everywhere."""
-    simple_ones = (one for goal in statement.goals for one in simple(goal))
-    given = ((one.space, getattr(one, "given", ())) for one in simple_ones)
+    simple_ones = (part for goal in statement.goals for part in simple(goal))
+    given = ((part.space, getattr(part, "given", ())) for part in simple_ones)
     return sum(d.is_zero for space, some in given for d in finder_of(space).differences(some))
 
 
@@ -91,13 +91,13 @@ def _count_repeated(statement: Statement) -> int:
     """How many equations that are supposed or stated are multiples of another that is supposed."""
     count = 0
     for goal in statement.goals:
-        for one in simple(goal):
-            at = finder_of(one.space)
-            given = at.differences(getattr(one, "given", ()))
+        for part in simple(goal):
+            at = finder_of(part.space)
+            given = at.differences(getattr(part, "given", ()))
             others = [[*given[:k], *given[k + 1 :]] for k in range(len(given))]
             count += sum(map(_is_multiple, given, others))
-            if isinstance(one, Follows) and not isinstance(goal, Exists):
-                stated = [e for conclusion in one.conclusions for e in at.differences(conclusion)]
+            if isinstance(part, Follows) and not isinstance(goal, Exists):
+                stated = [e for conclusion in part.conclusions for e in at.differences(conclusion)]
                 count += sum(_is_multiple(element, given) for element in stated)
     return count
 
@@ -121,7 +121,7 @@ def _trivial(formula: Formula) -> bool:
     several = (
         node for node in formula.nodes() if isinstance(node, Relation | PoissonBracket | Sum)
     )
-    return any(len({*map(_unsigned, one.children())}) < len(one.children()) for one in several)
+    return any(len({*map(_unsigned, node.children())}) < len(node.children()) for node in several)
 
 
 def _unsigned(formula: Formula) -> Formula:
@@ -140,7 +140,7 @@ def _common(formula: Formula) -> set[str]:
         case Negative() | Power():
             return _common(formula.children()[0])
         case Relation() | Sum():
-            parts = [_common(one) for one in formula.children() if one != Number(0)]
+            parts = [_common(part) for part in formula.children() if part != Number(0)]
             return set.intersection(*parts) if parts else set()
         case Quotient():
             return _common(formula.numerator)
