@@ -16,9 +16,9 @@ CUES: dict[str, str] = {
     "energy": r"""
         \benergy\b(?!\s+levels?)(?:\s+(?!satisf|chang|equation)\w+){0,5}[\s:,]*$
         \bэнерги[яи]\b(?:\s+\w+){0,4}[\s:,—-]*$""",
-    "one more": r"""
-        \bone\s+more\b \banother(?:\s+(?:one|of))?\b \bothers?\b \balso\b \btoo\b \bbesides\b
-        \b(?:second|third|fourth)\s+one\b \bещ[её]\s+один\b \bдруг(?:ой|ая|ие)\b \bтакже\b""",
+    "its constant": r"""
+        (?<=\w)(?<!\band)\s+with\s+the\s+constants?[\s:]*$
+        (?<=\w)(?<!\bи)\s+с\s+постоянн(?:ой|ыми)[\s:]*$""",
     "invariant": r"""
         invariant keeps?\s+the (?:leaves?|leaving)\s+(?:it|them|the\s+\w+)\s+invariant
         no\s+(?:motion|trajectory|orbit|solution)\s+leaves satisfied\s+by инвариантн\w+

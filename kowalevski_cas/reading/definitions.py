@@ -174,7 +174,10 @@ def _is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
     if found := known.definitions.get(function) or known.definitions.get(
         known.names.whole(function)
     ):
-        unclear = any(not known.is_explained(n) for one in found for n in one.names)
+        if _defines_anew(item, found):
+            return True
+        bound = {n for one in found for name in one.printed.heads.names for n in head(name)[1]}
+        unclear = any(not known.is_explained(n) for one in found for n in one.names - bound)
         return unclear and all(known.is_explained(n) for n in item.names)
     if known.moves(function) or function in known.times:
         return False
@@ -191,6 +194,13 @@ def _is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
         or (bool(cue("where", item.lead)) and _is_near(known.seen[function], item))
         or (new and not item.typed.inline)
     )
+
+
+def _defines_anew(item: SourceStatement, found: list[SourceStatement]) -> bool:
+    """Whether words let a display of another section define a name once more."""
+    apart = all(one.section not in item.sections for one in found)
+    said = cue("hamiltonian", item.lead[-40:]) or cue("define", item.lead)
+    return apart and not item.typed.inline and bool(said) and not cue("derived", item.lead)
 
 
 def _gives(name: str, item: SourceStatement, known: Known) -> bool:
@@ -212,27 +222,14 @@ def _is_law_left(item: SourceStatement) -> bool:
 
 
 def _integral_further_off(item: SourceStatement, known: Known) -> str:
-    """The words of the sentence of a display that call it an integral, or its energy.
-
-    As much is said of what follows an integral as one more of them.
-    """
+    """The words of the sentence of a display that call it an integral, or the energy."""
     if item.typed.inline or cue("follows", item.lead) or cue("deduced", item.lead):
         return ""
     if said := cue("integral", item.before) or cue("energy", item.lead):
         return said
-    before = [one for one in known.roles if one.order < item.order and one.section is item.section]
-    last = max(before, key=lambda one: one.order, default=None)
-    near = last is not None and (last.sentence == item.sentence or not last.typed.inline)
-    if last is not None and near and known.roles[last].kind == "integral":
-        return cue("one more", item.lead) or (
-            integral_words(last) if _is_beside(last, item) else ""
-        )
-    return ""
-
-
-def _is_beside(one: SourceStatement, item: SourceStatement) -> bool:
-    """Whether two statements stand in the same display."""
-    return one.typed is item.typed
+    before = [one for one in known.roles if one.typed is item.typed and one.order < item.order]
+    integrals = any(known.roles[one].kind == "integral" for one in before)
+    return integral_words(before[0]) if integrals else ""
 
 
 def _integral_that_defines(

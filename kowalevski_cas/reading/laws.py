@@ -124,9 +124,14 @@ class _LawFinder:
             return None
         if part[0].first.marks.isdisjoint(item.marks):  # derivatives by another time
             return None
-        if any(self._relates(one, item, moving) for one in self.paper.items):
+        rows = self.undefined(since)
+        following = [row for row in rows if self._follows(row, moving)]
+        if item in following:
             return None
-        law = self.grown(item, moving, self.undefined(since))
+        law = self.grown(item, moving, [row for row in rows if row not in following])
+        rated = {name for row in following for name in self.scalars(row)}
+        if law is not None and rated & {*self.names.scalars(law.mentions)} - moving:
+            return None  # it rests on what follows
         if law is not None:
             law.base = part[-1]
         return law
@@ -175,10 +180,12 @@ class _LawFinder:
     def _since(self, begins: int, row: SourceStatement) -> list[SourceStatement]:
         """The statements from an offset on, before a row."""
         return [
-            one
-            for one in self.paper.items
-            if begins <= one.typed.start and one.order < row.order
+            one for one in self.paper.items if begins <= one.typed.start and one.order < row.order
         ]
+
+    def _follows(self, row: SourceStatement, moving: Collection[str]) -> bool:
+        """Whether what a row derives was given before by what moves already."""
+        return any(self._relates(one, row, moving) for one in self.paper.items)
 
     def _relates(self, one: SourceStatement, row: SourceStatement, moving: Collection[str]) -> bool:
         """Whether an equation before a row gives what the row derives by what moves already."""

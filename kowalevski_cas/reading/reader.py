@@ -14,7 +14,9 @@ from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation, Doubt, Section
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
@@ -227,7 +229,16 @@ class _DerivationReader:
             (words.scalars | components | read - words.functions)
             - {"t", "d", *clocks, *vectors, *words.matrices}
         )
-        scene = Scene("all names", vectors, (), tuple(scalars))
+        functions: dict[str, str] = {}
+        places: dict[str, Printed] = {}
+        for item, role in self.parts.roles.items():
+            for name in role.names:
+                letter, arguments = head(name)
+                if arguments and letter != BRACKET and letter not in functions:
+                    functions[letter] = name
+                    places[name] = item.printed
+        scalars = sorted({*scalars} - functions.keys())
+        scene = Scene("all names", vectors, (), tuple(scalars), definitions=places)
         return replace(scene, time=(*clocks, "t")[0])
 
 

@@ -13,7 +13,7 @@ from kowalevski_cas.notation.symbol import name_of_rate
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.formulas import read_formula, vocabulary_of
-from kowalevski_cas.reading.indices import with_ranges
+from kowalevski_cas.reading.index_ranges import with_ranges
 from kowalevski_cas.reading.numbers import numbers_of
 from kowalevski_cas.reading.text import MARK, Prose, TextSection, references
 from kowalevski_cas.source.displays import TypedFormula
@@ -51,6 +51,8 @@ class SourceStatement:
     """The interval of the file in which it stands."""
     entry: tuple[int, int] | None = None
     """The interval of the item of a list in which it stands."""
+    earlier: tuple[str, ...] = ()
+    """The sentences before its own, the last one first."""
 
     @property
     def words(self) -> str:
@@ -193,7 +195,7 @@ def read_statements(source: Source) -> SourcePaper:
                     Printed(display, number), formula, tree, trouble, len(items), around.sentence,
                     around.lead, around.tail, around.before, around.after, around.paragraph,
                     path, prose.theorem(formula.start), around.refs, span,
-                    prose.entry(formula.start),
+                    prose.entry(formula.start), around.earlier,
                 )
             )  # fmt: skip
     return SourcePaper(source, prose, words, tuple(displays), tuple(items), lines, expanded)
@@ -210,6 +212,7 @@ class _Around:
         self.tail = self.after.partition(MARK)[0]
         self.refs = references(prose.text[start:end])
         self.paragraph = prose.text.rfind("\n\n", 0, formula.start)
+        self.earlier = prose.earlier(start, 3)
 
 
 def _label(formula: TypedFormula) -> str:

@@ -32,6 +32,14 @@ _SHIFTED = re.compile(r"_\s*\{\s*([a-z])\s*[+-]")
 _TENSOR = re.compile(r"\\(?:var)?epsilon\s*_|\\delta\s*_")
 
 
+_ALONE = re.compile(rf"\s*\(?\s*{_RANGE.pattern}\s*\)?[\s.,;]*")
+
+
+def is_range(formula: TypedFormula) -> bool:
+    """Whether a formula says over what an index runs, and nothing else."""
+    return _ALONE.fullmatch(formula.tex) is not None
+
+
 def with_ranges(formulas: Sequence[TypedFormula]) -> Iterator[str]:
     """The TeX of each formula, with the ranges of its indices behind it that stand elsewhere.
 
