@@ -13,6 +13,9 @@ CUES: dict[str, str] = {
         (?:is|are|remains?|stays?)\s+(?:a\s+|also\s+)?(?:constants?|preserved|conserved)
         do(?:es)?\s+not\s+(?:change|depend\s+on\s+(?:the\s+)?time) интеграл\w* сохраня\w+
         постоян(?:на|но|ны|ен)\b не\s+меня\w+""",
+    "its constant": r"""
+        (?<=\w)(?<!\band)\s+with\s+the\s+constants?[\s:]*$
+        (?<=\w)(?<!\bи)\s+с\s+постоянн(?:ой|ыми)[\s:]*$""",
     "invariant": r"""
         invariant keeps?\s+the (?:leaves?|leaving)\s+(?:it|them|the\s+\w+)\s+invariant
         no\s+(?:motion|trajectory|orbit|solution)\s+leaves satisfied\s+by инвариантн\w+
@@ -106,6 +109,10 @@ CUES: dict[str, str] = {
         \bclaims?\s+that \bclaimed\b \basserted?\b \bwrites\b \bconjectur\w+
         one\s+might\s+(?:think|expect) \bbelieve[sd]?\b it\s+is\s+said утвержда\w+ по\s+мнению
         предположительно гипотез\w+""",
+    "another law": r"""
+        (?:\bif|\bwhen|\bfor|even|also)\b[^.;]*\bfunctions?\s+of\s+(?:the\s+)?time
+        (?:\bif|\bwhen|even|also)\b[^.;]*\bdepends?\s+on\s+(?:the\s+)?time
+        (?:\bесли|\bкогда|\bпри)\b[^.;]*(?:функци\w+\s+времени|завис\w+\s+от\s+времени)""",
     "system": r"""
         equations?\s+of\s+motion equations?\s+(?:are|read|take|have) \bsystem\b \bmodel\b
         now\s+consider reduced\s+(?:system|equations) in\s+polar\s+coordinates another\s+system

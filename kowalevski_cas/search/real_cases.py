@@ -37,7 +37,7 @@ def proof_by_cases(
         rows = complete(map(combinations.row, conclusion))
         if rows is not None:
             return Proof(formula_rows([*_alternatives(conclusions, k, rows)]))
-    best = min(_products(combinations), key=lambda one: one[0], default=None)
+    best = min(_products(combinations), key=lambda product: product[0], default=None)
     if best is None or not depth:
         return None
     _, groups, power = best
@@ -52,7 +52,7 @@ def _alternatives(
     conclusions: Sequence[Sequence[Element]], place: int, rows: Sequence[Sequence[Element]]
 ) -> Iterator[list[Element]]:
     """Rows for the products of an element of each conclusion, from those for one conclusion."""
-    places = (range(len(one)) for one in conclusions)
+    places = (range(len(conclusion)) for conclusion in conclusions)
     for choice in product(*places):
         factor = rows[0][0].ring.one
         for k, (conclusion, number) in enumerate(zip(conclusions, choice, strict=True)):
