@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -237,8 +238,9 @@ def _line(axes: Axes, line: float, one: Summary, ground: str) -> None:
         left, right = axes.get_xlim()
         after = low * high < left * right  # where there is more room
         text: dict[str, Any] = {"ha": "left" if after else "right", "va": "center", "size": 6.5}
+        words = re.sub("[;,] ", "\n", one.words)
         axes.annotate(
-            one.words.replace("; ", "\n"), (high if after else low, line), (5 if after else -5, 0),
+            words, (high if after else low, line), (5 if after else -5, 0),
             textcoords="offset points", path_effects=[withStroke(linewidth=2.5, foreground=ground)],
             **text,
         )  # fmt: skip
