@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Sequence
 
-from kowalevski_cas.notation import Number, PoissonBracket
+from kowalevski_cas.notation import Name, Number, PoissonBracket
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.reading.cues import cue
@@ -148,10 +148,11 @@ def _implied(rung: Rung, known: Known) -> Iterator[str]:
 
 def _is_lost(name: str, known: Known) -> bool:
     """Whether a name stands alone on a side of what moves, and was given no meaning there."""
-    for one in known.later.get(name, ()):
+    for one in known.items:
         role = known.roles.get(one)
-        if role is not None and role.name not in (ASSUMPTION, LAW) and name not in role.names:
-            if known.varying(one.names - {name}):
+        if one.members and one.members[0] == Name(name) and role is not None:
+            solved = role.name not in (ASSUMPTION, LAW) and name not in role.names
+            if solved and known.varying(one.names - {name}):
                 return True
     return False
 
@@ -159,9 +160,10 @@ def _is_lost(name: str, known: Known) -> bool:
 def _is_plain(rung: Rung, item: SourceStatement, parts: Parts) -> bool:
     """Whether a claim stands on the only law of its variables, which rests on no other one."""
     rows = {*rung.claim.scene.field} if isinstance(rung.claim.scene.field, tuple) else set()
-    laws = parts.of(item).laws
+    laws = [law for law in parts.of(item).laws if not law.change]
     law = next((one for one in laws if {r.printed for r in one.rows} == rows), None)
-    if law is None or law.base is not None or not parts.is_sure(item, rung.claim.scene):
+    changed = law is not None and {*law.variables} != {*rung.claim.scene.variables}
+    if law is None or changed or law.base is not None or not parts.is_sure(item, rung.claim.scene):
         return False
     others = (one for one in laws if one is not law)
     return not any({*one.variables} & {*law.variables} for one in others)

@@ -23,11 +23,12 @@ from kowalevski_cas.notation.functions import FAMILY_OF
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.exponents import half_power
+from kowalevski_cas.paper.logarithms import roots as real_roots
 from kowalevski_cas.paper.names import BRACKET, DELTA, head, summation_indices
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, Known
-from kowalevski_cas.reading.laws import Law
+from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.statements import SourceStatement
 
 
@@ -105,7 +106,8 @@ class Stage:
             names.add(name)
             if name in moving or {*known.names.vectors.get(name, ())} & moving:
                 continue
-            by = known.definition(name, at)
+            by = law.given.get(name) if law else None
+            by = by or known.definition(name, at)
             if by is None and (whole := known.names.whole(name)) != name:
                 waiting.append(whole)
             elif by is not None:
@@ -135,8 +137,8 @@ class Stage:
         before = [law for law in known.laws if law.first.typed.start <= at.typed.start]
         before = before or known.laws
         fitting = [law for law in before if moved & {*law.variables}]
-        least = min((len(moved - {*law.variables}) for law in fitting), default=0)
-        near = [law for law in fitting if len(moved - {*law.variables}) == least]
+        lacking = {law: len(moved - {*law.variables, *law.given}) for law in fitting}
+        near = [law for law in fitting if lacking[law] == min(lacking.values())]
         smallest = [law for law in near if law.base not in near] or near
         cited = {*known.cited(at)}
         named = [law for law in smallest if cited & {*law.rows}]
@@ -263,7 +265,11 @@ class Stage:
                 yield from ((node.base.name, name) for name in fixed)
 
     def _roots(self, formula: Formula | None) -> Iterator[str]:
-        """The square roots that are printed in a formula, or that lengths of vectors are."""
+        """The square roots that are printed in a formula, or that lengths of vectors are.
+
+        Where logarithms and arcs are real, others are.
+        """
+        yield from map(to_latex, real_roots(formula) if formula is not None else ())
         for node in formula.nodes() if formula is not None else ():
             match node:
                 case Root():
