@@ -62,10 +62,16 @@ class Stage:
     scenes: dict[object, Supposed] = field(default_factory=dict)
 
     def scene(
-        self, items: Sequence[SourceStatement], assumptions: Sequence[SourceStatement] = ()
+        self,
+        items: Sequence[SourceStatement],
+        assumptions: Sequence[SourceStatement] = (),
+        law: Law | None = None,
     ) -> Supposed:
-        """The smallest scene of some statements, with what is supposed of its constants."""
-        closure = self._closure(items)
+        """The smallest scene of some statements, with what is supposed of its constants.
+
+        The law is that of their names, if no other one is given.
+        """
+        closure = self._closure(items, law)
         law = closure.law
         special = self.known.special(law) if law is not None and law.restates else []
         given = dict.fromkeys((*assumptions, *special))
@@ -89,11 +95,11 @@ class Stage:
 
     # -- names -----------------------------------------------------------------------
 
-    def _closure(self, items: Sequence[SourceStatement]) -> _Closure:
+    def _closure(self, items: Sequence[SourceStatement], law: Law | None) -> _Closure:
         """What some statements need, through the definitions before the last of them."""
         known = self.known
         at = max(items, key=lambda item: item.order)
-        law = self.law(at, items)
+        law = law or self.law(at, items)
         moving = {*law.variables} if law else set()
         waiting = [name for item in items for name in self._mentioned(item)]
         waiting += [name for row in (law.rows if law else ()) for name in self._mentioned(row)]
