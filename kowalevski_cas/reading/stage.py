@@ -188,7 +188,9 @@ class Stage:
             for name, parts in names.vectors.items()
             if name in closure.names or {*parts} & {*closure.names, *closure.variables}
         }
-        constants = tuple(self._constants(closure, places, squares, vectors))
+        new = {name for one in about for name in one.names if not self.known.is_defined(name)}
+        named = replace(closure, names=closure.names | {n for n in new if not self.known.varies(n)})
+        constants = tuple(self._constants(named, places, squares, vectors))
         title = closure.law.title if closure.law else "the constants"
         rows = tuple(row.printed for row in closure.law.rows) if closure.law else ()
         scene = Scene(
