@@ -283,7 +283,8 @@ class Elaboration(Moving):
         """The expression for which a name stands.
 
         It is the first member of the printed chain that is not a bare name, or
-        else another name, that stands for nothing; a formula that is no equation is the expression itself.
+        else another name, that stands for nothing; a formula that is no equation is the expression
+        itself.
         """
         printed = self.scene.definitions.get(name) or self.scene.roots.get(name)
         if printed is None:

@@ -131,10 +131,10 @@ class _LawFinder:
             return None
         law = self.grown(item, moving, [row for row in rows if row not in following])
         rated = {name for row in following for name in self.scalars(row)}
-        if law is not None and rated & {*self.names.scalars(law.mentions)} - moving:
-            return None  # it rests on what follows
         if law is not None:
             law.base = part[-1]
+            if rated & {*self.names.scalars(law.mentions)} - moving:
+                return None  # it rests on what follows
         return law
 
     def other_system(self, item: SourceStatement, part: Sequence[Law]) -> Law | None:

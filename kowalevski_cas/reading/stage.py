@@ -150,7 +150,7 @@ class Stage:
         named = [law for law in smallest if cited & {*law.rows}]
         law = next(iter((named or smallest)[::-1]), None)
         for name in known.names.scalars(name for item in items for name in item.rates):
-            if not (known.is_defined(name) or (law and name in law.variables)):
+            if law is None or not (known.is_defined(name) or name in law.variables):
                 raise ValueError(f"nothing says how {name} moves")
         return self._restated(law, at) if law is not None else None
 
