@@ -104,9 +104,13 @@ CUES: dict[str, str] = {
         in\s+place\s+of\s*(?:§|$) \bneither\b невер\w+ ошиб\w+ ложн\w+ опечат\w+
         вместо\s*(?:§|$) противореч\w+ не\s+явля\w+ не\s+сохраня\w+ нельзя не\s+выполн\w+
         неправильн\w+ не\s+верно не\s+име\w+\s+мест""",
+    "denied behind": r"""
+        \b(?:this|that|which)\s+(?:is|was)\s+(?:a\s+)?(?:wrong|false|incorrect|erroneous|mistake|not\s+so|not\s+true)\b
+        \b(?:это|что)\s+(?:неверно|неправильно|ошиб\w+|не\s+так|не\s+верно)""",
     "quoted": r"""
         \baccording\s+to\s+(?-i:(?!Theor|Lemma|Prop|Coroll|Eq|Sect|Newton|Hamilton|Euler|Liouv)[A-Z])
         \bclaims?\s+that \bclaimed\b \basserted?\b \bwrites\b \bconjectur\w+
+        \bwas\s+(?:written|stated|printed|asserted|believed)\b было\s+(?:написано|сказано)
         one\s+might\s+(?:think|expect) \bbelieve[sd]?\b it\s+is\s+said утвержда\w+ по\s+мнению
         предположительно гипотез\w+""",
     "another law": r"""

@@ -70,7 +70,7 @@ def expression(item: SourceStatement, known: Known) -> StatementRole | None:
 
 def unjudged(item: SourceStatement, known: Known) -> StatementRole | None:
     """What is denied, quoted or asked, and what holds approximately."""
-    if said := cue("denied", clause(item)):
+    if said := cue("denied", clause(item)) or cue("denied behind", item.after):
         return StatementRole(
             OTHER, f"“{said}” stands beside it: it is not claimed as printed", "denied"
         )

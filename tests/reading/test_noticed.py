@@ -113,3 +113,23 @@ def test_a_polynomial_is_a_function_where_nothing_is_derived_by_its_argument():
     text = r"""\[ \dot u=v,\qquad \dot v=u . \] Let \[ R(x)=x^2+h, \] where $R$ is a polynomial, and
     $h=v^2-u^2$. Then \[ \dot u^2=R(u) . \]"""
     assert verdicts(text)[r"\dot u^2=R(u)"] is Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"In a report it was written that $\dot u_1=0$ ``holds''; \textbf{this is wrong}.",
+        r"Somebody takes $\dot u_1=0$ for granted, which is false.",
+        r"Было написано, что $\dot u_1=0$.",
+    ],
+)
+def test_what_was_written_by_others_or_is_wrong_is_not_claimed(words):
+    assert roles(VOLTERRA + words)[r"\dot u_1=0"] == "other"
+
+
+@pytest.mark.parametrize(("b", "green"), [("1", True), (r"\frac32", False), ("-2", False)])
+def test_a_constant_that_is_not_zero_may_be_given_by_a_number(b, green):
+    text = rf"""\[ \dot x=-sx+y,\qquad \dot y=-by . \] Let $b\ne0$ and $s\ne0$. If $b={b}$, the function
+    $F=y^2$ has the rate $\dot F=-2F$."""
+    found = verdicts(text)[r"\dot F=-2F"]
+    assert found in (Verdict.PROVED,) if green else found in (Verdict.REFUTED, Verdict.UNDECIDED)
