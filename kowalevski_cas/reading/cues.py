@@ -81,6 +81,11 @@ CUES: dict[str, str] = {
         \bon\s+(?:it|this|them|these|that)\b \bthere\b на\s+н[её][мй]?\b на\s+них""",
     "on them": r"""
         \bon\s+(?:them|these)\b \bthere\b на\s+(?:них|этих)""",
+    "restricted": r"""
+        restrict\w+\s+to\b
+        \bon\s+(?:the\s+|this\s+)?(?:\w+\s+)?(?:sets?|manifolds?|submanifolds?|levels?|surfaces?|spheres?)\b
+        ограничен\w+\s+на\b
+        на\s+(?:\w+\s+)?(?:множеств|многообрази|поверхност|уровн|сфер)\w+""",
     "level": r"""
         levels? manifold relations? \bsets?\b surfaces? submanifold уровн\w+ многообрази\w+
         соотношени\w+ поверхност\w+ множеств\w+""",

@@ -26,7 +26,7 @@ from kowalevski_cas.reading.known import (
     StatementRole,
 )
 from kowalevski_cas.reading.phrases import integral_words, is_number, plain
-from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.statements import SourceStatement, derived_names
 
 ZERO = Number(0)
 
@@ -171,6 +171,7 @@ def _is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
         first is None
         or (known.roles[first].name in (LAW, DEFINITION) and first.sentence == item.sentence)
         or (bool(cue("where", item.lead)) and _is_near(known.seen[function], item))
+        or (known.roles[first].name == LAW and function in derived_names(first))
         or (new and not item.typed.inline)
     )
 

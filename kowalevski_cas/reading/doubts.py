@@ -33,7 +33,7 @@ def doubt_of(
         return Doubt.ALWAYS
     if role.kind == SAID:
         return None
-    if _is_unread_summary(item, known):
+    if _is_unread_summary(item, known) or (not rung.given and cue("restricted", item.words)):
         return Doubt.ALWAYS
     if _has_usual_bracket(item, rung, known) or _is_conditioned(item, rung, known):
         return Doubt.ALWAYS

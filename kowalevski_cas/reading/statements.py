@@ -131,12 +131,18 @@ class SourcePaper:
 
     @cached_property
     def approximate(self) -> frozenset[SourceStatement]:
-        """The statements behind the words, in the same section, that they hold approximately."""
+        """The statements behind the words, in the same section, that they hold approximately.
+
+        A model may be approximate itself: what stands before its equations is not meant.
+        """
         words = self.prose.between
+        rows = (item for item in self.items if item.rates and not item.typed.inline)
+        model = next((item.typed.end for item in rows), self.prose.start)
         return frozenset(
             item
             for item in self.items
-            if cue("approximate", words(item.section.start, item.sentence[1]))
+            if cue("approximate", words(max(model, item.section.start), item.sentence[1]))
+            and item.typed.start > model
         )
 
     @cached_property
@@ -281,6 +287,13 @@ def _read(
 def _is_derivative(tree: Formula, tex: str) -> bool:
     """Whether the letter d was read as a name, and stands above or below a fraction."""
     return "d" in tree.names() and re.search(r"\\[dt]?frac\s*\{?\s*d\b|/\s*d\b", tex) is not None
+
+
+def derived_names(item: SourceStatement) -> set[str]:
+    r"""The names of functions of which partial derivatives are printed, as the energy's."""
+    nodes = item.formula.nodes() if item.formula is not None else ()
+    partials = (node.argument for node in nodes if isinstance(node, Partial))
+    return {argument.name for argument in partials if isinstance(argument, Name)}
 
 
 def _rates(formula: Formula) -> Iterator[tuple[str, int]]:
