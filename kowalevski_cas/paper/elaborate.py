@@ -254,7 +254,7 @@ class Elaboration(Moving):
         for other in mentions(let.formula):  # vectors stay as they are, and may run in a circle
             if (
                 isinstance(other, Name)
-                and is_bold(other.name)
+                and (is_bold(other.name) or other.name in self.scene.vectors)
                 and other.name in self.scene.definitions
             ):
                 self.step(other.name)

@@ -215,7 +215,8 @@ class Known:
         assert law.restates is not None
         below = {one for name in law.restates.mentions for one in self.below(name)}
         mentioned = {*self.names.scalars(below)} | below
-        return [one for one in self.supposed(first) if {*self.roles[one].names} & mentioned]
+        supposed = (one for one in self.supposed(first) if one.members)
+        return [one for one in supposed if {*self.roles[one].names} & mentioned]
 
     def cited(self, item: SourceStatement) -> Iterator[SourceStatement]:
         """The statements that are cited in a sentence."""
