@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from kowalevski_cas.notation import Application, Derivative, Name, Number, Root, Unwritten, to_latex
+from kowalevski_cas.notation import Name, Number, Root, Unwritten, to_latex
 from kowalevski_cas.paper.claims import (
     Claim,
     Coefficient,
@@ -196,37 +196,22 @@ class _Ladder:
         if not self.known.varying(self.item.names):
             raise ValueError("it is called an integral, and nothing says how its names move")
         says = "this is constant along every motion"
-        derived = self._derived()
         for assumptions in self._ways():
-            if derived is None:
-                yield self.rung(FirstIntegral, says, assumptions)
-            elif isinstance(derived, SourceStatement):
-                yield self.rung(FirstIntegral, says, assumptions, printed=derived.printed)
-            else:
-                yield self.rung(Identity, says, assumptions)
+            yield self.rung(Identity if self._is_rate else FirstIntegral, says, assumptions)
         for given in self.hypotheses():
             said = "this is constant along every motion on the set"
-            if derived is None:
-                yield self.rung(FirstIntegral, said, self.supposed, given, given=_places(given))
-            else:
-                yield self.rung(Implication, said, self.supposed, given, given=_places(given))
+            kind = Implication if self._is_rate else FirstIntegral
+            yield self.rung(kind, said, self.supposed, given, given=_places(given))
 
     def _ways(self) -> list[list[SourceStatement]]:
         """Without assumptions, and with those in force; what is not zero is never left aside."""
         kept = [one for one in self.supposed if self.known.roles[one].kind == "inequality"]
         return [kept, self.supposed] if len(kept) < len(self.supposed) else [kept]
 
-    def _derived(self) -> SourceStatement | bool | None:
-        """Of a rate that vanishes: true, or where its function is defined by logarithms."""
-        if ZERO not in self.item.members or not self.item.derives:
-            return None
-        inner = next(m for m in self.item.members if m != ZERO)
-        name = inner.argument if isinstance(inner, Derivative) else None
-        if isinstance(name, Name) and (by := self.known.definition(name.name, self.item)):
-            nodes = by.formula.nodes() if by.formula is not None else ()
-            if any(isinstance(node, Application) and node.function == r"\ln" for node in nodes):
-                return by
-        return True
+    @property
+    def _is_rate(self) -> bool:
+        """Whether a rate is said to vanish."""
+        return ZERO in self.item.members and self.item.derives
 
     # -- sets ------------------------------------------------------------------------
 
