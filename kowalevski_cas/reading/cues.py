@@ -86,6 +86,11 @@ CUES: dict[str, str] = {
         \bon\s+(?:it|this|them|these|that)\b \bthere\b на\s+н[её][мй]?\b на\s+них""",
     "on them": r"""
         \bon\s+(?:them|these)\b \bthere\b на\s+(?:них|этих)""",
+    "restricted": r"""
+        restrict\w+\s+to\b
+        \bon\s+(?:the\s+|this\s+)?(?:\w+\s+)?(?:sets?|manifolds?|submanifolds?|levels?|surfaces?|spheres?)\b
+        ограничен\w+\s+на\b
+        на\s+(?:\w+\s+)?(?:множеств|многообрази|поверхност|уровн|сфер)\w+""",
     "level": r"""
         levels? manifold relations? \bsets?\b surfaces? submanifold уровн\w+ многообрази\w+
         соотношени\w+ поверхност\w+ множеств\w+""",
@@ -115,13 +120,14 @@ CUES: dict[str, str] = {
         вместо\s*(?:§|$) противореч\w+ не\s+явля\w+ не\s+сохраня\w+ нельзя не\s+выполн\w+
         неправильн\w+ не\s+верно не\s+име\w+\s+мест""",
     "so it is not": r"""
-        [;.,]\s*(?:but\s+)?(?:this|that|which)\s+is\s+(?:wrong|false|incorrect)
+        [;.,]\s*(?:\\\w+\{)?(?:but\s+)?(?:this|that|which)\s+is\s+(?:wrong|false|incorrect)
         [;.,]\s*(?:but\s+)?(?:this|that|which)\s+is\s+not\s+(?:true|so|correct)
         (?:это|что)\s+неверно""",
     "quoted": r"""
         \b(?:was|were|been)\s+(?:written|stated|said)\s+that
         \baccording\s+to\s+(?-i:(?!Theor|Lemma|Prop|Coroll|Eq|Sect|Newton|Hamilton|Euler|Liouv)[A-Z])
         \bclaims?\s+that \bclaimed\b \basserted?\b \bwrites\b \bconjectur\w+
+        \bwas\s+(?:printed|asserted|believed)\b было\s+(?:написано|сказано)
         one\s+might\s+(?:think|expect) \bbelieve[sd]?\b it\s+is\s+said утвержда\w+ по\s+мнению
         предположительно гипотез\w+""",
     "another law": r"""

@@ -28,7 +28,7 @@ from kowalevski_cas.reading.known import (
     StatementRole,
 )
 from kowalevski_cas.reading.phrases import integral_words, is_number, plain
-from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.statements import SourceStatement, derived_names
 
 ZERO = Number(0)
 
@@ -192,6 +192,7 @@ def _is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
         or (known.roles[first].name in (LAW, DEFINITION) and first.sentence == item.sentence)
         or (known.roles[first].name == LAW and _gives(function, item, known))
         or (bool(cue("where", item.lead)) and _is_near(known.seen[function], item))
+        or (known.roles[first].name == LAW and function in derived_names(first))
         or (new and not item.typed.inline)
     )
 

@@ -37,6 +37,8 @@ def doubt_of(
         return None
     if _is_unread_summary(item, known) or item in known.paper.approximate:
         return Doubt.ALWAYS
+    if not rung.given and cue("restricted", item.words):
+        return Doubt.ALWAYS
     if _has_usual_bracket(item, rung, known) or _is_conditioned(item, rung, known):
         return Doubt.ALWAYS
     unclear = any(_implied(rung, known)) or _has_two_meanings(item, rung, known)

@@ -62,6 +62,8 @@ class Known:
     clocks: list[SourceStatement] = field(default_factory=list)
     seen: dict[str, SourceStatement] = field(default_factory=dict)
     """The equations in which names have been used first."""
+    elsewhere: frozenset[str] = frozenset()
+    """What moves by the laws of other parts."""
     said: Said = field(default_factory=Said)
     """What comments say of statements."""
 

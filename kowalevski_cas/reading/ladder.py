@@ -200,23 +200,21 @@ class _Ladder:
         if not self.known.varying(self.item.names):
             raise ValueError("it is called an integral, and nothing says how its names move")
         says = "this is constant along every motion"
-        derived = self._derived()
         for assumptions in self._ways():
-            yield self.rung(Identity if derived else FirstIntegral, says, assumptions)
+            yield self.rung(Identity if self._is_rate else FirstIntegral, says, assumptions)
         for given in self.hypotheses():
             said = "this is constant along every motion on the set"
-            if not derived:
-                yield self.rung(FirstIntegral, said, self.supposed, given, given=_places(given))
-            else:
-                yield self.rung(Implication, said, self.supposed, given, given=_places(given))
+            kind = Implication if self._is_rate else FirstIntegral
+            yield self.rung(kind, said, self.supposed, given, given=_places(given))
 
     def _ways(self) -> list[list[SourceStatement]]:
         """Without assumptions, and with those in force; what is not zero is never left aside."""
         kept = [one for one in self.supposed if self.known.roles[one].kind == "inequality"]
         return [kept, self.supposed] if len(kept) < len(self.supposed) else [kept]
 
-    def _derived(self) -> bool:
-        """Whether it is the rate of a function that is printed, as one that vanishes."""
+    @property
+    def _is_rate(self) -> bool:
+        """Whether a rate is said to vanish."""
         return ZERO in self.item.members and self.item.derives
 
     # -- sets ------------------------------------------------------------------------

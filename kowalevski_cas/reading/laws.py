@@ -170,7 +170,9 @@ class _LawFinder:
             return None
         if not said and all(self.is_defined(row, self.paper.prose.start) for row in law.items):
             return None
-        law.begins = begins
+        between = [one for one in self.paper.items if begins <= one.typed.start < item.typed.start]
+        speaks = any({*self.names.scalars(one.names)} & old - rated for one in between)
+        law.begins = item.sentence[0] if speaks else begins
         return law
 
     def _begins(self, row: SourceStatement, heading: int) -> int:

@@ -117,12 +117,18 @@ class SourcePaper:
 
     @cached_property
     def approximate(self) -> frozenset[SourceStatement]:
-        """The statements behind the words, in the same section, that they hold approximately."""
+        """The statements behind the words, in the same section, that they hold approximately.
+
+        A model may be approximate itself: what stands before its equations is not meant.
+        """
         words = self.prose.between
+        rows = (item for item in self.items if item.rates and not item.typed.inline)
+        model = next((item.typed.end for item in rows), self.prose.start)
         return frozenset(
             item
             for item in self.items
-            if cue("approximate", words(item.section.start, item.sentence[1]))
+            if cue("approximate", words(max(model, item.section.start), item.sentence[1]))
+            and item.typed.start > model
         )
 
     @cached_property
@@ -226,6 +232,13 @@ def _id(formula: TypedFormula, ids: Counter[str]) -> str:
     letters = letters.strip("-")[:LONGEST_ID].strip("-") or "formula"
     ids[letters] += 1
     return letters if ids[letters] == 1 else f"{letters}_{ids[letters]}"
+
+
+def derived_names(item: SourceStatement) -> set[str]:
+    r"""The names of functions of which partial derivatives are printed, as the energy's."""
+    nodes = item.formula.nodes() if item.formula is not None else ()
+    partials = (node.argument for node in nodes if isinstance(node, Partial))
+    return {argument.name for argument in partials if isinstance(argument, Name)}
 
 
 def _rates(formula: Formula) -> Iterator[tuple[str, int]]:
