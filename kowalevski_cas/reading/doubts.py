@@ -37,6 +37,10 @@ def doubt_of(
         return None
     if _is_unread_summary(item, known) or item in known.paper.approximate:
         return Doubt.ALWAYS
+    if {"dot", "prime"} <= item.marks and not known.clocks:  # the prime of another frame, perhaps
+        return Doubt.ALWAYS
+    if role.kind == "identity" and not item.derives and cue("lasting", item.lead):
+        return Doubt.ALWAYS
     if not rung.given and cue("restricted", item.words):
         return Doubt.ALWAYS
     if _has_usual_bracket(item, rung, known) or _is_conditioned(item, rung, known):
