@@ -45,8 +45,7 @@ def doubt_of(
         return Doubt.ALWAYS
     if _has_usual_bracket(item, rung, known) or _is_conditioned(item, rung, known):
         return Doubt.ALWAYS
-    unclear = any(_implied(rung, known)) or _has_two_meanings(item, rung, known)
-    if unclear or _is_constrained(rung, known):
+    if any(_implied(rung, known)) or _is_constrained(rung, known):
         return Doubt.ALWAYS
     if _has_case(item, rung, {one for other in candidates for one in other.on}, known):
         return Doubt.ALWAYS
@@ -189,6 +188,8 @@ def _is_lost(name: str, known: Known) -> bool:
 
 def _is_plain(rung: Rung, item: SourceStatement, parts: Parts) -> bool:
     """Whether a claim stands on the only law of its variables, which rests on no other one."""
+    if _has_two_meanings(item, rung, parts.of(item)):
+        return False
     rows = {*rung.claim.scene.field} if isinstance(rung.claim.scene.field, tuple) else set()
     laws = [law for law in parts.of(item).laws if not law.change]
     law = next((one for one in laws if {r.printed for r in one.rows} == rows), None)
