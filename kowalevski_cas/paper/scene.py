@@ -93,6 +93,9 @@ class Scene:
     ``nonzero``
         what the scene takes for granted not to vanish. ``x+r`` with a root ``r`` says nothing
         of ``x-r``, and only the norm of both excludes a denominator with one of them.
+    ``signs``
+        printed inequalities that are supposed, as :math:`0<k<1`. What is not negative has a real
+        square root, which is a root of the scene.
     ``values``
         printed equations that give all generators of a family at a constant, as those of Jacobi
         at the quarter period.
@@ -118,6 +121,7 @@ class Scene:
     zero: tuple[Printed, ...] = ()
     conjugates: tuple[tuple[str, str], ...] = ()
     nonzero: tuple[str, ...] = ()
+    signs: tuple[Printed, ...] = ()
     values: tuple[Printed, ...] = ()
     loci: tuple[Locus, ...] = ()
     jets: tuple[tuple[str, str, str], ...] = ()
@@ -229,6 +233,10 @@ class Scene:
         self._is_new(root, self.roots, self.definitions)
         return replace(self, roots={**self.roots, root: by})
 
+    def assuming(self, *by: Display | Printed) -> Scene:
+        r"""The scene where printed inequalities are supposed, as :math:`I_1\le I_2<I_3`."""
+        return replace(self, signs=(*self.signs, *statements(*by)))
+
     def taking(self, *by: Display | Printed) -> Scene:
         """The scene where printed statements give the values of functions at constants."""
         return replace(self, values=(*self.values, *statements(*by)))
@@ -307,7 +315,7 @@ class Scene:
         found = {
             "unit": (self.unit,),
             "definition": (self.clock, *self.definitions.values(), *by),
-            "condition": (*self.roots.values(), *self.zero, *self.values),
+            "condition": (*self.roots.values(), *self.zero, *self.signs, *self.values),
             "vector field": () if isinstance(self.field, Change) else self.field,
         }
         yield from ((role, place) for role, places in found.items() for place in places if place)

@@ -39,6 +39,7 @@ from kowalevski_cas.paper.exponents import half_power, linear_exponent
 from kowalevski_cas.paper.implied import implied_equations
 from kowalevski_cas.paper.names import BRACKET, head, is_bold, summation_indices
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.paper.summation import expand_sum
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
@@ -381,6 +382,8 @@ def _root(formula: Formula) -> Root | None:
 def restrict(scene: Scene, place: Printed) -> Scene:
     """A scene with what a relation says of its constants."""
     formula = read(place.tex, vocabulary((scene,)), OpenParser)
+    if is_inequality(formula):
+        return scene.assuming(place)
     if (supposing := _suppose(scene, place, formula)) is not None:
         return supposing
     for name in (*place.heads.squares, *place.heads.names):

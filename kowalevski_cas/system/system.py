@@ -24,6 +24,7 @@ from kowalevski_cas.paper.claims import (
     FirstIntegral,
     Identity,
     Implication,
+    Inequality,
     IntegrableMap,
     InvariantRelations,
     Involution,
@@ -79,6 +80,13 @@ class System(Field):
         given = several(given)
         says = f"this holds wherever {self._list(given)}"
         return self.states(Implication, "implication", says, expect, equation, given=given)
+
+    def inequality(self, chain: Tex, given: Texs = (), expect: str = "") -> SystemClaim:
+        r"""A chain as ``0<k\le1`` is true at all real points, or at those of an invariant set."""
+        given = several(given)
+        where = f" where {self._list(given)}" if given else ""
+        says = f"this is so at all real points{where}"
+        return self.states(Inequality, "inequality", says, expect, chain, given=given)
 
     def integral(self, formula: Tex, given: Texs = (), expect: str = "") -> SystemClaim:
         """A function is constant along every motion, perhaps on an invariant set only."""
