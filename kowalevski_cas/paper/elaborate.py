@@ -23,6 +23,8 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Number,
+    Product,
+    Quotient,
     Relation,
     Root,
     Vector,
@@ -327,6 +329,11 @@ class Elaboration(Moving):
         members = formula.members if isinstance(formula, Relation) else (formula,)
         own = self.texts.expression(name)
         others = [m for m in members if m != own and not isinstance(m, Constant)]
+        for one in others:
+            match one:
+                case Product((Number() as factor, multiple)) if multiple == own:
+                    rest = next(other for other in others if other != one)
+                    return Quotient(rest, factor)
         if not others or (name in printed.heads.names and own not in members):
             raise Meaningless(f"no expression stands for {name} in its definition", name)
         return next((m for m in others if not isinstance(m, Name)), others[0])

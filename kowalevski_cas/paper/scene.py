@@ -194,7 +194,8 @@ class Scene:
         """The scene where printed statements define all names that are new in them.
 
         These are the bare names, heads of functions and brackets among their members that are
-        no variables, constants or roots. Raises ``ValueError`` if a name is defined already, or if
+        no variables, constants or roots, or else what stands in a whole multiple, as T in
+        :math:`2T=v^2`. Raises ``ValueError`` if a name is defined already, or if
         a statement defines none.
         """
         return self._defining(by, again=False)
@@ -287,7 +288,9 @@ class Scene:
         known = {*self.variables, *self.constants, *self.roots}
         definitions = dict(self.definitions)
         for place in statements(*by):
-            names = [name for name in place.heads.names if name not in known]
+            heads = place.heads
+            names = [name for name in heads.names if name not in known]
+            names = names or [name for name in heads.multiples if name not in known]
             if not names:
                 raise ValueError(f"{place.tex} defines no new name on the scene “{self.name}”")
             for name in names:

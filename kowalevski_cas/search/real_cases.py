@@ -114,7 +114,8 @@ class RealCases:
                 _zero_or(combinations, value_of(group), known) is not None for group in groups
             )
             power = max(exponent for _, exponent in factors)
-            if not settled and (not one or len(groups) > 1 or power > 1):
+            several = len(groups) > 1 or (power > 1 and self.ring.roots)
+            if not settled and (not one or several):
                 yield (one, len(terms)), groups, power
         for element, _, other in self._norms():
             if combinations.row(other) is None:

@@ -350,7 +350,8 @@ def with_roots(scene: Scene, display: Display) -> Scene:
     waiting = [statement.formula for statement in read_display(display.tex, vocabulary((scene,)))]
     for place, formula in zip(display, waiting, strict=True):
         named = {*place.heads.names} & {*scene.definitions}
-        if named and len(formula.children()) > len(named) + 1:
+        sides = [side for side in formula.children() if not isinstance(side, Constant)]
+        if named and len(sides) > len(named) + 1:
             raise ValueError(f"{place.tex} gives {min(named)} twice: leave one side out")
     for formula in (node for one in waiting for node in one.nodes()):
         if isinstance(formula, Conjugate) and scene.unit is None:

@@ -211,7 +211,8 @@ class Field:
             left = {n: one for n, one in scene.definitions.items() if n not in self.implied}
             scene, self.implied = replace(scene, definitions=left), frozenset()
         self._stand_on(with_roots(scene.defining(display), display))
-        name, formula = display[1].heads.names[0], self._formulas(display)[0]
+        heads, formula = display[1].heads, self._formulas(display)[0]
+        name = (*heads.names, *heads.multiples)[0]
         return Function(display[1], name, formula, self.symbols)
 
     def where(self, *relations: Tex) -> Self:

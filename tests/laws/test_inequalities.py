@@ -12,6 +12,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas import System
+from kowalevski_cas.audit.reading import ReadingSession
+from kowalevski_cas.reading import read
+from kowalevski_cas.source.files import decode
 
 pytestmark = pytest.mark.usefixtures("uncorrected", "here")
 
@@ -173,3 +176,45 @@ def test_an_inequality_is_never_taken_for_an_equality():
     assert plane().where(r"a\ge0").integral(r"y^2+ax^2").verdict == "refuted"
     oscillator = System(r"\dot x=y,\quad \dot y=-ax").where("a>0")
     assert oscillator.integral("y^2+ax^2").verdict == "proved"
+
+
+BODY = r"""\documentclass{article}\begin{document}
+Let the moments of inertia obey $ORDER$. The equations of motion are
+$$A\dot p=(B-C)qr,\quad B\dot q=(C-A)rp,\quad C\dot r=(A-B)pq.$$
+It is easy to see that
+$$CLAIM.$$
+\end{document}
+"""
+
+
+@pytest.mark.parametrize(
+    ("order", "tex", "verdict"),
+    [
+        ("0<A<B<C", r"A^2p^2+B^2q^2+C^2r^2\ge A(Ap^2+Bq^2+Cr^2)", "proved"),
+        ("0<A<B<C", r"A^2p^2+B^2q^2+C^2r^2\le B(Ap^2+Bq^2+Cr^2)", "red"),
+        ("0<A<B<C", r"\sqrt{(A-B)^2}=B-A", "proved"),
+        ("0<A<B<C", r"\sqrt{(A-B)^2}=A-B", "red"),
+        (r"A\le B\le C", "A<C", "red"),
+        (r"A\le B<C", "A<C", "proved"),
+    ],
+)
+def test_a_paper_supposes_and_claims_them(order, tex, verdict):
+    paper = decode("body.tex", BODY.replace("ORDER", order).replace("CLAIM", tex).encode())
+    (outcome,) = ReadingSession(read(paper), timeout=20).outcomes.values()
+    assert outcome.verdict.green == (verdict == "proved"), outcome
+
+
+def test_a_multiple_of_a_name_defines_it():
+    body = System(r"A\dot p=(B-C)qr,\ B\dot q=(C-A)rp,\ C\dot r=(A-B)pq").where("A>0, B>0, C>0")
+    T = body.define(r"2T=Ap^2+Bq^2+Cr^2")
+    assert body.integral(T).verdict == "proved"
+    assert body.identity(r"T=\frac12(Ap^2+Bq^2+Cr^2)").verdict == "proved"
+    assert body.identity(r"T=Ap^2+Bq^2+Cr^2").verdict == "refuted"
+    assert body.inequality(r"T\ge0").verdict == "proved"
+    assert body.inequality(r"T>0").verdict == "refuted"
+
+
+def test_what_is_defined_may_be_said_to_be_constant():
+    oscillator = System(r"\dot x=y,\quad \dot y=-x")
+    assert oscillator.integral(oscillator.define(r"H=x^2+y^2=\mathrm{const}")).verdict == "proved"
+    assert oscillator.integral(oscillator.define(r"F=x^2-y^2=\mathrm{const}")).verdict == "refuted"
