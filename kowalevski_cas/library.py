@@ -80,7 +80,7 @@ MADE: list[Section] = []
 
 def _beside(path: Path) -> Path:
     """The folder of what is kept of a file; raises :class:`LibraryError` if two would share it."""
-    others = [path.with_suffix(one) for one in SOURCES if one != path.suffix]
+    others = [path.with_suffix(suffix) for suffix in SOURCES if suffix != path.suffix]
     if shared := next((other for other in others if other.is_file()), None):
         raise LibraryError(f"{path} and {shared.name} would share one folder: rename one of them")
     return path.with_suffix(EVIDENCE)

@@ -207,7 +207,7 @@ def _on_cluster(
 
         def submit(number: int) -> list[Any]:
             chosen = (pickle.dumps((work, batch)) for batch in islice(batches, number))
-            return [client.submit(_run_pickled, one, pure=False) for one in chosen]
+            return [client.submit(_run_pickled, batch, pure=False) for batch in chosen]
 
         running = distributed.as_completed(submit(2 * max(1, sum(client.nthreads().values()))))
         for future in running:

@@ -96,21 +96,21 @@ def _answers(
 ) -> Generator[tuple[int, _WorkResult[Result]], None, None]:
     """What came of the items at these places; an item is taken when somebody is free."""
     if not hasattr(os, "fork"):
-        while (one := take(0)) is not None:
-            yield one[0], _WorkResult([work(one[1])])
+        while (item := take(0)) is not None:
+            yield item[0], _WorkResult([work(item[1])])
         return
     running = list[_Process[Item, Result]]()
     try:
-        while len(running) < max(1, jobs) and (one := take(len(running))) is not None:
+        while len(running) < max(1, jobs) and (item := take(len(running))) is not None:
             running.append(_Process(work, len(running), running, until))
-            running[-1].give(*one)
+            running[-1].give(*item)
         while running:
             _listen(running, heard)
             for process in [process for process in running if process.answer is not None]:
                 place, answer = process.place, process.answer
                 assert answer is not None
-                if (one := take(process.number)) is not None:
-                    process.give(*one)
+                if (item := take(process.number)) is not None:
+                    process.give(*item)
                 else:
                     running.remove(process)
                     process.end()

@@ -21,6 +21,8 @@ from kowalevski_cas.cli import run as run_command
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, CommandError
 from kowalevski_cas.source.files import read_source
+from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.run import FALSE_AS_READ
 
 LONGEST = 300
 """The seconds for a paper."""
@@ -46,19 +48,24 @@ class Score:
     roles: Counter[bool] = field(default_factory=Counter)
     verdicts: Counter[bool] = field(default_factory=Counter)
     errors: Counter[bool] = field(default_factory=Counter)
-    """Of the planted errors, whether they are noticed: red, suspected, a cause, or repaired."""
+    """Of the planted errors, whether they are noticed: the formula is red, suspected, a cause,
+    corrected, or yellow because it is false as it was read."""
+    doubted: Counter[bool] = field(default_factory=Counter)
+    """Of the claims that are true, whether they are yellow because they are false as read."""
     repairs: int = 0
     """For how many of the planted errors there is a correction."""
     false_greens: list[str] = field(default_factory=list)
     false_reds: list[str] = field(default_factory=list)
     misread: list[str] = field(default_factory=list)
     missed: list[str] = field(default_factory=list)
+    unnoticed: list[str] = field(default_factory=list)
 
     def add(self, other: Score) -> None:
         """Count another paper in."""
         self.roles += other.roles
         self.verdicts += other.verdicts
         self.errors += other.errors
+        self.doubted += other.doubted
         self.repairs += other.repairs
         self.false_greens += other.false_greens
         self.false_reds += other.false_reds
@@ -77,6 +84,7 @@ class Score:
                     )
                 ),
                 f"repaired {self.repairs}",
+                f"true and doubted {self.doubted[True]}/{self.doubted.total()}",
                 f"false greens {len(self.false_greens)}",
                 f"false reds {len(self.false_reds)}",
             ]
@@ -136,10 +144,16 @@ def compare(path: Path, formulas: list[Entry]) -> Score:
         _verdict(score, row, here, where)
         if "error" in row:
             noticed = any(
-                f["verdict"] in ("refuted", "suspect") or f["correction"] or f["id"] in causes
+                f["verdict"] in ("refuted", "suspect")
+                or f["correction"]
+                or f["id"] in causes
+                or _is_doubted(f)
                 for f in here
             )
             score.errors[noticed] += 1
+            if not noticed:
+                said = "; ".join(f"{f['role']}, {f['verdict']}" for f in here) or "not listed"
+                score.unnoticed.append(f"{where} {row['tex'][:60]}: {said}")
             score.repairs += any(f["correction"] for f in here)
     return score
 
@@ -169,6 +183,7 @@ def _verdict(score: Score, row: Entry, here: list[Entry], where: str) -> None:
         score.false_greens.append(f"{where} {row['tex']}")
     if true:
         right = green
+        score.doubted[any(map(_is_doubted, here))] += 1
     elif row["true"] is False:
         right = red
     else:
@@ -178,6 +193,11 @@ def _verdict(score: Score, row: Entry, here: list[Entry], where: str) -> None:
     if not right:
         words = ", ".join(said) or "no claim"
         score.missed.append(f"{where} {row['kind']}, {row['true']}: {words}")
+
+
+def _is_doubted(found: Entry) -> bool:
+    """Whether a claim is yellow because it is false as it was read."""
+    return bool(found["verdict"] == Verdict.UNDECIDED and found["message"] == FALSE_AS_READ)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -199,7 +219,7 @@ def run(arguments: argparse.Namespace) -> int:
             continue
         print(f"{path.stem}: {score.line}", flush=True)
         if arguments.verbose:
-            for name in ("misread", "missed"):
+            for name in ("misread", "missed", "unnoticed"):
                 print("".join(f"  {name} {words}\n" for words in getattr(score, name)), end="")
         total.add(score)
     print(f"all: {total.line}")

@@ -102,4 +102,6 @@ def _context(names: tuple[str, ...], order: str) -> fmpq_mpoly_ctx:
 
 # Polynomials, and what holds them, are sent from process to process.
 copyreg.pickle(fmpq_mpoly, _plain)
-copyreg.pickle(fmpq_mpoly_ctx, lambda one: (_context, (one.names(), one.ordering().value)))
+copyreg.pickle(
+    fmpq_mpoly_ctx, lambda context: (_context, (context.names(), context.ordering().value))
+)

@@ -31,8 +31,10 @@ def reduce_groebner_basis(polynomials: Sequence[fmpq_mpoly]) -> list[fmpq_mpoly]
     found, complete = answer
     if not complete:
         raise TooLarge("a Gröbner basis has over {} elements, {} terms or {} bits".format(*LIMITS))
-    rational = (context.from_dict(one.to_dict()) for one in found.autoreduction(groebner=True))
-    return [one / one.leading_coefficient() for one in rational]
+    rational = (
+        context.from_dict(polynomial.to_dict()) for polynomial in found.autoreduction(groebner=True)
+    )
+    return [polynomial / polynomial.leading_coefficient() for polynomial in rational]
 
 
 def remainder(polynomial: fmpq_mpoly, divisors: Sequence[fmpq_mpoly]) -> fmpq_mpoly:
@@ -47,7 +49,7 @@ def remainder(polynomial: fmpq_mpoly, divisors: Sequence[fmpq_mpoly]) -> fmpq_mp
 
 def vanish_on(elements: Sequence[Element], known: Sequence[Element]) -> list[bool]:
     """Which elements are combinations of known ones, without a condition."""
-    given = [one for one in known if not one.is_zero]
+    given = [element for element in known if not element.is_zero]
     if not elements or not given:
         return [element.is_zero for element in elements]
     flat = Flat(given[0].ring)

@@ -165,7 +165,7 @@ def _product(terms: Terms, names: Sequence[Formula]) -> Formula:
     from kowalevski_cas.algebra.factors import irreducible_factors
 
     number, factors = terms[max(terms)], irreducible_factors(terms)
-    factors.sort(key=lambda one: (len(one[0]), [-e for e in max(one[0])]))
+    factors.sort(key=lambda factor: (len(factor[0]), [-e for e in max(factor[0])]))
     shown = []
     for factor, exponent in factors:
         number /= factor[max(factor)] ** exponent

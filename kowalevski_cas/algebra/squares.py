@@ -73,12 +73,12 @@ def reduce_gram(gram: dict[Monomial, dict[Monomial, Fraction]]) -> Squares | Non
             return None
         base = {other: value / factor for other, value in row.items() if value}
         squares.append((factor, base))
-        for one in gram:
+        for column in gram:
             for other in gram:
-                change = factor * base.get(one, Fraction(0)) * base.get(other, Fraction(0))
+                change = factor * base.get(column, Fraction(0)) * base.get(other, Fraction(0))
                 if change:
-                    gram[one][other] = gram[one].get(other, Fraction(0)) - change
-            gram[one].pop(m, None)
+                    gram[column][other] = gram[column].get(other, Fraction(0)) - change
+            gram[column].pop(m, None)
     return tuple(squares)
 
 

@@ -33,6 +33,7 @@ from kowalevski_cas.motion.general import AnyMotion
 from kowalevski_cas.motion.methods import METHODS, load
 from kowalevski_cas.motion.methods.ball import enclose
 from kowalevski_cas.motion.parameters import Inadmissible, MethodError, exact
+from kowalevski_cas.motion.point import KNOWN
 from kowalevski_cas.motion.result import Trajectory
 from kowalevski_cas.processes import each
 
@@ -41,9 +42,6 @@ LARGEST_COUNT = 10_000_000
 ON_N4, ON_O4 = ("m", "l", "h", "origins"), ("s", "tau", "angles")
 CONSTANTS = ("a", "b", "c", *ON_N4, *ON_O4, "torus")
 """The options that describe a motion by its constants and phases."""
-
-ROUNDING = 1e-13
-"""How far from a given state a motion may begin without a word, relative to its size."""
 
 MOST_BALLS = 2000
 """How many states are enclosed one by one where the closed form loses digits."""
@@ -142,7 +140,7 @@ def _follow(arguments: argparse.Namespace) -> Trajectory:
     except (ValueError, OverflowError):
         raise CommandError(f"--until {arguments.until} is not a finite number") from None
     motion = motion_of(arguments)
-    beside = motion.off > ROUNDING  # whoever has a closed form begins elsewhere
+    beside = motion.off > KNOWN  # whoever has a closed form begins elsewhere
     method = arguments.method or ("dop853" if isinstance(motion, General) or beside else "closed")
     if beside and arguments.method in (None, "closed", "ball"):
         name = "O⁴" if isinstance(motion, MotionO4) else "N⁴"

@@ -5,6 +5,7 @@ Formulas of a kind are those of the first derivation in the library that offers 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 from functools import cache
 
@@ -41,7 +42,7 @@ def values_of_offer(name: str, kind: type = ClosedForm) -> Function:
     return compile_values(getattr(source(kind).offers[kind](), name), kind)
 
 
-def exactly(compiled: Function, state: list[Fraction]) -> list[Fraction]:
+def exactly(compiled: Function, state: Sequence[Fraction]) -> Sequence[Fraction]:
     """The values of compiled formulas, by FLINT's rational numbers."""
     return [to_fraction(value) for value in compiled(*map(to_flint, state))]
 

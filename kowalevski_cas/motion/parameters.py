@@ -124,9 +124,8 @@ class Parameters(Lengths):
 
     def value(self, slope: Fraction, constant: Fraction) -> arb:
         r"""The value of slope·ℓ + constant, to the full relative precision of FLINT's context."""
-        root = self._root
-        if root is not None:
-            return ball(slope * self.ell_sign * root + constant)
+        if self.rational_ell is not None:
+            return ball(slope * self.rational_ell + constant)
         term = ball(slope) * self.ell_sign * ball(self.ell_square).sqrt()
         if _sign(slope) * self.ell_sign * _sign(constant) >= 0:
             return term + ball(constant)
@@ -134,8 +133,10 @@ class Parameters(Lengths):
         return ball(slope**2 * self.ell_square - constant**2) / (term - ball(constant))
 
     @cached_property
-    def _root(self) -> Fraction | None:
-        return square_root(self.ell_square)
+    def rational_ell(self) -> Fraction | None:
+        r""":math:`\ell`, if it is rational."""
+        size = square_root(self.ell_square)
+        return None if size is None else self.ell_sign * size
 
     @property
     def ell(self) -> arb:

@@ -40,6 +40,9 @@ from kowalevski_cas.motion.start import Values, arc_of, at_infinity, start, vari
 ROUNDING = 1e-15
 """How far from a state, of its size, a motion may begin that is not improved."""
 
+KNOWN = Fraction(1, 10**13)
+"""To so much of its size a state is known: the closed form gives no better ones."""
+
 STEPS = 3
 
 SMALL = Fraction(1, 2**80)
@@ -60,9 +63,7 @@ def on_N4(state: Sequence[Real]) -> Motion:
     given = state_from_numbers(state)
     infinite = _check(given)
     with precision(BITS):
-        _, _, a_square, b_square, c, *_ = exactly(formulas.values_of_offer("integrals"), given)
-        turn = turn_of(a_square, b_square, c)
-        straight = _straight(given, turn)
+        straight, turn = _straight(given)
         parameters, theta = _parameters(straight, infinite)
         if all(turn):
             parameters = without_rounding(parameters)
@@ -87,6 +88,18 @@ def on_N4(state: Sequence[Real]) -> Motion:
             * ", or so close to x1x2 = 0 that it does not tell the motion"
         )
     return best
+
+
+def constants_at(state: Sequence[Fraction]) -> Parameters:
+    """The constants of the printed formulas at a state that is on N⁴, at least almost."""
+    with precision(BITS):
+        return _parameters(_straight(state)[0], _is_infinite(state))[0]
+
+
+def uncertainty(state: Sequence[Fraction]) -> list[Fraction]:
+    """By how much each of the nine numbers of a state may be off."""
+    omega, fields = (max(map(abs, part)) for part in (state[:3], state[3:]))
+    return [KNOWN * omega] * 3 + [KNOWN * fields] * 6
 
 
 def _motion_at(motion: Motion, values: tuple[Values, Values]) -> Motion:
@@ -158,7 +171,7 @@ def distance(state: Array, given: list[Fraction]) -> float:
     return max(float(differences[0] / fields), sqrt(omega_square))
 
 
-def _sizes(state: list[Fraction]) -> tuple[Fraction, Fraction]:
+def _sizes(state: Sequence[Fraction]) -> tuple[Fraction, Fraction]:
     """The size of the fields and of the state, both of weight 2: ω has weight 1, fields 2."""
     fields = max(map(abs, state[3:]))
     return fields, max(map(abs, state[:3])) ** 2 + fields
@@ -170,10 +183,10 @@ def _check(state: list[Fraction]) -> bool:
     The left sides of (16) are compared with the size of the state, exactly.
     """
     *_, first, second = exactly(formulas.values_of_offer("integrals"), state)
-    theta, *_, p_square, r_fourth = exactly(formulas.values_of_offer("constants"), state)
+    theta, *_, r_fourth = exactly(formulas.values_of_offer("constants"), state)
     if r_fourth == 0:
         raise Inadmissible("the fields are orthogonal and of equal size: r = 0, nothing separates")
-    if theta * p_square <= Fraction(LEAST_THETA) * r_fourth:
+    if _is_infinite(state):
         return True  # where (16) says nothing
     squares = bounds(theta, r_fourth, *_sizes(state))
     for number, value, square in zip((1, 2), (first, second), squares, strict=True):
@@ -185,15 +198,24 @@ def _check(state: list[Fraction]) -> bool:
     return False
 
 
-def _straight(state: list[Fraction], turn: tuple[Fraction, Fraction]) -> list[Fraction]:
-    """The state in fields at right angles."""
+def _is_infinite(state: Sequence[Fraction]) -> bool:
+    """Whether x1x2 = 0 at a state, as good as exactly: there s1 is infinite."""
+    theta, *_, p_square, r_fourth = exactly(formulas.values_of_offer("constants"), state)
+    found: bool = theta * p_square <= Fraction(LEAST_THETA) * r_fourth
+    return found
+
+
+def _straight(state: Sequence[Fraction]) -> tuple[list[Fraction], tuple[Fraction, Fraction]]:
+    """The state in fields at right angles, and the turn that leads there."""
+    _, _, a_square, b_square, c, *_ = exactly(formulas.values_of_offer("integrals"), state)
+    turn = turn_of(a_square, b_square, c)
     if not all(turn):
-        return rotate(state, *turn)
+        return rotate(state, *turn), turn
     fields, size = _sizes(state)
     return [
         x if (x**2 > NOISE**2 * size if place < 3 else abs(x) > NOISE * fields) else Fraction(0)
         for place, x in enumerate(rotate(state, *turn))
-    ]
+    ], turn
 
 
 def _parameters(state: list[Fraction], infinite: bool) -> tuple[Parameters, arb]:

@@ -20,7 +20,7 @@ from kowalevski_cas.motion.o4 import transverse as o4
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.parameters import Inadmissible, precision
 from kowalevski_cas.motion.regimes import coincidences, tori
-from kowalevski_cas.motion.transverse import exponent, kind
+from kowalevski_cas.motion.transverse import exponent, kind, kind_at
 from kowalevski_cas.motion.units import in_unit, unit_of
 
 INTEGRALS = {"H": "H", "K": "K", "G": "G", "a^2": "a2", "b^2": "b2", "c": "c"}
@@ -98,7 +98,9 @@ class Trajectory:
                 "u1": str(motion.regime.u1),
                 "u2": str(motion.regime.u2),
                 "tori": motion.regime.tori,
-                "transversely": o4.kind(motion.parameters),
+                "transversely": o4.kind_at(motion.point)
+                if motion.point
+                else o4.kind(motion.parameters),
             }
         regime = motion.regime
         with precision(64):
@@ -111,7 +113,7 @@ class Trajectory:
             "k1_squared": squares[0],
             "k2_squared": squares[1],
             "lambda": abs(exponent(motion.parameters)),
-            "transversely": kind(motion.parameters),
+            "transversely": kind_at(motion.point) if motion.point else kind(motion.parameters),
             "separating": coincidences(motion.parameters),
         }
 

@@ -19,14 +19,18 @@ passes :math:`x_1x_2=0`, where the root changes its sign; so the sign of
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
 
 import numpy as np
 from flint import acb, arb
 
+from kowalevski_cas.motion.frame import state_from_numbers
 from kowalevski_cas.motion.oscillation import Oscillation
 from kowalevski_cas.motion.parameters import Inadmissible, Parameters, Real, ball, precision
-from kowalevski_cas.motion.regimes import Regime, all_regimes, ells, regime_of
+from kowalevski_cas.motion.point import constants_at, uncertainty
+from kowalevski_cas.motion.regimes import Regime, all_regimes, coincidences, ells, regime_of
+from kowalevski_cas.motion.rounding import last_digits, vanishes
 
 
 def exponent(parameters: Parameters) -> complex:
@@ -72,25 +76,47 @@ def degenerate(a: Real, b: Real, m: Real) -> Iterator[tuple[Regime, float]]:
 
 
 def kind(parameters: Parameters) -> str:
-    """Whether a torus is elliptic, hyperbolic, or degenerate: λ = 0, to the last digit of ℓ."""
-    if parameters.m > 0:
+    """Whether a torus is elliptic, hyperbolic, or degenerate: λ = 0.
+
+    It vanishes to the last digit of a, b, m and of ℓ, or of the energy where ℓ is irrational.
+    """
+    known, ell = parameters, parameters.rational_ell
+    make, last = (Parameters.at_energy, known.h) if ell is None else (Parameters.of, ell)
+    given = [known.a, known.b, known.m, last]
+    return _kind(lambda numbers: make(*numbers), given, last_digits(given))
+
+
+def kind_at(state: Sequence[Real]) -> str:
+    """The same for the torus through a state on N⁴, as far as that is known."""
+    given = state_from_numbers(state)
+    return _kind(constants_at, given, uncertainty(given))
+
+
+def _kind(
+    constants: Callable[[Sequence[Fraction]], Parameters],
+    given: Sequence[Fraction],
+    steps: Sequence[Fraction],
+) -> str:
+    """The type of a torus with the constants that follow from the given numbers."""
+    known = constants(given)
+    if known.m > 0:
         return "elliptic"
-    here = difference(parameters)
-    return "degenerate" if here == 0 or _vanishes_beside(parameters) else "hyperbolic"
+    regime = regime_of(known)
 
-
-def _vanishes_beside(parameters: Parameters) -> bool:
-    """Whether λ = 0 between the floats below and above ℓ, inside one regime."""
-    ell = float(parameters.ell)
-    signs, regimes = set(), set()
-    for beside in (np.nextafter(ell, -np.inf), np.nextafter(ell, np.inf)):
+    def square(numbers: Sequence[Fraction]) -> float | None:
+        """That of the difference with its sign, which is smooth also in ℓ² at ℓ = 0."""
         try:
-            there = Parameters.of(parameters.a, parameters.b, parameters.m, float(beside))
-            regimes.add(regime_of(there))
+            beside = constants(numbers)
+            gap = difference(beside) if regime_of(beside) == regime else None
         except Inadmissible:
-            return False
-        signs.add(bool(difference(there) > 0))
-    return len(signs) == 2 and len(regimes) == 1
+            return None
+        return None if gap is None else gap * abs(gap)
+
+    if difference(known) == 0:
+        return "degenerate"
+    # On a separating curve itself the difference is that of the asymptotic motion.
+    lost = not coincidences(known) and vanishes(square, given, steps)
+    return "degenerate" if lost else "hyperbolic"
 
 
 def mean(oscillation: Oscillation) -> arb:

@@ -157,7 +157,7 @@ JACOBI = Family(
     imaginary={"s": r"\frac{is}{c}", "c": r"\frac{1}{c}", "d": r"\frac{d}{c}"},
     degenerate={
         (0,): {"s": r"\sin x", "c": r"\cos x", "d": "1"},
-        **{(one,): {"s": r"\tanh x", "c": _SECH, "d": _SECH} for one in (1, -1)},
+        **{(sign,): {"s": r"\tanh x", "c": _SECH, "d": _SECH} for sign in (1, -1)},
     },
 )
 

@@ -58,12 +58,16 @@ def statements(tex: str) -> tuple[StatementTokens, ...]:
     With a ± in it, it is two statements, and one for each value of an index with a range.
     """
     tokens, ranges = without_ranges(scan(tex), tex)
-    found = [one for own in _statement_of(tokens, tex) for one in each_value(own, ranges, tex)]
+    found = [
+        statement
+        for own in _statement_of(tokens, tex)
+        for statement in each_value(own, ranges, tex)
+    ]
     groups = _groups(tex)
     return tuple(
-        StatementTokens(one, *_interval(one, groups))
+        StatementTokens(tokens, *_interval(tokens, groups))
         for statement in found
-        for one in _signs_of(statement)
+        for tokens in _signs_of(statement)
     )
 
 
@@ -149,7 +153,24 @@ def _runs(tokens: list[Token], tex: str) -> list[_Run]:
     for run in runs:
         while run.tokens and run.tokens[-1].kind == "stop":
             run.tokens.pop()
+        if run is not runs[0] and _is_condition(run):
+            run.before, run.relation, run.tokens = "comma", True, run.tokens[1:-1]
     return [run for run in runs if run.tokens]
+
+
+def _is_condition(run: _Run) -> bool:
+    r"""Whether a run is one relation in brackets, as :math:`\qquad(x>0)`: it stands by itself."""
+    if run.relation or not run.tokens or run.tokens[0].text != "(":
+        return False
+    depth, relations = 0, 0
+    for token in run.tokens:
+        if depth == 0 and token is not run.tokens[0]:
+            return False
+        depth += (token.kind in BEGINNING) - (token.kind in ENDING)
+        if depth == 1 and token.kind == "comma":
+            return False
+        relations += depth == 1 and token.kind == "relation"
+    return depth == 0 and relations > 0
 
 
 def _depths(tokens: list[Token], tex: str) -> Iterator[tuple[Token, int, bool]]:

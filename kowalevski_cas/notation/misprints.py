@@ -184,7 +184,7 @@ def _functions(place: _NodePlace) -> Iterator[Misprint]:
     """The sine for the cosine, and the like."""
     node = place.node
     if isinstance(node, Application):
-        for pair in (one for one in _PAIRS if node.function in one):
+        for pair in (both for both in _PAIRS if node.function in both):
             other = Application(pair[pair[0] == node.function], node.arguments)
             yield "letter", place.path, other, _read(node, other)
 
@@ -309,9 +309,9 @@ def _exchanges(place: _NodePlace) -> Iterator[Misprint]:
     if isinstance(node, Relation) or not isinstance(place.parent, Relation | None):
         return
     nodes = dict.fromkeys(node.nodes())
-    names = [one.name for one in nodes if isinstance(one, Name)]
-    functions = {one.function for one in nodes if isinstance(one, Application)}
-    for pair in (*combinations(names, 2), *(one for one in _PAIRS if functions.issuperset(one))):
+    names = [node.name for node in nodes if isinstance(node, Name)]
+    functions = {node.function for node in nodes if isinstance(node, Application)}
+    for pair in (*combinations(names, 2), *(both for both in _PAIRS if functions.issuperset(both))):
         yield "exchange", place.path, _swap(node, pair), f"exchange ${pair[0]}$ and ${pair[1]}$"
 
 

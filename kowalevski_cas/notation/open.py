@@ -37,7 +37,7 @@ class OpenParser(Parser):
         scalars = vocabulary.scalars | names - vocabulary.functions
         known = vocabulary.moving - vocabulary.vectors
         moving = vocabulary.moving if known else vocabulary.moving | scalars
-        self.says_what_moves = bool(known)
+        self.says_what_moves = bool(known) and not vocabulary.scalars <= known | vocabulary.times
         super().__init__(tex, tokens, replace(vocabulary, scalars=scalars, moving=moving))
 
     lone_d = True
@@ -94,7 +94,7 @@ def bold_names(tex: str) -> list[str]:
     ['\\mathbf{r}', '\\boldsymbol{\\omega}_1']
     """
     letters = Cursor(tex, scan(tex), Vocabulary()).letters()
-    return [*dict.fromkeys(one + index for one, index in letters if symbol(one).is_bold)]
+    return [*dict.fromkeys(letter + index for letter, index in letters if symbol(letter).is_bold)]
 
 
 def matrices_by_use(tex: str) -> set[str]:
@@ -109,8 +109,12 @@ def matrices_by_use(tex: str) -> set[str]:
         parts = symbol(token.text) if token.kind == "letter" else None
         if parts is None or not parts.is_bold or not parts.letter.isupper():
             continue
-        behind = [one for one in tokens[k + 1 : k + 6] if one.kind not in ("accent", "{")]
-        inverse = [one.text for one in behind[:3]] == ["^", "-", "1"]
+        behind = [
+            following
+            for following in tokens[k + 1 : k + 6]
+            if following.kind not in ("accent", "{")
+        ]
+        inverse = [following.text for following in behind[:3]] == ["^", "-", "1"]
         if inverse or (behind and behind[0].kind == "letter" and symbol(behind[0].text).is_bold):
             found.add(token.text)
     return found

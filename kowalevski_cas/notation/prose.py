@@ -62,7 +62,7 @@ def _formulas(tex: str, vocabulary: Vocabulary) -> Prose:
     for parser in (_InWords, _Loosened):
         with suppress(NotationError):
             each = (parser(tex, tokens, vocabulary) for tokens in printed_statements(tex))
-            if runs := [run for one in each for run in (", ", one.statement()[0])]:
+            if runs := [run for formula in each for run in (", ", formula.statement()[0])]:
                 return tuple(runs[1:])
     return (f"${tex}$",)
 

@@ -81,7 +81,7 @@ class SumSign(NamedTuple):
             SumSign.at(self.body, k) for k, token in enumerate(self.body) if token.kind in SIGNS
         )
         own = len(self._below) == 1 and self._below[0][1:2] == ["="]
-        return own and all(one.is_plain for one in inner)
+        return own and all(part.is_plain for part in inner)
 
     @property
     def is_crowded(self) -> bool:
@@ -118,8 +118,8 @@ class SumSign(NamedTuple):
     @property
     def letters(self) -> list[str]:
         """The letters below the sign."""
-        below = (one for part in self._below for one in part)
-        return [*dict.fromkeys(one for one in below if not (one.isdecimal() or one in _SIGNS))]
+        below = (text for part in self._below for text in part)
+        return [*dict.fromkeys(text for text in below if not (text.isdecimal() or text in _SIGNS))]
 
     @property
     def own(self) -> set[str]:
@@ -140,25 +140,47 @@ class SumSign(NamedTuple):
         parts = self._below
         if len(parts) > 1 and all(len(part) == 1 for part in parts[:-1]) and self._above:
             parts = [[part[0], *parts[-1][1:]] for part in parts]  # as in j,k=1
-        for part in (one for one in parts if name in one):
+        for part in (part for part in parts if name in part):
             ends, between = [part[0], part[-1]], {*part[1::2]} <= {"<", r"\le"}
             if part[:2] == [name, "="]:
-                ends, between = [str(at.get(one, one)) for one in (*part[2:], *self._above)], True
+                ends, between = (
+                    [str(at.get(text, text)) for text in (*part[2:], *self._above)],
+                    True,
+                )
             if between and len(ends) == 2 and all(map(str.isdecimal, ends)):
                 return range(int(ends[0]), int(ends[1]) + 1)
             if "=" in part or self._above:
                 return ()
-        beside = (one for part in parts if name in part for one in part)
-        return next((ranges[one] for one in (name, *beside) if ranges.get(one)), ())
+        beside = (text for part in parts if name in part for text in part)
+        return next((ranges[index] for index in (name, *beside) if ranges.get(index)), ())
 
     def _holds(self, at: Values) -> bool:
         """Whether what stands below the sign is so for these values."""
         return all(
-            _ORDER[sign](*(at[one] if one in at else int(one) for one in (left, right)))
+            _ORDER[sign](*(at[text] if text in at else int(text) for text in (left, right)))
             for part in self._below
             for left, sign, right in zip(part[::2], part[1::2], part[2::2], strict=False)
             if sign in _ORDER
         )
+
+
+def indexed_sums(tokens: list[Token], ranges: Ranges) -> list[Token]:
+    r"""The tokens with an index below a sum without one, as in :math:`\sum x_i^2`.
+
+    It is the only letter with a range that stands in an index behind the sign.
+    """
+    found = [*tokens]
+    for k in range(len(tokens) - 1, -1, -1):
+        if tokens[k].kind in SIGNS and tokens[k + 1 : k + 2] and tokens[k + 1].kind not in "^_":
+            sign = SumSign.at(tokens, k)
+            body = [*pairwise(sign.body)]
+            letters = {b.text for a, b in body if a.kind == "_" and ranges.get(b.text)}
+            if len(letters) == 1:
+                start = tokens[k].end
+                found[k + 1 : k + 1] = [
+                    Token("_", "_", start, start), Token("letter", letters.pop(), start, start)
+                ]  # fmt: skip
+    return found
 
 
 def outside_sums(tokens: list[Token]) -> Iterator[Token]:

@@ -33,7 +33,7 @@ class _Tensor(NamedTuple):
     def value(self, at: Values) -> int | None:
         """Kronecker's delta, or the sign of a permutation; nothing if an index is not known."""
         known = [int(index) if index.isdecimal() else at.get(index) for index in self.indices]
-        numbers = [one for one in known if one is not None]
+        numbers = [place for place in known if place is not None]
         if len(numbers) < len(known):
             return None
         if len(numbers) == 2:
@@ -68,12 +68,12 @@ def add_sums(tokens: list[Token], ranges: Mapping[str, Sequence[int]], tex: str)
     found, free = list[Token](), list[set[str]]()
     for term in _terms(tokens):
         counts = Counter(letter for letter in _letters(term) if letter in letters)
-        twice = [one for one, count in counts.items() if count > 1]
+        twice = [index for index, count in counts.items() if count > 1]
         _check_term(term, twice, counts, tex)
         free += [{*counts} - {*twice}]
         found += _summed(term, twice)
     every = set().union(*free)
-    if any(one and one != every for one in free):
+    if any(index and index != every for index in free):
         message = "which indices are free here, and which are summed over? print the sums"
         raise NotationError(message, tex, tokens[0].start)
     return found
@@ -127,7 +127,7 @@ def _check_term(
     """Refuse a term of which it cannot be seen over what it is summed."""
     places = [*zip(_letters(term), _depths(term, index=False), strict=True)]
     factors = {letter for letter, depth in places if not depth}
-    if wrong := [one for one in twice if counts[one] > 2 or one not in factors]:
+    if wrong := [index for index in twice if counts[index] > 2 or index not in factors]:
         message = rf"over what is summed here? print \sum_{{{wrong[0]}=1}}^{{3}}"
         raise NotationError(message, tex, term[0].start)
 
@@ -149,11 +149,15 @@ def _tensors(tokens: Sequence[Token]) -> Iterator[_Tensor]:
     """The tensors among tokens."""
     for first, token in enumerate(tokens):
         rank = _RANKS.get(token.text, 0)
-        if rank and [one.kind for one in tokens[first + 1 : first + 3]] == ["_", "{"]:
+        if rank and [token.kind for token in tokens[first + 1 : first + 3]] == ["_", "{"]:
             end = next(k for k in range(first, len(tokens)) if tokens[k].kind == "}") + 1
-            index = [one for one in tokens[first + 3 : end - 1] if one.kind != "comma"]
-            texts = [t for one in index for t in (one.text if one.kind == "number" else [one.text])]
-            if len(texts) == rank and {one.kind for one in index} <= {"letter", "number"}:
+            index = [token for token in tokens[first + 3 : end - 1] if token.kind != "comma"]
+            texts = [
+                t
+                for token in index
+                for t in (token.text if token.kind == "number" else [token.text])
+            ]
+            if len(texts) == rank and {token.kind for token in index} <= {"letter", "number"}:
                 yield _Tensor(tuple(texts), first, end)
 
 

@@ -41,17 +41,17 @@ FACTORS = {By.SUM: 1, By.DIFFERENCE: -1, By.OPPOSITE: -1, By.DOUBLE: 2}
 def addition_theorems(goals: Iterable[Goal]) -> Iterator[Along]:
     """The theorems by which the functions in some goals are written out."""
     used: dict[tuple[Family, By], None] = {}
-    for setting in dict.fromkeys(one.space for goal in goals for one in simple(goal)):
+    for setting in dict.fromkeys(part.space for goal in goals for part in simple(goal)):
         if isinstance(setting, Meaning) and setting.transcendental.groups:
             reach = Reach(setting)
             for goal in goals:
                 reach.bound |= {*(goal.bound if isinstance(goal, Exists) else ())}
-                for one in simple(goal):
-                    if one.space is setting:
-                        reach.goal(one)
+                for part in simple(goal):
+                    if part.space is setting:
+                        reach.goal(part)
             derived = setting.transcendental.derived
             met = [derived[name] for name in sorted(reach.names & derived.keys())]
-            used |= dict.fromkeys((one.family, one.by) for one in met)
+            used |= dict.fromkeys((group.family, group.by) for group in met)
     for family, by in used:
         yield rotation(family) if by is By.IMAGINARY else theorem(family, by)
 

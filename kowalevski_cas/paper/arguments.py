@@ -81,7 +81,7 @@ def _inverse(below: Combination, formula: Formula) -> Combination:
     if len(below) != 1:
         return {((formula, -1),): Fraction(1)}
     ((monomial, factor),) = below.items()
-    return {tuple((one, -exponent) for one, exponent in monomial): 1 / factor}
+    return {tuple((base, -exponent) for base, exponent in monomial): 1 / factor}
 
 
 def product_of(monomial: Monomial, over: int = 1) -> Formula:
@@ -90,8 +90,8 @@ def product_of(monomial: Monomial, over: int = 1) -> Formula:
     >>> to_latex(product_of(((Name("x"), 1), (Name("y"), -1)), 2))
     '\\frac{x}{2y}'
     """
-    above = times(*(power(one, e) for one, e in monomial if e > 0))
-    below = times(Number(over), *(power(one, -e) for one, e in monomial if e < 0))
+    above = times(*(power(base, e) for base, e in monomial if e > 0))
+    below = times(Number(over), *(power(base, -e) for base, e in monomial if e < 0))
     return above if below == Number(1) else Quotient(above, below)
 
 

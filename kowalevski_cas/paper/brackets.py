@@ -55,14 +55,16 @@ class Brackets:
         for name in declared:
             for (x, y), formula in self._instances(name):
                 value = finder.scalar(formula)
-                for pair, one in (((x, y), value), ((y, x), -value)):
-                    if not (values.setdefault(pair, one) - one).is_zero:
+                for pair, signed in (((x, y), value), ((y, x), -value)):
+                    if not (values.setdefault(pair, signed) - signed).is_zero:
                         raise Meaningless(
                             f"the bracket of {x} and {y} is not antisymmetric, or has two values"
                         )
                 if (y, x) not in self.structure:
                     self.structure[x, y] = formula
-        nothing = {p for p, one in values.items() if one.is_zero and not one.denominator}
+        nothing = {
+            p for p, bracket in values.items() if bracket.is_zero and not bracket.denominator
+        }
         self.structure = {p: f for p, f in self.structure.items() if p not in nothing}
 
     def __call__(self, left: Parts, right: Parts) -> Formula:

@@ -37,7 +37,7 @@ def size(vector: Formula, setting: Meaning) -> int:
             return len(setting.scene.vectors[name])
         case Name(name) if name in setting.scene.definitions:
             return size(setting.definition(name), setting)
-    parts = (one for one in vector.children() if rank(one, setting.texts.vocabulary) == VECTOR)
+    parts = (part for part in vector.children() if rank(part, setting.texts.vocabulary) == VECTOR)
     found = {size(part, setting) for part in parts} or {3}
     if len(found) > 1 or (isinstance(vector, CrossProduct) and found != {3}):
         numbers = " and ".join(map(str, sorted(found)))

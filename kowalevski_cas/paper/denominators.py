@@ -26,7 +26,7 @@ class Divisor(NamedTuple):
 
     def without(self, known: Set[Shape]) -> Divisor:
         """The product of the factors that are not known, each once."""
-        new = {shape: one for shape, one in self.factors.items() if shape not in known}
+        new = {shape: exponent for shape, exponent in self.factors.items() if shape not in known}
         return Divisor(reduce(mul, new.values(), self.element.ring.one), new)
 
 
@@ -51,9 +51,12 @@ class Divisors:
 
     @cached_property
     def printed(self) -> dict[Formula, Divisor]:
-        """The denominators in all definitions of the scene."""
-        texts, places = self.setting.texts, self.setting.scene.definitions.values()
-        return self.below([self.setting.plain(texts.formula(place)) for place in places])
+        """The denominators in all definitions of the scene that have a value by themselves."""
+        texts, found = self.setting.texts, list[Formula]()
+        for place in self.setting.scene.definitions.values():
+            with suppress(Meaningless):  # of a logarithm only the derivative has one
+                found.append(self.setting.plain(texts.formula(place)))
+        return self.below(found)
 
     def below(self, formulas: Iterable[Formula]) -> dict[Formula, Divisor]:
         """The factors of all denominators in formulas that mean something in the setting."""
@@ -63,7 +66,7 @@ class Divisors:
                 element = self.setting.finder.scalar(formula)
                 cancelled = _common_factors(element)
                 factors = factors_below(element.inverse()).items()
-                left = {shape: one for shape, one in factors if shape not in cancelled}
+                left = {shape: exponent for shape, exponent in factors if shape not in cancelled}
                 found[formula] = Divisor(element, left)
         return found
 
@@ -122,7 +125,7 @@ def _common_factors(element: Element) -> set[Shape]:
 
 def factors_of(element: Element) -> dict[Shape, Element]:
     """The irreducible factors of a numerator without roots, in FLINT."""
-    factors = (Element(element.ring, {0: one}, {}) for one, _ in element.parts[0].factor()[1])
+    factors = (Element(element.ring, {0: factor}, {}) for factor, _ in element.parts[0].factor()[1])
     return {shape_of(factor): factor for factor in factors}
 
 

@@ -242,12 +242,12 @@ class Derivation:
         ``sources`` holds displays, by id, whose source is another one. What it rests on is read
         with the corrections that are accepted there.
         """
-        corrected = {id: tex for one in self.rests_on for id, tex in one.corrected().items()}
+        corrected = {id: tex for base in self.rests_on for id, tex in base.corrected().items()}
         return Texts(vocabulary((*self.scenes(), *more)), {**corrected, **(sources or {})})
 
     def corrected(self) -> dict[str, str]:
         """The displays that are read otherwise than they are printed, with what it rests on."""
-        found = {id: tex for one in self.rests_on for id, tex in one.corrected().items()}
+        found = {id: tex for base in self.rests_on for id, tex in base.corrected().items()}
         rows: dict[Display, dict[int, str]] = {}
         for place, tex in self.accepted.items():
             rows.setdefault(place.display, {})[place.number] = tex
@@ -260,9 +260,9 @@ class Derivation:
 
     def bases(self) -> Iterator[Derivation]:
         """The derivations that it rests on, and those that these rest on; one may come twice."""
-        for one in self.rests_on:
-            yield from one.bases()
-            yield one
+        for base in self.rests_on:
+            yield from base.bases()
+            yield base
 
     @property
     def established(self) -> dict[Printed, str]:
@@ -284,7 +284,7 @@ class Derivation:
 
     def _known_displays(self) -> Iterator[Display]:
         """The displays that it may use."""
-        known = (display for one in self.rests_on for display in one._known_displays())
+        known = (display for base in self.rests_on for display in base._known_displays())
         yield from dict.fromkeys(known)
         yield from self.displays()
 

@@ -16,7 +16,7 @@ def directions(functions: Transcendental, name: str) -> dict[str, Formula]:
     for group in functions.groups:
         if name in functions.names_under(group):
             by = _slope(functions, functions.expanded(product_of(group.monomial)), name)
-            found |= {one: times(by, rate) for one, rate in group.rates().items()}
+            found |= {name: times(by, rate) for name, rate in group.rates().items()}
         parameters = zip(group.kind.family.parameters, group.kind.parameters, strict=True)
         for parameter, value in parameters:
             if value == Name(name):
@@ -34,7 +34,9 @@ def without_direction(functions: Transcendental, name: str) -> frozenset[str]:
         raise Meaningless(f"by {name} nothing is derived where values are printed at it", name)
     found = set[str]()
     for group in functions.groups:
-        below = {n for one in group.kind.parameters for n in functions.expanded(one).names()}
+        below = {
+            n for parameter in group.kind.parameters for n in functions.expanded(parameter).names()
+        }
         if name in below.union(*(functions.radicals.get(n, ()) for n in below)):
             known = group.kind.family.by if group.kind.parameters == (Name(name),) else ()
             found.update(() if known else group.names.values())
@@ -43,13 +45,13 @@ def without_direction(functions: Transcendental, name: str) -> frozenset[str]:
 
 def _slope(functions: Transcendental, argument: Formula, name: str) -> Formula:
     """The derivative of an argument by a name, which may stand under a root in it."""
-    roots = [one for one in argument.names() if name in functions.radicals.get(one, ())]
+    roots = [radical for radical in argument.names() if name in functions.radicals.get(radical, ())]
     slopes = {name: Number(1), **{root: Partial(Name(root), name) for root in sorted(roots)}}
     return total(
-        _times(factor, times(by_name(term, one), slope))
+        _times(factor, times(by_name(term, radical), slope))
         for term, factor in combination(argument).items()
-        for one, slope in slopes.items()
-        if one in names_in(term)
+        for radical, slope in slopes.items()
+        if radical in names_in(term)
     )
 
 

@@ -84,7 +84,11 @@ class Elaboration(Moving):
             *functions.products(moving=True),
             *(functions.instead(scene.time) if functions.depends_on_time else ()),
         ]
-        still = [n for one in (*scene.constants, *scene.undefined) for n in functions.instead(one)]
+        still = [
+            n
+            for constant in (*scene.constants, *scene.undefined)
+            for n in functions.instead(constant)
+        ]
         still += functions.products(moving=False)
         root = self.radicals.root
         self.variables = tuple(root(n) for n in moving if n not in named | self.zero)
@@ -178,9 +182,20 @@ class Elaboration(Moving):
     def nonzero(self) -> tuple[Formula, ...]:  # type: ignore[override] # computed here, an attribute above
         """What the scene takes for granted not to vanish."""
         roots = (Name(self.radicals.root(name)) for name in self.radicals.orders)
+        granted = (Name(n) if n in self.roots else self.formula(n) for n in self.scene.nonzero)
         strict = (self.formula(one.difference) for one in self.supposed if one.sign != r"\le")
-        known = (*map(self.formula, self.scene.nonzero), *strict)
-        return (*known, *self.transcendental.nonzero, *roots)
+        said = (one for one in (*granted, *strict) if not self._is_given_by_number(one))
+        return (*said, *self.transcendental.nonzero, *roots)
+
+    def _is_given_by_number(self, formula: Formula) -> bool:
+        r"""Whether a name is a number, so that :math:`b\ne0` says nothing beside :math:`b=1`."""
+        if not isinstance(formula, Name) or formula.name not in self.scene.definitions:
+            return False
+        step = self.step(formula.name)
+        value = step.formula if isinstance(step, Let) else formula
+        value = value.argument if isinstance(value, Negative) else value
+        parts = value.children() if isinstance(value, Quotient) else (value,)
+        return all(isinstance(part, Number) and part.value for part in parts)
 
     @cached_property
     def conjugates(self) -> tuple[tuple[str, str], ...]:  # type: ignore[override] # computed here, an attribute above
@@ -279,7 +294,7 @@ class Elaboration(Moving):
         for other in mentions(let.formula):  # vectors stay as they are, and may run in a circle
             if (
                 isinstance(other, Name)
-                and is_bold(other.name)
+                and (is_bold(other.name) or other.name in self.scene.vectors)
                 and other.name in self.scene.definitions
             ):
                 self.step(other.name)

@@ -60,7 +60,9 @@ class Kind(NamedTuple):
         tex = ",".join(map(to_latex, whole))
         bare = not self.parameters and not self.family.is_explicit
         inside = tex if bare and isinstance(argument, Name | Quotient) else f"({tex})"
-        words = {one: canonical(name.split()[0]) for name, one in self.family.functions.items()}
+        words = {
+            letter: canonical(name.split()[0]) for name, letter in self.family.functions.items()
+        }
         printed = {g: name.replace("(x)", inside) for g, name in self.family.printed.items()}
         letters = [*self.family.rates, *(self.family.integrals if integrals else ())]
         return {g: printed.get(g) or f"{words[g]}{{{inside}}}" for g in letters}
@@ -238,8 +240,10 @@ def kind_of(formula: Application) -> Kind:
 @once
 def applications(formula: Formula) -> tuple[Application, ...]:
     """The functions of known families in a formula."""
-    found = (one for one in without_sums(formula).nodes() if isinstance(one, Application))
-    return tuple(dict.fromkeys(one for one in found if one.function in FAMILY_OF))
+    found = (node for node in without_sums(formula).nodes() if isinstance(node, Application))
+    return tuple(
+        dict.fromkeys(application for application in found if application.function in FAMILY_OF)
+    )
 
 
 @once

@@ -23,7 +23,7 @@ def value_of(formula: Application, setting: Meaning) -> Formula:
             own = [setting.texts.expression(argument) for argument in arguments]
             if [*formula.arguments] == own:
                 return body
-            if not all(isinstance(one, Name) for one in own):
+            if not all(isinstance(argument, Name) for argument in own):
                 raise Meaningless(f"{name} is used with other velocities: define it anew")
             return substitute(body, values)
     what = f"the function {formula.function} has no meaning here"

@@ -20,7 +20,7 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.notation.functions import MEANING
 from kowalevski_cas.paper.arguments import Monomial, product_of, single_name
 from kowalevski_cas.paper.differentiate import derivative
-from kowalevski_cas.paper.families import outside
+from kowalevski_cas.paper.families import Generators, outside
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.scene import Change
@@ -49,9 +49,9 @@ def functions_of(setting: Meaning) -> Transcendental:
     radicals: dict[str, frozenset[str]] = {}
     squares = [*_squares(setting)]
     for name, formulas in squares:
-        names = (_expand(setting, one).names() for one in formulas)
+        names = (_expand(setting, formula).names() for formula in formulas)
         below = frozenset[str]().union(*names) - {name}
-        radicals[name] = below.union(*(radicals.get(one, ()) for one in below))
+        radicals[name] = below.union(*(radicals.get(letter, ()) for letter in below))
         (constants if radicals[name].issubset(constants) else moving).append(name)
     printed = [formula for _, formulas in squares for formula in formulas]
     free, expanded = free_names(setting, [*own, *printed]), partial(_expand, setting)
@@ -134,17 +134,19 @@ def free_names(setting: Meaning, formulas: Iterable[Formula]) -> frozenset[str]:
         new = (outside(formula) | applied) - found
         found |= new
         found.update(part for name in new for part in scene.vectors.get(name, ()))
-        waiting += _definitions(setting, [one for name in new for one in heads.get(name, ())])
+        waiting += _definitions(
+            setting, [definition for name in new for definition in heads.get(name, ())]
+        )
     return frozenset(found)
 
 
 def with_generators(
-    setting: Meaning, rows: Sequence[EquationOfMotion]
+    setting: Meaning, rows: Sequence[EquationOfMotion], complete: bool = True
 ) -> Iterator[EquationOfMotion]:
     """The rows of a field, with those of generators in the place of what they replace.
 
     The time moves as well, where it stands in a formula. Raises :class:`Meaningless` for a name in
-    an argument of which the rate is not known.
+    an argument of which the rate is not known, if the rows are ``complete``.
     """
     functions, scene = setting.transcendental, setting.scene
     known = {
@@ -157,17 +159,45 @@ def with_generators(
     for group in functions.groups if known else ():
         if not functions.moves(group):
             continue
-        factor, force = _rate(group.monomial, known, setting)
-        for name, rate in group.rates().items():
-            if name in group.moving:
-                below, above = (
-                    (rate.denominator, rate.numerator)
-                    if isinstance(rate, Quotient)
-                    else (ONE, rate)
-                )
-                yield EquationOfMotion(
-                    (name,), times(below, factor), times(setting.plain(above), force)
-                )
+        name = single_name(group.monomial)
+        if complete or name is None or name in known:
+            factor, force = _rate(group.monomial, known, setting)
+            yield from _rows_of(group, factor, force, setting)
+
+
+def _rows_of(
+    group: Generators, factor: Formula, force: Formula, setting: Meaning
+) -> Iterator[EquationOfMotion]:
+    """The rows of generators by the rate of what they are taken of: the force over the factor."""
+    for name, rate in group.rates().items():
+        if name in group.moving:
+            below, above = (
+                (rate.denominator, rate.numerator) if isinstance(rate, Quotient) else (ONE, rate)
+            )
+            yield EquationOfMotion(
+                (name,), times(below, factor), times(setting.plain(above), force)
+            )
+
+
+def angles_of(setting: Meaning) -> dict[str, tuple[str, Formula]]:
+    """The generators in the place of a variable: of which, and their derivatives by it."""
+    return {
+        generator: (name, setting.plain(rate))
+        for group in setting.transcendental.groups
+        if (name := single_name(group.monomial)) in setting.scene.variables and name is not None
+        for generator, rate in group.rates().items()
+        if generator in group.moving
+    }
+
+
+def in_generators(row: EquationOfMotion, setting: Meaning) -> Iterator[EquationOfMotion]:
+    """A row, or those of the generators in the place of its variable."""
+    (name,) = row.names
+    groups = [g for g in setting.transcendental.groups if single_name(g.monomial) == name]
+    for group in groups:
+        yield from _rows_of(group, row.factor, row.force, setting)
+    if name in setting.variables:
+        yield row
 
 
 def _rate(
@@ -178,8 +208,8 @@ def _rate(
     if name in known:
         return known[name]
     rates = {
-        one: force if factor == ONE else Quotient(force, factor)
-        for one, (factor, force) in known.items()
+        moving: force if factor == ONE else Quotient(force, factor)
+        for moving, (factor, force) in known.items()
     }
     argument = setting.plain(product_of(monomial))
     reach = Reach(setting)
@@ -195,7 +225,7 @@ def check_hypotheses(goals: Iterable[Goal]) -> None:
 
     Nor is anything known of the dependence of several functions of them.
     """
-    for goal in (one for whole in goals for one in simple(whole)):
+    for goal in (part for whole in goals for part in simple(whole)):
         setting = goal.space
         if not isinstance(setting, Meaning) or not setting.transcendental.dependent:
             continue

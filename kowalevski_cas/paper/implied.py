@@ -126,7 +126,7 @@ def _coordinates(formulas: Iterable[Formula]) -> Iterator[str]:
     for formula in formulas:
         match formula:
             case Relation((PoissonBracket(Name(x), Name(y)), _), _):
-                each = [one for name in (x, y) for one in _indexed(name)]
+                each = [point for name in (x, y) for point in _indexed(name)]
                 found.update(dict.fromkeys(each))
     yield from found
 

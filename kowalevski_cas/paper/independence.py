@@ -17,16 +17,16 @@ def decides(goal: Goal) -> bool:
     It does not where the generators of functions may depend on each other in ways that are not
     known here: as a point there may be none.
     """
-    for one in simple(goal):
-        if isinstance(one.space, Meaning) and one.space.transcendental.groups:
-            reach = Reach(one.space)
-            reach.goal(one)
+    for part in simple(goal):
+        if isinstance(part.space, Meaning) and part.space.transcendental.groups:
+            reach = Reach(part.space)
+            reach.goal(part)
             used = [
                 group
-                for group in one.space.transcendental.groups
+                for group in part.space.transcendental.groups
                 if not reach.names.isdisjoint(group.names.values())
             ]
-            if not _independent(used, one.space):
+            if not _independent(used, part.space):
                 return False
     return True
 
@@ -51,7 +51,7 @@ def _independent(groups: list[Generators], setting: Meaning) -> bool:
 def _may_degenerate(kind: Kind, setting: Meaning) -> bool:
     """Whether the discriminant vanishes, or has a root in it, so that it may."""
     discriminant = setting.plain(kind.formula(kind.family.discriminant, {}))
-    names = (setting.transcendental.expanded(one).names() for one in kind.parameters)
+    names = (setting.transcendental.expanded(parameter).names() for parameter in kind.parameters)
     roots = any(_is_root(Name(name), setting) for name in frozenset[str]().union(*names))
     return roots or setting.finder.scalar(discriminant).is_zero
 
@@ -59,9 +59,11 @@ def _may_degenerate(kind: Kind, setting: Meaning) -> bool:
 def _have_one_modulus(groups: list[Generators], setting: Meaning) -> bool:
     """Whether integrals have one modulus, and no parameter but constants that it has not in it."""
     moduli = {group.monomial for group in groups}
-    below = {one for group in groups for one in group.kind.parameters}
+    below = {parameter for group in groups for parameter in group.kind.parameters}
     names = {name for group in groups for name in setting.transcendental.names_under(group)}
-    constants = {one for one in map(Name, setting.scene.constants) if one.name not in names}
+    constants = {
+        constant for constant in map(Name, setting.scene.constants) if constant.name not in names
+    }
     return len(moduli) == 1 and constants.issuperset(below)
 
 
@@ -76,9 +78,9 @@ def _are_independent(groups: list[Generators], setting: Meaning) -> bool:
     inner = {node for f, _ in odd for node in f.nodes() if node == f or _is_root(node, setting)}
     if len(inner) > 1 or len({exponent for _, exponent in odd}) > 1:
         return False
-    if any(_is_root(one, setting) for one in inner):
+    if any(_is_root(factor, setting) for factor in inner):
         return all(e * e == 1 for _, e in odd) and not any(
-            _is_square(one, setting) for one in inner
+            _is_square(factor, setting) for factor in inner
         )
     return len(odd) < 2
 

@@ -42,8 +42,8 @@ class InlinedDefinitions:
         found: set[Printed] = set()
         waiting = [formula]
         while waiting:
-            for one in _heads(waiting.pop()):
-                for name, place in self._definitions_on_top(one):
+            for defined in _heads(waiting.pop()):
+                for name, place in self._definitions_on_top(defined):
                     if place not in found:
                         found.add(place)
                         waiting.append(self.setting.definition(name))

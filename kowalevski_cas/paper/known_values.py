@@ -27,12 +27,12 @@ class KnownValues:
         argument: Callable[[Application], Combination],
     ) -> None:
         self.values: dict[Place, dict[Fraction, dict[str, Formula]]] = {}
-        for one, value in printed:
-            if len(terms := [*argument(one).items()]) != 1:
-                raise Meaningless(f"{to_latex(one)} is taken at no multiple of a constant")
+        for angle, value in printed:
+            if len(terms := [*argument(angle).items()]) != 1:
+                raise Meaningless(f"{to_latex(angle)} is taken at no multiple of a constant")
             [(monomial, factor)] = terms
-            at = self.values.setdefault((kind_of(one), monomial), {}).setdefault(factor, {})
-            at[MEANING[one.function]] = value
+            at = self.values.setdefault((kind_of(angle), monomial), {}).setdefault(factor, {})
+            at[MEANING[angle.function]] = value
 
     def __contains__(self, place: Place) -> bool:
         return place in self.values

@@ -50,7 +50,7 @@ def has_logarithm(formula: Formula) -> bool:
 def with_real_logarithms(scene: Scene, formulas: Iterable[Formula]) -> Scene:
     """The scene on which the logarithms and arcs in some formulas are real."""
     found = (to_latex(root) for formula in formulas for root in roots(formula))
-    new = [one for one in dict.fromkeys(found) if one not in scene.roots]
+    new = [root for root in dict.fromkeys(found) if root not in scene.roots]
     return scene.adjoining(*sorted(new)) if new else scene
 
 
@@ -92,7 +92,7 @@ def derivative_of(formula: Formula, by: Callable[[Formula], Formula], space: Mea
             return Quotient(of(above), below)
         case Product(factors):
             own = [factor for factor in factors if not has_logarithm(factor)]
-            if len(own) == len(factors) - 1 and all(_is_constant(one, space) for one in own):
+            if len(own) == len(factors) - 1 and all(_is_constant(factor, space) for factor in own):
                 return Product(tuple(factor if factor in own else of(factor) for factor in factors))
     what = "a logarithm, or an arc, is read with a constant factor only"
     raise Meaningless(f"{to_latex(formula)}: {what}")

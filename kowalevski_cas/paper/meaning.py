@@ -65,9 +65,9 @@ class Meaning(Setting):
 
     def partial(self, formula: Formula, name: str) -> Formula:
         """The partial derivative of what is written out in the operations of a space."""
-        above = [(one, next) for one, next, by in self.scene.jets if by == name]
+        above = [(jet, next) for jet, next, by in self.scene.jets if by == name]
         if above:
-            parts = (times(self._partial(formula, one), Name(next)) for one, next in above)
+            parts = (times(self._partial(formula, jet), Name(next)) for jet, next in above)
             return total((self._partial(formula, name), *parts))
         return self._partial(formula, name)
 
@@ -82,15 +82,15 @@ class Meaning(Setting):
         if not known and not unknown:
             return Partial(formula, name)
 
-        def step(one: str) -> Step | None:
-            if one in unknown:
-                raise Meaningless(f"print the derivative of {one} by {name}", name)
-            return self.step(one)
+        def step(moving: str) -> Step | None:
+            if moving in unknown:
+                raise Meaningless(f"print the derivative of {moving} by {name}", name)
+            return self.step(moving)
 
         reach = Reach(self)
         reach.formula(formula)
         moving = reach.names.intersection(known) - unknown
-        rates = {one: self.plain(known[one]) for one in sorted(moving)}
+        rates = {step: self.plain(known[step]) for step in sorted(moving)}
         return derivative(formula, {name: Number(1), **rates}, step)
 
     @abstractmethod

@@ -56,8 +56,8 @@ def _components(arguments: Iterable[Combination]) -> list[frozenset[Monomial]]:
     """The terms that hang together, as they stand in one argument."""
     found: list[frozenset[Monomial]] = []
     for argument in arguments:
-        joined = [one for one in found if not one.isdisjoint(argument)]
-        found = [one for one in found if one not in joined]
+        joined = [group for group in found if not group.isdisjoint(argument)]
+        found = [group for group in found if group not in joined]
         found.append(frozenset(argument).union(*joined))
     return found
 

@@ -100,7 +100,7 @@ def _even(element: Element, name: str) -> tuple[Element, Element]:
     factor = along(along(element, by), by) * ring.number(Fraction(1, 2))
     rest = element - factor * ring.generator(name) ** 2
     without = (factor, rest, *ring.divisors_of([element]))
-    even = all(along(one, by).is_zero for one in without)
+    even = all(along(term, by).is_zero for term in without)
     return (factor, rest) if even else (ring.zero, ring.one)
 
 

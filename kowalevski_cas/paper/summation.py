@@ -45,9 +45,9 @@ def _at(formula: Formula, index: str, value: int) -> Formula:
     parts = _INDEX.findall(name.index)
     if index not in parts:
         return formula
-    before = (one for one, other in pairwise(parts) if other == index and one.isdecimal())
+    before = (number for number, other in pairwise(parts) if other == index and number.isdecimal())
     crowded = re.search(r"[^-+,]{2}", "".join(p[:1] for p in parts))
-    if any(int(one) > 1 for one in before) or (
+    if any(int(number) > 1 for number in before) or (
         crowded and (value > 9 or {*"+-"} & {*parts})  # 2i may be two indices, or a product
     ):
         raise Meaningless(f"what is the index of {to_latex(formula)}? write the terms out")

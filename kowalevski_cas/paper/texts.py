@@ -105,20 +105,20 @@ class Printed:
 
 def statements(*printed: Display | Printed) -> Iterator[Printed]:
     """Single statements, and all those of displays."""
-    for one in printed:
-        if isinstance(one, Display):
-            yield from one
+    for statement in printed:
+        if isinstance(statement, Display):
+            yield from statement
         else:
-            yield one
+            yield statement
 
 
-def check_attributes(one: Any, owner: str) -> None:
+def check_attributes(instance: Any, owner: str) -> None:
     """Refuse an attribute of another type than is declared: a display for a statement, say.
 
     Raises ``TypeError``, which says what to write.
     """
-    for field in fields(one):
-        value, kind = getattr(one, field.name), str(field.type)
+    for field in fields(instance):
+        value, kind = getattr(instance, field.name), str(field.type)
         if isinstance(value, Display):
             write = f"(*{value.id},)" if kind.startswith("tuple") else f"{value.id}[1]"
             raise TypeError(
@@ -157,7 +157,9 @@ def _type_error(value: object, kind: str) -> str | None:
 def _first_mistyped(values: Iterable[object], kind: str) -> str | None:
     """What the first of some values has to be that is not of a type."""
     wrong = (_type_error(value, kind) for value in values)
-    return next((one.replace("to be", "to hold", 1) for one in wrong if one is not None), None)
+    return next(
+        (message.replace("to be", "to hold", 1) for message in wrong if message is not None), None
+    )
 
 
 @dataclass(frozen=True, eq=False)

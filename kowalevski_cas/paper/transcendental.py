@@ -94,7 +94,11 @@ class Transcendental:
         self.phases: dict[Kind, Phases] = {}
         self.known = KnownValues(printed, self._argument)
         self.variables, self.constants = (*variables, *([time] if time else [])), tuple(constants)
-        read = [one for one in self._applications(formulas) if self._is_read(one)]
+        read = [
+            application
+            for application in self._applications(formulas)
+            if self._is_read(application)
+        ]
         arguments: dict[Kind, dict[Formula, Combination]] = {}
         for one in read:
             argument, _ = split_arguments(one)
@@ -124,7 +128,11 @@ class Transcendental:
     def _is_read(self, application: Application) -> bool:
         """Whether a function stands at names that are known, with a modulus that is constant."""
         argument = combination(self.expanded(split_arguments(application)[0]))
-        below = {n for one in kind_of(application).parameters for n in self.expanded(one).names()}
+        below = {
+            n
+            for parameter in kind_of(application).parameters
+            for n in self.expanded(parameter).names()
+        }
         return (
             all(map(is_arithmetic, (formula for monomial in argument for formula, _ in monomial)))
             and {*self.variables, *self.constants}.issuperset(
@@ -145,10 +153,10 @@ class Transcendental:
         """Whether one of some terms moves, and it is no angle."""
 
         def is_phase(terms: frozenset[Monomial]) -> bool:
-            names = {name for one in terms for name in names_in(one)}
+            names = {name for term in terms for name in names_in(term)}
             if () in terms or not names.isdisjoint({PI, "i"} & {*self.constants}):
                 return False
-            moving = [one for one in terms if not {*self.constants}.issuperset(names_in(one))]
+            moving = [term for term in terms if not {*self.constants}.issuperset(names_in(term))]
             return len(moving) == 1 and not (kind.family.covers and single_name(moving[0]))
 
         return is_phase
@@ -164,12 +172,18 @@ class Transcendental:
     def _real(self, kind: Kind, monomial: Monomial) -> tuple[Kind, Monomial, int] | None:
         """What an imaginary argument is i times; ``None`` where i, or k', is not printed."""
         found = real_part(kind, monomial) if "i" in self.constants else None
-        below = {name for one in (found[0].parameters if found else ()) for name in one.names()}
+        below = {
+            name
+            for parameter in (found[0].parameters if found else ())
+            for name in parameter.names()
+        }
         return found if below.issubset(self.constants) else None
 
     def _applications(self, formulas: Iterable[Formula]) -> Iterator[Application]:
         """The functions in formulas and in their rates; for degenerate ones what they are."""
-        for application in dict.fromkeys(one for f in formulas for one in applications(f)):
+        for application in dict.fromkeys(
+            application for f in formulas for application in applications(f)
+        ):
             other = self._degenerate(application)
             if other is None:
                 yield application
@@ -180,7 +194,7 @@ class Transcendental:
     def _degenerate(self, application: Application) -> Formula | None:
         """What a function is for a special modulus; ``None`` for any other one."""
         kind = kind_of(application)
-        numbers = (combination(self.expanded(one)) for one in kind.parameters)
+        numbers = (combination(self.expanded(parameter)) for parameter in kind.parameters)
         special = tuple(sum(terms.values()) for terms in numbers if not any(terms))
         values = kind.family.degenerate.get(special)  # type: ignore[arg-type] # 1 is Fraction(1)
         if values is None:
@@ -217,7 +231,7 @@ class Transcendental:
             name = single_name(group.monomial)
             beside = sum(single_name(other.monomial) == name for other in self.groups)
             if name not in self.names_replaced or beside > 1 or not group.kind.family.covers:
-                below = (n for one in group.kind.parameters for n in one.names())
+                below = (n for parameter in group.kind.parameters for n in parameter.names())
                 found.update(group.names.values(), self.names_under(group), below)
         return frozenset(found.union(self.known.names()))
 

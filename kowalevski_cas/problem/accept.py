@@ -115,7 +115,7 @@ class Judge(Examiner):
         need_point(evidence.point)
         known = at.differences(goal.given)
         pairs = [at.pairs(conclusion) for conclusion in goal.conclusions]
-        sides = [e for one in pairs for pair in one for e in pair]
+        sides = [e for equations in pairs for pair in equations for e in pair]
         self.accepted.divides([*sides, *known])
         alternatives = [[left - right for left, right in pair] for pair in pairs]
         goals = [reduce(mul, choice, at.ring.one) for choice in product(*alternatives)]
@@ -128,7 +128,7 @@ class Judge(Examiner):
     def _fails(self, goal: Follows, evidence: At, at: Evaluation, sign: bool) -> None:
         known = at.differences(goal.given)
         if type(goal) is Fails:
-            sides = (pair for one in goal.conclusions for pair in at.pairs(one))
+            sides = (pair for conclusion in goal.conclusions for pair in at.pairs(conclusion))
             self.accepted.divides([*known, *(e for pair in sides for e in pair)])
         place = self._point(at, evidence.point, known)
         for conclusion in goal.conclusions:
@@ -211,7 +211,9 @@ class Judge(Examiner):
     def _exists(self, goal: Exists, evidence: Found) -> None:
         if set(evidence.values) != set(goal.bound):
             raise Unproved("a bound name has no value")
-        if set(goal.bound).difference(*(f.names() for one in goal.goals for f in one.formulas())):
+        if set(goal.bound).difference(
+            *(f.names() for inner in goal.goals for f in inner.formulas())
+        ):
             raise Unproved("a bound name is not used")
         for one, inner in zip(goal.goals, evidence.evidence, strict=True):
             at = self.of(one.space)
@@ -223,15 +225,15 @@ class Judge(Examiner):
             self._simple(one, inner, True, at.binding(values), values)
 
     def _never(self, goal: Exists, evidence: Regardless) -> None:
-        one = goal.goals[evidence.goal]
-        if type(one) is not Follows or one.given or len(one.conclusions) != 1:
+        inner = goal.goals[evidence.goal]
+        if type(inner) is not Follows or inner.given or len(inner.conclusions) != 1:
             raise Unproved("only an identity can fail whatever the bound names are")
-        self.accepted.starts(one)
-        at = self.of(one.space)
-        self.accepted.divides(law(one, at, goal.bound))
+        self.accepted.starts(inner)
+        at = self.of(inner.space)
+        self.accepted.divides(law(inner, at, goal.bound))
         places = [(w, self._point(at, p, ())) for w, p in evidence.points]
         weighted = [(_rational(place.numbers.scalar(weight)), place) for weight, place in places]
-        if not any(self._impossible(goal, sides, at, weighted) for sides in one.conclusions[0]):
+        if not any(self._impossible(goal, sides, at, weighted) for sides in inner.conclusions[0]):
             raise Unproved("with other expressions the equation may hold")
 
     def _impossible(

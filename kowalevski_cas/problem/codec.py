@@ -67,7 +67,7 @@ SHAPES: dict[type[Any], str] = {
     Count: "space equations names number",
     Kernel: "space factor solutions integrals weights degree",
     Along: "space initial equations",
-    Proof: "product? cofactors:rows? cases? power?",
+    Proof: "product? cofactors:rows? cases? power? equal?",
     Point: "values",
     At: "point",
     Minors: "minors:rows",
@@ -137,7 +137,7 @@ def _json_of(value: Any, spaces: list[Space]) -> Tree:
         case str() | int():
             return value
         case tuple() if type(value) is tuple:
-            return [_json_of(one, spaces) for one in value]
+            return [_json_of(part, spaces) for part in value]
         case Space():
             return _place(value, spaces)
         case NameDefinition():
@@ -145,7 +145,7 @@ def _json_of(value: Any, spaces: list[Space]) -> Tree:
         case EquationOfMotion(names, factor, force):
             return [[*names], encode(factor), encode(force)]
         case Mapping():
-            return [[name, encode(one)] for name, one in value.items()]
+            return [[name, encode(formula)] for name, formula in value.items()]
     return _object(value, spaces)
 
 
@@ -161,7 +161,7 @@ def _object(value: Any, spaces: list[Space]) -> Data:
     """Data under its keys."""
     match value:
         case Point(values):
-            trees = [[name, encode(one)] for name, one in sorted(values.items())]
+            trees = [[name, encode(tree)] for name, tree in sorted(values.items())]
             return {"roots": sorted(_radicands(trees)), "values": trees}
         case Entailment(proof, None):
             return _object(proof, spaces)
@@ -170,7 +170,7 @@ def _object(value: Any, spaces: list[Space]) -> Data:
     word = {"goal": _WORDS[type(value)]} if type(value) in _WORDS else {}
     found = [(key, getattr(value, name), least) for key, name, least in _KEYS[type(value)]]
     return word | {
-        key: _json_of(one, spaces) for key, one, least in found if one not in (least, None)
+        key: _json_of(value, spaces) for key, value, least in found if value not in (least, None)
     }
 
 
@@ -207,7 +207,7 @@ def read_evidence(data: Data, goal: Goal, holds: bool = True) -> Evidence:
         found = {key: value for key, value in data.items() if key != "away" or kind is Found}
         if isinstance(goal, Exists) and kind is Found:
             pairs = zip(found.pop("evidence"), goal.goals, strict=True)
-            inner = tuple(read_evidence(entry, one) for entry, one in pairs)
+            inner = tuple(read_evidence(entry, inner_goal) for entry, inner_goal in pairs)
             return Found(
                 _value_from_json(_types(Found)["values"], found.pop("values"), []), inner, **found
             )
@@ -246,7 +246,7 @@ def _value_from_json(kind: Any, data: Tree, spaces: list[Space]) -> Any:
         first, *others = get_args(kind)
         parts = [first] * len(data) if others == [...] else [first, *others]
         return tuple(
-            _value_from_json(part, one, spaces) for part, one in zip(parts, data, strict=True)
+            _value_from_json(part, entry, spaces) for part, entry in zip(parts, data, strict=True)
         )
     if get_origin(kind) is Mapping:
         return {name: decode(tree) for name, tree in data}
@@ -274,13 +274,15 @@ def _one_from_json(kind: Any, data: Tree, spaces: list[Space]) -> Any:
     own = _GOALS[data["goal"]]
     if not issubclass(own, get_args(kind)):
         raise FormatError(f"a goal of the kind {data['goal']} cannot stand here")
-    return _object_from_json(own, {key: one for key, one in data.items() if key != "goal"}, spaces)
+    return _object_from_json(
+        own, {key: value for key, value in data.items() if key != "goal"}, spaces
+    )
 
 
 def _list_from_json(kind: Any, data: Tree, spaces: list[Space]) -> Any:
     types = [*_types(kind).values()][: len(data)]
     return kind(
-        *(_value_from_json(part, one, spaces) for part, one in zip(types, data, strict=True))
+        *(_value_from_json(part, entry, spaces) for part, entry in zip(types, data, strict=True))
     )
 
 
@@ -290,5 +292,8 @@ def _object_from_json(kind: Any, data: Data, spaces: list[Space]) -> Any:
         raise FormatError(f"“{min(unknown)}” is unknown here")
     names = {name: data[key] for key, name, least in keys if key in data or least is MISSING}
     return kind(
-        **{name: _value_from_json(_types(kind)[name], one, spaces) for name, one in names.items()}
+        **{
+            name: _value_from_json(_types(kind)[name], entry, spaces)
+            for name, entry in names.items()
+        }
     )

@@ -26,18 +26,23 @@ def differentials(functions: Iterable[Element], at: Evaluation) -> list[list[Ele
 def minors(rows: list[list[Element]]) -> list[Element]:
     """The minors of all columns, so many at a time as there are rows."""
     columns = combinations(range(len(rows[0])), len(rows)) if rows else [()]
-    return [determinant([[row[k] for k in one] for row in rows]) for one in columns]
+    return [determinant([[row[k] for k in chosen] for row in rows]) for chosen in columns]
 
 
 def multipliers(goal: Follows) -> list[str]:
     """The names that should vanish by the conclusions."""
-    return [left.name for one in goal.conclusions for left, _ in one if isinstance(left, Name)]
+    return [
+        left.name
+        for conclusion in goal.conclusions
+        for left, _ in conclusion
+        if isinstance(left, Name)
+    ]
 
 
 def factors_of_multipliers(goal: Follows, at: Evaluation) -> list[list[Element]]:
     """What each of the multipliers has as its factors in the equations that are given."""
     names = multipliers(goal)
-    combinations = at.differences([one for one in goal.given if has(one, names)])
+    combinations = at.differences([equation for equation in goal.given if has(equation, names)])
     return [[at.partial(e, name) for e in combinations] for name in names]
 
 

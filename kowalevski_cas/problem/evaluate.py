@@ -282,7 +282,7 @@ class Evaluation(Fold):
             before = [*map(self.image, old.law), self.image(old.scalar(change.time)).inverse()]
             return [*before, *self.rates.values()]
         factors = (self.components(row.factor) for row in self.setting.field)
-        masses = [one for row in factors for mass in row for one in (mass, mass.inverse())]
+        masses = [factor for row in factors for mass in row for factor in (mass, mass.inverse())]
         return [*masses, *self.rates.values()]
 
     def other(self, setting: Setting) -> Evaluation:

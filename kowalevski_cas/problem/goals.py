@@ -24,8 +24,8 @@ class Theorem:
 def _formulas(value: object) -> Iterator[Formula]:
     if isinstance(value, Formula):
         yield value
-    for one in value if isinstance(value, tuple) else ():
-        yield from _formulas(one)
+    for part in value if isinstance(value, tuple) else ():
+        yield from _formulas(part)
 
 
 @dataclass(frozen=True, eq=False)

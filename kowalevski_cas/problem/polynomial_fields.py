@@ -152,7 +152,7 @@ def monomials(weights: Sequence[int], weight: int) -> Iterator[Exponents]:
 
 def number_of_monomials(weights: Sequence[int], weight: int) -> int:
     """How many monomials have at most this weight."""
-    if all(one == 1 for one in weights):
+    if all(w == 1 for w in weights):
         return comb(len(weights) + weight, weight)
     counts = [1] * (weight + 1)
     for one in weights:

@@ -36,13 +36,13 @@ class Reach:
         self._reach(mentions(formula))
 
     def _reach(self, found: Mentions) -> None:
-        for one in found:
-            if isinstance(one, Name):
-                self.name(one.name)
-            elif isinstance(one, Root):
-                self._root(one)
-            elif isinstance(one, Partial):
-                self.name(one.by)
+        for node in found:
+            if isinstance(node, Name):
+                self.name(node.name)
+            elif isinstance(node, Root):
+                self._root(node)
+            elif isinstance(node, Partial):
+                self.name(node.by)
             else:
                 self.move()
 
@@ -112,7 +112,7 @@ class Reach:
                     for name in pair:
                         self.name(name)
         for formula in self.setting.nonzero:
-            if self._is_reached(formula):
+            if self._is_reached(self._spoken_of(formula)):
                 self.formula(formula)
 
     def assumed(self) -> Iterator[Formula]:
@@ -122,6 +122,13 @@ class Reach:
                 other = self.setting.numerator(formula)
                 if other.names() and self._is_reached(other):
                     yield other
+
+    def _spoken_of(self, formula: Formula) -> Formula:
+        """What is granted, or what a printed root says the sign of, by being real."""
+        step = self.setting.step(formula.name) if isinstance(formula, Name) else None
+        if isinstance(step, Adjoined) and step.name.startswith(r"\sqrt"):
+            return step.square
+        return formula
 
     def _is_reached(self, formula: Formula) -> bool:
         """Whether a formula speaks of names that are reached only."""
@@ -140,14 +147,14 @@ def prune(goals: Iterable[Goal]) -> Problem:
     reaches: dict[Setting, Reach] = {}
     for goal in goals:
         bound = goal.bound if isinstance(goal, Exists) else ()
-        for one in simple(goal):
-            _reach_goal(one, bound, _reach_of(one.space, reaches))
+        for part in simple(goal):
+            _reach_goal(part, bound, _reach_of(part.space, reaches))
     made: dict[Setting, Space] = {}
     for setting in reversed([*reaches]):
         _reach_source(setting, reaches)
     for found in reaches.values():
         found.close()
-    stated = {one.space for goal in goals for one in simple(goal)}
+    stated = {part.space for goal in goals for part in simple(goal)}
     for setting in _sources_first(reaches, stated):
         space = _space(reaches[setting], made)
         made[setting] = setting.left.setdefault(_key(space), space)
@@ -251,6 +258,8 @@ def _key(space: Space) -> object:
 
 def _over(goal: Goal, made: dict[Setting, Space]) -> Goal:
     if isinstance(goal, Exists):
-        inner: list[Simple] = [replace(one, space=made[one.space]) for one in goal.goals]
+        inner: list[Simple] = [
+            replace(inner_goal, space=made[inner_goal.space]) for inner_goal in goal.goals
+        ]
         return replace(goal, goals=tuple(inner))
     return replace(goal, space=made[goal.space])

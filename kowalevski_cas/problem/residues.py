@@ -114,6 +114,6 @@ def products(left: Weighted, integrals: Sequence[Weighted], degree: int) -> Iter
     if not terms or own > degree:
         return
     yield terms
-    for k, (more, one) in enumerate(integrals):
+    for k, (more, integral) in enumerate(integrals):
         if own + more <= degree:
-            yield from products((own + more, product_of(terms, one)), integrals[k:], degree)
+            yield from products((own + more, product_of(terms, integral)), integrals[k:], degree)

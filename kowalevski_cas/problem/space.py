@@ -40,7 +40,9 @@ class NameDefinition:
         """The formulas in it."""
         for own in fields(self):
             value = getattr(self, own.name)
-            yield from (one for one in (value, *_parts(value)) if isinstance(one, Formula))
+            yield from (
+                formula for formula in (value, *_parts(value)) if isinstance(formula, Formula)
+            )
 
     @cached_property
     def mentions(self) -> tuple[Mentions, ...]:

@@ -75,7 +75,7 @@ def search(
         value, K = formula(polynomial.polynomial), formula(polynomial.cofactor)
         if polynomial.equations:
             given = tuple(to_latex(equal(formula(a), formula(b))) for a, b in polynomial.equations)
-            where = " and ".join(f"${one}$" for one in given)
+            where = " and ".join(f"${equation}$" for equation in given)
             says = f"F' = KF with $K={to_latex(K)}$ where {where}"
             multiple = to_latex(equal(Derivative(value, scene.time), Product((K, value))))
             yield Finding(Implication, scene, says, multiple, {"given": given})
@@ -154,11 +154,11 @@ def _product(
 ) -> Finding:
     """That a product is an integral: as it stands if that can be written, else by its logarithm."""
     used = [
-        (exponent, one)
-        for exponent, one in zip(relation.exponents, known, strict=True)
+        (exponent, factor)
+        for exponent, factor in zip(relation.exponents, known, strict=True)
         if not exponent.is_zero
     ]
-    bases = [formula(one.polynomial) for _, one in used]
+    bases = [formula(factor.polynomial) for _, factor in used]
     whole = [rational(exponent) for exponent, _ in used]
     powers = [int(value) for value in whole if value is not None and value.denominator == 1]
     simple = len(powers) == len(used) and relation.exponential.is_zero
@@ -172,7 +172,8 @@ def _product(
     exponents = [formula(exponent) for exponent, _ in used]
     factors = [power(base, n) for base, n in zip(bases, exponents, strict=True)]
     terms: list[Formula] = [
-        Product((n, formula(one.cofactor))) for n, (_, one) in zip(exponents, used, strict=True)
+        Product((n, formula(factor.cofactor)))
+        for n, (_, factor) in zip(exponents, used, strict=True)
     ]
     if not relation.exponential.is_zero:
         exponential = formula(relation.exponential)

@@ -67,7 +67,7 @@ def search(on: Elaborations, scene: Scene, pool: Pool = HERE) -> Iterator[Findin
 
 def leading_part(on: Elaborations, scene: Scene) -> tuple[LeadingPart, Elaboration]:
     """What leads in the motion, and what the scene means with a letter for an exponent."""
-    letter = next(one for one in LETTERS if one not in {*scene.names()})
+    letter = next(letter for letter in LETTERS if letter not in {*scene.names()})
     space = with_constants(on, scene, letter)
     return LeadingPart(space.finder, letter), space
 
@@ -79,7 +79,9 @@ class _Told:
         self.part, self.scene = part, scene
         self.names = [name_formula(name, words) for name in part.names]
         known = scene.names()
-        letter = next(one for one in FREE if not any(name.startswith(one) for name in known))
+        letter = next(
+            letter for letter in FREE if not any(name.startswith(letter) for name in known)
+        )
         self.names += [Name(f"{letter}_{k}") for k in range(1, part.size + 1)]
         self.general = " for general constants" if len(scene.constants) > 1 else ""
 

@@ -98,7 +98,7 @@ def _at_rest(scene: Scene) -> Scene:
 
 def _either(sets: Iterable[tuple[str, ...]]) -> str:
     """In words that one of several sets of equations holds."""
-    shown = (" and ".join(f"${one}$" for one in given) or "always" for given in sets)
+    shown = (" and ".join(f"${equation}$" for equation in given) or "always" for given in sets)
     return ", or ".join(shown)
 
 
@@ -110,7 +110,9 @@ def _mention(space: Elaboration, sides: Iterable[Element], names: Iterable[str])
 def _letters(space: Elaboration) -> tuple[str, ...]:
     """Names for the coefficients of K that the scene does not have."""
     letter = next(
-        one for one in LETTERS if not any(name.startswith(one) for name in space.scene.names())
+        letter
+        for letter in LETTERS
+        if not any(name.startswith(letter) for name in space.scene.names())
     )
     indices = range(len(cofactor_monomials(space.finder)))
     return tuple(f"{letter}_{k}" if k < 10 else f"{letter}_{{{k}}}" for k in indices)

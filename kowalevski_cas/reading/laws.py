@@ -3,61 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
-from functools import cached_property
 
 from kowalevski_cas.notation import Derivative, Formula, Name, Number, Power, Product, Relation
+from kowalevski_cas.reading.changes import find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 from kowalevski_cas.reading.unprinted import implied_rows
-
-
-@dataclass(eq=False)
-class Law:
-    """A closed set of equations of motion, for these variables."""
-
-    items: tuple[SourceStatement, ...]
-    names: Names
-    base: Law | None = None
-    """The law of the names on its right sides, if it is another one."""
-    restates: Law | None = None
-    """The law of which it is printed anew, for special constants."""
-    begins: int | None = None
-    """Where the text begins that is about it alone, if it is another system than before."""
-
-    @cached_property
-    def variables(self) -> tuple[str, ...]:
-        """What moves, by components."""
-        own = self.names.scalars(name for item in self.items for name in item.rates)
-        return tuple(dict.fromkeys((*(self.base.variables if self.base else ()), *own)))
-
-    @cached_property
-    def rows(self) -> tuple[SourceStatement, ...]:
-        """All its equations, with those that it is added to."""
-        return (*(self.base.rows if self.base else ()), *self.items)
-
-    @cached_property
-    def order(self) -> int:
-        """The place from which on it holds."""
-        return max(item.order for item in self.items)
-
-    @cached_property
-    def first(self) -> SourceStatement:
-        """The first of its equations."""
-        return min(self.items, key=lambda item: item.order)
-
-    @cached_property
-    def mentions(self) -> frozenset[str]:
-        """All names that stand in it."""
-        return frozenset().union(*(item.names for item in self.rows))
-
-    @property
-    def title(self) -> str:
-        """What it is called: the labels of its equations, or what moves."""
-        labels = dict.fromkeys(i.printed.display.label for i in self.items)
-        return ", ".join(filter(None, labels)) or "the equations of motion"
 
 
 def find_laws(paper: SourcePaper, names: Names, said: Said) -> list[Law]:
@@ -120,7 +74,7 @@ class _LawFinder:
         if any(isinstance(member, Number) for member in item.members):
             return False
         rated = (row for row in self.rows if row.order < item.order)
-        return not any(item.bare[0] in row.rates for row in rated if row.section is item.section)
+        return not any(item.bare[0] in row.rates for row in rated if row.section in item.sections)
 
     def laws(self) -> Iterator[Law]:
         found: list[Law] = []
@@ -128,10 +82,28 @@ class _LawFinder:
             if any(item in law.items for law in found):
                 continue
             last = max((k for k, law in enumerate(found) if law.begins is not None), default=0)
-            law = self.other(item, found[last:]) if found else self.first(item)
-            if law is not None:
-                found.append(law)
-                yield law
+            part = found[last:]
+            if any({*self.scalars(item)} <= {*one.new} for one in self.changes(part, item)):
+                continue
+            law = self.other(item, part) if found else self.first(item)
+            if law is None:
+                continue
+            if law.begins is not None:
+                yield from self.changes(part, law.first)
+            found.append(law)
+            yield law
+        last = max((k for k, law in enumerate(found) if law.begins is not None), default=0)
+        yield from self.changes(found[last:], None)
+
+    def changes(self, part: Sequence[Law], end: SourceStatement | None) -> list[Law]:
+        """The laws of a part in new names, as far as they are given before a statement."""
+        begins = next((law.begins for law in part), None) or self.paper.prose.start
+        items = [
+            one
+            for one in self.paper.items
+            if begins <= one.typed.start and (end is None or one.order < end.order)
+        ]
+        return [change for law in part for change in find_changes(law, items)]
 
     def first(self, item: SourceStatement) -> Law | None:
         """The law of a paper that has none before a row."""
@@ -152,9 +124,14 @@ class _LawFinder:
             return None
         if part[0].first.marks.isdisjoint(item.marks):  # derivatives by another time
             return None
-        if any(self._relates(one, item, moving) for one in self.paper.items):
+        rows = self.undefined(since)
+        following = [row for row in rows if self._follows(row, moving)]
+        if item in following:
             return None
-        law = self.grown(item, moving, self.undefined(since))
+        law = self.grown(item, moving, [row for row in rows if row not in following])
+        rated = {name for row in following for name in self.scalars(row)}
+        if law is not None and rated & {*self.names.scalars(law.mentions)} - moving:
+            return None  # it rests on what follows
         if law is not None:
             law.base = part[-1]
         return law
@@ -169,9 +146,9 @@ class _LawFinder:
         said = cue("another system", item.before) or cue("another system", item.section.title)
         apart = [one for one in item.sections if one not in before.sections]
         new = bool(apart) and before.section not in item.sections
-        if item.refs or not (new or said):
+        if (item.refs and not cue("another system", item.before)) or not (new or said):
             return None
-        begins = apart[0].start if apart else item.sentence[0]
+        begins = self._begins(item, apart[0].start) if apart else item.sentence[0]
         end = apart[0].end if apart else item.section.end
         rows = [row for row in self.undefined(begins) if begins <= row.typed.start < end]
         beside = {row for row in self.rows if row.typed is item.typed}
@@ -184,14 +161,33 @@ class _LawFinder:
         printed = {row.formula for one in part for row in one.rows}
         if named & old - rated or (deduced and rated <= old):
             return None
+        if not said and any(self._relates(one, item, old) for one in self._since(begins, item)):
+            return None
         if not said and len(law.items) == 1 and rated < old:  # what follows for one of several
             return None
         if all(row.formula in printed for row in law.items):
             return None
         if not said and all(self.is_defined(row, self.paper.prose.start) for row in law.items):
             return None
-        law.begins = begins
+        between = [one for one in self.paper.items if begins <= one.typed.start < item.typed.start]
+        speaks = any({*self.names.scalars(one.names)} & old - rated for one in between)
+        law.begins = item.sentence[0] if speaks else begins
         return law
+
+    def _begins(self, row: SourceStatement, heading: int) -> int:
+        """Where another system begins: at its heading, unless rates stand between, as of this."""
+        between = any(one.rates for one in self._since(heading, row) if one.typed is not row.typed)
+        return row.sentence[0] if between else heading
+
+    def _since(self, begins: int, row: SourceStatement) -> list[SourceStatement]:
+        """The statements from an offset on, before a row."""
+        return [
+            one for one in self.paper.items if begins <= one.typed.start and one.order < row.order
+        ]
+
+    def _follows(self, row: SourceStatement, moving: Collection[str]) -> bool:
+        """Whether what a row derives was given before by what moves already."""
+        return any(self._relates(one, row, moving) for one in self.paper.items)
 
     def _relates(self, one: SourceStatement, row: SourceStatement, moving: Collection[str]) -> bool:
         """Whether an equation before a row gives what the row derives by what moves already."""

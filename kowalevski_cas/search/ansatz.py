@@ -123,8 +123,8 @@ def _rational_cases(
 
     Where an equation is left in which one unknown stands alone, that is no rational function.
     """
-    for one in before.rest:
-        degrees = one.degrees()
+    for equation in before.rest:
+        degrees = equation.degrees()
         if sum(degrees[place] > 0 for place in places) == 1:
             return
     if not levels:

@@ -126,14 +126,14 @@ def _solve_for_values(
 
 def never(goal: Exists, finder: PointFinder) -> Regardless | None:
     """Points at which an identity fails whatever the bound names are."""
-    for index, one in enumerate(goal.goals):
-        if isinstance(one, Fails) or not isinstance(one, Follows) or one.given:
+    for index, inner in enumerate(goal.goals):
+        if isinstance(inner, Fails) or not isinstance(inner, Follows) or inner.given:
             continue
-        for sides in one.conclusions[0]:
+        for sides in inner.conclusions[0]:
             collected = collect_sides(sides, goal.bound)
             none = _no_numbers if goal.numbers else _no_expressions
-            at = finder.of(one.space)
-            points = none(collected, finder, at, law(one, at, goal.bound))
+            at = finder.of(inner.space)
+            points = none(collected, finder, at, law(inner, at, goal.bound))
             if points is not None:
                 return Regardless(index, points)
     return None

@@ -57,17 +57,17 @@ def branches(
     Of two unknowns the one whose place comes first is rather solved for. In what is left no unknown
     is linear; it need not have a solution. Names that stand at no place are in general position.
     """
-    granted = tuple(factor for one in nonzero for factor in _factors(one))
+    granted = tuple(factor for polynomial in nonzero for factor in _factors(polynomial))
     groups = [_factors(equation) for equation in equations if not equation.is_zero()]
     yield from maximal([*_split_cases(groups, tuple(places), granted, ())])
 
 
 def maximal(found: Sequence[Branch]) -> Iterator[Branch]:
     """Those that are not seen to be a part of another one; of equal ones the first."""
-    for k, one in enumerate(found):
-        others = ((j, other) for j, other in enumerate(found) if j != k and one.is_part(other))
-        if not any(j < k or not other.is_part(one) for j, other in others):
-            yield one
+    for k, branch in enumerate(found):
+        others = ((j, other) for j, other in enumerate(found) if j != k and branch.is_part(other))
+        if not any(j < k or not other.is_part(branch) for j, other in others):
+            yield branch
 
 
 def solve_by_cases(
@@ -158,13 +158,13 @@ def _split_cases(
         left = [group for group in groups if group != (equation,)]
         yield from _eliminate(equation, place, unknown, left, places, nonzero, solved)
     elif several:
-        first = min(several, key=lambda group: (sum(one.size for one in group), len(group)))
+        first = min(several, key=lambda group: (sum(factor.size for factor in group), len(group)))
         left = [group for group in groups if group is not first]
         for k, factor in enumerate(first):
             yield from _split_cases([(factor,), *left], places, (*nonzero, *first[:k]), solved)
     else:
         known = tuple(factor.polynomial for factor in nonzero)
-        yield Branch(reduce_solutions(solved), tuple(one.polynomial for one in single), known)
+        yield Branch(reduce_solutions(solved), tuple(factor.polynomial for factor in single), known)
 
 
 def _clear_factors(
@@ -174,20 +174,22 @@ def _clear_factors(
     known = {*nonzero}
     groups: dict[_Group, None] = {}
     for group in equations:
-        left = tuple(one for one in group if one not in known and one.may_vanish(places))
+        left = tuple(
+            factor for factor in group if factor not in known and factor.may_vanish(places)
+        )
         if not left:
             return None
         groups[left] = None
     single = {group[0] for group in groups if len(group) == 1}
     several = [group for group in groups if len(group) > 1 and not single & {*group}]
     alone = _coprime(single, places)
-    return None if alone is None else [*((one,) for one in alone), *several]
+    return None if alone is None else [*((factor,) for factor in alone), *several]
 
 
 def _coprime(single: Iterable[_Factor], places: Sequence[int]) -> list[_Factor] | None:
     """Equations, of which two in one and the same unknown alone have no solution."""
-    found: list[_Factor] = sorted(single, key=lambda one: (one.size, one.key))
-    unknowns = ([place for place in places if one.degrees[place]] for one in found)
+    found: list[_Factor] = sorted(single, key=lambda factor: (factor.size, factor.key))
+    unknowns = ([place for place in places if factor.degrees[place]] for factor in found)
     alone = [own[0] for own in unknowns if len(own) == 1]
     return None if len({*alone}) < len(alone) else found
 
@@ -198,7 +200,7 @@ _Linear = tuple[_Factor, int, _Group]
 
 def _linear(single: Sequence[_Factor], places: Sequence[int], nonzero: _Group) -> _Linear | None:
     """The equation and the unknown that is best solved for."""
-    in_order = sorted(single, key=lambda one: one.size)
+    in_order = sorted(single, key=lambda factor: factor.size)
     for equation in in_order:
         for place in places:
             if place in equation.linear:
@@ -209,7 +211,9 @@ def _linear(single: Sequence[_Factor], places: Sequence[int], nonzero: _Group) -
             if equation.degrees[place] == 1:
                 slope = _factors(equation.polynomial.derivative(place))
                 unknown = tuple(
-                    one for one in slope if one not in nonzero and one.may_vanish(places)
+                    factor
+                    for factor in slope
+                    if factor not in nonzero and factor.may_vanish(places)
                 )
                 if not unknown:
                     return equation, place, ()
@@ -236,13 +240,13 @@ def _eliminate(
     kept = [_substitute_factor(factor, place, polynomial) for factor in nonzero]
     if any(group is None for group in kept):
         return
-    granted = tuple(one for group in kept for one in group or ())
+    granted = tuple(factor for group in kept for factor in group or ())
     further: list[_Group] = []
     for group in left:
         parts = [_substitute_factor(factor, place, polynomial) for factor in group]
         if None not in parts:
-            further.append(tuple(dict.fromkeys(one for part in parts for one in part or ())))
-    rest_of_places = tuple(one for one in places if one != place)
+            further.append(tuple(dict.fromkeys(factor for part in parts for factor in part or ())))
+    rest_of_places = tuple(other for other in places if other != place)
     yield from _split_cases(further, rest_of_places, granted, (*solved, (place, polynomial)))
 
 
@@ -262,7 +266,7 @@ def reduce_solutions(solved: Solved) -> Solved:
         for other in found:  # none of them stands in another one
             if degrees[other[0]]:
                 equation = without(equation, *other)
-        own = next(one for one in _factors(equation) if one.degrees[place])
+        own = next(factor for factor in _factors(equation) if factor.degrees[place])
         found.insert(0, (place, own.polynomial))
     return tuple(found)
 
@@ -292,6 +296,6 @@ def without(polynomial: fmpq_mpoly, place: int, equation: fmpq_mpoly) -> fmpq_mp
         return slope * polynomial - polynomial.derivative(place) * equation
     value = slope * slope.context().gens()[place] - equation  # times the coefficient
     total, power = slope.context().constant(0), slope.context().constant(1)
-    for one in reversed([*coefficients(polynomial, place)]):
-        total, power = total * value + one * power, power * slope
+    for coefficient in reversed([*coefficients(polynomial, place)]):
+        total, power = total * value + coefficient * power, power * slope
     return total

@@ -54,15 +54,21 @@ def exponential_factors(
     motion = max((sum(e[: field.size]) for rate in field.rates for e in rate), default=0)
     powers = [*_monomials(field, max(degree, motion))]
     light = [*_monomials(field, motion - 1)]
-    sizes = [max(sum(e[: field.size]) for e in field.polynomial(one.polynomial)) for one in known]
+    sizes = [
+        max(sum(e[: field.size]) for e in field.polynomial(factor.polynomial)) for factor in known
+    ]
     span = _Echelon(field)
     for total in range(degree + 1):
         for own in monomials(sizes, total):
             both = [*zip(own, known, strict=True)]
-            below = prod((one.polynomial**n for n, one in both), start=at.ring.one)
-            cofactor = sum((at.ring.number(n) * one.cofactor for n, one in both), at.ring.zero)
+            below = prod((factor.polynomial**n for n, factor in both), start=at.ring.one)
+            cofactor = sum(
+                (at.ring.number(n) * factor.cofactor for n, factor in both), at.ring.zero
+            )
             moved = (at.derivative(g) - cofactor * g for g in powers)
-            columns = [_coefficients(field, one) for one in (*(below * x for x in light), *moved)]
+            columns = [
+                _coefficients(field, element) for element in (*(below * x for x in light), *moved)
+            ]
             for vector in _nullspace(columns, field):
                 rate = -_combine(vector, light)
                 if span.relation(_coefficients(field, rate)) is None:
@@ -78,9 +84,12 @@ def relations(
     divergence = zero
     for name in at.setting.variables:
         divergence = divergence + at.partial(at.rates.get(name, zero), name)
-    cofactors = [*(one.cofactor for one in known), *(one.cofactor for one in exponentials)]
+    cofactors = [
+        *(factor.cofactor for factor in known),
+        *(factor.cofactor for factor in exponentials),
+    ]
     whole = [*cofactors, divergence]
-    for vector in _nullspace([_coefficients(field, one) for one in whole], field):
+    for vector in _nullspace([_coefficients(field, element) for element in whole], field):
         exponents, multiplier = vector[: len(known)], not vector[-1].is_zero
         if multiplier and divergence.is_zero:
             continue

@@ -73,7 +73,7 @@ class Combinations:
     def reduced_basis(self) -> list[Element]:
         """The elements of the reduced basis."""
         found = [] if self.basis is None else self.basis.interreduce()
-        return [self.flat.element(_in(self.flat.context, one)) for one in found]
+        return [self.flat.element(_in(self.flat.context, row)) for row in found]
 
     def row(self, target: Element) -> list[Element] | None:
         """The row for an element."""

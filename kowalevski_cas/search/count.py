@@ -226,7 +226,9 @@ class Builder:
             return polynomial_of(context, {tuple(e[k] for k in order): v for e, v in terms.items()})
 
         known = [
-            one for one in map(carry, self.known) if one and any(one.monomial(0)[: len(still)])
+            element
+            for element in map(carry, self.known)
+            if element and any(element.monomial(0)[: len(still)])
         ]
         rest = remainder(carry(self.at.scalar(factor)), known)
         if any(rest.degrees()[: len(still)]):
@@ -271,8 +273,8 @@ def _by_roots(goal: Count, finder: PointFinder) -> Roots | None:
     system = system_of(goal, finder)
     if system is None:
         return None
-    if (one := cramer(goal, system)) is not None:
-        return one
+    if (solutions := cramer(goal, system)) is not None:
+        return solutions
     levels = system.levels()
     if levels is None or not levels[0]:
         return None

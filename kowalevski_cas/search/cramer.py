@@ -73,10 +73,10 @@ def _point(goal: Count, system: LevelEquations, found: LinearSolution) -> Point 
         below = constant(found.below, values)
         if below:
             numerators = (constant(above, values) for above in found.above)
-            one = {n: v / below for n, v in zip(goal.names, numerators, strict=True)}
-            one |= {names[place]: number for place, number in values.items()}
-            if system.makes_sense(one):
-                return point_evidence(one)
+            point = {n: v / below for n, v in zip(goal.names, numerators, strict=True)}
+            point |= {names[place]: number for place, number in values.items()}
+            if system.makes_sense(point):
+                return point_evidence(point)
     return None
 
 

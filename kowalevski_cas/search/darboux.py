@@ -99,10 +99,10 @@ class _DarbouxSearch:
         for branch in cases:
             solutions = _Solutions(self.field, self.ansatze.of(leading))
             solution = None if branch.rest else solutions(branch)
-            one = None if solution is None else self._irreducible(solution)
-            if one is not None and self._is_new(one):
-                self.found.append(one)
-                yield one
+            darboux = None if solution is None else self._irreducible(solution)
+            if darboux is not None and self._is_new(darboux):
+                self.found.append(darboux)
+                yield darboux
 
     def _is_constant(self, element: Element) -> bool:
         """Whether no variable and no root stands in an element."""
@@ -110,11 +110,11 @@ class _DarbouxSearch:
             return False
         return not any(any(e[: self.field.size]) for e in self.field.polynomial(element))
 
-    def _irreducible(self, one: Darboux) -> Darboux | None:
+    def _irreducible(self, darboux: Darboux) -> Darboux | None:
         """The polynomial without factors that are constant, if it does not split and is right."""
         field = self.field
         context = fmpq_mpoly_ctx.get(field.names, Ordering.degrevlex)
-        terms = field.polynomial(one.polynomial)
+        terms = field.polynomial(darboux.polynomial)
         polynomial = polynomial_of(context, terms)
         factors = [
             (factor, power)
@@ -124,14 +124,14 @@ class _DarbouxSearch:
         if len(factors) != 1 or factors[0][1] != 1:
             return None
         found = terms_of(factors[0][0])
-        return Darboux(field.element(primitive(found)), one.cofactor, one.equations)
+        return Darboux(field.element(primitive(found)), darboux.cofactor, darboux.equations)
 
-    def _is_new(self, one: Darboux) -> bool:
+    def _is_new(self, darboux: Darboux) -> bool:
         """Whether it is no combination of products of those found, for the same constants."""
-        values = self._values(one)
+        values = self._values(darboux)
         known = [other for other in self.found if self._holds(other, values)]
         own = [(self._at(f.polynomial, values), self._at(f.cofactor, values)) for f in known]
-        target, cofactor = self._at(one.polynomial, values), self._at(one.cofactor, values)
+        target, cofactor = self._at(darboux.polynomial, values), self._at(darboux.cofactor, values)
         degree = _degree(target)
         span = Echelon()
         waiting: list[tuple[Residues, Residues, int]] = [({0: 1}, {}, 0)]
@@ -146,18 +146,18 @@ class _DarbouxSearch:
                     )
         return span.extend(target)
 
-    def _values(self, one: Darboux) -> list[int]:
+    def _values(self, darboux: Darboux) -> list[int]:
         """Residues of constants in general position among those that obey the equations."""
         random, names = Random(1), self.field.names[self.field.size :]
         values = {name: random.randrange(PRIME) for name in names}
-        for left, right in reversed(one.equations):
+        for left, right in reversed(darboux.equations):
             (name,) = (n for n in names if (left - self.at.ring.generator(n)).is_zero)
             values[name] = self._at(right, [*values.values()]).get(0, 0)
         return [*values.values()]
 
-    def _holds(self, one: Darboux, values: Sequence[int]) -> bool:
+    def _holds(self, darboux: Darboux, values: Sequence[int]) -> bool:
         try:
-            return not any(self._at(left - right, values) for left, right in one.equations)
+            return not any(self._at(left - right, values) for left, right in darboux.equations)
         except ZeroDivisionError:
             return False
 

@@ -62,12 +62,17 @@ def _elimination_formulas(
     except TooLarge:
         return None
     own = [
-        {e[size - 1 :]: value for e, value in terms_of(one).items()}
-        for one in basis
-        if not any(one.degrees()[: size - 1])
+        {e[size - 1 :]: value for e, value in terms_of(polynomial).items()}
+        for polynomial in basis
+        if not any(polynomial.degrees()[: size - 1])
     ]
-    equation = next((one for one in own if not any((max(one)[0], *max(one)[2:]))), None)
-    linear = next((primitive(one) for one in own if max(one)[:2] == (1, 0)), None)
+    equation = next(
+        (polynomial for polynomial in own if not any((max(polynomial)[0], *max(polynomial)[2:]))),
+        None,
+    )
+    linear = next(
+        (primitive(polynomial) for polynomial in own if max(polynomial)[:2] == (1, 0)), None
+    )
     if equation is None or linear is None:
         return None
     below = {e[1:]: value for e, value in linear.items() if e[0]}

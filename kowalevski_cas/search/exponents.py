@@ -114,8 +114,8 @@ class LeadingPart:
             for w, variable, part in zip(self.weights, self.variables, self.leading, strict=True)
         ]
         homogeneous = [
-            one + (self.scale - 1) * (one - part)
-            for one, part in zip(sides, self.leading, strict=True)
+            side + (self.scale - 1) * (side - part)
+            for side, part in zip(sides, self.leading, strict=True)
         ]
         tasks = (
             ([*homogeneous, *self.variables[:k]], self.places, [self.scale, variable])
@@ -129,20 +129,20 @@ class LeadingPart:
         """The cases of a case, at the scale 1; what is left of several equations is a basis."""
         parts: Iterable[Branch] = [found]
         if len(found.rest) > 1:  # the factors of a basis tell cases apart
-            basis = (self._homogeneous(one) for one in self._basis(found))
+            basis = (self._homogeneous(polynomial) for polynomial in self._basis(found))
             parts = branches(
-                [*(one for _, one in found.solved), *basis], self.places, found.nonzero
+                [*(value for _, value in found.solved), *basis], self.places, found.nonzero
             )
         for part in parts:
             rest = self._basis(part) if len(part.rest) > 1 else [*map(self._monic, part.rest)]
-            if all(any(map(one.derivative, self.places)) for one in rest):
-                pairs = ((place, _monic(self._monic(one), place)) for place, one in part.solved)
+            if all(any(map(equation.derivative, self.places)) for equation in rest):
+                pairs = ((place, _monic(self._monic(value), place)) for place, value in part.solved)
                 yield Branch(tuple(pairs), tuple(rest), ())
 
     def _monic(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
         """A polynomial at the scale 1, with leading coefficient 1."""
-        one = without(polynomial, 0, self.scale - 1)
-        return one / one.leading_coefficient()
+        lower = without(polynomial, 0, self.scale - 1)
+        return lower / lower.leading_coefficient()
 
     def _homogeneous(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
         """A polynomial at the scale 1, at any scale."""
@@ -155,7 +155,7 @@ class LeadingPart:
         """A Gröbner basis of what vanishes at the scale 1 where the rest does, and nothing else."""
         unit = prod(map(self._monic, found.nonzero), start=self.scale) - 1
         basis = reduce_groebner_basis([*map(self._monic, found.rest), unit])
-        return [one for one in basis if not one.degrees()[0]]
+        return [polynomial for polynomial in basis if not polynomial.degrees()[0]]
 
     def _balance(self, sides: Sequence[fmpq_mpoly], equations: Branch) -> Balance:
         divisions = tuple(pseudo_remainder(side, equations) for side in sides)
@@ -200,9 +200,9 @@ def weights_of_leading_terms(rates: Sequence[Sequence[tuple[int, ...]]]) -> tupl
     """
     size = len(rates)
     rows = [
-        tuple(e - (j == k) for j, e in enumerate(one))
+        tuple(e - (j == k) for j, e in enumerate(exponents))
         for k, rate in enumerate(rates)
-        for one in rate
+        for exponents in rate
     ]
     best: tuple[int, int, Fraction, tuple[Fraction, ...]] | None = None
     for scale in (1, 2):

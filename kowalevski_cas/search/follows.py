@@ -13,13 +13,14 @@ from kowalevski_cas.algebra.numbers import inverse_of
 from kowalevski_cas.algebra.present import formula_rows
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.evidence import At, Entailment, Proof
+from kowalevski_cas.problem.evidence import At, Entailment, Point, Proof
 from kowalevski_cas.problem.examine import is_real, law, value_of
 from kowalevski_cas.problem.goals import Fails, Follows
 from kowalevski_cas.problem.place import PointEvaluation
 from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.combinations import Combinations, combinations_of, complete
+from kowalevski_cas.search.equal_roots import proof_by_equal_roots
 from kowalevski_cas.search.place import Candidate, PointFinder, Values
 from kowalevski_cas.search.real_cases import RealCases
 
@@ -55,6 +56,16 @@ class FollowsFinder(PointFinder):
             point = self.point(at, here, divided, holds, 0) if goal.given else None
             if point is None:
                 return None
+        roots = None if known else proof_by_equal_roots(alternatives(goal, at), at)
+        return Entailment(roots, point) if roots else self._combined(goal, at, point, divided)
+
+    def _combined(
+        self, goal: Follows, at: Evaluation, point: Point, divided: Sequence[Element]
+    ) -> Entailment | None:
+        """A proof by cofactors, or by cases."""
+        known = at.differences(goal.given)
+        conclusions = [at.differences(conclusion) for conclusion in goal.conclusions]
+        here = known if conclusions else ()
         found = rows_of(alternatives(goal, at), known, goal.main)
         entries = [entry for row in found[0] for entry in row] if found else []
         if found is None or any(entry.denominator for entry in entries):
@@ -69,9 +80,9 @@ class FollowsFinder(PointFinder):
         proof = Proof(formula_rows(rows), power=power)
         if not goal.conclusions and self._divides(Entailment(proof), goal):
             return None
-        if not PointEvaluation(at, point).defines(entries):
-            point = self.point(at, here, [*divided, *entries])
-        return Entailment(proof, point)
+        if PointEvaluation(at, point).defines(entries):
+            return Entailment(proof, point)
+        return Entailment(proof, self.point(at, here, [*divided, *entries]))
 
     @staticmethod
     def _at_real_points(
@@ -121,20 +132,20 @@ class FollowsFinder(PointFinder):
         ]
 
         def fail(values: Values) -> bool:
-            return all(any(map(inverse_of, map(values, one))) for one in failing)
+            return all(any(map(inverse_of, map(values, conclusion))) for conclusion in failing)
 
         everywhere = isinstance(goal, Fails) and not goal.given
         on_pieces = self.on_pieces(known, fail) if everywhere else None
 
         def good(candidate: Candidate) -> bool:
-            some = all(not candidate.vanish(one) for one in failing)
+            some = all(not candidate.vanish(conclusion) for conclusion in failing)
             return some and (on_pieces is None or on_pieces(candidate))
 
-        divided = [*law(goal, at), *known, *(e for one in failing for e in one)]
+        divided = [*law(goal, at), *known, *(e for conclusion in failing for e in conclusion)]
         divided += [condition.inverse() for condition in conditions]
         # The basis below costs more than points in general position.
         point = self.point(at, known, divided, good, 0, SIMPLEST, squares=False)
-        if point is None and not any(all(vanish_on(one, known)) for one in failing):
+        if point is None and not any(all(vanish_on(conclusion, known)) for conclusion in failing):
             point = self.point(at, known, divided, good, among=SIMPLEST)
         return None if point is None else At(point)
 

@@ -69,7 +69,7 @@ class Basis:
         found = self.minimal_elements
         for k, own in enumerate(found):
             found[k] = remainder(own, (*found[:k], *found[k + 1 :]))
-        return [one for one in found if one]
+        return [polynomial for polynomial in found if polynomial]
 
     def _enter(self, polynomial: fmpq_mpoly, made: Made) -> None:
         """Add an element, with the pairs that are needed (Gebauer and Möller)."""

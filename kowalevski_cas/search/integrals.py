@@ -114,7 +114,7 @@ class _IntegralSearch:
         if not self.others:
             rates, factor = self.field.rates, self.field.factor
             found = sorted(chain.from_iterable(self.solutions.values()), key=_size)
-            yield (terms for one in found if (terms := _lift(one, rates, factor)))
+            yield (terms for solution in found if (terms := _lift(solution, rates, factor)))
             return
         for degree in range(CONSTANTS + 1):
             if size * (degree + 1) <= LARGEST:
@@ -159,7 +159,7 @@ def _combinations(field: ResidueField, group: Sequence[Exponents]) -> list[Combi
 def _solutions(rates: Sequence[Terms], factor: Terms, group: Sequence[Exponents]) -> list[Terms]:
     """Those over the rational numbers, of monomials in the variables and the constants."""
     found = _combinations(ResidueField(rates, factor), group)
-    return [terms for one in found if (terms := _lift(one, rates, factor))]
+    return [terms for solution in found if (terms := _lift(solution, rates, factor))]
 
 
 def _lift(found: Combination, rates: Sequence[Terms], factor: Terms) -> Terms | None:

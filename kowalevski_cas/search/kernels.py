@@ -45,7 +45,7 @@ def complete(goal: Kernel, finder: PointFinder) -> At | None:
 def further(goal: Kernel, finder: PointFinder) -> At | Further | None:
     """A point where what is listed is no solution, or a polynomial that is missing."""
     at, divided = finder.of(goal.space), _divide_row(goal, finder.of(goal.space))
-    rest = next((one for one in _rests(goal, at) if not one.is_zero), None)
+    rest = next((element for element in _rests(goal, at) if not element.is_zero), None)
     if rest is not None:
         there = finder.point(at, [], [*divided, rest], lambda c: not c(rest).is_zero)
         return None if there is None else At(there)

@@ -25,7 +25,7 @@ from kowalevski_cas.search.points import constant
 def solve_for_numbers(goal: Exists, finder: PointFinder) -> dict[str, Formula] | None:
     """Numbers for which the identities of the goal hold, which are polynomials in them."""
     context = fmpq_mpoly_ctx.get(goal.numbers, Ordering.lex)
-    identities = (one for one in goal.goals if isinstance(one, Follows) and not one.given)
+    identities = (inner for inner in goal.goals if isinstance(inner, Follows) and not inner.given)
     both = (
         (finder.of(identity.space), sides)
         for identity in identities

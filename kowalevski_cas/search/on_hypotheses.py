@@ -38,7 +38,8 @@ class HypothesisPoints:
         """Whether all conclusions fail at one of the points, where everything is defined."""
         conclusions = [at.differences(conclusion) for conclusion in goal.conclusions]
         return bool(conclusions) and any(
-            all(_fails(candidate, one) for one in conclusions) for candidate in self.found
+            all(_fails(candidate, conclusion) for conclusion in conclusions)
+            for candidate in self.found
         )
 
 

@@ -54,8 +54,10 @@ def laurent(part: LeadingPart, balance: Balance) -> Laurent:
         found = series.extend(order)
         if found is None:
             return Laurent(tuple(conditions), (), order)
-        conditions += ((order, one) for one in found)
-    return Laurent(tuple(conditions), tuple(series.cases(one for _, one in conditions)), None)
+        conditions += ((order, condition) for condition in found)
+    return Laurent(
+        tuple(conditions), tuple(series.cases(condition for _, condition in conditions)), None
+    )
 
 
 def _dimension(part: LeadingPart, balance: Balance) -> int:
@@ -64,7 +66,7 @@ def _dimension(part: LeadingPart, balance: Balance) -> int:
     free = [place for place in part.places if place not in solved]
     leads = [
         {place for place in free if monomial[place]}
-        for monomial in (one.monomial(0) for one in balance.equations.rest)
+        for monomial in (equation.monomial(0) for equation in balance.equations.rest)
     ]
     sizes = (
         size
@@ -88,18 +90,18 @@ class _Series:
         self.context = fmpq_mpoly_ctx.get(names, Ordering.lex)
         self.zero, gens = self.context.constant(0), self.context.gens()
         self.letters = [*gens[-self.size :]]
-        solved = [(place, self._lift(one)) for place, one in balance.equations.solved]
+        solved = [(place, self._lift(value)) for place, value in balance.equations.solved]
         self.rest = tuple(map(self._lift, balance.equations.rest))
         multiple = self._lift(part.multiple)
-        slopes = [multiple, *(one.derivative(place) for place, one in solved)]
-        self.below = prod({str(one): one for one in slopes}.values(), start=self.zero + 1)
+        slopes = [multiple, *(value.derivative(place) for place, value in solved)]
+        self.below = prod({str(slope): slope for slope in slopes}.values(), start=self.zero + 1)
         self.inverse = gens[0] * (self.below / multiple)
         self.unit = gens[0] * self.below - 1
         values = [*gens]
-        for place, one in solved:
-            slope = one.derivative(place)
+        for place, value in solved:
+            slope = value.derivative(place)
             values[place] = self._short(
-                (values[place] * slope - one) * gens[0] * (self.below / slope)
+                (values[place] * slope - value) * gens[0] * (self.below / slope)
             )
         self.coefficients = [[values[place] for place in self.places]]
         sides = list(zip(map(self._lift, part.leading), map(self._lift, part.lower), strict=True))
@@ -136,7 +138,7 @@ class _Series:
     def _nowhere(self, polynomial: fmpq_mpoly) -> bool:
         """Whether a polynomial vanishes at no point of the balance."""
         basis = reduce_groebner_basis([*self.rest, polynomial])
-        return not all(any(one.degrees()[: self.size + 1]) for one in basis)
+        return not all(any(polynomial.degrees()[: self.size + 1]) for polynomial in basis)
 
     def extend(self, order: int) -> Vector | None:
         """One coefficient more; what has to vanish for it, or ``None`` if constants are missing.
@@ -165,11 +167,11 @@ class _Series:
             chosen = self._independent(columns, times)
             failing = self._apply_polynomial(projection, known)
             hindering = [one for k in chosen if (one := self._numerator(failing[k]))]
-            conditions = [one / one.factor()[0] for one in hindering]
+            conditions = [condition / condition.factor()[0] for condition in hindering]
             for k in chosen:
                 letter = self.letters.pop(0)
                 next_one = [a + letter * b for a, b in zip(next_one, columns[k], strict=True)]
-        self.coefficients.append([self._short(one) for one in next_one])
+        self.coefficients.append([self._short(coefficient) for coefficient in next_one])
         return conditions
 
     def cases(self, conditions: Iterable[fmpq_mpoly]) -> Iterator[Branch]:

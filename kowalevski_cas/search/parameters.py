@@ -72,7 +72,7 @@ class DarbouxAnsatz:
 
     def trivial(self) -> list[Element]:
         """What vanishes if F is constant."""
-        return [self._element(one) for one in self._growing.values()]
+        return [self._element(polynomial) for polynomial in self._growing.values()]
 
     def cases(self, pool: Pool = HERE) -> Iterator[Case]:
         """All cases in which F is not constant."""
@@ -89,7 +89,7 @@ class DarbouxAnsatz:
         """What a branch says of the constants, and of K; the rest of K is zero."""
         ring, names = self.at.ring, self.at.names
         values = dict.fromkeys(self.letters, ring.zero)
-        equations = [(self._element(one), ring.zero) for one in branch.rest]
+        equations = [(self._element(polynomial), ring.zero) for polynomial in branch.rest]
         for place, equation in branch.solved:
             slope = equation.derivative(place)
             below = self._element(slope)

@@ -1,70 +1,42 @@
-r"""Polynomials as sums of squares times what is not negative, by semidefinite programs.
-
-Nobody believes what they find: it is an identity of polynomials, and checked as one.
-"""
+"""Rational points at which polynomials are not negative, by small steps towards them."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import islice
 
-from flint import fmpq_mpoly, fmpq_mpoly_ctx
+from flint import fmpq_mpoly
 
-from kowalevski_cas.search.gram import GramEquations, Representation
+from kowalevski_cas.search.points import Assignment, constant, small_numbers
 
-LARGEST = 2_500
-"""How many unknowns a program may have."""
+STARTS = 40
+"""From how many points steps are taken."""
 
-MOST_WEIGHTS = 2
-"""Of how many weights products are taken."""
+VALUES = tuple(Fraction(k) for k in (1, 2, 3, 4, 5, 6, -1, -2, -3, -4))
+"""What a coordinate is changed to."""
 
 
-def represent(
-    target: fmpq_mpoly, weights: Sequence[fmpq_mpoly], known: Sequence[fmpq_mpoly] = ()
-) -> Representation | None:
-    """A polynomial as a sum of squares times weights, up to multiples of what is known.
+def positive_points(
+    radicands: Sequence[fmpq_mpoly], variables: Sequence[int], avoid: Sequence[fmpq_mpoly] = ()
+) -> Iterator[Assignment]:
+    """Points where no radicand is negative, and nothing vanishes that is to be avoided.
 
-    Without the extra ``squares`` none is looked for.
+    A step changes the one coordinate with which the fewest conditions are left that fail.
     """
-    try:
-        import clarabel  # noqa: F401 # whether it is there
-    except ImportError:
-        return None
-    if target.is_zero():
-        return None
-    there, back = _coordinates(weights, target.context())
-    target, weights, known = (
-        target.compose(*there),
-        [one.compose(*there) for one in weights],
-        [one.compose(*there) for one in known],
-    )
-    for size in range(min(len(weights), MOST_WEIGHTS) + 1):
-        equations = GramEquations(target, weights, known, size)
-        if equations.unknowns > LARGEST:
-            return None
-        if (found := equations.solve()) is not None:
-            return found.composed(back)
-    return None
 
+    def failing(values: Assignment) -> int:
+        negative = sum(constant(one, values) < 0 for one in radicands)
+        return negative + sum(constant(one, values) == 0 for one in avoid)
 
-def _coordinates(
-    weights: Sequence[fmpq_mpoly], context: fmpq_mpoly_ctx
-) -> tuple[list[fmpq_mpoly], list[fmpq_mpoly]]:
-    """Linear coordinates in which weights are variables, as far as that goes, and the way back.
-
-    So a chain of inequalities is a product of half lines.
-    """
-    there, back = [*context.gens()], [*context.gens()]
-    taken: set[int] = set()
-    for weight in weights:
-        own = weight.compose(*there)
-        free = [k for k, d in enumerate(own.degrees()) if d and k not in taken]
-        if own.total_degree() != 1 or not free:
-            continue
-        slope = own.derivative(free[0])
-        gen = context.gens()[free[0]]
-        taken.add(free[0])
-        solved = (gen - (own - slope * gen)) / slope.leading_coefficient()
-        images = [solved if k == free[0] else one for k, one in enumerate(context.gens())]
-        there = [one.compose(*images) for one in there]
-        back[free[0]] = weight
-    return there, back
+    for sequence in islice(small_numbers(), STARTS):
+        values = {place: next(sequence) for place in variables}
+        left = failing(values)
+        while left:
+            steps = ({**values, place: value} for place in variables for value in VALUES)
+            best = min(((failing(one), k, one) for k, one in enumerate(steps)), key=lambda s: s[:2])
+            if best[0] >= left:
+                break
+            left, values = best[0], best[2]
+        if not left:
+            yield values

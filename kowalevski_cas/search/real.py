@@ -18,6 +18,7 @@ from kowalevski_cas.algebra.points import ExactPoint
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.search.points import Assignment, constant, distinct, points
+from kowalevski_cas.search.positive import positive_points
 
 RATIONAL_ROOTS = 100
 """How many points are looked at for one at which all roots are rational."""
@@ -173,6 +174,10 @@ def real_points(
             kept.append(point)
     yield from kept
     yield from (point for _, point in usable(found))
+    if not constraints:
+        parts = [part for radicand in radicands for part in radicand]
+        found = positive_points(parts, range(len(coordinates.names)), avoid)
+        yield from (point for _, point in usable(found))
 
 
 def points_with_squares(
@@ -201,7 +206,7 @@ def points_with_squares(
     }
     if not squared:
         return
-    halves = [_halved(one, squared) for one in (*constraints, *radicands)]
+    halves = [_halved(polynomial, squared) for polynomial in (*constraints, *radicands)]
     avoid = [
         _halved(equation, squared)
         for element in nonzero
@@ -211,7 +216,7 @@ def points_with_squares(
     positive = [coordinates.context.gens()[place] for place in squared]
     positive += halves[len(constraints) :]
     for values in points(halves[: len(constraints)], range(len(coordinates.names)), avoid):
-        if all(constant(one, values) >= 0 for one in positive):
+        if all(constant(polynomial, values) >= 0 for polynomial in positive):
             point = {**coordinates.point(values)}
             found = {coordinates.names[place]: values[place] for place in squared}
             yield {name: point[name] for name in point.keys() - found.keys()}, found

@@ -21,7 +21,7 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evidence import Proof
 from kowalevski_cas.problem.examine import value_of
 from kowalevski_cas.search.combinations import Combinations, complete
-from kowalevski_cas.search.positive import represent
+from kowalevski_cas.search.weighted_squares import represent
 
 DEPTH = 12
 """How many splits may follow one another."""

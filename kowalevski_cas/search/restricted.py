@@ -62,20 +62,20 @@ class _RestrictedSearch:
         self.field = field
         self.context = fmpq_mpoly_ctx.get(field.names, Ordering.deglex)
         whole = (polynomial_of(self.context, field.polynomial(relation)) for relation in relations)
-        given = [one for one in whole if one]
+        given = [polynomial for polynomial in whole if polynomial]
         if not given:
             raise Meaningless("the relations hold everywhere")
         self.basis = reduce_groebner_basis(given)
-        if any(one.is_constant() for one in self.basis):
+        if any(polynomial.is_constant() for polynomial in self.basis):
             raise Meaningless("the relations hold nowhere")
-        self.leads = [tuple(map(int, one.monomial(0))) for one in self.basis]
+        self.leads = [tuple(map(int, polynomial.monomial(0))) for polynomial in self.basis]
         self.known: list[fmpq_mpoly] = []
         self.others = len(field.names) - field.size
         random = Random(1)
         values = [random.randrange(PRIME) for _ in range(self.others)]
         self.residues = ResidueField(field.rates, field.factor, values)
-        for one in self.basis:
-            rates = (self._rate(e) * to_flint(c) for e, c in terms_of(one).items())
+        for polynomial in self.basis:
+            rates = (self._rate(e) * to_flint(c) for e, c in terms_of(polynomial).items())
             if remainder(sum(rates, self.context.constant(0)), self.basis):
                 raise Meaningless("derivatives of the relations are no combinations of them")
 
@@ -88,7 +88,9 @@ class _RestrictedSearch:
                 raise TooLarge(f"{len(group)} monomials stand in polynomials of degree {degree}")
             rates = [terms_of(remainder(self._rate(e), self.basis)) for e in group]
             found = ({e: v for e, v in zip(group, w, strict=True) if v} for w in kernel(rates))
-            for terms in sorted(found, key=lambda one: (max(map(sum, one)), len(one))):
+            for terms in sorted(
+                found, key=lambda integral: (max(map(sum, integral)), len(integral))
+            ):
                 if span.extend(self.residues.residues(terms)):
                     self.known.append(polynomial_of(self.context, primitive(terms)))
                     yield terms_of(self.known[-1])
@@ -109,7 +111,7 @@ class _RestrictedSearch:
 
     def _span(self, degree: int) -> Echelon:
         """The remainders of products of known integrals up to a degree."""
-        sizes = [weight_of(terms_of(one), (1,) * self.field.size) for one in self.known]
+        sizes = [weight_of(terms_of(integral), (1,) * self.field.size) for integral in self.known]
         found, waiting = Echelon(), [(self.context.constant(1), 0, 0)]
         while waiting:
             left, size, first = waiting.pop()

@@ -23,7 +23,7 @@ def dependence_at(goal: Fails) -> At | None:
     if not any(rows):
         return None
     names = multipliers(goal)
-    known = at.differences([one for one in goal.given if not has(one, names)])
+    known = at.differences([equation for equation in goal.given if not has(equation, names)])
     entries = [entry for row in rows for entry in row]
 
     def good(candidate: Candidate) -> bool:

@@ -56,14 +56,17 @@ async def audit(text: str) -> dict[str, Any]:
         found = _document(
             await run_command("audit", paper, "--stdin", "--format", "json", text=text)
         )
-    formulas = [{key: one[key] for key in KEPT} | _evidence(one) for one in found["formulas"]]
+    formulas = [
+        {key: formula[key] for key in KEPT} | _evidence(formula) for formula in found["formulas"]
+    ]
     return {
-        "formulas": [one for one in formulas if one["verdict"] != "given"],
+        "formulas": [formula for formula in formulas if formula["verdict"] != "given"],
         "statements": [
-            {"id": one["id"], "words": one["words"], "verdict": one["verdict"]} | _evidence(one)
-            for one in found["statements"]
+            {"id": statement["id"], "words": statement["words"], "verdict": statement["verdict"]}
+            | _evidence(statement)
+            for statement in found["statements"]
         ],
-        "assumed": [one["words"] for one in found.get("assumed", [])],
+        "assumed": [assumption["words"] for assumption in found.get("assumed", [])],
         "uncovered": found["uncovered"],
         "wrong": found["summary"]["wrong"],
     }
@@ -87,7 +90,9 @@ async def verify(
     found = _document(await _with_file(program, "verify", "--format", "json"))
     keys = ("id", "words", "printed", "verdict", "conditions", "message", "digest")
     return {
-        "claims": [{key: one[key] for key in keys} | _evidence(one) for one in found["claims"]],
+        "claims": [
+            {key: claim[key] for key in keys} | _evidence(claim) for claim in found["claims"]
+        ],
         "derivation": program,
     }
 
@@ -147,7 +152,7 @@ def derivation(
     <BLANKLINE>
     """
     lines = ["from kowalevski_cas import System", "", f"system = System({equations!r})"]
-    lines += [f"system.define({one!r})" for one in definitions]
+    lines += [f"system.define({definition!r})" for definition in definitions]
     for claim in claims:
         words = [repr(claim.formula)]
         words += [f"given={claim.given!r}"] if claim.given else []

@@ -20,7 +20,9 @@ def verdict_line(formula: Json) -> str:
 
 def rests_on(document: Json, id: str) -> list[Json]:
     """The formulas whose verdicts depend on one."""
-    return [one for one in document["formulas"] if id in one["reads"] or id in one["on"]]
+    return [
+        formula for formula in document["formulas"] if id in formula["reads"] or id in formula["on"]
+    ]
 
 
 def _paragraphs(document: Json, formula: Json) -> Iterator[str]:
@@ -29,7 +31,7 @@ def _paragraphs(document: Json, formula: Json) -> Iterator[str]:
     if formula["reason"]:
         yield f"Read so because: {formula['reason']}"
     if formula["conditions"]:
-        yield "where " + ", ".join(f"${one} \\neq 0$" for one in formula["conditions"])
+        yield "where " + ", ".join(f"${condition} \\neq 0$" for condition in formula["conditions"])
     if formula["message"]:
         yield formula["message"]
     if (against := formula["counterexample"]) is not None:
@@ -42,6 +44,6 @@ def _paragraphs(document: Json, formula: Json) -> Iterator[str]:
     if below := [*formula["on"], *formula["reads"]]:
         yield f"It rests on {', '.join(dict.fromkeys(below))}"
     if above := rests_on(document, formula["id"]):
-        yield f"On it rest {', '.join(one['id'] for one in above)}"
+        yield f"On it rest {', '.join(dependent['id'] for dependent in above)}"
     for claim, digest in formula["digests"].items():
         yield f"Certificate of {claim}: `{digest}`"

@@ -48,8 +48,12 @@ class AuditedText(NamedTuple):
 
     def formulas_in(self, path: str, start: Place, end: Place) -> list[Json]:
         """The formulas of a file that have a part of an interval."""
-        every = [one for one in self.document["formulas"] if one["file"] == path and one["column"]]
-        return [one for one in every if _begin(one) <= end and start <= _end(one)]
+        every = [
+            formula
+            for formula in self.document["formulas"]
+            if formula["file"] == path and formula["column"]
+        ]
+        return [formula for formula in every if _begin(formula) <= end and start <= _end(formula)]
 
     def formula_at(self, path: str, place: Place) -> Json | None:
         """The innermost formula at a place."""
@@ -92,8 +96,8 @@ class AuditServer(LanguageServer):
             return
         self.audits[uri] = AuditedText(version, document)
         found = defaultdict[str, list[lsp.Diagnostic]](list)
-        for one in document["diagnostics"]:
-            found[self._uri(uri, one["file"])].append(self._diagnostic(uri, one))
+        for diagnostic in document["diagnostics"]:
+            found[self._uri(uri, diagnostic["file"])].append(self._diagnostic(uri, diagnostic))
         self._publish(uri, found, version)
 
     def _publish(
@@ -113,9 +117,13 @@ class AuditServer(LanguageServer):
         paper = self.workspace.get_text_document(uri)
         return uri if path == paper.path else uris.from_fs_path(path) or uri
 
-    def _diagnostic(self, uri: str, one: Json) -> lsp.Diagnostic:
+    def _diagnostic(self, uri: str, diagnostic: Json) -> lsp.Diagnostic:
         return lsp.Diagnostic(
-            self.range(uri, one), one["message"], LEVELS[one["level"]], one["rule"], source=NAME
+            self.range(uri, diagnostic),
+            diagnostic["message"],
+            LEVELS[diagnostic["level"]],
+            diagnostic["rule"],
+            source=NAME,
         )
 
     def range(self, uri: str, region: Json) -> lsp.Range:
@@ -142,20 +150,20 @@ class AuditServer(LanguageServer):
         self, uri: str, audit: AuditedText, chosen: Sequence[Json]
     ) -> Iterator[lsp.CodeAction]:
         """The corrections of formulas, and the comments that say what is inferred of them."""
-        ids = {one["id"] for one in chosen}
-        for one in audit.document["diagnostics"]:
-            if one["id"] in ids and one["fixes"]:
-                shown = self._diagnostic(uri, one)
-                edit = self.edit(uri, one["fixes"])
-                title = f"Correct {one['id']}"
+        ids = {diagnostic["id"] for diagnostic in chosen}
+        for diagnostic in audit.document["diagnostics"]:
+            if diagnostic["id"] in ids and diagnostic["fixes"]:
+                shown = self._diagnostic(uri, diagnostic)
+                edit = self.edit(uri, diagnostic["fixes"])
+                title = f"Correct {diagnostic['id']}"
                 yield lsp.CodeAction(
                     title, lsp.CodeActionKind.QuickFix, [shown], is_preferred=True, edit=edit
                 )
-        for one in audit.document["comments"]:
-            if one["id"] in ids | {id.rpartition(".")[0] for id in ids}:
-                words = one["text"].strip(" %\n")
+        for diagnostic in audit.document["comments"]:
+            if diagnostic["id"] in ids | {id.rpartition(".")[0] for id in ids}:
+                words = diagnostic["text"].strip(" %\n")
                 title = f"Say how it is meant: {words}"
-                edit = self.edit(uri, [one])
+                edit = self.edit(uri, [diagnostic])
                 yield lsp.CodeAction(title, lsp.CodeActionKind.QuickFix, edit=edit)
 
 
@@ -231,8 +239,13 @@ def references(ls: AuditServer, params: lsp.ReferenceParams) -> list[lsp.Locatio
     if (found := _at(ls, params)) is None:
         return None
     text, audit, formula = found
-    above = [one for one in rests_on(audit.document, formula["id"]) if one["line"]]
-    return [lsp.Location(ls._uri(text.uri, one["file"]), ls.range(text.uri, one)) for one in above]
+    above = [
+        dependent for dependent in rests_on(audit.document, formula["id"]) if dependent["line"]
+    ]
+    return [
+        lsp.Location(ls._uri(text.uri, dependent["file"]), ls.range(text.uri, dependent))
+        for dependent in above
+    ]
 
 
 @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
@@ -241,12 +254,12 @@ def symbols(ls: AuditServer, params: lsp.DocumentSymbolParams) -> list[lsp.Docum
     text = ls.workspace.get_text_document(params.text_document.uri)
     audit = ls.audits.get(text.uri)
     found = []
-    for one in audit.document["formulas"] if audit is not None else ():
-        if one["file"] == text.path and one["line"]:
-            place = ls.range(text.uri, one)
-            line = verdict_line(one)
+    for formula in audit.document["formulas"] if audit is not None else ():
+        if formula["file"] == text.path and formula["line"]:
+            place = ls.range(text.uri, formula)
+            line = verdict_line(formula)
             kind = lsp.SymbolKind.Number
-            found.append(lsp.DocumentSymbol(one["id"], kind, place, place, detail=line))
+            found.append(lsp.DocumentSymbol(formula["id"], kind, place, place, detail=line))
     return found
 
 

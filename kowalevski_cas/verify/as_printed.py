@@ -65,7 +65,7 @@ def _one_root(formula: Formula) -> Formula:
     formula = formula.map_children(_one_root)
     if isinstance(formula, Product):
         inside = [f.argument for f in formula.factors if isinstance(f, Root)]
-        numbers = [one.value for one in inside if isinstance(one, Number)]
+        numbers = [number.value for number in inside if isinstance(number, Number)]
         if len(numbers) == len(inside) > 1:
             others = (f for f in formula.factors if not isinstance(f, Root))
             return times(*others, Root(Number(prod(numbers))))

@@ -95,7 +95,7 @@ class Blame:
         own = tuple(self.corrector.near(printed, MOST, self.seconds / SHARE))
         if own or self._is_expected(claim):
             return own
-        others = [one for one in self._failing if one is not claim]
+        others = [other for other in self._failing if other is not claim]
         repairs = self._search([claim, *others], least=1, one=claim)
         return self._proofs(repairs, least=1).get(claim.id, ())
 
@@ -218,13 +218,13 @@ class Blame:
         found: Repairs = {}
         for repair in repairs:
             proved = {claim.id: self._proof(repair, claim) for claim in repair.mends}
-            mended = {id: (one,) for id, one in proved.items() if one is not None}
+            mended = {id: (proof,) for id, proof in proved.items() if proof is not None}
             if len(mended) < least or (found and mended.keys() != found.keys()):
                 continue
-            told = {one.formulas for ones in found.values() for one in ones}
-            if any(one.formulas in told for (one,) in mended.values()) or self._spoils(repair):
+            told = {proof.formulas for ones in found.values() for proof in ones}
+            if any(proof.formulas in told for (proof,) in mended.values()) or self._spoils(repair):
                 continue
-            found = {id: (*found.get(id, ()), *one) for id, one in mended.items()}
+            found = {id: (*found.get(id, ()), *proofs) for id, proofs in mended.items()}
             if all(len(ones) == MOST for ones in found.values()):
                 break
         return found

@@ -181,15 +181,15 @@ def _evidence(
         data = _with_away(verdicts.evidence, goal, away)
         return "denied", [{"goal": verdicts.goal, **data}]
     pairs = zip(verdicts, statement.goals, strict=True)
-    return "holds", [_with_away(one, goal, away) for one, goal in pairs]
+    return "holds", [_with_away(inner, goal, away) for inner, goal in pairs]
 
 
 def _with_away(evidence: Evidence, goal: Goal, away: Any) -> Data:
     """Evidence with what it divides by, goal by goal."""
     data = evidence_data(evidence)
     if isinstance(goal, Exists) and "evidence" in data:
-        for entry, one in zip(data["evidence"], goal.goals, strict=True):
-            _enter(entry, one.space, next(away))
+        for entry, inner in zip(data["evidence"], goal.goals, strict=True):
+            _enter(entry, inner.space, next(away))
     elif not isinstance(goal, Exists):
         divided = next(away)
         if not isinstance(goal, Follows) or goal.conclusions:  # else only by what is granted

@@ -90,7 +90,11 @@ def statements(run: Run) -> dict[str, str]:
     """The digests of what a run has decided, by the name of the certificate."""
     own = {outcome.claim: outcome.digest for outcome in run.outcomes}
     mended = ((outcome.claim, outcome.correction) for outcome in run.outcomes)
-    return own | {f"{CORRECTED}/{claim}": one.digest for claim, one in mended if one is not None}
+    return own | {
+        f"{CORRECTED}/{claim}": statement.digest
+        for claim, statement in mended
+        if statement is not None
+    }
 
 
 def certificates_of(record: Record) -> list[str]:
@@ -128,7 +132,7 @@ def equation_numbers(derivation: Derivation) -> dict[str, str]:
     found: dict[str, str] = {}
     for claim in derivation.claims:
         own = claim.printed
-        displays = {one.display for one in ([own] if own else claim.establishes())}
+        displays = {place.display for place in ([own] if own else claim.establishes())}
         label = displays.pop().label if len(displays) == 1 else ""
         if own and len([*own.display]) > 1:
             label = f"{label}, formula {own.number}" if label else ""
@@ -177,13 +181,15 @@ class Expected:
         expected = [*goals_where_violated(statement)] if certificate.failures else []
         about = [(failure.condition, failure.digest) for failure in certificate.failures]
         checker.need(
-            all(one in expected for one in about),
+            all(failure in expected for failure in about),
             f"what fails for a condition is something else; {stale}",
         )
 
     def printed(self, id: str, corrected: bool) -> Statement | None:
         """What is printed of a claim, or its recorded correction; ``None`` if it says nothing."""
-        claim = next((one for one in self.derivation.claims if one.id == id), None)
+        claim = next(
+            (candidate for candidate in self.derivation.claims if candidate.id == id), None
+        )
         if claim is None:
             return None
         with suppress(NotationError, Meaningless):  # what says nothing has no certificate

@@ -65,7 +65,7 @@ def _divisor_factors(
     """
     divisors = setting.divisors
     left = [one for index in indices if (one := divisors.left(index)).factors]
-    known = {shape for one in left if len(one.factors) == 1 for shape in one.factors}
+    known = {shape for divisor in left if len(divisor.factors) == 1 for shape in divisor.factors}
     found: dict[Formula, None] = {}
     below = cache(lambda: {**divisors.printed, **divisors.below(stated)})
     for divisor in left:
@@ -95,7 +95,9 @@ def _printed_divisors(
     wanted, granted = divisor.factors.keys(), setting.divisors.granted
     if len(divisor.element.parts[0]) < 2:
         return ()
-    shares = {f: one for f, one in below().items() if wanted & one.factors.keys()}
+    shares = {
+        f: denominator for f, denominator in below().items() if wanted & denominator.factors.keys()
+    }
     for formula, (element, factors) in shares.items():
         if element.parts.keys() == {0} and factors.keys() - granted == wanted:
             return (printed_formula(formula, setting),)
@@ -123,14 +125,16 @@ def divisors_on_set(
     found: dict[Formula, None] = {}
     for goal in goals:
         bound = goal.bound if isinstance(goal, Exists) else ()
-        for one in simple(goal):
-            if one.space not in legend:
+        for part in simple(goal):
+            if part.space not in legend:
                 continue
-            at = finder_of(one.space)
-            known = at.differences(one.given) if isinstance(one, Follows) else []
-            divisors = at.ring.divisors_of(law(one, at, bound)) if known else []
+            at = finder_of(part.space)
+            known = at.differences(part.given) if isinstance(part, Follows) else []
+            divisors = at.ring.divisors_of(law(part, at, bound)) if known else []
             gone = zip(divisors, vanish_on(divisors, known), strict=True)
-            found |= {_positive(divisor, legend[one.space]): None for divisor, here in gone if here}
+            found |= {
+                _positive(divisor, legend[part.space]): None for divisor, here in gone if here
+            }
     return tuple(found)
 
 

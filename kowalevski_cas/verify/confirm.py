@@ -134,11 +134,11 @@ def need_certificates(outcome: Outcome, until: float = inf, known: Outcome | Non
         TimeoutError: the checker takes longer.
     """
     accepted = {} if known is None else dict.fromkeys(_certificates_due(known))
-    for one in _certificates_due(outcome):
-        if one in accepted:
+    for issued in _certificates_due(outcome):
+        if issued in accepted:
             continue
         try:
-            confirm(one, until=until)
+            confirm(issued, until=until)
         except Disagreement as error:
             said = f"{outcome.claim}: what another process says of it is not accepted here: {error}"
             raise Disagreement(said) from None
@@ -149,8 +149,10 @@ def _certificates_due(outcome: Outcome) -> Iterator[Issued]:
     if outcome.needs_certificate:
         sign = "denied" if outcome.verdict is Verdict.REFUTED else "holds"
         yield Issued(outcome.claim, outcome.digest, sign, outcome.certificate, outcome.divided)
-    for one in filter(None, (outcome.correction, *outcome.alternatives)):
-        yield Issued(outcome.claim, one.digest, "holds", one.certificate, one.divided)
+    for proposal in filter(None, (outcome.correction, *outcome.alternatives)):
+        yield Issued(
+            outcome.claim, proposal.digest, "holds", proposal.certificate, proposal.divided
+        )
 
 
 class Watch(checker.Budget):
@@ -197,7 +199,7 @@ def confirm(issued: Issued, goals: Sequence[Goal] = (), until: float = inf) -> N
     ):
         return
     goals = goals or read_problem(json.loads(issued.text)).goals
-    every = [one for goal in goals for one in simple(goal)]
+    every = [part for goal in goals for part in simple(goal)]
     divisors = [tuple(map(decode, theorem.divisors)) for theorem in theorems]
     judge, other = _factors(every, issued.divided), _factors(every, divisors)
     if judge != other:
@@ -218,7 +220,7 @@ def _factors(
             continue
         at = finder_of(goal.space)
         granted = granted_factors(map(at.scalar, goal.space.nonzero)) | _of_powers(at)
-        for divisor in may_vanish(goal, [at.scalar(one).inverse() for one in divisors]):
+        for divisor in may_vanish(goal, [at.scalar(formula).inverse() for formula in divisors]):
             for shape, factor in factors_of(divisor).items():
                 if shape not in granted:
                     found |= {(goal.space, shape), (goal.space, shape_of(_conjugate(factor, at)))}

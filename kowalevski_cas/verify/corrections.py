@@ -85,7 +85,11 @@ def corrections(
     No other one is looked at as soon as the search does not go on.
     """
     near = printed.claim.neighbours(printed.on.texts)
-    meant = [one for one in near if one.edit is None or not changes_subject(one.edit)]
+    meant = [
+        neighbour
+        for neighbour in near
+        if neighbour.edit is None or not changes_subject(neighbour.edit)
+    ]
     wanted = takewhile(lambda _: goes_on(), sorted(meant, key=_likelihood))
     for neighbour in true_ones(wanted, printed.on):
         statement = statement_of(neighbour, printed.on)

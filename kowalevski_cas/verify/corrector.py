@@ -61,7 +61,7 @@ class Corrector:
 
     def _proposal(self, candidates: Iterable[tuple[Neighbour, Statement]]) -> Iterator[Correction]:
         found = (self.correction_of(*candidate) for candidate in candidates)
-        return (one for one in found if one is not None)
+        return (proposal for proposal in found if proposal is not None)
 
     def _accepted_or_recorded(self, printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:
         """What the derivation accepts, and what is recorded; true, or not."""

@@ -142,7 +142,12 @@ def _words(
     what = f" of ${sides}$" if not order and len(sides) < SHORT else ""
     if not goal.given:
         printed = statement.claim.formulas(statement.on.texts)
-        said = {member for one in printed if isinstance(one, Relation) for member in one.members}
+        said = {
+            member
+            for formula in printed
+            if isinstance(formula, Relation)
+            for member in formula.members
+        }
         if said & {left, right} or not what:
             return ""
     words = f"the left side{what} is ${own}$, not ${other}$"

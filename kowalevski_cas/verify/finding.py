@@ -67,7 +67,7 @@ class Finding:
 def _quote(value: Attribute) -> str:
     """A value in Python, with TeX as it stands."""
     if isinstance(value, tuple):
-        return f"({''.join(f'{_quote(one)}, ' for one in value)})"
+        return f"({''.join(f'{_quote(member)}, ' for member in value)})"
     return f'r"{value}"' if isinstance(value, str) and '"' not in value else repr(value)
 
 
@@ -82,8 +82,8 @@ def with_findings(derivation: Derivation, findings: Iterable[Finding]) -> Deriva
             places[tex] = section.lemma(id, tex, "found by the program")[1]
         return places[tex]
 
-    for number, one in enumerate(findings, 1):
-        section.claim(one.claim(f"found-{number}", place))
+    for number, finding in enumerate(findings, 1):
+        section.claim(finding.claim(f"found-{number}", place))
     return Derivation(
         derivation.name, f"Found in {derivation.name}", "", "", (section,), rests_on=(derivation,)
     )

@@ -32,8 +32,8 @@ def goals_where_violated(statement: Statement) -> Iterator[tuple[Tree, str]]:
     for setting in dict.fromkeys([*statement.legend.values(), statement.on(statement.claim.scene)]):
         for locus in setting.scene.loci:
             for goal in _candidates(statement, setting, locus):
-                one = Statement(statement.claim, statement.on, (goal,))
-                yield encode(setting.formula(locus.condition)), one.digest
+                alone = Statement(statement.claim, statement.on, (goal,))
+                yield encode(setting.formula(locus.condition)), alone.digest
 
 
 def failure_on(
@@ -46,17 +46,17 @@ def failure_on(
     condition = setting.formula(locus.condition)
     known = None if stored is None else stored.failures(statement, encode(condition))
     for goal in _candidates(statement, setting, locus) if known != [] else ():
-        one = Statement(statement.claim, statement.on, (goal,))
+        alone = Statement(statement.claim, statement.on, (goal,))
         if known is None:
-            verdicts = _evidence_at_locus(one.goals[0], condition)
+            verdicts = _evidence_at_locus(alone.goals[0], condition)
         else:
-            verdicts = next((v for entry in known if (v := entry.verdicts(one))), None)
+            verdicts = next((v for entry in known if (v := entry.verdicts(alone))), None)
         if verdicts is None:
             continue
         evidence = verdicts.evidence if isinstance(verdicts, Denial) else verdicts[0]
         judge = Judge(finder_of)
         try:
-            (judge.denies if isinstance(goal, Count) else judge.holds)(one.goals[0], evidence)
+            (judge.denies if isinstance(goal, Count) else judge.holds)(alone.goals[0], evidence)
             if not all(
                 place.vanish([place.at.scalar(condition)]) for place in judge.accepted.places
             ):
@@ -65,7 +65,7 @@ def failure_on(
             if stored is None or known is None:
                 continue
             raise FormatError(f"what fails for {locus.words}: {error}") from None
-        return Supported(one, verdicts, judge.accepted)
+        return Supported(alone, verdicts, judge.accepted)
     return None
 
 
@@ -98,10 +98,10 @@ def _candidates(
             there = (*space.equations(locus.equations), vanishes(space.formula(locus.condition)))
             yield Fails(space, goal.conclusions, (*goal.given, *there))
         if isinstance(goal, Exists):
-            for one in goal.goals:
-                if isinstance(one, Follows) and one.given and one.space is setting:
+            for inner in goal.goals:
+                if isinstance(inner, Follows) and inner.given and inner.space is setting:
                     there = setting.equations(locus.equations)
-                    yield from _leaves_set(setting, one.given, there)
+                    yield from _leaves_set(setting, inner.given, there)
     yield from (goal for goal in statement.claimed if isinstance(goal, Count))
 
 

@@ -86,11 +86,15 @@ class Screened(NamedTuple):
 
 
 class Condition(NamedTuple):
-    """An expression assumed non-zero, and what happens where it vanishes."""
+    """An expression assumed non-zero, and what happens where it vanishes.
+
+    ``zeros`` are equations that hold together exactly there, where these say it better.
+    """
 
     expression: Formula
     words: str
     witness: Counterexample | None = None
+    zeros: tuple[Formula, ...] = ()
 
 
 class ReportedStep(NamedTuple):
@@ -200,8 +204,8 @@ class Outcome(NamedTuple):
     @property
     def misprinted(self) -> bool:
         """Whether a formula of the claim itself is to be corrected."""
-        one = self.correction
-        return one is not None and one.edit is not None and not one.blamed
+        correction = self.correction
+        return correction is not None and correction.edit is not None and not correction.blamed
 
     def corrected_by(self, corrections: Sequence[Correction]) -> Outcome:
         """The outcome with the likeliest of some corrections, and the others as alternatives."""

@@ -49,14 +49,14 @@ class OutcomeWriter:
     def outcome(self, statement: Statement, found: Mapping[str, Decided | Screened]) -> Outcome:
         """The outcome for a statement, by what each arithmetic says."""
         first = found[self._arithmetics.names[0]]
-        verdicts = {name: one.verdict for name, one in found.items()}
+        verdicts = {name: answer.verdict for name, answer in found.items()}
         verdict, message = first.verdict, first.message
         if disagreement(verdicts):
             shown = ", ".join(f"{name}: {v}" for name, v in verdicts.items())
             verdict, message = Verdict.ERROR, f"the arithmetics disagree ({shown})"
         else:
             answered = (*DECIDED, Verdict.PROBABLE, Verdict.ENCLOSED)
-            open_ones = [one for one in found.values() if one.verdict not in answered]
+            open_ones = [answer for answer in found.values() if answer.verdict not in answered]
             if open_ones:
                 verdict, message = open_ones[0].verdict, open_ones[0].message
         outcome = self.without_evidence(statement.claim, statement.on, verdict, message, statement)

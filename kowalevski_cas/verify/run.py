@@ -63,7 +63,7 @@ def decide_together(
         progress(claim, next(begun), len(tasks))
 
     outcomes = enumerate(each(received(decide_one), range(len(tasks)), heard=hear))
-    found = iter([receive(one, tasks[k][0].decider.timeout) for k, one in outcomes])
+    found = iter([receive(outcome, tasks[k][0].decider.timeout) for k, outcome in outcomes])
     return [[next(found) for _ in claims] for _, claims in chosen]
 
 

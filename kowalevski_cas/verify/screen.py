@@ -92,9 +92,9 @@ def questions(
             if not isinstance(found, Found):
                 unseen.append("what exists cannot be seen at points")
                 continue
-            for one in goal.goals:
-                bound = _bind(one, found, at(one.space))
-                yield from _questions(one, bound, unseen)
+            for inner in goal.goals:
+                bound = _bind(inner, found, at(inner.space))
+                yield from _questions(inner, bound, unseen)
         else:
             yield from _questions(goal, at(goal.space), unseen)
 
@@ -102,7 +102,7 @@ def questions(
 def _bind(goal: Simple, found: Found, at: Sampled) -> Evaluation:
     values: dict[str, Element] = {}
     for name, formula in found.values.items():
-        if any(name in one.names() for one in goal.formulas()):
+        if any(name in formula.names() for formula in goal.formulas()):
             values[name] = at.scalar(formula)
     bound = at.binding(values)
     assert isinstance(bound, Sampled)

@@ -174,16 +174,16 @@ def _cases(proof: Proof, setting: Elaboration) -> ReportedStep:
 
 def _squares(group: Sequence[Formula]) -> Formula:
     """An element, or the sum of the squares of several, which vanishes with all of them."""
-    return group[0] if len(group) == 1 else total(Power(one, Number(2)) for one in group)
+    return group[0] if len(group) == 1 else total(Power(element, Number(2)) for element in group)
 
 
 def _combination(goal: Follows, proof: Proof, setting: Elaboration) -> ReportedStep:
     rows = [[setting.finder.scalar(entry) for entry in row] for row in proof.rows]
     terms = size(entry for row in rows for entry in row)
-    one = len(goal.conclusions) == 1
-    what = "difference of the two sides" if one else "product of the differences of their sides"
+    single = len(goal.conclusions) == 1
+    what = "difference of the two sides" if single else "product of the differences of their sides"
     what = f"{'a power of ' * (proof.power > 1)}the {what} is a combination of the hypotheses"
-    words = f"{what[0].upper()}{what[1:]}" if one else f"One of the alternatives holds: {what}"
+    words = f"{what[0].upper()}{what[1:]}" if single else f"One of the alternatives holds: {what}"
     products = sum(not entry.is_zero for row in rows for entry in row)
     if terms > LONGEST or products > MOST:
         return ReportedStep(f"{words}; its coefficients have {terms} terms", withheld=True)
@@ -215,8 +215,8 @@ def _minus(left: Formula, right: Formula) -> Formula:
 
 def _sum(row: Sequence[Element], known: Sequence[Formula], setting: Elaboration) -> Formula:
     return total(
-        signed_product(element_formula(entry, setting), one)
-        for entry, one in zip(row, known, strict=True)
+        signed_product(element_formula(entry, setting), term)
+        for entry, term in zip(row, known, strict=True)
         if not entry.is_zero
     )
 
@@ -232,20 +232,20 @@ def _root(
         basis = [statement.on(claim.scene).formula(tex) for tex in claim.basis]
         numbers = [evidence.values[name] for name in goal.numbers]
         found = zip(numbers, basis, strict=True)
-        root = total(signed_product(number, one) for number, one in found if number != ZERO)
+        root = total(signed_product(number, root) for number, root in found if number != ZERO)
         said = equal(Name(claim.unknown), root)
         yield ReportedStep("The root that the program found:", (said,))
 
 
 def _values_found(goal: Exists, evidence: Found, statement: Statement) -> Iterator[ReportedStep]:
     """The equations that are linear in bound names."""
-    for one in goal.goals:
-        if not isinstance(one, Follows):
+    for inner in goal.goals:
+        if not isinstance(inner, Follows):
             continue
-        for left, right in one.conclusions[0] if one.conclusions else ():
+        for left, right in inner.conclusions[0] if inner.conclusions else ():
             terms = _linear(right, goal.bound)
             if terms is not None:
-                yield _bound_names(left, terms, evidence, statement.legend[one.space])
+                yield _bound_names(left, terms, evidence, statement.legend[inner.space])
 
 
 def _linear(formula: Formula, bound: Sequence[str]) -> list[tuple[str, Formula]] | None:
@@ -266,11 +266,11 @@ def _bound_names(
     values = [setting.finder.scalar(evidence.values[name]) for name, _ in terms]
     what = "derivatives" if isinstance(left, Derivative) else "functions"
     if (many := size(values)) > LONGEST:
-        one = f"The {what[:-1]} of one" if what == "derivatives" else "One function"
+        subject = f"The {what[:-1]} of one" if what == "derivatives" else "One function"
         words = "is a linear combination of the relations whose coefficients have"
-        return ReportedStep(f"{one} {words} {many} terms", withheld=True)
+        return ReportedStep(f"{subject} {words} {many} terms", withheld=True)
     words = f"The {what} are linear combinations of the relations"
-    right = _sum(values, [printed_formula(one, setting) for _, one in terms], setting)
+    right = _sum(values, [printed_formula(term, setting) for _, term in terms], setting)
     return ReportedStep(f"{words}:", (equal(printed_formula(left, setting), right),))
 
 

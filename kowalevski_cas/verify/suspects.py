@@ -91,7 +91,7 @@ def changes(
             if not supposed and len(relation.formula.names()) == 1:
                 continue  # a number for a constant, of which the paper does not think
             suspect = Suspect.ASSUMPTION if supposed else Suspect.RELATION
-            standing = [one for one in failing if relation.concerns(one.scene)]
+            standing = [claim for claim in failing if relation.concerns(claim.scene)]
             yield suspect, relation, relation.place, standing
     found, known = _suspects(failing, least, interpretation), right()
     suspects = {place: suspect for place, suspect in found.items() if place not in known}
@@ -104,7 +104,7 @@ def changes(
         for edit in edits(texts.statement(place), texts.vocabulary, names)
         if not changes_subject(edit)
     ]
-    yield from sorted(several, key=lambda one: (slip(one[1]), one[0]))
+    yield from sorted(several, key=lambda pair: (slip(pair[1]), pair[0]))
 
 
 def _suspects(

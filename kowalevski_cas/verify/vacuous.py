@@ -48,7 +48,8 @@ def says_something(neighbour: Neighbour, statement: Statement, printed: Statemen
     It involves variables if the print does, and the function that the print is about; no equation
     that it supposes vanishes identically, or is a multiple of another one, and it states no
     multiple of one of them; none of its formulas stands there twice; its sides are not the same and
-    have no function as a common factor that they do not have in print, and no sum has a term twice.
+    have no function as a common factor that they do not have in print, and no sum has a term twice,
+    with either sign.
     """
     if _moves(printed) and not _moves(statement):
         return False
@@ -75,8 +76,8 @@ def _moves(statement: Statement) -> bool:
 
 def _empty(statement: Statement) -> int:
     """How many of the equations that are supposed hold everywhere."""
-    simple_ones = (one for goal in statement.goals for one in simple(goal))
-    given = ((one.space, getattr(one, "given", ())) for one in simple_ones)
+    simple_ones = (part for goal in statement.goals for part in simple(goal))
+    given = ((part.space, getattr(part, "given", ())) for part in simple_ones)
     return sum(d.is_zero for space, some in given for d in finder_of(space).differences(some))
 
 
@@ -90,13 +91,13 @@ def _count_repeated(statement: Statement) -> int:
     """How many equations that are supposed or stated are multiples of another that is supposed."""
     count = 0
     for goal in statement.goals:
-        for one in simple(goal):
-            at = finder_of(one.space)
-            given = at.differences(getattr(one, "given", ()))
+        for part in simple(goal):
+            at = finder_of(part.space)
+            given = at.differences(getattr(part, "given", ()))
             others = [[*given[:k], *given[k + 1 :]] for k in range(len(given))]
             count += sum(map(_is_multiple, given, others))
-            if isinstance(one, Follows) and not isinstance(goal, Exists):
-                stated = [e for conclusion in one.conclusions for e in at.differences(conclusion)]
+            if isinstance(part, Follows) and not isinstance(goal, Exists):
+                stated = [e for conclusion in part.conclusions for e in at.differences(conclusion)]
                 count += sum(_is_multiple(element, given) for element in stated)
     return count
 
@@ -116,11 +117,15 @@ def _derives_what_stands(before: Formula, after: Formula, on: Elaboration) -> bo
 
 
 def _trivial(formula: Formula) -> bool:
-    """Whether two sides, terms, or arguments of a bracket are literally the same."""
+    """Whether two sides, terms, or arguments of a bracket are the same, but for their signs."""
     several = (
         node for node in formula.nodes() if isinstance(node, Relation | PoissonBracket | Sum)
     )
-    return any(len({*one.children()}) < len(one.children()) for one in several)
+    return any(len({*map(_unsigned, node.children())}) < len(node.children()) for node in several)
+
+
+def _unsigned(formula: Formula) -> Formula:
+    return formula.argument if isinstance(formula, Negative) else formula
 
 
 def _common(formula: Formula) -> set[str]:
@@ -135,7 +140,7 @@ def _common(formula: Formula) -> set[str]:
         case Negative() | Power():
             return _common(formula.children()[0])
         case Relation() | Sum():
-            parts = [_common(one) for one in formula.children() if one != Number(0)]
+            parts = [_common(part) for part in formula.children() if part != Number(0)]
             return set.intersection(*parts) if parts else set()
         case Quotient():
             return _common(formula.numerator)

@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 from kowalevski_cas.motion import Inadmissible, Motion, Parameters, coincidences, load, regime_of
 from kowalevski_cas.motion.methods.closed import Closed
 from kowalevski_cas.motion.methods.integrators import initial_state, integrate
-from kowalevski_cas.motion.transverse import degenerate, difference, exponent, kind, mean
+from kowalevski_cas.motion.transverse import degenerate, exponent, kind, mean
 from study.leaving import distance, transverse
 from tests.motion.regions import EVERY_REGIME, SEPARATING, motion
 from tests.sample import sampled
@@ -152,18 +152,3 @@ def test_inside_two_regimes_the_exponent_vanishes_on_a_curve_and_in_no_others():
     changing = {" < ".join(regime.order) for regime, signs in found.items() if len(signs) == 2}
     assert len(found) == 6
     assert changing == {"A < -a < -b < b < C < a", "-a < A < -b < C < b < a"}
-
-
-@pytest.mark.parametrize(("b", "m"), [("0.4", "-0.4"), ("0.7", "-1.2")])
-def test_on_the_curve_a_torus_is_degenerate_to_the_last_digit_of_ell(b, m):
-    """No float is on the curve; the one next to it is told as well as the one beyond it."""
-
-    def signed(ell):
-        return difference(Parameters.of(1, b, m, ell))
-
-    (_, near), *_ = degenerate(1, b, m)
-    ell = brentq(signed, near * 0.999, near * 1.001, xtol=1e-300, rtol=4 * np.finfo(float).eps)
-    kinds = [
-        kind(Parameters.of(1, b, m, repr(float(ell + k * np.spacing(ell))))) for k in (-9, 0, 9)
-    ]
-    assert kinds == ["hyperbolic", "degenerate", "hyperbolic"]

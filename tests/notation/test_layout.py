@@ -47,6 +47,8 @@ def test_nested_arrays_are_rows_and_cells():
         (r"$a=0$", ["a=0"]),
         (r"\[ a = 0,\qquad b = 0. \]", ["a = 0", "b = 0"]),
         (r"a = 0 \quad b = 0", ["a = 0", "b = 0"]),
+        (r"a = b \qquad (c > 0).", ["a = b", "c > 0"]),
+        (r"a = b \qquad ((c+d) \ne 0)", ["a = b", r"(c+d) \ne 0"]),
         (r"a = 0 \text{ and } b = 0", ["a = 0", "b = 0"]),
         (r"a = b \quad + c", [r"a = b \quad + c"]),
         (r"\begin{align} a &= b, \\ c &= d \end{align}", ["a &= b", "c &= d"]),

@@ -37,7 +37,7 @@ TRUTH = [
 def said(line, column, role, verdict, **more):
     return {
         "id": f"{line}-{column}", "line": line, "column": column, "role": role, "verdict": verdict,
-        "reason": "", "causes": [], "correction": None, **more,
+        "reason": "", "causes": [], "correction": None, "message": "", **more,
     }  # fmt: skip
 
 
@@ -116,3 +116,14 @@ def test_a_formula_that_is_not_listed_is_misread(path):
 def test_without_an_answer_there_is_no_score(tmp_path):
     with pytest.raises(CommandError, match="exit code 2"):
         audit_entries(tmp_path / "none.tex", 1)
+
+
+def test_what_is_yellow_as_false_is_noticed_if_it_is_false_and_doubted_if_it_is_true(path):
+    audit = right()
+    for one in audit[2:5]:
+        one |= {"verdict": "undecided", "message": "false as it was read"}
+    score = compare(path, audit)
+    assert score.errors == {True: 1}
+    assert score.doubted == {True: 2}
+    audit[3] |= {"message": "no certificate was found"}
+    assert compare(path, audit).errors == {False: 1}

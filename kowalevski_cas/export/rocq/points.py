@@ -35,7 +35,7 @@ class Place:
     def fails(self, pairs: Sequence[Sides]) -> None:
         """One of these equations fails there."""
         equal = [_equal(sides) for sides in pairs]
-        self.statements.append(f"{' && '.join(f'({one})' for one in equal)} = false")
+        self.statements.append(f"{' && '.join(f'({equality})' for equality in equal)} = false")
 
     def independent(self, functions: Sequence[str], elements: Sequence[Element]) -> None:
         """The differentials of functions are independent there."""

@@ -38,6 +38,8 @@ class Theorems:
     ) -> None:
         """Where some equations hold others do: they are combinations of them, or their powers."""
         known, lemmas = [*given], list[str]()
+        if "equal" in proof:
+            raise Inexpressible(REAL.format("a proof takes the signs of roots"))
         while "product" in proof:
             (first, *more), *others = proof["product"]
             if more or others or "power" in proof:
@@ -273,5 +275,5 @@ def instances(certificate: Json) -> Iterable[tuple[Json, Json, Json, bool]]:
         if denied:
             raise Inexpressible("nothing can be said about all expressions")
         values = dict(evidence["values"])
-        for one, entry in zip(goal["goals"], evidence["evidence"], strict=True):
-            yield one, entry, values, True
+        for inner, entry in zip(goal["goals"], evidence["evidence"], strict=True):
+            yield inner, entry, values, True

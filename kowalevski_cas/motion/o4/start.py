@@ -55,9 +55,7 @@ def on_O4(state: Sequence[Real]) -> MotionO4:
             f"the state is not on O⁴: its equations leave {residual:.3g} of its size"
         )
     with precision(BITS):
-        _, _, a_square, b_square, c, *_ = exactly(formulas.values_of_offer("integrals"), given)
-        turn = turn_of(a_square, b_square, c)
-        straight = rotate(given, *turn)
+        straight, turn = _straight(given)
         constants, pairs = _separate(straight)
         motion = MotionO4(constants, turn=turn, point=tuple(map(float, given)))
         # Either quotient may be u1.
@@ -75,8 +73,21 @@ def on_O4(state: Sequence[Real]) -> MotionO4:
     return replace(motion, off=off)
 
 
-def _separate(state: list[Fraction]) -> tuple[ParametersO4, list[tuple[arb, arb]]]:
-    """The constants at a state in fields at right angles, and both variables as quotients."""
+def constants_at(state: Sequence[Fraction]) -> ParametersO4:
+    """The constants of the printed formulas at a state that is on O⁴, at least almost."""
+    with precision(BITS):
+        return _constants(_straight(state)[0])[0]
+
+
+def _straight(state: Sequence[Fraction]) -> tuple[list[Fraction], tuple[Fraction, Fraction]]:
+    """The state in fields at right angles, and the turn that leads there."""
+    _, _, a_square, b_square, c, *_ = exactly(formulas.values_of_offer("integrals"), state)
+    turn = turn_of(a_square, b_square, c)
+    return rotate(state, *turn), turn
+
+
+def _constants(state: Sequence[Fraction]) -> tuple[ParametersO4, Fraction, Fraction]:
+    """The constants at a state in fields at right angles, and x1x2, x1x2 + z1z2."""
     if not any(state[:2]):
         raise Inadmissible("ω1 = ω2 = 0 at the state: it does not tell the constant s of O⁴")
     known = formulas.values_of_offer("complex_variables")(*(acb(ball(x)) for x in state), acb(0, 1))
@@ -86,7 +97,13 @@ def _separate(state: list[Fraction]) -> tuple[ParametersO4, list[tuple[arb, arb]
     ]
     s, tau, X, total = map(as_fraction, found)
     _, _, a_square, b_square, *_ = exactly(formulas.values_of_offer("integrals"), state)
-    constants = ParametersO4(root(a_square), root(b_square), s, tau)
+    return ParametersO4(root(a_square), root(b_square), s, tau), X, total
+
+
+def _separate(state: Sequence[Fraction]) -> tuple[ParametersO4, list[tuple[arb, arb]]]:
+    """The constants at a state in fields at right angles, and both variables as quotients."""
+    constants, X, total = _constants(state)
+    tau = constants.tau
     largest = abs(tau) + constants.r_square
     names = constants.roots
     close = [constants.gap(y, x) <= LEAST_GAP * ball(largest) for x, y in pairwise(names)]

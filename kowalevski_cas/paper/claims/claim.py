@@ -122,11 +122,11 @@ class Claim(_Kind, ABC):
 
     def places(self) -> Iterator[Printed]:
         """The places of the paper that the claim names, its own first; not those of its scenes."""
-        yield from (one for one in self._stands_on if isinstance(one, Printed))
+        yield from (object for object in self._stands_on if isinstance(object, Printed))
 
     def scenes(self) -> Iterator[Scene]:
         """The scenes on which the claim stands."""
-        yield from (one for one in self._stands_on if isinstance(one, Scene))
+        yield from (object for object in self._stands_on if isinstance(object, Scene))
 
     def reads(self) -> frozenset[Printed]:
         """Every place on which a verdict can depend: those that it names, and of its scenes."""

@@ -63,9 +63,9 @@ class CriticalSet(Claim):
         on = moving(space, surface)
         rates: list[Formula] = [Partial(function, n) for n in space.variables if n not in on]
         for a, b in combinations(on, 2):
-            one = Product((Partial(surface, a), Partial(function, b)))
+            product = Product((Partial(surface, a), Partial(function, b)))
             other = Product((Partial(surface, b), Partial(function, a)))
-            rates.append(Sum((one, Negative(other))))
+            rates.append(Sum((product, Negative(other))))
         return tuple(map(vanishes, [*rates, *([function] if self.zero_level else [])]))
 
     def neighbours(self, texts: Texts, wanted: Formula | None = None) -> Iterator[Neighbour]:

@@ -41,8 +41,8 @@ def polynomial(on: Elaborations, space: Elaboration, place: Printed) -> Formula:
     element = at.scalar(value)
     used = (bit for bit, _ in enumerate(at.ring.roots) if any(m >> bit & 1 for m in element.parts))
     under = [at.ring.radicands[bit] for bit in used]
-    for one in (*at.ring.divisors_of([element]), *under):
-        if any(not at.partial(one, name).is_zero for name in variables):
+    for divisor in (*at.ring.divisors_of([element]), *under):
+        if any(not at.partial(divisor, name).is_zero for name in variables):
             shown = to_latex(formula)
             raise Meaningless(f"{shown} at {place.place} is no polynomial in the variables")
     return value

@@ -95,7 +95,7 @@ class FirstIntegral(Claim):
             return vanishes(space.plain(derivative_of(printed[0], by, space)))
 
         mark = "dot" if self.scene.time == "t" else "prime"
-        yield Follows(space, ((vanishing(lambda one: Derivative(one, mark)),),), ())
+        yield Follows(space, ((vanishing(lambda term: Derivative(term, mark)),),), ())
         names = (*self.scene.variables, *space.velocities.values())
         yield Fails(space, (tuple(vanishing(partial(Partial, by=name)) for name in names),))
 

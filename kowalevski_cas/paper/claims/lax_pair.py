@@ -30,9 +30,9 @@ class LaxPair(Identity):
         space = on(self.scene)
         own = rows(function(on, space, self.matrix), space)
         traces = [trace(power) for power in accumulate(repeat(own, len(own)), product)]
-        moving = next((one for one in traces if _varies(one, space)), None)
+        moving = next((trace for trace in traces if _varies(trace, space)), None)
         chosen = traces if moving is None else [moving]
-        slopes = (Partial(one, name) for one in chosen for name in space.variables)
+        slopes = (Partial(trace, name) for trace in chosen for name in space.variables)
         yield Fails(space, (tuple(map(vanishes, slopes)),))
 
 

@@ -52,7 +52,7 @@ class Limit(Claim):
             identity(space, *inverse),
             Follows(space, ((*inverse, *same),), special),
         )
-        yield Exists(goals, tuple(name for one in (m, n, t, s) for name in names_in(one)))
+        yield Exists(goals, tuple(name for matrix in (m, n, t, s) for name in names_in(matrix)))
 
     def _rest(self, on: Elaborations, m: Rows, n: Rows, t: Rows) -> Iterator[Formula]:
         """The entries of the difference."""

@@ -110,7 +110,9 @@ class IntegrableMap(OfMap):
         if len(variables) > 2:
             yield from Jacobi(self.id, self.scene, "").goals(on)
             yield identity(space, *commutation(space, functions))
-        yield identity(space, *(_invariance(space, one, self.images) for one in functions))
+        yield identity(
+            space, *(_invariance(space, function, self.images) for function in functions)
+        )
         plain = tuple(map(space.plain, functions))
         yield Rank(space, plain, (), len(plain))
         yield Fails(space, ((vanishes(pfaffian(space, variables)),),))

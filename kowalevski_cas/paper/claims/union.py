@@ -21,11 +21,11 @@ class Union(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        conclusions = tuple(equations(on, space, one) for one in self.sets)
+        conclusions = tuple(equations(on, space, part) for part in self.sets)
         yield Follows(space, conclusions, equations(on, space, self.given))
 
     def neighbours(self, texts: Texts, wanted: Formula | None = None) -> Iterator[Neighbour]:
-        for k, one in enumerate(self.sets):
+        for k, part in enumerate(self.sets):
             kept = self.sets[:k] + self.sets[k + 1 :]
-            words = f"without ${one[0].tex}$"
+            words = f"without ${part[0].tex}$"
             yield Neighbour(words, replace(self, sets=kept), texts)

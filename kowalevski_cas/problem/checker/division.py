@@ -30,7 +30,7 @@ def quotient(element: Element, divisor: Element) -> Element | None:
     ring = element.ring
     ring.spend(1 + (len(element.terms) + len(divisor.terms) >> 2))
     guard, first, last = ring.guard, max(divisor.terms), min(divisor.terms)
-    degrees, own = (reduce(ring.larger, one.terms, 0) for one in (element, divisor))
+    degrees, own = (reduce(ring.larger, each.terms, 0) for each in (element, divisor))
     # in each generator the degrees of a quotient and of its divisor add up
     if element.terms and (degrees | guard) - own & guard != guard:
         return None

@@ -94,14 +94,14 @@ class Problem:
         need([name for name, _ in evidence["values"]] == bound, "values are for other names")
         entries = items(evidence["evidence"], len(goal["goals"]))
         used, found = set[str](), list[Theorem]()
-        for one, entry in zip(goal["goals"], entries, strict=True):
-            names = names_of(one) & values.keys()
+        for inner, entry in zip(goal["goals"], entries, strict=True):
+            names = names_of(inner) & values.keys()
             used |= names
-            space = self.stage(one, entry, [(n, values[n]) for n in bound if n in names])
+            space = self.stage(inner, entry, [(n, values[n]) for n in bound if n in names])
             for name in (n for n in goal["numbers"] if n in names):
                 rational(space, values[name])
-            KINDS[one["goal"]](space, one).holds(entry)
-            found.append(theorem(sentence(one), space, entry))
+            KINDS[inner["goal"]](space, inner).holds(entry)
+            found.append(theorem(sentence(inner), space, entry))
         need(used == {*bound}, "a bound name is not used")
         shown = ", ".join(f"{name} = {say(tree)}" for name, tree in values.items())
         return Theorem(f"{sentence(goal)}, namely {shown}", parts=found)
@@ -109,14 +109,16 @@ class Problem:
     def _exists_not(self, goal: Json, evidence: Json) -> Theorem:
         """Points where an equation fails, whatever the bound names stand for."""
         record(evidence, "inner points")
-        one = goal["goals"][integer(evidence["inner"], 0, len(goal["goals"]) - 1)]
-        plain = one["goal"] == "follows" and one["given"] == [] and len(one["conclusions"]) == 1
+        inner = goal["goals"][integer(evidence["inner"], 0, len(goal["goals"]) - 1)]
+        plain = (
+            inner["goal"] == "follows" and inner["given"] == [] and len(inner["conclusions"]) == 1
+        )
         need(plain, "no identity is denied")
-        space = self.stage(one, {})
+        space = self.stage(inner, {})
         bound = {name: space.bind(name)[0] for name in goal["numbers"] + goal["expressions"]}
         space.ring.unknown |= {bound[name] for name in goal["expressions"]}
         with space.statement():
-            differences = space.differences(one["conclusions"][0])
+            differences = space.differences(inner["conclusions"][0])
         single = len(pairs(evidence["points"])) == 1 or not goal["expressions"]
         need(single, "expressions may differ from point to point")
         points = [point for _, point in evidence["points"]]

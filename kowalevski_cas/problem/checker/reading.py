@@ -185,6 +185,18 @@ def names_in(tree: Json) -> set[str]:
     return found
 
 
+def derives(tree: Json) -> bool:
+    """Whether a derivative along the vector field stands in a formula."""
+    waiting = [tree]
+    while waiting:
+        tree = waiting.pop()
+        if type(tree) is list:
+            if tree[:1] == ["D"]:
+                return True
+            waiting += tree[1:]
+    return False
+
+
 def factors(tree: Json) -> list[Json]:
     """The factors of a formula that is a product or a power; numbers do not count."""
     if type(tree) is not list:

@@ -9,6 +9,7 @@ from .formulas import Formulas
 from .polynomials import Element, Ring
 from .reading import (
     Json,
+    derives,
     factors,
     integer,
     items,
@@ -42,13 +43,21 @@ class Space(Formulas):
         self._generate(steps, pairs(data.get("conjugates", [])))
         conditions = [(names_in(tree), tree) for tree in items(data.get("nonzero", []))]
         conditions = self._grant(conditions)
+        late: dict[str, list[Json]] = {}  # what is defined by rates is known behind the field
         for step in steps:
+            if step[0] == "let" and (derives(step[2]) or names_in(step[2]) & late.keys()):
+                need(label(step[1]) not in late, f"{step[1]} is defined twice")
+                late[step[1]] = step
+                continue
             self.step(*step)
             conditions = self._grant(conditions)
-        need(not conditions, "a condition has a name that is not defined")
         self.mirror = None
         old = self._change(before, data["change"]) if "change" in data else []
         self._move(items(data.get("field", [])), old)
+        for step in late.values():
+            self.step(*step)
+            conditions = self._grant(conditions)
+        need(not conditions, "a condition has a name that is not defined")
         printed = [step[3] for step in steps if step[0] == "root" and len(step) == 4]
         need(all(e.vanishes() for e in self.differences(printed)), "a root has another square")
         self.stating = False

@@ -1,5 +1,6 @@
 """Which tori of O⁴ are hyperbolic: the law, at points of the tori, and by motions beside them."""
 
+from contextlib import suppress
 from fractions import Fraction
 
 import numpy as np
@@ -8,12 +9,12 @@ from flint import arb
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from kowalevski_cas.motion import Inadmissible, MotionO4, load
+from kowalevski_cas.motion import Inadmissible, MotionO4, ParametersO4, load
 from kowalevski_cas.motion.critical import residuals
 from kowalevski_cas.motion.formulas import values_of_offer
 from kowalevski_cas.motion.methods.integrators import integrate
 from kowalevski_cas.motion.o4.ball import state_by_angles
-from kowalevski_cas.motion.o4.transverse import kind
+from kowalevski_cas.motion.o4.transverse import kind, kind_at
 from kowalevski_cas.motion.parameters import ball, precision
 from tests.motion.o4.levels import EVERY_REGIME, KNOWN, motion
 from tests.motion.o4.test_edges import edges
@@ -56,10 +57,21 @@ def test_a_torus_is_hyperbolic_where_the_integral_has_both_signs_beside_it(known
     assert kind(moving.parameters) == ("hyperbolic" if determinant < 0 else "elliptic")
 
 
-def test_where_the_determinant_vanishes_the_type_is_degenerate():
-    a, b, s = Fraction(2), Fraction(1), Fraction(3)
-    tau = -(s**2 - a**2) * (s**2 - b**2) / s**2  # where Q″(s) = 0: outside the motions
-    assert kind(type(motion(KNOWN[0]).parameters).of(a, b, s, tau)) == "degenerate"
+@given(edges(), st.tuples(*[st.fractions(-3, 3, max_denominator=20)] * 2), st.sampled_from("sτ"))
+def test_where_the_determinant_vanishes_the_type_is_degenerate_to_the_last_digit(known, angles, by):
+    a, b, s, _ = known
+    tau = -(s**2 - a**2) * (s**2 - b**2) / s**2  # where Q″(s) = 0
+    assume(tau)
+    assert kind(ParametersO4(a, b, s, tau)) == "degenerate"
+    beside = [Fraction(float(tau)), Fraction(f"{float(tau):.17g}")]
+    beside += [Fraction(float(np.nextafter(float(tau), way))) for way in (np.inf, -np.inf)]
+    if by == "s":
+        s = Fraction(float(np.nextafter(float(s), np.inf)))
+    assert {kind(ParametersO4(a, b, s, one)) for one in beside} == {"degenerate"}
+    assert kind(ParametersO4(a, b, s, tau * Fraction("1.0001"))) != "degenerate"
+    with suppress(Inadmissible):
+        (state,) = closed(MotionO4.of(a, b, s, tau, angles=angles), np.zeros(1))
+        assert kind_at(state.tolist()) == "degenerate"
 
 
 @settings(deadline=None, max_examples=30)
