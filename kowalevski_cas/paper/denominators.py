@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Power, Product, Quotient
+from kowalevski_cas.paper.logarithms import has_logarithm
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.problem.space import Meaningless
 
@@ -51,9 +52,10 @@ class Divisors:
 
     @cached_property
     def printed(self) -> dict[Formula, Divisor]:
-        """The denominators in all definitions of the scene."""
+        """The denominators in all definitions of the scene that have a value."""
         texts, places = self.setting.texts, self.setting.scene.definitions.values()
-        return self.below([self.setting.plain(texts.formula(place)) for place in places])
+        formulas = [one for one in map(texts.formula, places) if not has_logarithm(one)]
+        return self.below(map(self.setting.plain, formulas))
 
     def below(self, formulas: Iterable[Formula]) -> dict[Formula, Divisor]:
         """The factors of all denominators in formulas that mean something in the setting."""

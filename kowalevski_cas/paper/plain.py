@@ -70,8 +70,10 @@ class Plain:
         match formula:
             case RealPart(argument) | ImaginaryPart(argument):
                 return _part(self(argument), isinstance(formula, RealPart))
-            case Derivative(argument) | Partial(argument) if has_logarithm(argument):
-                return self(derivative_of(argument, partial(_in_place, formula), self.setting))
+            case Derivative(argument) | Partial(argument) if has_logarithm(
+                whole := self._spelled_out(argument)
+            ):
+                return self(derivative_of(whole, partial(_in_place, formula), self.setting))
             case Derivative(argument, mark):
                 return self._derivative(self(argument), mark)
             case Application(function, (argument,)) if function in OF_MATRICES:
@@ -86,6 +88,14 @@ class Plain:
             case Power(Name(base), exponent) if not is_whole(exponent):
                 return self._symbolic(base, exponent)
         return self._shorthand(formula) or formula.map_children(self)
+
+    def _spelled_out(self, formula: Formula) -> Formula:
+        """The definition of a name that stands for a function of which the derivative is known."""
+        match formula:
+            case Name(name) if name in self.setting.scene.definitions:
+                body = self.setting.definition(name)
+                return body if has_logarithm(body) else formula
+        return formula
 
     def _root(self, root: Root) -> Formula:
         """A square root: a power of the one in the place of its name, or what is printed for it."""
@@ -170,6 +180,8 @@ class Plain:
     def _rate(self, argument: Formula) -> Formula:
         """The derivative along the field; that of a variable may be a variable."""
         velocities, vectors = self.setting.velocities, self.setting.scene.vectors
+        if argument == Name(self.setting.scene.time):
+            return Number(1)
         if isinstance(argument, Name) and argument.name in velocities:
             return Name(velocities[argument.name])
         if isinstance(argument, Name) and argument.name in self.setting.transcendental:
