@@ -153,7 +153,7 @@ def _runs(tokens: list[Token], tex: str) -> list[_Run]:
     for run in runs:
         while run.tokens and run.tokens[-1].kind == "stop":
             run.tokens.pop()
-        if _is_condition(run):
+        if run is not runs[0] and _is_condition(run):
             run.before, run.relation, run.tokens = "comma", True, run.tokens[1:-1]
     return [run for run in runs if run.tokens]
 

@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Power, Product, Quotient
-from kowalevski_cas.paper.logarithms import has_logarithm
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.problem.space import Meaningless
 
@@ -52,10 +51,12 @@ class Divisors:
 
     @cached_property
     def printed(self) -> dict[Formula, Divisor]:
-        """The denominators in all definitions of the scene that have a value."""
-        texts, places = self.setting.texts, self.setting.scene.definitions.values()
-        formulas = [one for one in map(texts.formula, places) if not has_logarithm(one)]
-        return self.below(map(self.setting.plain, formulas))
+        """The denominators in all definitions of the scene that have a value by themselves."""
+        texts, found = self.setting.texts, list[Formula]()
+        for place in self.setting.scene.definitions.values():
+            with suppress(Meaningless):  # of a logarithm only the derivative has one
+                found.append(self.setting.plain(texts.formula(place)))
+        return self.below(found)
 
     def below(self, formulas: Iterable[Formula]) -> dict[Formula, Divisor]:
         """The factors of all denominators in formulas that mean something in the setting."""

@@ -23,6 +23,7 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Number,
+    Quotient,
     Relation,
     Root,
     Vector,
@@ -143,7 +144,18 @@ class Elaboration(Moving):
         """What the scene takes for granted not to vanish."""
         roots = (Name(self.radicals.root(name)) for name in self.radicals.orders)
         granted = (Name(n) if n in self.roots else self.formula(n) for n in self.scene.nonzero)
-        return (*granted, *self.transcendental.nonzero, *roots)
+        said = (one for one in granted if not self._is_given_by_number(one))
+        return (*said, *self.transcendental.nonzero, *roots)
+
+    def _is_given_by_number(self, formula: Formula) -> bool:
+        r"""Whether a name is a number, so that :math:`b\ne0` says nothing beside :math:`b=1`."""
+        if not isinstance(formula, Name) or formula.name not in self.scene.definitions:
+            return False
+        step = self.step(formula.name)
+        value = step.formula if isinstance(step, Let) else formula
+        value = value.argument if isinstance(value, Negative) else value
+        parts = value.children() if isinstance(value, Quotient) else (value,)
+        return all(isinstance(part, Number) and part.value for part in parts)
 
     @cached_property
     def conjugates(self) -> tuple[tuple[str, str], ...]:  # type: ignore[override] # computed here, an attribute above
@@ -242,7 +254,7 @@ class Elaboration(Moving):
         for other in mentions(let.formula):  # vectors stay as they are, and may run in a circle
             if (
                 isinstance(other, Name)
-                and is_bold(other.name)
+                and (is_bold(other.name) or other.name in self.scene.vectors)
                 and other.name in self.scene.definitions
             ):
                 self.step(other.name)

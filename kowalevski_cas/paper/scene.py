@@ -140,7 +140,7 @@ class Scene:
         yield from (("a power", f"{base}^{exponent}") for base, exponent in self.powers)
         for name in self.definitions:
             function, arguments = head(name)
-            if function != BRACKET and not is_bold(name):
+            if function != BRACKET and not is_bold(name) and name not in self.vectors:
                 yield "a function" if arguments else "defined", function
         for components in self.vectors.values():
             yield from (("a component", name) for name in components)
@@ -323,7 +323,7 @@ class Scene:
                 indexed = [argument for argument in arguments if is_indexed(argument)]
                 yield from [EPSILON, DELTA] if indexed else []
                 yield from (f"{argument[:-1]}{k}" for argument in indexed for k in "ijk")
-            elif is_bold(name) or self.definitions[name].heads.matrix:
+            elif is_bold(name) or name in self.vectors or self.definitions[name].heads.matrix:
                 yield from self.vectors.get(name, ())
             else:
                 yield from (a for a in arguments if a[:4] != r"\dot" and a not in self.vectors)

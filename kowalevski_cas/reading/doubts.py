@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Sequence
 
-from kowalevski_cas.notation import Number, PoissonBracket
+from kowalevski_cas.notation import Name, Number, PoissonBracket
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.reading.cues import cue
@@ -33,11 +33,14 @@ def doubt_of(
         return Doubt.ALWAYS
     if role.kind == SAID:
         return None
-    if _is_unread_summary(item, known):
+    if _is_unread_summary(item, known) or item in known.paper.approximate:
+        return Doubt.ALWAYS
+    if not rung.given and cue("restricted", item.words):
         return Doubt.ALWAYS
     if _has_usual_bracket(item, rung, known) or _is_conditioned(item, rung, known):
         return Doubt.ALWAYS
-    if any(_implied(rung, known)):
+    unclear = any(_implied(rung, known)) or _has_two_meanings(item, rung, known)
+    if unclear or _is_constrained(rung, known):
         return Doubt.ALWAYS
     if _has_case(item, rung, {one for other in candidates for one in other.on}, known):
         return Doubt.ALWAYS
@@ -90,6 +93,27 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
         if proved and not apart and role is not None and role.name == ASSUMPTION and one.members:
             return True
     return False
+
+
+def _has_two_meanings(item: SourceStatement, rung: Rung, known: Known) -> bool:
+    """Whether a name on which it rests stands alone on a side once more in its section."""
+    places = rung.claim.scene.definitions
+    return any(
+        one.printed != places[name] and one.order < item.order and one.section in item.sections[1:]
+        for name in places
+        for one in known.later.get(name, ())
+        if one is not item
+    )
+
+
+def _is_constrained(rung: Rung, known: Known) -> bool:
+    """Whether a display before the law says where it moves, and the claim is not made there."""
+    first = min((law.first.order for law in known.laws), default=0)
+    return any(
+        one.order < first and not one.typed.inline and one not in rung.on and one.members
+        for one in known.assumptions
+        if known.roles[one].kind.startswith("set")
+    )
 
 
 def _has_level(item: SourceStatement, rung: Rung, known: Known) -> bool:
@@ -148,10 +172,11 @@ def _implied(rung: Rung, known: Known) -> Iterator[str]:
 
 def _is_lost(name: str, known: Known) -> bool:
     """Whether a name stands alone on a side of what moves, and was given no meaning there."""
-    for one in known.later.get(name, ()):
+    for one in known.items:
         role = known.roles.get(one)
-        if role is not None and role.name not in (ASSUMPTION, LAW) and name not in role.names:
-            if known.varying(one.names - {name}):
+        if one.members and one.members[0] == Name(name) and role is not None:
+            solved = role.name not in (ASSUMPTION, LAW) and name not in role.names
+            if solved and known.varying(one.names - {name}):
                 return True
     return False
 

@@ -21,7 +21,7 @@ ZERO = Number(0)
 
 def approximate(item: SourceStatement, known: Known) -> StatementRole | None:
     """What holds approximately: it is not judged."""
-    if item not in known.paper.approximate or not item.members:
+    if item not in known.paper.approximate_here or not item.members:
         return None
     return StatementRole(CLAIM, "the words before say that it holds approximately", "approximate")
 

@@ -23,12 +23,13 @@ from kowalevski_cas.notation.functions import FAMILY_OF
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.exponents import half_power
+from kowalevski_cas.paper.logarithms import roots as real_roots
 from kowalevski_cas.paper.names import BRACKET, DELTA, head, summation_indices
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, Known
 from kowalevski_cas.reading.law import Law
-from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.statements import SourceStatement, derived_names
 
 
 @dataclass(frozen=True)
@@ -84,7 +85,21 @@ class Stage:
         key = (closure.law, closure.names, defined, (*about,), roots, powers, clock)
         if key not in self.scenes:
             self.scenes[key] = self._made(closure, about, roots, powers, clock)
+        self._refuse_unknown(self.scenes[key].scene, [*items, *closure.definitions.values()], law)
         return self.scenes[key]
+
+    def _refuse_unknown(
+        self, scene: Scene, items: Sequence[SourceStatement], law: Law | None
+    ) -> None:
+        """Take nothing for a constant that is derived, or moves by the law of another part."""
+        rows = law.rows if law is not None else ()
+        derived = {name for item in (*items, *rows) for name in derived_names(item)}
+        if lost := derived & {*scene.constants}:
+            raise ValueError(f"nothing says what {min(lost)} is, of which derivatives are printed")
+        given = {name for one in self.known.assumptions for name in self.known.roles[one].names}
+        mentioned = self.known.names.scalars(law.mentions) if law is not None else ()
+        if moving := {*scene.constants} & self.known.elsewhere - given - {*mentioned}:
+            raise ValueError(f"{min(moving)} moves by the equations of another part")
 
     # -- names -----------------------------------------------------------------------
 
@@ -264,7 +279,11 @@ class Stage:
                 yield from ((node.base.name, name) for name in fixed)
 
     def _roots(self, formula: Formula | None) -> Iterator[str]:
-        """The square roots that are printed in a formula, or that lengths of vectors are."""
+        """The square roots that are printed in a formula, or that lengths of vectors are.
+
+        Where logarithms and arcs are real, others are.
+        """
+        yield from map(to_latex, real_roots(formula) if formula is not None else ())
         for node in formula.nodes() if formula is not None else ():
             match node:
                 case Root():

@@ -66,5 +66,5 @@ class _Signs:
         found = [factor(*values, *more) for factor in self.factors]
         signs = [(value > 0) - (value < 0) for value in found]
         whole = [n * prod(signs[k] ** e for k, e in powers) for n, powers in self.products]
-        negative = sum(sign < 0 for sign in whole[: self.positive])
-        return negative + sum(sign == 0 for sign in whole[self.positive :])
+        negative = [sign for sign in whole[: self.positive] if sign < 0]
+        return len(negative) + whole[self.positive :].count(0)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from kowalevski_cas.reading import ASSUMPTION, CLAIM, LAW
+from kowalevski_cas.reading import ASSUMPTION, CLAIM, DEFINITION, LAW
 from kowalevski_cas.verify.outcome import Verdict
 
 from .test_reading import reading, roles, verdicts
@@ -47,3 +47,125 @@ def test_what_is_said_of_a_law_that_is_not_printed_is_not_judged(words):
 def test_the_same_words_without_a_condition_are_judged():
     found = verdicts(CENTRAL + r"Put $F=r^2\dot\varphi$. The function $F$ is an integral.")
     assert found["F"] in (Verdict.PROVED, Verdict.CONDITIONAL)
+
+
+VOLTERRA = r"""
+Four populations feed on each other,
+\[ \dot u_1=u_1u_2,\quad \dot u_2=u_2(u_3-u_1),\quad \dot u_3=u_3(u_4-u_2),\quad \dot u_4=-u_4u_3 . \]
+"""
+WRONG = r"I=u_1u_3+u_2u_3+u_2u_4"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        rf"The sum $S=u_1+u_2+u_3+u_4$ is an integral, and there is one more: \[ {WRONG} . \]",
+        rf"There has to be an integral besides the sum. It is of the second degree: \[ {WRONG} . \]",
+        rf"One integral is the sum. A second one is known as well. It reads \[ {WRONG} . \]",
+        rf"The motion separates with the constant \[ {WRONG} . \]",
+        rf"Сумма есть интеграл. Имеется ещё один. Он имеет вид \[ {WRONG} . \]",
+    ],
+)
+def test_an_integral_is_claimed_by_the_words_that_announce_it(words):
+    assert verdicts(VOLTERRA + words)[WRONG] in (Verdict.REFUTED, Verdict.UNDECIDED)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        rf"The sum is an integral. It is easy to see what is measured by \[ {WRONG} . \]",
+        rf"No function of the second degree is an integral. It reads \[ {WRONG} . \]",
+        rf"The sum is an integral. We put \[ {WRONG} . \]",
+        rf"With $c=1$, and with the constant \[ {WRONG} , \] we go on.",
+    ],
+)
+def test_other_words_announce_no_integral(words):
+    assert roles(VOLTERRA + words)[WRONG] == DEFINITION
+
+
+def test_a_tensor_and_a_moment_may_both_be_bold_capitals():
+    text = r"""The body turns by
+    \[ \mathbf J\dot{\boldsymbol\omega}=\mathbf J\boldsymbol\omega\times\boldsymbol\omega,\qquad
+    \mathbf J=\mathop{\rm diag}(A,B,C) . \]
+    Let $\boldsymbol K=\mathbf J\boldsymbol\omega$. Then
+    $\dot{\boldsymbol K}=\boldsymbol K\times\boldsymbol\omega$."""
+    assert {f.role.name for f in reading(text).formulas} == {LAW, DEFINITION, CLAIM}
+
+
+@pytest.mark.parametrize(("sign", "green"), [("+", True), ("-", False)])
+def test_the_rates_of_a_potential_with_logarithms_are_known(sign, green):
+    text = rf"""The motion in the plane is given by
+    \[ \ddot x_i=-\frac{{\partial U}}{{\partial x_i}},\qquad U=k\ln(x_1^2+x_2^2) , \]
+    $i=1,2$. Therefore \[ \ddot x_1{sign}\frac{{2kx_1}}{{x_1^2+x_2^2}}=0 . \]"""
+    found = verdicts(text)[rf"\ddot x_1{sign}\frac{{2kx_1}}{{x_1^2+x_2^2}}=0"]
+    assert found.green is green
+
+
+def test_a_range_of_an_index_that_the_text_gives_holds_from_its_sentence_on():
+    text = r"""The points with the coordinates $x_i$, $i=1,2$, move by
+    \[ \dot x_i=v_i,\qquad \dot v_i=-kx_i . \] The functions $v_i^2+kx_i^2$ are integrals."""
+    found = reading(text).formulas
+    assert [f.role.name for f in found].count(LAW) == 4
+    assert [f.role.name for f in found].count(CLAIM) == 2
+
+
+def test_a_polynomial_is_a_function_where_nothing_is_derived_by_its_argument():
+    text = r"""\[ \dot u=v,\qquad \dot v=u . \] Let \[ R(x)=x^2+h, \] where $R$ is a polynomial, and
+    $h=v^2-u^2$. Then \[ \dot u^2=R(u) . \]"""
+    assert verdicts(text)[r"\dot u^2=R(u)"] is Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"In a report it was written that $\dot u_1=0$ ``holds''; \textbf{this is wrong}.",
+        r"Somebody takes $\dot u_1=0$ for granted, which is false.",
+        r"Было написано, что $\dot u_1=0$.",
+    ],
+)
+def test_what_was_written_by_others_or_is_wrong_is_not_claimed(words):
+    assert roles(VOLTERRA + words)[r"\dot u_1=0"] == "other"
+
+
+@pytest.mark.parametrize(("b", "green"), [("1", True), (r"\frac32", False), ("-2", False)])
+def test_a_constant_that_is_not_zero_may_be_given_by_a_number(b, green):
+    text = rf"""\[ \dot x=-sx+y,\qquad \dot y=-by . \] Let $b\ne0$ and $s\ne0$. If $b={b}$, the function
+    $F=y^2$ has the rate $\dot F=-2F$."""
+    found = verdicts(text)[r"\dot F=-2F"]
+    assert found in (Verdict.PROVED,) if green else found in (Verdict.REFUTED, Verdict.UNDECIDED)
+
+
+def test_the_energy_that_a_law_derives_is_no_constant_before_it_is_given():
+    """Else nothing would move, and everything were constant."""
+    law = r"""The equations are \[ \dot q=\frac{\partial H}{\partial p},\qquad
+    \dot p=-\frac{\partial H}{\partial q} \] with the energy $H$. """
+    never = law + r"Then $q+p$ is a first integral."
+    assert not verdicts(never)
+    given = law + r"Let \[ H=\tfrac12p^2+\tfrac12q^2 . \] Then $q+p$ is a first integral."
+    assert verdicts(given)["q+p"] in (Verdict.REFUTED, Verdict.UNDECIDED)
+
+
+TWO = r"""
+\section{Space} The motion is given by
+\[ \dot x=y,\qquad \dot y=-kx . \]
+\section{More} We put $G=x^2+y^2$. It has the rate $\dot G=0$. Another angle moves by
+\[ \ddot\vartheta=-n\sin\vartheta . \]
+"""
+
+
+def test_what_stands_before_another_law_in_its_section_is_said_of_the_law_before():
+    assert verdicts(TWO)[r"\dot G=0"] in (Verdict.REFUTED, Verdict.UNDECIDED)
+
+
+def test_what_is_said_on_a_set_is_not_refuted_without_it():
+    text = r"""The equations are \[ \dot x=y,\qquad \dot y=-x+\lambda x,\qquad \lambda=x^2-1 . \] The
+    function $H=x^2+y^2$ is an integral of the system restricted to the sphere ${\cal M}$."""
+    assert verdicts(text)["H=x^2+y^2"] is Verdict.UNDECIDED
+
+
+def test_a_model_may_be_approximate():
+    text = r"""In the first approximation, \[ \dot x=y,\qquad \dot y=-x . \] Then $\dot x^2+x^2$ is
+    an integral. Neglecting small terms we find $\ddot x=-2x$."""
+    found = {f.item.printed.tex: f.role for f in reading(text).formulas}
+    assert found[r"\dot x^2+x^2"].kind == "integral"
+    assert found[r"\ddot x=-2x"].kind == "approximate"
