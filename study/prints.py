@@ -21,6 +21,7 @@ from kowalevski_cas import System
 from kowalevski_cas.cli import run as run_command
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT
+from kowalevski_cas.notation import Formula, Relation
 
 Print = dict[str, Any]
 """A print, with what it means."""
@@ -80,12 +81,17 @@ def typed(entry: Print) -> tuple[System, tuple[str, ...]]:
                 if kind == "where":
                     system = system.where(tex)
             for tex in given:
-                system.read(tex)
+                _check_equation(system.read(tex), tex)
         except ValueError as error:
             last = error
         else:
             return system, given
     raise last
+
+
+def _check_equation(formula: Formula, tex: str) -> None:
+    if not isinstance(formula, Relation) or not formula.is_equality:
+        raise ValueError(f"{tex} is no equation that a claim may be given")
 
 
 def _order(kinds: tuple[str, ...]) -> list[int]:
