@@ -283,7 +283,8 @@ class Plain:
         if isinstance(formula, Name) and formula.name in self.setting.scene.vectors:
             names = self.setting.scene.vectors[formula.name]
             return True, tuple(self(Name(n)) for n in names)
-        return False, (self(formula),)
+        written = substitute(formula, self._logarithms)  # only its derivatives have values
+        return False, (written if has_logarithm(written) else self(formula),)
 
 
 @once

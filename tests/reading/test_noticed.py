@@ -169,3 +169,24 @@ def test_a_model_may_be_approximate():
     found = {f.item.printed.tex: f.role for f in reading(text).formulas}
     assert found[r"\dot x^2+x^2"].kind == "integral"
     assert found[r"\ddot x=-2x"].kind == "approximate"
+
+
+@pytest.mark.parametrize(("power", "green"), [("2", True), ("3", False)])
+def test_brackets_and_rates_of_a_function_with_logarithms_are_known(power, green):
+    text = rf"""\[ \{{x,y\}}=xy,\qquad \dot x=xy,\qquad \dot y=-xy . \] Put
+    \[ K=\ln x+{power}\ln y . \] Then $\dot K=y-{power}x$, and $\{{K,xy^2\}}=0$."""
+    found = verdicts(text)
+    assert found[rf"\dot K=y-{power}x"].green
+    assert found[r"\{K,xy^2\}=0"].green is green
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        r"Seen from another frame, $\dot x'=\dot x-v$ holds.",
+        r"Let $y=2x$, as is usual. Then $\dot x=y$.",
+    ],
+)
+def test_what_may_be_another_frame_or_is_supposed_is_not_refuted(claim):
+    text = r"The equations are \[ \dot x=y,\qquad \dot y=-x,\qquad \dot v=x' . \] "
+    assert Verdict.REFUTED not in verdicts(text + claim).values()
