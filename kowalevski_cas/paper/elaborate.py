@@ -295,7 +295,8 @@ class Elaboration(Moving):
         """The expression for which a name stands.
 
         It is the first member of the printed chain that is not a bare name, or
-        else another name; a formula that is no equation is the expression itself.
+        else another name, that stands for nothing; a formula that is no equation is the expression
+        itself.
         """
         printed = self.scene.definitions.get(name) or self.scene.roots.get(name)
         if printed is None:
@@ -306,7 +307,8 @@ class Elaboration(Moving):
         others = [m for m in members if m != own and not isinstance(m, Constant)]
         if not others or (name in printed.heads.names and own not in members):
             raise Meaningless(f"no expression stands for {name} in its definition", name)
-        return next((m for m in others if not isinstance(m, Name)), others[0])
+        given = (m for m in others if getattr(m, "name", "") not in self.scene.definitions)
+        return next((m for m in others if not isinstance(m, Name)), next(given, others[0]))
 
     def free(self, names: Sequence[str]) -> Evaluation:
         """The setting in FLINT with more variables, bound by nothing; a root may be one."""

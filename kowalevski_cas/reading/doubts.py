@@ -31,6 +31,8 @@ def doubt_of(
     fixed = (member for member in item.members if not known.varying(member.names()))
     if role.kind == "identity" and not item.derives and any(fixed):
         return Doubt.ALWAYS
+    if role.kind == "solution":
+        return Doubt.ALWAYS
     if role.kind == SAID:
         return None
     if _is_unread_summary(item, known) or item in known.paper.approximate:
