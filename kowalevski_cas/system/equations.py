@@ -387,7 +387,8 @@ def restrict(scene: Scene, place: Printed) -> Scene:
         return scene.assuming(place)
     if (supposing := _suppose(scene, place, formula)) is not None:
         return supposing
-    for name in (*place.heads.squares, *place.heads.names):
+    # A name that is a square is not negative: as the root of it, the other one would be left out.
+    for name in (*place.heads.names, *place.heads.squares):
         if name in scene.constants:
             kept = tuple(constant for constant in scene.constants if constant != name)
             rest = replace(scene, constants=kept)

@@ -171,6 +171,14 @@ def test_the_sign_of_a_root_follows_from_what_is_supposed():
     assert plane().where("0<a<b").identity(r"|a-b|=b-a").verdict == "proved"
 
 
+@pytest.mark.parametrize("relation", ["a=d^2", "d^2=a"])
+def test_a_constant_that_is_a_square_is_not_negative(relation):
+    assert plane().where(relation).identity("|a|=a").verdict == "proved"
+    assert plane().where(relation).identity("|a|=-a").verdict == "refuted"
+    assert plane().where(relation).inequality(r"a\ge0").verdict == "proved"
+    assert plane().where(relation).inequality("a>0").verdict == "refuted"
+
+
 def test_an_inequality_is_never_taken_for_an_equality():
     assert plane().identity(r"a\le a").verdict == "error"
     assert plane().where(r"a\ge0").integral(r"y^2+ax^2").verdict == "refuted"
