@@ -28,7 +28,8 @@ CUES: dict[str, str] = {
         равновеси\w+ стационарн\w+ особ\w+\s+точ\w+""",
     "suppose": r"""
         suppos\w+ assum\w+ \blet\b \btake\b \bmake\b \bif\b \bwhen\b
-        \bfor\s+(?:the\s+)?(?:\w+\s+){0,3}$ \bput\b \bsetting\b (?:we|us|and|now|^\s*)\s*set\s*$
+        \bfor(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?\s*$ \bput\b \bsetting\b
+        (?:we|us|and|now|^\s*)\s*set\s*$
         provided choos\w+ choice
         \bunder\b in\s+the\s+case \bcase\b restrict\w+ \bconsider\b \bwith\b
         on\s+the\s+(?:\w+\s+)?levels? пусть предполож\w+ полож\w+ полага\w+ если при\s*$ допуст\w+
@@ -41,7 +42,8 @@ CUES: dict[str, str] = {
     "lasting": r"""
         \blet\b suppos\w+ assum\w+ пусть предполож\w+""",
     "for": r"""
-        \bfor\s+(?:the\s+)?(?:\w+\s+){0,3}(?:§[^§]*)*$ \bпри\s+(?:\w+\s+){0,2}(?:§[^§]*)*$""",
+        \bfor\b(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?\s*(?:§[^§]*)*$
+        \bпри\b(?:\s+\w+){0,2}\s*(?:§[^§]*)*$""",
     "where": r"""
         \bwhere\b \bhere\b \bin\s+which\b \bгде\b \bздесь\b""",
     "claim": r"""

@@ -31,9 +31,15 @@ def doubt_of(
     fixed = (member for member in item.members if not known.varying(member.names()))
     if role.kind == "identity" and not item.derives and any(fixed):
         return Doubt.ALWAYS
+    if role.kind == "solution":
+        return Doubt.ALWAYS
     if role.kind == SAID:
         return None
     if _is_unread_summary(item, known) or item in known.paper.approximate:
+        return Doubt.ALWAYS
+    if {"dot", "prime"} <= item.marks and not known.clocks:  # the prime of another frame, perhaps
+        return Doubt.ALWAYS
+    if role.kind == "identity" and not item.derives and cue("lasting", item.lead):
         return Doubt.ALWAYS
     if not rung.given and cue("restricted", item.words):
         return Doubt.ALWAYS

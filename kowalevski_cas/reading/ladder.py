@@ -13,15 +13,18 @@ from kowalevski_cas.notation import Name, Number, Root, Unwritten, to_latex
 from kowalevski_cas.paper.claims import (
     Claim,
     Coefficient,
+    Definition,
     FirstIntegral,
     Identity,
     Implication,
+    Inequality,
     InvariantRelations,
     RestPoints,
 )
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM
+from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.phrases import right_behind
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.stage import Stage, Supposed
@@ -70,10 +73,14 @@ class _Ladder:
         match self.role.kind:
             case "identity" | "constant":
                 yield from self.identities()
+            case "inequality":
+                yield from self.inequalities()
             case "integral":
                 yield from self.integrals()
             case "invariant" | "rest":
                 yield from self.of_set()
+            case "solution":
+                yield from self.solutions()
 
     # -- identities ------------------------------------------------------------------
 
@@ -104,6 +111,14 @@ class _Ladder:
                         Implication, chosen, assumptions, given, (self.item, *beside),
                         given=_places(given), root=root, together=_places(beside),
                     )  # fmt: skip
+
+    def inequalities(self) -> Iterator[Rung]:
+        """A chain at all real points, and where cited equations hold."""
+        says = "this is so at all real points"
+        yield self.rung(Inequality, says, self.supposed)
+        for given in self.hypotheses():
+            said = f"{says} where the cited equations hold"
+            yield self.rung(Inequality, said, self.supposed, given, given=_places(given))
 
     def _leaves_out(self) -> bool:
         """Whether terms are not printed."""
@@ -232,6 +247,30 @@ class _Ladder:
         sets = sets_of(own, self.known.paper.source.text)
         return next(items for items in sets if self.item in items)
 
+    # -- solutions -------------------------------------------------------------------
+
+    def solutions(self) -> Iterator[Rung]:
+        """That a function of the time, with those beside it, solves its equation of motion."""
+        roles = self.known.roles
+        beside = [
+            one
+            for one, role in roles.items()
+            if role.kind == "solution" and one.sentence == self.item.sentence
+        ]
+        law = self.stage.law(self.item, beside)
+        names = {**{one.bare[0]: one for one in beside}, self.item.bare[0]: self.item}
+        rows = [row for row in (law.rows if law else ()) if self.item.bare[0] in row.rates]
+        moving = {name for row in rows for name in row.names if self.known.moves(name)}
+        if len(rows) != 1 or law is None or not moving <= names.keys():
+            raise ValueError("by the time not all is given that stands in its equation of motion")
+        still = Law((), law.names, change=(*names.values(),))
+        says = "this solves its equation of motion"
+        for assumptions in self._ways():
+            yield self.rung(
+                Definition, says, assumptions, (), (*names.values(), rows[0]),
+                law=still, printed=self.item.printed, equation=rows[0].printed,
+            )  # fmt: skip
+
     # -- all -------------------------------------------------------------------------
 
     def rung(
@@ -241,10 +280,11 @@ class _Ladder:
         assumptions: Sequence[SourceStatement],
         on: Sequence[SourceStatement] = (),
         items: Sequence[SourceStatement] = (),
+        law: Law | None = None,
         **attributes: object,
     ) -> Rung:
         own = [*(items or (self.item,)), *on]
-        found: Supposed = self.stage.scene(own, assumptions)
+        found: Supposed = self.stage.scene(own, assumptions, law)
         if "relations" not in attributes:
             attributes.setdefault("printed", self.item.printed)
         claim = kind(self.id, found.scene, says, **attributes)  # type: ignore[arg-type]

@@ -114,9 +114,10 @@ class _LawFinder:
 
     def other(self, item: SourceStatement, part: Sequence[Law]) -> Law | None:
         """Another law beside some: of another system, or of further variables."""
-        if not self._may_set_up(item):
+        beside = any(row.sentence == item.sentence for law in part for row in law.items)
+        if not (self._may_set_up(item) or beside):
             return None
-        if law := self.other_system(item, part):
+        if not beside and (law := self.other_system(item, part)):
             return law
         since = part[0].begins or self.paper.prose.start
         moving = {name for law in part for name in law.variables}
@@ -130,10 +131,10 @@ class _LawFinder:
             return None
         law = self.grown(item, moving, [row for row in rows if row not in following])
         rated = {name for row in following for name in self.scalars(row)}
-        if law is not None and rated & {*self.names.scalars(law.mentions)} - moving:
-            return None  # it rests on what follows
         if law is not None:
             law.base = part[-1]
+            if rated & {*self.names.scalars(law.mentions)} - moving:
+                return None  # it rests on what follows
         return law
 
     def other_system(self, item: SourceStatement, part: Sequence[Law]) -> Law | None:

@@ -23,6 +23,8 @@ def approximate(item: SourceStatement, known: Known) -> StatementRole | None:
     """What holds approximately: it is not judged."""
     if item not in known.paper.approximate_here or not item.members:
         return None
+    if ZERO in item.members and all(m == ZERO or isinstance(m, Name) for m in item.members):
+        return None  # it says where, and not what is small there
     return StatementRole(CLAIM, "the words before say that it holds approximately", "approximate")
 
 

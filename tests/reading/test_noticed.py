@@ -178,3 +178,15 @@ def test_brackets_and_rates_of_a_function_with_logarithms_are_known(power, green
     found = verdicts(text)
     assert found[rf"\dot K=y-{power}x"].green
     assert found[r"\{K,xy^2\}=0"].green is green
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        r"Seen from another frame, $\dot x'=\dot x-v$ holds.",
+        r"Let $y=2x$, as is usual. Then $\dot x=y$.",
+    ],
+)
+def test_what_may_be_another_frame_or_is_supposed_is_not_refuted(claim):
+    text = r"The equations are \[ \dot x=y,\qquad \dot y=-x,\qquad \dot v=x' . \] "
+    assert Verdict.REFUTED not in verdicts(text + claim).values()
