@@ -45,9 +45,9 @@ def doubt_of(
         return Doubt.ALWAYS
     if _has_usual_bracket(item, rung, known) or _is_conditioned(item, rung, known):
         return Doubt.ALWAYS
-    if any(_implied(rung, known)) or _is_constrained(rung, known):
-        return Doubt.ALWAYS
-    if _has_case(item, rung, {one for other in candidates for one in other.on}, known):
+    unclear = any(_implied(rung, known))
+    beside = {one for other in candidates for one in other.on}
+    if unclear or _is_constrained(rung, known) or _has_case(item, rung, beside, known):
         return Doubt.ALWAYS
     given = any(one.given for one in candidates)
     sure = not (given or rung.constants or cue("on it", item.words))

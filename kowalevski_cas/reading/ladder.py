@@ -17,6 +17,7 @@ from kowalevski_cas.paper.claims import (
     FirstIntegral,
     Identity,
     Implication,
+    Inequality,
     InvariantRelations,
     RestPoints,
 )
@@ -72,6 +73,8 @@ class _Ladder:
         match self.role.kind:
             case "identity" | "constant":
                 yield from self.identities()
+            case "inequality":
+                yield from self.inequalities()
             case "integral":
                 yield from self.integrals()
             case "invariant" | "rest":
@@ -108,6 +111,14 @@ class _Ladder:
                         Implication, chosen, assumptions, given, (self.item, *beside),
                         given=_places(given), root=root, together=_places(beside),
                     )  # fmt: skip
+
+    def inequalities(self) -> Iterator[Rung]:
+        """A chain at all real points, and where cited equations hold."""
+        says = "this is so at all real points"
+        yield self.rung(Inequality, says, self.supposed)
+        for given in self.hypotheses():
+            said = f"{says} where the cited equations hold"
+            yield self.rung(Inequality, said, self.supposed, given, given=_places(given))
 
     def _leaves_out(self) -> bool:
         """Whether terms are not printed."""

@@ -26,6 +26,7 @@ from kowalevski_cas.paper.exponents import half_power
 from kowalevski_cas.paper.logarithms import roots as real_roots
 from kowalevski_cas.paper.names import BRACKET, DELTA, head, summation_indices
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, Known
 from kowalevski_cas.reading.law import Law
@@ -308,6 +309,11 @@ def with_assumption(scene: Scene, item: SourceStatement, known: Known) -> Scene:
         case Relation((left, right), (r"\ne" | r"\neq",)):
             named = item.names <= {*scene.names()}
             return scene.having(nonzero=(to_latex(minus((left, right))),)) if named else scene
+    if item.formula is not None and is_inequality(item.formula):
+        new = tuple(sorted(item.names - {*scene.names()}))
+        if known.varying(new):
+            return scene
+        return scene.having(constants=new).assuming(item.printed)
     if not item.members:
         return scene
     place = item.printed

@@ -30,7 +30,7 @@ from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.passages import Passages
 from kowalevski_cas.report.places import PaperSection, labels, names
 from kowalevski_cas.report.results import main_results
-from kowalevski_cas.report.sentences import Phrases, capital, group_alike, list_in_words, nonzero
+from kowalevski_cas.report.sentences import Phrases, group_alike, list_in_words, nonzero
 from kowalevski_cas.report.tally import tally, wrong_places
 from kowalevski_cas.report.trust import trust
 from kowalevski_cas.report.witnesses import Witness, arithmetics
@@ -83,7 +83,7 @@ class Contents:
         return Document(
             self._title(title),
             self._title(shorten(title, 60, placeholder=" …")),
-            ((*self.phrases.words(capital(origin)), "."), *self._read(), *self._origins()),
+            ((*self.phrases.words(origin), "."), *self._read(), *self._origins()),
             tuple(blocks),
         )
 
