@@ -31,7 +31,7 @@ BESIDE = ("where", "display", "given")
 """What a line of text beside the equations may be typed as."""
 
 
-class Reading(StrEnum):
+class Fate(StrEnum):
     """What becomes of a print."""
 
     MEANT = "read as meant"
@@ -40,19 +40,19 @@ class Reading(StrEnum):
     REFUSED = "refused"
 
 
-class Found(NamedTuple):
+class PrintResult(NamedTuple):
     """What became of a print, and why."""
 
-    reading: Reading
+    fate: Fate
     words: tuple[str, ...] = ()
 
 
-def read(entry: Print, seconds: float) -> Found:
+def read(entry: Print, seconds: float) -> PrintResult:
     """How a print is read: what moves, its rates or images, and its claims."""
     try:
         system, given = typed(entry)
     except ValueError as error:
-        return Found(Reading.REFUSED, (str(error),))
+        return PrintResult(Fate.REFUSED, (str(error),))
     system.seconds = seconds
     wrong, left = list[str](), list[str]()
     for words, expected, verdict in judged(entry, system, given):
@@ -61,8 +61,8 @@ def read(entry: Print, seconds: float) -> Found:
         elif verdict not in (*GREEN, "refuted"):
             left.append(f"{words}: {verdict}")
     if wrong:
-        return Found(Reading.MISREAD, tuple(wrong))
-    return Found(Reading.OPEN, tuple(left)) if left else Found(Reading.MEANT)
+        return PrintResult(Fate.MISREAD, tuple(wrong))
+    return PrintResult(Fate.OPEN, tuple(left)) if left else PrintResult(Fate.MEANT)
 
 
 def typed(entry: Print) -> tuple[System, tuple[str, ...]]:
@@ -143,18 +143,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
-    count = Counter[Reading]()
+    count = Counter[Fate]()
     for entry in json.loads(arguments.prints.read_text(encoding="utf-8")):
         if arguments.half not in (None, entry["half"]):
             continue
         if arguments.only and entry["id"] not in arguments.only:
             continue
         found = read(entry, arguments.timeout)
-        count[found.reading] += 1
+        count[found.fate] += 1
         if arguments.verbose:
-            print(f"{entry['id']}: {found.reading}", *found.words, sep="\n    ", flush=True)
-    print("; ".join(f"{count[reading]} {reading}" for reading in Reading))
-    return DIFFERENT if count[Reading.MISREAD] else AS_RECORDED
+            print(f"{entry['id']}: {found.fate}", *found.words, sep="\n    ", flush=True)
+    print("; ".join(f"{count[fate]} {fate}" for fate in Fate))
+    return DIFFERENT if count[Fate.MISREAD] else AS_RECORDED
 
 
 if __name__ == "__main__":
