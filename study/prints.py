@@ -31,7 +31,7 @@ BESIDE = ("where", "display", "given")
 """What a line of text beside the equations may be typed as."""
 
 
-class Fate(StrEnum):
+class PrintReading(StrEnum):
     """What becomes of a print."""
 
     MEANT = "read as meant"
@@ -43,7 +43,7 @@ class Fate(StrEnum):
 class PrintResult(NamedTuple):
     """What became of a print, and why."""
 
-    fate: Fate
+    reading: PrintReading
     words: tuple[str, ...] = ()
 
 
@@ -52,7 +52,7 @@ def read(entry: Print, seconds: float) -> PrintResult:
     try:
         system, given = typed(entry)
     except ValueError as error:
-        return PrintResult(Fate.REFUSED, (str(error),))
+        return PrintResult(PrintReading.REFUSED, (str(error),))
     system.seconds = seconds
     wrong, left = list[str](), list[str]()
     for words, expected, verdict in judged(entry, system, given):
@@ -61,8 +61,8 @@ def read(entry: Print, seconds: float) -> PrintResult:
         elif verdict not in (*GREEN, "refuted"):
             left.append(f"{words}: {verdict}")
     if wrong:
-        return PrintResult(Fate.MISREAD, tuple(wrong))
-    return PrintResult(Fate.OPEN, tuple(left)) if left else PrintResult(Fate.MEANT)
+        return PrintResult(PrintReading.MISREAD, tuple(wrong))
+    return PrintResult(PrintReading.OPEN, tuple(left)) if left else PrintResult(PrintReading.MEANT)
 
 
 def typed(entry: Print) -> tuple[System, tuple[str, ...]]:
@@ -143,18 +143,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
-    count = Counter[Fate]()
+    count = Counter[PrintReading]()
     for entry in json.loads(arguments.prints.read_text(encoding="utf-8")):
         if arguments.half not in (None, entry["half"]):
             continue
         if arguments.only and entry["id"] not in arguments.only:
             continue
         found = read(entry, arguments.timeout)
-        count[found.fate] += 1
+        count[found.reading] += 1
         if arguments.verbose:
-            print(f"{entry['id']}: {found.fate}", *found.words, sep="\n    ", flush=True)
-    print("; ".join(f"{count[fate]} {fate}" for fate in Fate))
-    return DIFFERENT if count[Fate.MISREAD] else AS_RECORDED
+            print(f"{entry['id']}: {found.reading}", *found.words, sep="\n    ", flush=True)
+    print("; ".join(f"{count[reading]} {reading}" for reading in PrintReading))
+    return DIFFERENT if count[PrintReading.MISREAD] else AS_RECORDED
 
 
 if __name__ == "__main__":
