@@ -7,7 +7,7 @@ and words say “on it”. No other one is ever tried.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from kowalevski_cas.notation import Application, Derivative, Name, Number, Root, Unwritten, to_latex
 from kowalevski_cas.paper.claims import (
@@ -50,6 +50,8 @@ class Rung:
     """Whether these are what is supposed there, and no more."""
     idle: Claim | None = None
     """That nothing moves where these hold: then what is said of rates there says nothing."""
+    elsewhere: bool = False
+    """Whether it rests on what is supposed in other places only: it is not claimed so."""
 
 
 def rungs(item: SourceStatement, id: str, stage: Stage) -> Iterator[Rung]:
@@ -74,6 +76,30 @@ class _Ladder:
                 yield from self.integrals()
             case "invariant" | "rest":
                 yield from self.of_set()
+        yield from self.elsewhere()
+
+    def elsewhere(self) -> Iterator[Rung]:
+        """The claim with what is supposed in other places: one that then holds may be meant so."""
+        moving = not self.item.derives and not self.known.varying(self.item.names)
+        for group in [] if moving else self.known.elsewhere(self.item):
+            names = {name for one in group for name in self.known.roles[one].names}
+            other = [one for one in self.supposed if names & {*self.known.roles[one].names}]
+            if any(one.sentence == self.item.sentence for one in other):
+                continue
+            kept = [one for one in self.supposed if one not in other]
+            for rung in self._under([*kept, *group]):
+                if {*group} <= {*rung.on}:
+                    yield replace(rung, elsewhere=True)
+
+    def _under(self, assumptions: list[SourceStatement]) -> Iterator[Rung]:
+        """The claim under some assumptions, and on no set that is given besides."""
+        match self.role.kind:
+            case "identity":
+                yield self.rung(Identity, "both sides are equal", assumptions)
+            case "integral":
+                yield self._integral(assumptions)
+            case "invariant" | "rest":
+                yield from self._of_set([assumptions])
 
     # -- identities ------------------------------------------------------------------
 
@@ -195,21 +221,23 @@ class _Ladder:
         """A function that does not move: everywhere, under the assumptions, or on a set."""
         if not self.known.varying(self.item.names):
             raise ValueError("it is called an integral, and nothing says how its names move")
-        says = "this is constant along every motion"
-        derived = self._derived()
         for assumptions in self._ways():
-            if derived is None:
-                yield self.rung(FirstIntegral, says, assumptions)
-            elif isinstance(derived, SourceStatement):
-                yield self.rung(FirstIntegral, says, assumptions, printed=derived.printed)
-            else:
-                yield self.rung(Identity, says, assumptions)
+            yield self._integral(assumptions)
         for given in self.hypotheses():
             said = "this is constant along every motion on the set"
-            if derived is None:
+            if self._derived() is None:
                 yield self.rung(FirstIntegral, said, self.supposed, given, given=_places(given))
             else:
                 yield self.rung(Implication, said, self.supposed, given, given=_places(given))
+
+    def _integral(self, assumptions: list[SourceStatement]) -> Rung:
+        """That a function does not move, under some assumptions."""
+        says, derived = "this is constant along every motion", self._derived()
+        if derived is None:
+            return self.rung(FirstIntegral, says, assumptions)
+        if isinstance(derived, SourceStatement):
+            return self.rung(FirstIntegral, says, assumptions, printed=derived.printed)
+        return self.rung(Identity, says, assumptions)
 
     def _ways(self) -> list[list[SourceStatement]]:
         """Without assumptions, and with those in force; what is not zero is never left aside."""
@@ -232,12 +260,15 @@ class _Ladder:
 
     def of_set(self) -> Iterator[Rung]:
         """That no motion leaves a set, or that nothing moves there; its equations are one claim."""
+        yield from self._of_set(self._ways())
+
+    def _of_set(self, ways: list[list[SourceStatement]]) -> Iterator[Rung]:
         relations = self._set()
         if relations[0] is not self.item:
             return
         kind, says = _OF_SETS[self.role.kind]
         places = _places(relations)
-        for assumptions in self._ways():
+        for assumptions in ways:
             yield self.rung(kind, says, assumptions, (), relations, relations=places)
 
     def _set(self) -> SetOfEquations:

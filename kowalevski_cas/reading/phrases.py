@@ -59,6 +59,13 @@ def reach(item: SourceStatement) -> str:
     return "set in force" if cue("suppose", item.lead) else "set"
 
 
+def reach_of_constants(item: SourceStatement) -> str:
+    """How far it reaches what is supposed of constants; to the end of the section, if empty."""
+    brief = cue("for", f"{item.before} ") or cue("if", item.lead)
+    lasting = cue("lasting", item.before)
+    return "of the sentence" if item.typed.inline and brief and not lasting else ""
+
+
 def integral_words(item: SourceStatement) -> str:
     """The words near a statement that call it an integral, if no other words stand between."""
     if _SO.search(item.lead) and (said := cue("integral", item.before)):
