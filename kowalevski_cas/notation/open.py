@@ -37,7 +37,7 @@ class OpenParser(Parser):
         scalars = vocabulary.scalars | names - vocabulary.functions
         known = vocabulary.moving - vocabulary.vectors
         moving = vocabulary.moving if known else vocabulary.moving | scalars
-        self.says_what_moves = bool(known)
+        self.says_what_moves = bool(known) and not vocabulary.scalars <= known | vocabulary.times
         super().__init__(tex, tokens, replace(vocabulary, scalars=scalars, moving=moving))
 
     lone_d = True

@@ -142,7 +142,8 @@ class Elaboration(Moving):
     def nonzero(self) -> tuple[Formula, ...]:  # type: ignore[override] # computed here, an attribute above
         """What the scene takes for granted not to vanish."""
         roots = (Name(self.radicals.root(name)) for name in self.radicals.orders)
-        return (*map(self.formula, self.scene.nonzero), *self.transcendental.nonzero, *roots)
+        granted = (Name(n) if n in self.roots else self.formula(n) for n in self.scene.nonzero)
+        return (*granted, *self.transcendental.nonzero, *roots)
 
     @cached_property
     def conjugates(self) -> tuple[tuple[str, str], ...]:  # type: ignore[override] # computed here, an attribute above

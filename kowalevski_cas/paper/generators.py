@@ -20,7 +20,7 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.notation.functions import MEANING
 from kowalevski_cas.paper.arguments import Monomial, product_of, single_name
 from kowalevski_cas.paper.differentiate import derivative
-from kowalevski_cas.paper.families import outside
+from kowalevski_cas.paper.families import Generators, outside
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.scene import Change
@@ -138,12 +138,12 @@ def free_names(setting: Meaning, formulas: Iterable[Formula]) -> frozenset[str]:
 
 
 def with_generators(
-    setting: Meaning, rows: Sequence[EquationOfMotion]
+    setting: Meaning, rows: Sequence[EquationOfMotion], complete: bool = True
 ) -> Iterator[EquationOfMotion]:
     """The rows of a field, with those of generators in the place of what they replace.
 
     The time moves as well, where it stands in a formula. Raises :class:`Meaningless` for a name in
-    an argument of which the rate is not known.
+    an argument of which the rate is not known, if the rows are ``complete``.
     """
     functions, scene = setting.transcendental, setting.scene
     known = {
@@ -156,17 +156,45 @@ def with_generators(
     for group in functions.groups if known else ():
         if not functions.moves(group):
             continue
-        factor, force = _rate(group.monomial, known, setting)
-        for name, rate in group.rates().items():
-            if name in group.moving:
-                below, above = (
-                    (rate.denominator, rate.numerator)
-                    if isinstance(rate, Quotient)
-                    else (ONE, rate)
-                )
-                yield EquationOfMotion(
-                    (name,), times(below, factor), times(setting.plain(above), force)
-                )
+        name = single_name(group.monomial)
+        if complete or name is None or name in known:
+            factor, force = _rate(group.monomial, known, setting)
+            yield from _rows_of(group, factor, force, setting)
+
+
+def _rows_of(
+    group: Generators, factor: Formula, force: Formula, setting: Meaning
+) -> Iterator[EquationOfMotion]:
+    """The rows of generators by the rate of what they are taken of: the force over the factor."""
+    for name, rate in group.rates().items():
+        if name in group.moving:
+            below, above = (
+                (rate.denominator, rate.numerator) if isinstance(rate, Quotient) else (ONE, rate)
+            )
+            yield EquationOfMotion(
+                (name,), times(below, factor), times(setting.plain(above), force)
+            )
+
+
+def angles_of(setting: Meaning) -> dict[str, tuple[str, Formula]]:
+    """The generators in the place of a variable: of which, and their derivatives by it."""
+    return {
+        generator: (name, setting.plain(rate))
+        for group in setting.transcendental.groups
+        if (name := single_name(group.monomial)) in setting.scene.variables and name is not None
+        for generator, rate in group.rates().items()
+        if generator in group.moving
+    }
+
+
+def in_generators(row: EquationOfMotion, setting: Meaning) -> Iterator[EquationOfMotion]:
+    """A row, or those of the generators in the place of its variable."""
+    (name,) = row.names
+    groups = [g for g in setting.transcendental.groups if single_name(g.monomial) == name]
+    for group in groups:
+        yield from _rows_of(group, row.factor, row.force, setting)
+    if name in setting.variables:
+        yield row
 
 
 def _rate(

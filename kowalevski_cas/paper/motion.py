@@ -33,7 +33,7 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.symbol import name_of_rate, rate_name
 from kowalevski_cas.paper.components import component
-from kowalevski_cas.paper.generators import functions_of, with_generators
+from kowalevski_cas.paper.generators import angles_of, functions_of, in_generators, with_generators
 from kowalevski_cas.paper.inverse import inverse
 from kowalevski_cas.paper.matrices import by_rows
 from kowalevski_cas.paper.meaning import Meaning
@@ -46,12 +46,18 @@ from kowalevski_cas.problem.space import ChangeOfVariables, Equation, EquationOf
 
 
 def velocities(
-    equations: Sequence[Formula], variables: Sequence[str], vectors: Mapping[str, tuple[str, ...]]
+    equations: Sequence[Formula],
+    variables: Sequence[str],
+    vectors: Mapping[str, tuple[str, ...]],
+    given: Mapping[str, Formula],
 ) -> dict[str, str]:
-    """The variables of which equations print higher derivatives, and those derivatives' names."""
+    """The variables of which equations print higher derivatives, and those derivatives' names.
+
+    What is ``given`` by a formula is derived as often as the names in this are.
+    """
     found: dict[str, str] = {}
     for equation in equations:
-        for name, order in _orders(equation):
+        for name, order in _orders(equation, given=given):
             for variable in vectors.get(name, (name,)):
                 rate = variable
                 if variable in variables and order > 3:
@@ -63,14 +69,19 @@ def velocities(
     return found
 
 
-def _orders(formula: Formula, above: int = 0) -> Iterator[tuple[str, int]]:
+def _orders(
+    formula: Formula, above: int = 0, given: Mapping[str, Formula] | None = None
+) -> Iterator[tuple[str, int]]:
     """The names in a formula, and how often they are derived by the time, there and above it."""
     if isinstance(formula, Name):
         yield formula.name, above
+        if above and given and formula.name in given:
+            rest = {name: one for name, one in given.items() if name != formula.name}
+            yield from _orders(given[formula.name], above, rest)
     elif isinstance(formula, Partial) and (name := name_of_rate(formula.by)) != formula.by:
         yield name, above + 1
     for child in formula.children():
-        yield from _orders(child, above + isinstance(formula, Derivative))
+        yield from _orders(child, above + isinstance(formula, Derivative), given)
 
 
 def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[EquationOfMotion]:
@@ -99,12 +110,15 @@ def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[EquationOfMot
                     f"{found[name].place} and at {printed.place}: leave one out",
                     name,
                 )
-    rows = [*map(setting.radicals.row, with_generators(setting, rows))]
+    whole = with_generators(setting, rows, complete=not others)
+    rows = [*map(setting.radicals.row, whole)]
     jets = [jet for jet, _, _ in setting.scene.jets]
     if others:
         known = {name for row in rows for name in row.names}.union(jets)
         unknown = [name for name in setting.variables if name not in known]
-        rows += _solve(others, unknown, rows, setting)
+        solved = [*_solve(others, unknown, rows, setting)]
+        turning |= {row.names[0]: Quotient(row.force, row.factor) for row in solved}
+        rows += [row for one in solved for row in in_generators(one, setting)]
     yield from rows
     yield from _rows_of_jets(rows, setting)
 
@@ -178,16 +192,20 @@ def _solve(
     Raises :class:`Meaningless` for equations that are not linear in the rates, or do not determine
     them.
     """
+    angles = {name: angle for name, angle in angles_of(setting).items() if name in unknown}
+    unknown = [*dict.fromkeys(angles[name][0] if name in angles else name for name in unknown)]
     rates = {name: rate_name(name) for name in unknown}
     at = setting.free([*rates.values()])
     generators = {name: at.ring.generator(rate) for name, rate in rates.items()}
+    turned = {one: at.scalar(by) * generators[name] for one, (name, by) in angles.items()}
     jets = {
         jet: at.ring.generator(next) * generators[by]
         for jet, next, by in setting.scene.jets
         if by in generators
     }
     given = [*known, *_rows_of_jets(known, setting)]
-    values = at.moving({**generators, **jets}, given).differences(equations)
+    moving = {**generators, **turned, **jets}
+    values = at.moving(moving, given).differences(equations)
     if len(values) != len(unknown):
         raise Meaningless(
             f"{len(values)} equations of motion for the {len(unknown)} rates of "
@@ -277,7 +295,14 @@ class Moving(Meaning):
     @cached_property
     def velocities(self) -> dict[str, str]:
         """The variables of which higher derivatives are printed, and those derivatives' names."""
-        return velocities(self.printed_field, self.scene.variables, self.scene.vectors)
+        scene = self.scene
+        given = {name: self.definition(name) for name in self._derived_twice()}
+        return velocities(self.printed_field, scene.variables, scene.vectors, given)
+
+    def _derived_twice(self) -> list[str]:
+        """The names with a definition that the equations of motion derive more than once."""
+        derived = {name for one in self.printed_field for name, order in _orders(one) if order > 1}
+        return [name for name in self.scene.definitions if name in derived]
 
     _is_solved = False
     """Whether the equations of motion are being solved."""

@@ -67,7 +67,7 @@ SHAPES: dict[type[Any], str] = {
     Count: "space equations names number",
     Kernel: "space factor solutions integrals weights degree",
     Along: "space initial equations",
-    Proof: "product? cofactors:rows? cases? power?",
+    Proof: "product? cofactors:rows? cases? power? equal?",
     Point: "values",
     At: "point",
     Minors: "minors:rows",

@@ -27,13 +27,15 @@ class Proof(NamedTuple):
     identically. Or some ``product`` of groups is combined by the one row, and in the case of
     each group, which is known to vanish there, the goals are proved once more. A group of
     several expressions stands for the sum of their squares. What is combined is the goal, or
-    the product, to a ``power``: it vanishes with it.
+    the product, to a ``power``: it vanishes with it. The sides of ``equal`` have one square, and
+    neither is negative: so their differences are known, too.
     """
 
     rows: tuple[Row, ...] = ()
     product: tuple[Row, ...] = ()
     cases: tuple[Proof, ...] = ()
     power: int = 1
+    equal: tuple[tuple[Formula, Formula], ...] = ()
 
 
 class Entailment(NamedTuple):

@@ -8,13 +8,13 @@ from functools import reduce
 from operator import add, mul
 
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Negative, Number
+from kowalevski_cas.notation import Formula, Name, Negative, Number, Power, Product, Quotient, Sum
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point, Proof
 from kowalevski_cas.problem.goals import Simple
 from kowalevski_cas.problem.place import PointEvaluation
 from kowalevski_cas.problem.prune import moves
-from kowalevski_cas.problem.space import Adjoined, Setting, all_names
+from kowalevski_cas.problem.space import Adjoined, Equation, Setting, all_names
 
 Of = Callable[[Setting], Evaluation]
 
@@ -89,6 +89,9 @@ class Examiner:
         self, goals: Sequence[Element], known: Sequence[Element], proof: Proof, at: Evaluation
     ) -> Iterator[Element]:
         """Check a proof; what stands in it is yielded."""
+        equal = [_difference(sides, at) for sides in proof.equal]
+        yield from equal
+        known = [*known, *equal]
         groups = [[at.scalar(entry) for entry in group] for group in proof.product]
         if groups:
             _check_groups(groups, at.setting)
@@ -137,6 +140,30 @@ def _check_groups(groups: Sequence[Sequence[Element]], setting: Setting) -> None
         raise Unproved("there are cases, and each supposes something")
     if any(group[1:] for group in groups) and not is_real(setting):
         raise Unproved("sums of squares need real names")
+
+
+def _difference(sides: Equation, at: Evaluation) -> Element:
+    """What vanishes since both sides have one square, and neither is negative."""
+    if not is_real(at.setting) or not all(is_not_negative(side, at.setting) for side in sides):
+        raise Unproved("what has the same square may have another sign")
+    left, right = map(at.scalar, sides)
+    if not (left * left - right * right).is_zero:
+        raise Unproved("the squares are not equal")
+    return left - right
+
+
+def is_not_negative(formula: Formula, setting: Setting) -> bool:
+    """Whether a formula of real names is made of printed roots, even powers and numbers only."""
+    match formula:
+        case Number():
+            return True
+        case Name(name):
+            return name.startswith(r"\sqrt") and name in setting.roots
+        case Power(base, Number(exponent)):
+            return exponent % 2 == 0 or is_not_negative(base, setting)
+        case Sum() | Product() | Quotient():
+            return all(is_not_negative(one, setting) for one in formula.children())
+    return False
 
 
 def law(goal: Simple, at: Evaluation, bound: Iterable[str] = ()) -> list[Element]:

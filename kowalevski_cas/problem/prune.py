@@ -112,7 +112,7 @@ class Reach:
                     for name in pair:
                         self.name(name)
         for formula in self.setting.nonzero:
-            if self._is_reached(formula):
+            if self._is_reached(self._spoken_of(formula)):
                 self.formula(formula)
 
     def assumed(self) -> Iterator[Formula]:
@@ -122,6 +122,13 @@ class Reach:
                 other = self.setting.numerator(formula)
                 if other.names() and self._is_reached(other):
                     yield other
+
+    def _spoken_of(self, formula: Formula) -> Formula:
+        """What is granted, or what a printed root says the sign of, by being real."""
+        step = self.setting.step(formula.name) if isinstance(formula, Name) else None
+        if isinstance(step, Adjoined) and step.name.startswith(r"\sqrt"):
+            return step.square
+        return formula
 
     def _is_reached(self, formula: Formula) -> bool:
         """Whether a formula speaks of names that are reached only."""

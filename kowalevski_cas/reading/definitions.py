@@ -114,6 +114,10 @@ def repeated(item: SourceStatement, known: Known) -> StatementRole | None:
 
 def change(item: SourceStatement, known: Known) -> StatementRole | None:
     r"""New names for the parts of what moves, as :math:`v=v_0+\zeta`."""
+    for law in known.laws:
+        if item in law.change:
+            words = f"gives it by {', '.join(map(plain, law.new))}"
+            return StatementRole(DEFINITION, words, "change", item.bare[:1])
     first = item.bare[0] if item.bare and item.members[0] == Name(item.bare[0]) else ""
     new = [name for name in item.names if not known.is_known(name)]
     said = cue("suppose", item.lead) or cue("define", item.lead)

@@ -159,9 +159,10 @@ def _is_lost(name: str, known: Known) -> bool:
 def _is_plain(rung: Rung, item: SourceStatement, parts: Parts) -> bool:
     """Whether a claim stands on the only law of its variables, which rests on no other one."""
     rows = {*rung.claim.scene.field} if isinstance(rung.claim.scene.field, tuple) else set()
-    laws = parts.of(item).laws
+    laws = [law for law in parts.of(item).laws if not law.change]
     law = next((one for one in laws if {r.printed for r in one.rows} == rows), None)
-    if law is None or law.base is not None or not parts.is_sure(item, rung.claim.scene):
+    changed = law is not None and {*law.variables} != {*rung.claim.scene.variables}
+    if law is None or changed or law.base is not None or not parts.is_sure(item, rung.claim.scene):
         return False
     others = (one for one in laws if one is not law)
     return not any({*one.variables} & {*law.variables} for one in others)

@@ -212,7 +212,7 @@ def _counted(found: re.Match[str], start: int, parts: Parts) -> InWords | None:
     """How many equilibria the only law of a part of the paper has."""
     at = start + found.start()
     known = parts.known[parts.part_at(at)]
-    if len(known.laws) != 1:
+    if len([law for law in known.laws if not law.change]) != 1:
         return None
     number = _NUMBERS.index(found["number"].lower()) + 1
     values: dict[str, object] = {"fixed": (), "levels": (), "count": number}

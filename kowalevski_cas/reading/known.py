@@ -11,7 +11,7 @@ from typing import NamedTuple
 from kowalevski_cas.notation import Name, NotationError, Number
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.reading.comments import Said
-from kowalevski_cas.reading.laws import Law
+from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 

@@ -3,61 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
-from functools import cached_property
 
 from kowalevski_cas.notation import Derivative, Formula, Name, Number, Power, Product, Relation
+from kowalevski_cas.reading.changes import find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 from kowalevski_cas.reading.unprinted import implied_rows
-
-
-@dataclass(eq=False)
-class Law:
-    """A closed set of equations of motion, for these variables."""
-
-    items: tuple[SourceStatement, ...]
-    names: Names
-    base: Law | None = None
-    """The law of the names on its right sides, if it is another one."""
-    restates: Law | None = None
-    """The law of which it is printed anew, for special constants."""
-    begins: int | None = None
-    """Where the text begins that is about it alone, if it is another system than before."""
-
-    @cached_property
-    def variables(self) -> tuple[str, ...]:
-        """What moves, by components."""
-        own = self.names.scalars(name for item in self.items for name in item.rates)
-        return tuple(dict.fromkeys((*(self.base.variables if self.base else ()), *own)))
-
-    @cached_property
-    def rows(self) -> tuple[SourceStatement, ...]:
-        """All its equations, with those that it is added to."""
-        return (*(self.base.rows if self.base else ()), *self.items)
-
-    @cached_property
-    def order(self) -> int:
-        """The place from which on it holds."""
-        return max(item.order for item in self.items)
-
-    @cached_property
-    def first(self) -> SourceStatement:
-        """The first of its equations."""
-        return min(self.items, key=lambda item: item.order)
-
-    @cached_property
-    def mentions(self) -> frozenset[str]:
-        """All names that stand in it."""
-        return frozenset().union(*(item.names for item in self.rows))
-
-    @property
-    def title(self) -> str:
-        """What it is called: the labels of its equations, or what moves."""
-        labels = dict.fromkeys(i.printed.display.label for i in self.items)
-        return ", ".join(filter(None, labels)) or "the equations of motion"
 
 
 def find_laws(paper: SourcePaper, names: Names, said: Said) -> list[Law]:
@@ -120,7 +74,7 @@ class _LawFinder:
         if any(isinstance(member, Number) for member in item.members):
             return False
         rated = (row for row in self.rows if row.order < item.order)
-        return not any(item.bare[0] in row.rates for row in rated if row.section is item.section)
+        return not any(item.bare[0] in row.rates for row in rated if row.section in item.sections)
 
     def laws(self) -> Iterator[Law]:
         found: list[Law] = []
@@ -128,10 +82,28 @@ class _LawFinder:
             if any(item in law.items for law in found):
                 continue
             last = max((k for k, law in enumerate(found) if law.begins is not None), default=0)
-            law = self.other(item, found[last:]) if found else self.first(item)
-            if law is not None:
-                found.append(law)
-                yield law
+            part = found[last:]
+            if any({*self.scalars(item)} <= {*one.new} for one in self.changes(part, item)):
+                continue
+            law = self.other(item, part) if found else self.first(item)
+            if law is None:
+                continue
+            if law.begins is not None:
+                yield from self.changes(part, law.first)
+            found.append(law)
+            yield law
+        last = max((k for k, law in enumerate(found) if law.begins is not None), default=0)
+        yield from self.changes(found[last:], None)
+
+    def changes(self, part: Sequence[Law], end: SourceStatement | None) -> list[Law]:
+        """The laws of a part in new names, as far as they are given before a statement."""
+        begins = next((law.begins for law in part), None) or self.paper.prose.start
+        items = [
+            one
+            for one in self.paper.items
+            if begins <= one.typed.start and (end is None or one.order < end.order)
+        ]
+        return [change for law in part for change in find_changes(law, items)]
 
     def first(self, item: SourceStatement) -> Law | None:
         """The law of a paper that has none before a row."""

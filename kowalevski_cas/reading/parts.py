@@ -10,7 +10,8 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.grammar import Directive, wrong
 from kowalevski_cas.reading.known import ASSUMPTION, NAMING, Known, StatementRole
-from kowalevski_cas.reading.laws import Law, find_laws, find_restated
+from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.laws import find_laws, find_restated
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted

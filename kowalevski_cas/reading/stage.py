@@ -29,7 +29,7 @@ from kowalevski_cas.paper.relations import solve_for_constant
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, Known
-from kowalevski_cas.reading.laws import Law
+from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.statements import SourceStatement
 
 
@@ -107,7 +107,8 @@ class Stage:
             names.add(name)
             if name in moving or {*known.names.vectors.get(name, ())} & moving:
                 continue
-            by = known.definition(name, at)
+            by = law.given.get(name) if law else None
+            by = by or known.definition(name, at)
             if by is None and (whole := known.names.whole(name)) != name:
                 waiting.append(whole)
             elif by is not None:
@@ -137,8 +138,8 @@ class Stage:
         before = [law for law in known.laws if law.first.typed.start <= at.typed.start]
         before = before or known.laws
         fitting = [law for law in before if moved & {*law.variables}]
-        least = min((len(moved - {*law.variables}) for law in fitting), default=0)
-        near = [law for law in fitting if len(moved - {*law.variables}) == least]
+        lacking = {law: len(moved - {*law.variables, *law.given}) for law in fitting}
+        near = [law for law in fitting if lacking[law] == min(lacking.values())]
         smallest = [law for law in near if law.base not in near] or near
         cited = {*known.cited(at)}
         named = [law for law in smallest if cited & {*law.rows}]

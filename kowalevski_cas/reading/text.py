@@ -15,7 +15,8 @@ from functools import cached_property
 from kowalevski_cas.source.displays import DISPLAYS, TypedFormula
 
 _SILENT = re.compile(
-    r"(?:\\label\s*\{[^{}]*\}|\\(?:end|nonumber|notag)(?:\s*\{[^{}]*\})?|\\\\|\\[,;! ]|[}\s])$"
+    r"(?:\\(?:label|tag\*?)\s*\{[^{}]*\}|\\l?eqno\s*\(?[\w.*']{1,9}\)?"
+    r"|\\(?:end|nonumber|notag)(?:\s*\{[^{}]*\})?|\\\\|\\q?quad|\\[,;! ]|[}\s])$"
 )
 """What stands at the end of a display, behind its stop."""
 

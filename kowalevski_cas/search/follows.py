@@ -12,12 +12,13 @@ from kowalevski_cas.algebra.numbers import inverse_of
 from kowalevski_cas.algebra.present import formula_rows
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.evidence import At, Entailment, Proof
+from kowalevski_cas.problem.evidence import At, Entailment, Point, Proof
 from kowalevski_cas.problem.examine import is_real, law, value_of
 from kowalevski_cas.problem.goals import Fails, Follows
 from kowalevski_cas.problem.place import PointEvaluation
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.combinations import Combinations, combinations_of, complete
+from kowalevski_cas.search.equal_roots import proof_by_equal_roots
 from kowalevski_cas.search.place import Candidate, PointFinder, Values
 from kowalevski_cas.search.real_cases import proof_by_cases
 
@@ -53,6 +54,16 @@ class FollowsFinder(PointFinder):
             point = self.point(at, here, divided, holds, 0) if goal.given else None
             if point is None:
                 return None
+        roots = None if known else proof_by_equal_roots(alternatives(goal, at), at)
+        return Entailment(roots, point) if roots else self._combined(goal, at, point, divided)
+
+    def _combined(
+        self, goal: Follows, at: Evaluation, point: Point, divided: Sequence[Element]
+    ) -> Entailment | None:
+        """A proof by cofactors, or by cases."""
+        known = at.differences(goal.given)
+        conclusions = [at.differences(conclusion) for conclusion in goal.conclusions]
+        here = known if conclusions else ()
         found = rows_of(alternatives(goal, at), known, goal.main)
         entries = [entry for row in found[0] for entry in row] if found else []
         if found is None or any(entry.denominator for entry in entries):
@@ -65,9 +76,9 @@ class FollowsFinder(PointFinder):
         proof = Proof(formula_rows(rows), power=power)
         if not goal.conclusions and self._divides(Entailment(proof), goal):
             return None
-        if not PointEvaluation(at, point).defines(entries):
-            point = self.point(at, here, [*divided, *entries])
-        return Entailment(proof, point)
+        if PointEvaluation(at, point).defines(entries):
+            return Entailment(proof, point)
+        return Entailment(proof, self.point(at, here, [*divided, *entries]))
 
     @staticmethod
     def _at_real_points(

@@ -8,7 +8,7 @@ from fractions import Fraction
 from itertools import chain, combinations, count, islice
 from operator import itemgetter
 
-from kowalevski_cas.algebra.numbers import Substitution, gaussian, number_ring, root_in
+from kowalevski_cas.algebra.numbers import Substitution, gaussian, is_negative, number_ring, root_in
 from kowalevski_cas.algebra.points import ExactPoint
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Conjugate, Name, Negative, Number, Quotient
@@ -58,8 +58,10 @@ class Candidate:
         for name, square in squares.items():
             values[name] = root_in(self.numbers, self.numbers.number(square))
         self._value = Substitution(at.ring, values, self.numbers)
-        for bit, name in enumerate(at.ring.roots):
-            if name in negative:
+        for bit, (name, below) in enumerate(zip(at.ring.roots, at.ring.below, strict=True)):
+            # The generator is the root times what it is over, which may be negative.
+            turned = name.startswith(r"\sqrt") and below and is_negative(self._value(below))
+            if name in negative or turned:
                 self._value.roots[bit] = -self._value.roots[bit]
 
     def __call__(self, element: Element) -> Element:

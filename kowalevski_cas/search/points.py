@@ -51,7 +51,7 @@ def points(
 def _completions(constraints: list[fmpq_mpoly], variables: Sequence[int]) -> Iterator[Assignment]:
     """One point for each choice of starting values, then the other roots for these."""
     choices, others = list(islice(_choices(constraints, variables), CHOICES)), []
-    ways = ((_small_numbers, 0, FIRST), (_small_numbers, FIRST, ATTEMPTS), (_ratios, 0, RATIOS))
+    ways = ((small_numbers, 0, FIRST), (small_numbers, FIRST, ATTEMPTS), (_ratios, 0, RATIOS))
     for (numbers, first, last), solved in product(ways, choices):
         free = [v for v in variables if v not in solved]
         for sequence in islice(numbers(), first, last if free else 1):
@@ -213,7 +213,7 @@ def _choose(state: int, numbers: Sequence[Fraction]) -> Iterator[Fraction]:
         yield sign * numbers[(state >> 16) % len(numbers)]
 
 
-def _small_numbers() -> Iterator[Iterator[Fraction]]:
+def small_numbers() -> Iterator[Iterator[Fraction]]:
     """Sequences of small non-zero rationals, irregular and the same in every run.
 
     Each sequence has one denominator, sometimes doubled: points of spheres and

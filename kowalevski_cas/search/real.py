@@ -18,6 +18,7 @@ from kowalevski_cas.algebra.points import ExactPoint
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.search.points import Assignment, constant, distinct, points
+from kowalevski_cas.search.positive import positive_points
 
 RATIONAL_ROOTS = 100
 """How many points are looked at for one at which all roots are rational."""
@@ -173,6 +174,10 @@ def real_points(
             kept.append(point)
     yield from kept
     yield from (point for _, point in usable(found))
+    if not constraints:
+        parts = [part for radicand in radicands for part in radicand]
+        found = positive_points(parts, range(len(coordinates.names)), avoid)
+        yield from (point for _, point in usable(found))
 
 
 def points_with_squares(

@@ -354,9 +354,25 @@ def scalar(names, tree, values):
     return value
 
 
+def is_not_negative(names, tree):
+    """Whether nothing but sums, products and quotients of roots, even powers and numbers."""
+    if isinstance(tree, list) and tree[0] in ("+", "*", "/"):
+        return all(is_not_negative(names, part) for part in tree[1:])
+    if isinstance(tree, list):
+        return tree[0] == "^" and (tree[2] % 2 == 0 or is_not_negative(names, tree[1]))
+    return tree >= 0 if isinstance(tree, int) else tree[:5] == "\\sqrt" and tree in names.radicands
+
+
 def settled(names, values, targets, known, proof):
     """Whether the identities of a proof hold at a point in general position."""
-    require(proof.keys() <= {"product", "cofactors", "cases", "power", "point", "away"}, "proof")
+    keys = {"product", "cofactors", "cases", "power", "point", "away", "equal"}
+    require(proof.keys() <= keys, "proof")
+    for sides in proof.get("equal", []):
+        require(not (names.units or names.swap), "signs are of real numbers")
+        require(all(is_not_negative(names, side) for side in sides), "a sign")
+        left, right = (scalar(names, side, values) for side in sides)
+        require(left**2 == right**2, "the squares differ")
+        known = [*known, left - right]
     power = proof.get("power", 1)
     require(type(power) is int and power > 0, "power")
     if groups := proof.get("product"):

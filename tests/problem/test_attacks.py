@@ -178,6 +178,38 @@ class TestCases:
         rejected([XY], [goal], [{**proof, "trust": "me"}], "unknown")
 
 
+class TestEqualRoots:
+    SPACE: ClassVar = {**XY, "steps": [["root", r"\sqrt{x}", ["^", "x", 2]], ["root", "r", "y"]]}
+    POINT: ClassVar = at(**{"x": 1, "y": 1, r"\sqrt{x}": 1, "r": 1})
+
+    @pytest.mark.parametrize(
+        ("left", "right", "message"),
+        [
+            (r"\sqrt{x}", "x", "sign"),
+            (r"\sqrt{x}", ["-", "x"], "sign"),
+            (["-", r"\sqrt{x}"], "x", "sign"),
+            (r"\sqrt{x}", ["*", "x", -1, -1], "sign"),
+            (["*", "r", r"\sqrt{x}"], ["*", "r", r"\sqrt{x}"], "sign"),
+            (["^", "x", 3], ["*", r"\sqrt{x}", ["^", "x", 2]], "sign"),
+            (["conj", r"\sqrt{x}"], r"\sqrt{x}", "sign"),
+            (["^", r"\sqrt{x}", 2], ["^", "y", 2], "squares"),
+            (["+", r"\sqrt{x}", 1], r"\sqrt{x}", "squares"),
+        ],
+    )
+    def test_what_may_be_negative_or_has_another_square(self, left, right, message):
+        goal, entry = follows([left, right]), {"equal": [[left, right]], "cofactors": [[1]]}
+        entry["point"] = self.POINT
+        rejected([self.SPACE], [goal], [entry], message)
+        with pytest.raises(Unproved):
+            judged(certificate([self.SPACE], [goal], [entry]))
+
+    def test_an_imaginary_root(self):
+        space = {**XY, "steps": [I, ["root", r"\sqrt{-4}", -4]]}
+        sides = [["^", "i", 2], ["^", "i", 4]]
+        entry = {"equal": [sides], "cofactors": [[1]], "point": {**ORIGIN, "values": [*ORIGIN["values"], ["i", "i"], [r"\sqrt{-4}", ["*", 2, "i"]]]}}  # fmt: skip
+        rejected([space], [follows(sides)], [entry], "sign")
+
+
 class TestMotion:
     POINT: ClassVar = {"point": ORIGIN}
 

@@ -38,6 +38,8 @@ class Theorems:
     ) -> None:
         """Where some equations hold others do: they are combinations of them, or their powers."""
         known, lemmas = [*given], list[str]()
+        if "equal" in proof:
+            raise Inexpressible(REAL.format("a proof takes the signs of roots"))
         while "product" in proof:
             (first, *more), *others = proof["product"]
             if more or others or "power" in proof:

@@ -7,7 +7,19 @@ from math import isqrt, prod
 
 from .formulas import Map, rational
 from .polynomials import Element, Ring
-from .reading import BITS, Json, Rejected, integer, items, label, need, pairs, record
+from .reading import (
+    BITS,
+    Json,
+    Rejected,
+    exponent,
+    integer,
+    items,
+    label,
+    need,
+    operation,
+    pairs,
+    record,
+)
 from .spaces import Space
 
 # -- points ------------------------------------------------------------------------
@@ -82,7 +94,7 @@ def is_negative(number: Element) -> bool:
 
 # -- proofs ------------------------------------------------------------------------
 
-PROOF = "product cofactors cases power"
+PROOF = "product cofactors cases power equal"
 LARGEST_POWER = 16
 
 
@@ -104,9 +116,31 @@ def squares_of(space: Space, data: Json) -> Element:
     return space.ring.total(found)
 
 
+def difference(space: Space, left: Json, right: Json) -> Element:
+    """What vanishes since both sides have one square, and neither is negative."""
+    signs = space.all_real() and is_not_negative(space, left) and is_not_negative(space, right)
+    need(signs, "what has the same square may have another sign")
+    a, b = space.scalar(left), space.scalar(right)
+    need((a * a - b * b).vanishes(), "the squares are not equal")
+    return a - b
+
+
+def is_not_negative(space: Space, tree: Json) -> bool:
+    """Whether a formula of real names is made of printed roots, even powers and numbers only."""
+    if type(tree) is str:
+        return tree.startswith("\\sqrt") and tree in space.ring.roots
+    if type(tree) is int:
+        return tree >= 0
+    op, parts = operation(tree)
+    if op == "^" and exponent(parts[1]) % 2 == 0:
+        return True
+    return op in ("+", "*", "/", "^") and all(is_not_negative(space, one) for one in parts)
+
+
 def settle(space: Space, goals: list[Element], known: list[Element], proof: Json) -> None:
     """Goals vanish where known elements do: as combinations, or in all cases of a product."""
     record(proof, "", PROOF)
+    known = known + [difference(space, *sides) for sides in pairs(proof.get("equal", []))]
     need(("product" in proof) == ("cases" in proof), "cases belong to a product")
     if "product" in proof:
         groups = [[*map(space.scalar, items(group))] for group in items(proof["product"])]

@@ -1,0 +1,56 @@
+r"""Changes of variables: what moves is given by new names, as :math:`x=r\cos\varphi`.
+
+The equations of motion are then those for the new names, once what is given has been put in: what
+is printed as their rates follows, and is claimed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import groupby
+
+from kowalevski_cas.notation import Name, Number
+from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.statements import SourceStatement
+
+
+def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
+    """The law in the new names by which sentences behind it give some of its variables.
+
+    There are as many new names as variables that are given: else it is a set that they describe.
+    """
+    seen = {*law.mentions}
+    for item in items:
+        if item.order < law.order:
+            seen |= item.names
+    later = [one for one in items if one.order > law.order]
+    rated = {name for one in later for name in one.rates}
+    for _, group in groupby(later, key=lambda one: one.sentence):
+        sentence = [*group]
+        giving = [one for one in sentence if _gives(one, law, seen)]
+        given = {name for one in giving for name in _names(one, law)}
+        new = dict.fromkeys(
+            name for one in giving for name in sorted(one.names) if name not in seen | {"t"}
+        )
+        for names in ([*new], [name for name in new if name in rated]):
+            if giving and names and len(names) == len(given):
+                yield Law((), law.names, base=law, change=tuple(giving), new=(*names,))
+                break
+        for one in sentence:
+            seen |= one.names
+
+
+def _names(item: SourceStatement, law: Law) -> tuple[str, ...]:
+    """The variables that stand alone on the left of a statement."""
+    return law.names.scalars(item.bare[:1])
+
+
+def _gives(item: SourceStatement, law: Law, seen: set[str]) -> bool:
+    """Whether a statement gives variables of a law by names that are not all known."""
+    if len(item.members) != 2 or item.derives or not item.bare:
+        return False
+    left, right = item.members
+    if left != Name(item.bare[0]) or isinstance(right, Name | Number):
+        return False
+    old = {*law.names.scalars(right.names())} & {*law.variables}
+    return not old and {*_names(item, law)} <= {*law.variables} and bool(right.names() - seen)

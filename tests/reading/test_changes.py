@@ -1,0 +1,64 @@
+"""New names for what moves: the equations of motion are those for the new ones, and are claimed."""
+
+import pytest
+
+from kowalevski_cas.audit.reading import ReadingSession
+from kowalevski_cas.reading import CLAIM, DEFINITION, read
+from kowalevski_cas.source.files import decode
+from kowalevski_cas.verify.outcome import Verdict
+
+PLANE = r"""
+The equations of motion are
+\begin{equation}\label{a} m\ddot x=-kx,\qquad m\ddot y=-ky . \tag{1}\end{equation}
+In polar coordinates $x=r\cos\varphi$, $y=r\sin\varphi$ they are
+"""
+SPACE = r"""
+The equations of motion are
+\begin{equation} \frac{dx}{dt}=y,\qquad \frac{dy}{dt}=xz,\qquad \frac{dz}{dt}=-xy . \end{equation}
+We write $y=k\sin\theta$, $z=k\cos\theta$. Then
+"""
+
+
+def judged(text):
+    found = read(decode("paper.tex", (r"\begin{document}" + text + r"\end{document}").encode()))
+    outcomes = ReadingSession(found, timeout=5).outcomes
+    return {
+        f.item.printed.tex.strip(" .,\n"): (f.role.name, f.claim and outcomes[f.claim.id].verdict)
+        for f in found.formulas
+    }
+
+
+@pytest.mark.parametrize(
+    ("text", "claimed"),
+    [
+        (PLANE + r"\[ m(\ddot r-r\dot\varphi^2)=-kr . \]", r"m(\ddot r-r\dot\varphi^2)=-kr"),
+        (
+            PLANE + r"\[ r\ddot\varphi+2\dot r\dot\varphi=0 . \]",
+            r"r\ddot\varphi+2\dot r\dot\varphi=0",
+        ),
+        (SPACE + r"$\frac{d\theta}{dt}=x$.", r"\frac{d\theta}{dt}=x"),
+        (SPACE + r"$\frac{dk}{dt}=0$.", r"\frac{dk}{dt}=0"),
+    ],
+)
+def test_rates_of_new_names_are_claimed_and_follow(text, claimed):
+    found = judged(text)
+    role, verdict = found[claimed]
+    assert role == CLAIM
+    assert verdict.green
+    new = {r"x=r\cos\varphi", r"z=k\cos\theta"} & found.keys()
+    assert all(found[one][0] == DEFINITION for one in new)
+
+
+def test_a_false_rate_of_a_new_name_is_not_green():
+    false = [
+        (PLANE + r"\[ m(\ddot r+r\dot\varphi^2)=-kr . \]", r"m(\ddot r+r\dot\varphi^2)=-kr"),
+        (SPACE + r"$\frac{d\theta}{dt}=-x$.", r"\frac{d\theta}{dt}=-x"),
+    ]
+    for text, claimed in false:
+        assert judged(text)[claimed][1] in (Verdict.REFUTED, Verdict.UNDECIDED)
+
+
+def test_a_set_of_fewer_dimensions_is_no_change_of_variables():
+    text = SPACE.replace("We write $y=k", r"On it $x=k\tan\theta$, $y=k")
+    found = read(decode("paper.tex", (r"\begin{document}" + text + r"\end{document}").encode()))
+    assert [law.new for law in found.parts.laws] == [()]
