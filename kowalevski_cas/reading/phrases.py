@@ -43,9 +43,9 @@ def clause(item: SourceStatement) -> str:
 
 def supposing(item: SourceStatement) -> str:
     """The words by which something is supposed right before a statement."""
-    said = cue("suppose", item.lead)
+    said = cue("suppose", f"{item.lead} ")
     if said:
-        return said
+        return said.strip()
     before = item.before.rsplit("§", 1)[0] if "§" in item.before else ""
     between = item.lead.strip(" ,;~")
     joined = between in ("", "and", "и", "or", "или", ", and")
