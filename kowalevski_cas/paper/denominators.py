@@ -51,9 +51,12 @@ class Divisors:
 
     @cached_property
     def printed(self) -> dict[Formula, Divisor]:
-        """The denominators in all definitions of the scene."""
-        texts, places = self.setting.texts, self.setting.scene.definitions.values()
-        return self.below([self.setting.plain(texts.formula(place)) for place in places])
+        """The denominators in all definitions of the scene that have a value by themselves."""
+        texts, found = self.setting.texts, list[Formula]()
+        for place in self.setting.scene.definitions.values():
+            with suppress(Meaningless):  # of a logarithm only the derivative has one
+                found.append(self.setting.plain(texts.formula(place)))
+        return self.below(found)
 
     def below(self, formulas: Iterable[Formula]) -> dict[Formula, Divisor]:
         """The factors of all denominators in formulas that mean something in the setting."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from fractions import Fraction
 from functools import cached_property, partial, reduce
 
@@ -29,6 +30,7 @@ from kowalevski_cas.notation import (
     Vector,
     once,
     rank,
+    substitute,
     times,
     to_latex,
 )
@@ -42,6 +44,7 @@ from kowalevski_cas.paper.logarithms import derivative_of, has_logarithm
 from kowalevski_cas.paper.matrices import OF_MATRICES, by_rows, matrix_times_column, rows
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.motion import marks
+from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.roots import root_of_number
 from kowalevski_cas.paper.summation import expand_sum
 from kowalevski_cas.paper.texts import Printed
@@ -63,6 +66,21 @@ class Plain:
     def _brackets(self) -> Brackets:
         return Brackets(self.setting)
 
+    @cached_property
+    def _logarithms(self) -> dict[str, Formula]:
+        """What names stand for that are defined by logarithms or arcs, as a potential may be."""
+        bodies: dict[str, Formula] = {}
+        for name in self.setting.scene.definitions:
+            with suppress(Meaningless):
+                bodies |= {} if head(name)[1] else {name: self.setting.definition(name)}
+        found = {name: body for name, body in bodies.items() if has_logarithm(body)}
+        while found:
+            above = {n: body for n, body in bodies.items() if body.names() & found.keys()}
+            if not (new := {n: substitute(b, found) for n, b in above.items() if n not in found}):
+                break
+            found |= new
+        return found
+
     def __call__(self, formula: Formula) -> Formula:
         """The formula in the operations of a space."""
         if is_arithmetic(formula) and not any(map(self._rank, mentions(formula))):
@@ -70,8 +88,10 @@ class Plain:
         match formula:
             case RealPart(argument) | ImaginaryPart(argument):
                 return _part(self(argument), isinstance(formula, RealPart))
-            case Derivative(argument) | Partial(argument) if has_logarithm(argument):
-                return self(derivative_of(argument, partial(_in_place, formula), self.setting))
+            case Derivative(argument) | Partial(argument) if has_logarithm(
+                written := substitute(argument, self._logarithms)
+            ):
+                return self(derivative_of(written, partial(_in_place, formula), self.setting))
             case Derivative(argument, mark):
                 return self._derivative(self(argument), mark)
             case Application(function, (argument,)) if function in OF_MATRICES:

@@ -13,6 +13,9 @@ CUES: dict[str, str] = {
         (?:is|are|remains?|stays?)\s+(?:a\s+|also\s+)?(?:constants?|preserved|conserved)
         do(?:es)?\s+not\s+(?:change|depend\s+on\s+(?:the\s+)?time) интеграл\w* сохраня\w+
         постоян(?:на|но|ны|ен)\b не\s+меня\w+""",
+    "its constant": r"""
+        (?<=\w)(?<!\band)\s+with\s+the\s+constants?[\s:]*$
+        (?<=\w)(?<!\bи)\s+с\s+постоянн(?:ой|ыми)[\s:]*$""",
     "invariant": r"""
         invariant keeps?\s+the (?:leaves?|leaving)\s+(?:it|them|the\s+\w+)\s+invariant
         no\s+(?:motion|trajectory|orbit|solution)\s+leaves satisfied\s+by инвариантн\w+

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from kowalevski_cas.notation import (
+    Application,
     Constant,
     Derivative,
     Name,
@@ -93,7 +94,7 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
         )
     if (
         named == []
-        and not isinstance(item.members[0], Name)
+        and not isinstance(item.members[0], Name | Application)
         and len(others) == len(item.members) - 1
     ):
         if known.varying(item.names - {*fresh}) and not isinstance(item.members[0], PoissonBracket):
@@ -156,7 +157,8 @@ def _is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
     if found := known.definitions.get(function) or known.definitions.get(
         known.names.whole(function)
     ):
-        unclear = any(not known.is_explained(n) for one in found for n in one.names)
+        bound = {n for one in found for name in one.printed.heads.names for n in head(name)[1]}
+        unclear = any(not known.is_explained(n) for one in found for n in one.names - bound)
         return unclear and all(known.is_explained(n) for n in item.names)
     if known.moves(function) or function in known.times:
         return False

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Sequence
 
-from kowalevski_cas.notation import Number, PoissonBracket
+from kowalevski_cas.notation import Name, Number, PoissonBracket
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.reading.cues import cue
@@ -148,10 +148,11 @@ def _implied(rung: Rung, known: Known) -> Iterator[str]:
 
 def _is_lost(name: str, known: Known) -> bool:
     """Whether a name stands alone on a side of what moves, and was given no meaning there."""
-    for one in known.later.get(name, ()):
+    for one in known.items:
         role = known.roles.get(one)
-        if role is not None and role.name not in (ASSUMPTION, LAW) and name not in role.names:
-            if known.varying(one.names - {name}):
+        if one.members and one.members[0] == Name(name) and role is not None:
+            solved = role.name not in (ASSUMPTION, LAW) and name not in role.names
+            if solved and known.varying(one.names - {name}):
                 return True
     return False
 

@@ -9,6 +9,7 @@ from kowalevski_cas.notation import Derivative, Formula, Name, Negative, Number,
 from kowalevski_cas.paper.names import head
 from kowalevski_cas.reading.cues import cue, last_cue
 from kowalevski_cas.reading.known import Known
+from kowalevski_cas.reading.laws import is_row
 from kowalevski_cas.reading.statements import SourceStatement
 
 ZERO = Number(0)
@@ -71,14 +72,53 @@ def integral_words(item: SourceStatement) -> str:
     if _SO.search(item.lead) and (said := cue("integral", item.before)):
         return said
     tail = _joined_tail(item)[:60]
-    if not re.match(r"\s*(?:which|where|with|that)", tail) and (said := cue("integral", tail)):
+    if not re.match(r"[\s,]*(?:which|whence|where|with|that|откуда|где|котор)", tail) and (
+        said := cue("integral", tail)
+    ):
         if last_cue("claim", item.lead[-30:]) < 0 or not item.typed.inline:
             return said
-    return cue("integral", _own_lead(item)) or (
-        cue("integral", item.before)
-        if not item.typed.inline and item.lead.strip(" ,;") in ("", "and")
-        else ""
+    if said := cue("integral", _own_lead(item)):
+        return said
+    if item.typed.inline:
+        return ""
+    return (
+        cue("integral", item.before) if item.lead.strip(" ,;") in ("", "and") else announced(item)
     )
+
+
+_ONE_MORE = re.compile(
+    r"\b(?:one\s+more|another|an?\s+\w+\s+one|the\s+(?:other|last|\w+th|second|third)\s+one)\b"
+    r"|\bещ[её]\s+один\b|\bещ[её]\s+одно\b|\bдруго[йе]\b|\b(?:второй|третий|четв[её]ртый)\b",
+    re.IGNORECASE,
+)
+"""Words for one more of what was spoken of."""
+_IT_IS = re.compile(
+    r"\s*(?:It|This\s+one)\s+(?:reads|equals|has\s+the\s+form|(?:can|may)\s+be\s+written|is\s+(?!\w+\s+(?:to|that)\b"
+    r"|(?:easy|clear|seen|known|obvious|evident|not)\b))|\s*(?:Он|Это)\s+(?:име|равен|записыва|есть|[-—–])"
+)
+"""How a sentence begins that prints what was spoken of before."""
+
+
+_NONE = re.compile(r"\W*(?:no|none|neither|ни|никак\w+)\b", re.IGNORECASE)
+
+
+def announced(item: SourceStatement) -> str:
+    """The words by which a display was announced to be an integral: as one more, or as “it”."""
+    words = item.before
+    if is_row(item):
+        return ""
+    if said := cue("its constant", item.lead):
+        return said
+    found = _ONE_MORE.search(words)
+    if found and (said := cue("integral", words[: found.start()])):
+        return said if "§" in words[: found.start()] else ""
+    for before in item.earlier:
+        if not (_ONE_MORE.search(words) or _IT_IS.match(words)) or cue("denied", words):
+            return ""
+        if said := cue("integral", before):
+            return "" if cue("denied", before) or _NONE.match(before) else said
+        words = before
+    return ""
 
 
 def _joined_tail(item: SourceStatement) -> str:

@@ -14,7 +14,9 @@ from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation, Doubt, Section
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
@@ -234,7 +236,16 @@ class _DerivationReader:
         components = {part for own in vectors.values() for part in own}
         clocks = [n for known in self.parts.known for one in known.clocks for n in one.bare]
         scalars = sorted((words.scalars | components) - {"t", "d", *clocks})
-        scene = Scene("all names", vectors, (), tuple(scalars))
+        functions: dict[str, str] = {}
+        places: dict[str, Printed] = {}
+        for item, role in self.parts.roles.items():
+            for name in role.names:
+                letter, arguments = head(name)
+                if arguments and letter != BRACKET and letter not in functions:
+                    functions[letter] = name
+                    places[name] = item.printed
+        scalars = sorted({*scalars} - functions.keys())
+        scene = Scene("all names", vectors, (), tuple(scalars), definitions=places)
         return replace(scene, time=(*clocks, "t")[0])
 
 

@@ -15,6 +15,7 @@ from kowalevski_cas.reading.definitions import (
     square,
     unit,
 )
+from kowalevski_cas.reading.index_ranges import is_range
 from kowalevski_cas.reading.known import CLAIM, NOTATION, OTHER, UNREAD, Known, StatementRole
 from kowalevski_cas.reading.obey import said_role
 from kowalevski_cas.reading.phrases import VERB, clause, listed_words, words_of
@@ -41,7 +42,9 @@ def role_of(item: SourceStatement, known: Known) -> StatementRole:
 
 
 def unread(item: SourceStatement, known: Known) -> StatementRole | None:
-    """What cannot be read."""
+    """What cannot be read; what says over what an index runs is no statement."""
+    if is_range(item.typed):
+        return StatementRole(NOTATION, "says over what an index runs")
     return StatementRole(UNREAD, item.trouble) if item.formula is None else None
 
 

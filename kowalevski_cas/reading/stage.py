@@ -24,6 +24,7 @@ from kowalevski_cas.notation.functions import FAMILY_OF
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.exponents import half_power
+from kowalevski_cas.paper.logarithms import roots as real_roots
 from kowalevski_cas.paper.names import BRACKET, DELTA, head, summation_indices
 from kowalevski_cas.paper.relations import solve_for_constant
 from kowalevski_cas.paper.scene import Scene
@@ -266,7 +267,11 @@ class Stage:
                 yield from ((node.base.name, name) for name in fixed)
 
     def _roots(self, formula: Formula | None) -> Iterator[str]:
-        """The square roots that are printed in a formula, or that lengths of vectors are."""
+        """The square roots that are printed in a formula, or that lengths of vectors are.
+
+        Where logarithms and arcs are real, others are.
+        """
+        yield from map(to_latex, real_roots(formula) if formula is not None else ())
         for node in formula.nodes() if formula is not None else ():
             match node:
                 case Root():

@@ -22,8 +22,10 @@ from kowalevski_cas.notation.layout import statements as placed
 from kowalevski_cas.notation.open import OpenParser, is_exponential
 from kowalevski_cas.notation.symbol import BOLD, name_of_rate
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
+from kowalevski_cas.paper.summation import without_sums
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.index_ranges import with_ranges
 from kowalevski_cas.reading.numbers import numbers_of
 from kowalevski_cas.reading.text import MARK, Prose, TextSection, references
 from kowalevski_cas.source.displays import TypedFormula
@@ -63,6 +65,8 @@ class SourceStatement:
     """The interval of the file in which it stands."""
     entry: tuple[int, int] | None = None
     """The interval of the item of a list in which it stands."""
+    earlier: tuple[str, ...] = ()
+    """The sentences before its own, the last one first."""
 
     @property
     def words(self) -> str:
@@ -77,7 +81,7 @@ class SourceStatement:
     @cached_property
     def names(self) -> frozenset[str]:
         """The names that stand in the statement."""
-        return frozenset(self.formula.names() if self.formula is not None else ())
+        return frozenset(without_sums(self.formula).names() if self.formula is not None else ())
 
     @cached_property
     def members(self) -> tuple[Formula, ...]:
@@ -164,6 +168,7 @@ def read_statements(source: Source) -> SourcePaper:
     """The statements of a source, read in the names that it uses."""
     expanded, formulas = typed_formulas(source)
     prose = Prose(expanded.text, expanded.body, formulas)
+    formulas = with_ranges(formulas, prose)
     words = _vocabulary(formulas)
     displays: list[tuple[Display, TypedFormula]] = []
     items: list[SourceStatement] = []
@@ -193,7 +198,7 @@ def read_statements(source: Source) -> SourcePaper:
                     Printed(display, number), formula, tree, trouble, len(items), around.sentence,
                     around.lead, around.tail, around.before, around.after, around.paragraph,
                     path, prose.theorem(formula.start), around.refs, span,
-                    prose.entry(formula.start),
+                    prose.entry(formula.start), around.earlier,
                 )
             )  # fmt: skip
     return SourcePaper(source, prose, words, tuple(displays), tuple(items), lines, expanded)
@@ -210,6 +215,7 @@ class _Around:
         self.tail = self.after.partition(MARK)[0]
         self.refs = references(prose.text[start:end])
         self.paragraph = prose.text.rfind("\n\n", 0, formula.start)
+        self.earlier = prose.earlier(start, 3)
 
 
 def _label(formula: TypedFormula) -> str:
@@ -226,7 +232,7 @@ def _id(formula: TypedFormula, ids: Counter[str]) -> str:
 
 
 def _vocabulary(formulas: Sequence[TypedFormula]) -> Vocabulary:
-    """The names of a paper; bold capitals are matrices or vectors, as more formulas can be read."""
+    """The names of a paper; each bold capital is a matrix or a vector, as more can be read."""
     guesses = [guess(formulas, capitals) for capitals in (VECTOR, MATRIX)]
     euler = all(is_exponential(tokens_of(one.tex)) for one in formulas if "e" in one.tex)
     other = {"d", "e"} if euler else {"d"}
@@ -234,7 +240,18 @@ def _vocabulary(formulas: Sequence[TypedFormula]) -> Vocabulary:
     if guesses[0] == guesses[1]:
         return guesses[0]
     bold = [one for one in formulas if any(mark in one.tex for mark in (*BOLD, r"\vec", r"\bf "))]
-    return max(guesses, key=lambda words: sum(not t for f in bold for _, t, _ in _read(f, words)))
+
+    def readable(known: Vocabulary) -> int:
+        return sum(not trouble for one in bold for _, trouble, _ in _read(one, known))
+
+    best = max(guesses, key=readable)
+    most = readable(best)
+    for capital in sorted(guesses[1].matrices):  # a tensor and a moment may both be capitals
+        apart = frozenset({capital})
+        turned = replace(best, vectors=best.vectors ^ apart, matrices=best.matrices ^ apart)
+        if (count := readable(turned)) > most:
+            best, most = turned, count
+    return best
 
 
 def _read(

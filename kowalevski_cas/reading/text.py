@@ -53,6 +53,7 @@ _ABBREVIATED = re.compile(
     r"(?:^|[\s(~,{])(?:[A-ZА-ЯЁ]|[Ee]qs?|[Ff]igs?|[Ss]ect?|[Rr]efs?|[Cc]f|resp|vs|i\.\s?e|e\.\s?g"
     r"|[Pp]p?|[Nn]os?|[Vv]ol|[Cc]h|[Cc]hap|т\.\s?[екдп]|см|ср|рис|гл|стр|ур|соотв|напр)$"
 )
+_WORD = re.compile(r"(?<![\\\w])[^\W\d]{2}")
 _PRINTED = re.compile(r"\((\d[\w.*']{0,8})\)")
 _REFERENCE = re.compile(r"\\(?:eq|c|C|auto)?ref\s*\{([^{}]*)\}")
 
@@ -97,6 +98,16 @@ class Prose:
         place = bisect_right(self.stops, offset)
         end = self.stops[place] if place < len(self.stops) else len(self.text)
         return self.stops[max(0, place - 1)], end
+
+    def earlier(self, offset: int, most: int) -> tuple[str, ...]:
+        """The words of some sentences that end at an offset or before, the last one first."""
+        found: list[str] = []
+        place = bisect_right(self.stops, offset) - 1
+        while place > 0 and len(found) < most:
+            words = self.between(self.stops[place - 1], self.stops[place])
+            found += [words] if _WORD.search(words) else []
+            place -= 1
+        return tuple(found)
 
     def between(self, start: int, end: int) -> str:
         """The words in an interval, with single spaces."""

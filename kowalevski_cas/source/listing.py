@@ -10,6 +10,7 @@ from itertools import takewhile
 from kowalevski_cas.notation import NotationError, Vocabulary, defined_names, read_display
 from kowalevski_cas.notation.cursor import Cursor, is_known
 from kowalevski_cas.notation.functions import FUNCTIONS
+from kowalevski_cas.notation.open import independent
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
@@ -90,14 +91,24 @@ def guess(formulas: Iterable[TypedFormula], capitals: int = MATRIX) -> Vocabular
     upper = {name for name in bold if symbol(name).letter.isupper()}
     matrices = upper if capitals == MATRIX else set()
     functions = functions & names | names & FUNCTIONS
+    derived = {by for formula in formulas for by in _independent(formula.tex)}
+    primed = any("'" in formula.tex or r"\prime" in formula.tex for formula in formulas)
+    others = names & ({"s", "x"} if primed else derived & {"s", "x"})
     return Vocabulary(
         scalars=frozenset(names - bold - FUNCTIONS),
         vectors=frozenset(bold - matrices),
         matrices=frozenset(matrices),
         functions=frozenset(functions),
-        times=frozenset({"t", r"\tau"} | (names & {"s", "x"})),
+        times=frozenset({"t", r"\tau"} | others),
         moving=frozenset(names - FUNCTIONS),
     )
+
+
+def _independent(tex: str) -> list[str]:
+    """The variables by which a formula derives, if its TeX is sound."""
+    with suppress(NotationError):
+        return independent(tex)
+    return []
 
 
 def _conjugates(names: Set[str], formulas: Iterable[TypedFormula]) -> Iterator[str]:

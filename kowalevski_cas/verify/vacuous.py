@@ -48,7 +48,8 @@ def says_something(neighbour: Neighbour, statement: Statement, printed: Statemen
     It involves variables if the print does, and the function that the print is about; no equation
     that it supposes vanishes identically, or is a multiple of another one, and it states no
     multiple of one of them; none of its formulas stands there twice; its sides are not the same and
-    have no function as a common factor that they do not have in print, and no sum has a term twice.
+    have no function as a common factor that they do not have in print, and no sum has a term twice,
+    with either sign.
     """
     if _moves(printed) and not _moves(statement):
         return False
@@ -116,11 +117,15 @@ def _derives_what_stands(before: Formula, after: Formula, on: Elaboration) -> bo
 
 
 def _trivial(formula: Formula) -> bool:
-    """Whether two sides, terms, or arguments of a bracket are literally the same."""
+    """Whether two sides, terms, or arguments of a bracket are the same, but for their signs."""
     several = (
         node for node in formula.nodes() if isinstance(node, Relation | PoissonBracket | Sum)
     )
-    return any(len({*node.children()}) < len(node.children()) for node in several)
+    return any(len({*map(_unsigned, node.children())}) < len(node.children()) for node in several)
+
+
+def _unsigned(formula: Formula) -> Formula:
+    return formula.argument if isinstance(formula, Negative) else formula
 
 
 def _common(formula: Formula) -> set[str]:
