@@ -49,9 +49,7 @@ def find_restated(items: Sequence[SourceStatement], laws: Sequence[Law]) -> list
 class _LawFinder:
     """The equations with rates of a paper, and which of them belong together."""
 
-    def __init__(
-        self, paper: SourcePaper, names: Names, said: Said, inline: bool = False
-    ) -> None:
+    def __init__(self, paper: SourcePaper, names: Names, said: Said, inline: bool = False) -> None:
         self.paper, self.names, self.said = paper, names, said
         self.inline = inline
         """Whether any words may have a law among them."""
