@@ -147,7 +147,7 @@ def save_drawing(figure: Figure, folder: Path, name: str) -> Path | None:
     text = drawn.getvalue().decode()
     text = re.sub(r'(?<=id="|f="#|rl\(#)', f"{name}-", text[text.index("<svg") :])
     text = re.sub(r' d="[^"]*"', lambda path: re.sub(r"(\.\d)\d+", r"\1", path[0]), text)
-    text = text.replace("<svg ", '<svg aria-hidden="true" fill="currentColor" ', 1)
+    text = text.replace("<svg ", '<svg fill="currentColor" ', 1)
     text = re.sub(rf"{INK}|#000000\b", "currentColor", text).replace("#ffffff", "var(--page, #fff)")
     greys = {*re.findall(r"fill: (#\w+)", text)} - {FAINT, *(mark.colour for mark in MARKS)}
     if greys or len(text) > LIGHT:

@@ -11,18 +11,20 @@ import random
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import chain, zip_longest
 
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.library import available
+from kowalevski_cas.limits import time_limit
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.goals import Fails, Follows, Problem
 from kowalevski_cas.problem.space import Meaningless, Setting
+from kowalevski_cas.processes import each
 from kowalevski_cas.verify.statement import Statement
 from study.near_misses import near_misses
 from study.paper import CorrectedPaper, exact, paper
@@ -31,6 +33,9 @@ from study.paper import CorrectedPaper, exact, paper
 class ArithmeticDisagreement(Exception):
     """Two exact arithmetics say different things; the message has the statement and both."""
 
+
+SECONDS = 10.0
+"""How long a statement may take to be one of the set."""
 
 TRUE, MISPRINT, MUTANT = "identity", "misprint", "mutant"
 
@@ -84,7 +89,8 @@ def labelled_set(mutants: int, names: Sequence[str] = ()) -> list[Labelled]:
     """The labelled set of the named derivations, of the whole library if none is named.
 
     ``mutants`` is how many are taken of each statement. Statements without meaning,
-    as with a name that nothing defines, are left out, and so is what is no identity.
+    as with a name that nothing defines, are left out, and so is what is no identity, or is so large
+    that FLINT takes longer than ten seconds.
     """
     return [
         statement
@@ -112,15 +118,27 @@ def _every_so_many(statements: list[Labelled], size: int) -> list[Labelled]:
 
 def _statements(source: CorrectedPaper, mutants: int) -> Iterator[Labelled]:
     for claim in source.claims.values():
-        for id, kind, texts in _versions(source, claim, mutants):
-            try:
-                statement = Statement(claim, source.corrected.under(texts))
-                holds(statement.problem, EXACT[0])
-            except (NotationError, Meaningless, ZeroDivisionError, TypeError):
-                if kind == TRUE:
-                    break
-                continue
-            yield Labelled(f"{source.name}/{id}", kind, statement)
+        found = [*_versions(source, claim, mutants)]
+
+        def statement(place: int) -> Statement:
+            return Statement(claim, source.corrected.under(found[place][2]))  # noqa: B023 (at once)
+
+        decided = each(partial(_is_decided, statement), range(len(found)))
+        kept = [place for place, answered in enumerate(decided) if answered]
+        if 0 in kept:  # the identity itself
+            for place in kept:
+                id, kind, _ = found[place]
+                yield Labelled(f"{source.name}/{id}", kind, statement(place))
+
+
+def _is_decided(statement: Callable[[int], Statement], place: int) -> bool:
+    """Whether a statement has a meaning, and is decided while a person waits."""
+    try:
+        with time_limit(SECONDS):
+            holds(statement(place).problem, EXACT[0])
+    except (NotationError, Meaningless, ZeroDivisionError, TypeError, TimeoutError, RecursionError):
+        return False
+    return True
 
 
 def _versions(

@@ -16,7 +16,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
-from threading import Timer
+from threading import Event, Thread
 from time import perf_counter
 from typing import Any
 
@@ -30,6 +30,12 @@ _MEMORY = ("MemoryError", "out of memory", "not enough memory", "stack overflows
 _PATIENCE = 2.0
 """How many seconds a program has to say all that is wrong."""
 
+_WAITING = 5
+"""So many times as long as it may work a program is waited for: the machine has other work."""
+
+_LOOKS = 0.05
+"""After so many seconds it is looked at again what a program has worked."""
+
 _STEP = re.compile(r"^step (\d+) (\S+)$")
 
 
@@ -38,19 +44,33 @@ def limit_memory(mebibytes: int) -> None:
     resource.setrlimit(resource.RLIMIT_AS, (mebibytes * MEBIBYTE, mebibytes * MEBIBYTE))
 
 
+def processor_seconds() -> float:
+    """What this process, and those that it began and that have ended, have worked so far."""
+    used = map(resource.getrusage, (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    return sum(one.ru_utime + one.ru_stime for one in used)
+
+
 @contextmanager
 def kill_after(process: subprocess.Popen[str], seconds: float) -> Iterator[None]:
-    """Kill a process if the body takes longer."""
-    timer = Timer(seconds, process.kill)
-    timer.start()
+    """Kill a process that works longer while the body runs, or waits many times as long."""
+    ended, latest = Event(), perf_counter() + _WAITING * seconds
+
+    def watch() -> None:
+        while not ended.wait(_LOOKS):
+            if _worked(process.pid) >= seconds or perf_counter() >= latest:
+                process.kill()
+
+    Thread(target=watch, daemon=True).start()
     try:
         yield
     finally:
-        timer.cancel()
+        ended.set()
 
 
 def race(command: Sequence[str], folder: Path, seconds: float, mebibytes: int) -> Measured:
     """Run a command that says ``step k seconds`` each time that it has come further.
+
+    It may work for so many ``seconds``, by the clock of the processor.
 
     The lists ``steps``, ``times`` (as the process tells them) and ``memory`` (the most
     that it has had so far, in bytes, where the system tells it) have an entry for each
@@ -99,6 +119,15 @@ def _follow(process: subprocess.Popen[str], found: dict[str, list[Any]]) -> list
             with kill_after(process, _PATIENCE):
                 return [line, *process.stdout]
     return []
+
+
+def _worked(pid: int) -> float:
+    """The seconds that a process has worked; none where the system does not tell."""
+    try:
+        words = Path(f"/proc/{pid}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
+    except OSError:
+        return 0.0
+    return sum(map(int, words[11:13])) / os.sysconf("SC_CLK_TCK")
 
 
 def _peak(pid: int) -> int | None:

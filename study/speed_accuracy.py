@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
 from itertools import groupby, zip_longest
+from math import inf
 from statistics import median, quantiles
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +16,7 @@ from kowalevski_cas.library import available
 from kowalevski_cas.pictures import INK, PlotMark, mark, new_figure
 from study.charts import digit, display_name, points, seconds
 from study.labelled import ArithmeticDisagreement, Labelled, labelled_set, spread
-from study.methods import ACCEPTED, REJECTED, Method, methods
+from study.methods import ACCEPTED, REJECTED, STARTED, ExportProgram, Method, methods
 from study.step import DISAGREEMENT, Measured, Row, Task
 
 if TYPE_CHECKING:
@@ -29,6 +31,9 @@ MUTANTS = 3
 MOST, QUICK = 300, 6
 """How many statements a method is put to at most, and in a quick study."""
 
+STARTS, QUICK_STARTS = 25, 1
+"""How often a program that is started for each statement is started for nothing."""
+
 GROUNDS = "#e9f0f5", "white"
 """What the classes stand on, in turn."""
 
@@ -41,7 +46,8 @@ CAPTION = (
     "answered. A triangle: a bound is guaranteed. A hollow square: no error in $n$ trials; a share "
     "above $3/n$ would have been seen with a chance of 95 %. A full square: wrong answers were "
     "seen. Exact arithmetics, points, the checker and SymPy answer in a process that runs; the "
-    "other programs are started for each statement, and their start is counted. Floating point is "
+    "other programs are started for each statement, which is counted: a tick is what they take for "
+    f"$x=x$, as the median of {STARTS} starts. All times are of the processor. Floating point is "
     "slower than a proof: it looks at 64 points at once, in many small steps by NumPy, and each "
     "carries the size of what was rounded."
 )
@@ -57,7 +63,14 @@ def measure(quick: bool) -> Iterable[Task]:
     for method in methods():
         most = min(method.share or MOST, QUICK if quick else MOST)
         share = spread(statements, most)
-        turns.append([Task(method.name, s.id, partial(_decide, method, s)) for s in share])
+        tasks = [Task(method.name, s.id, partial(_decide, method, s)) for s in share]
+        if isinstance(method, ExportProgram):
+            many = QUICK_STARTS if quick else STARTS
+            for k in range(many):  # among the others
+                tasks.insert(
+                    k * len(share) // many + k, Task(method.name, f"start {k + 1}", method.start)
+                )
+        turns.append(tasks)
     return (task for turn in zip_longest(*turns) for task in turn if task is not None)
 
 
@@ -74,10 +87,11 @@ def _decide(method: Method, statement: Labelled) -> Measured:
 
 @dataclass(frozen=True)
 class Summary:
-    """The measurements of one method, of which at least one took time."""
+    """The measurements of one method, of which at least one took time, and its starts."""
 
     method: str
     rows: Sequence[Row]
+    starts: Sequence[Row] = ()
 
     @cached_property
     def counts(self) -> Counter[tuple[str, bool]]:
@@ -100,6 +114,11 @@ class Summary:
         found = [row["seconds"] for row in self.rows if row.get("seconds") is not None]
         deciles = quantiles(found, n=10, method="inclusive") if len(found) > 1 else found
         return median(found), deciles[0], deciles[-1]
+
+    @property
+    def start(self) -> float | None:
+        """The median time for a start; none if it is not started for each statement."""
+        return median(row["seconds"] for row in self.starts) if self.starts else None
 
     @property
     def grade(self) -> tuple[int, float, str]:
@@ -139,11 +158,12 @@ def summaries(rows: Iterable[Row]) -> list[Summary]:
     found: dict[str, list[Row]] = {}
     for row in rows:
         found.setdefault(row["method"], []).append(row)
-    timed = [
-        Summary(method, mine)
-        for method, mine in found.items()
-        if any(row.get("seconds") is not None for row in mine)
-    ]
+    timed = []
+    for method, mine in found.items():
+        starts = [row for row in mine if row["verdict"] == STARTED]
+        others = [row for row in mine if row["verdict"] != STARTED]
+        if any(row.get("seconds") is not None for row in others):
+            timed.append(Summary(method, others, starts))
     return sorted(timed, key=lambda summary: (summary.grade, summary.times))
 
 
@@ -175,7 +195,10 @@ def draw(rows: Sequence[Row]) -> Figure:
         axes.set_title(words, weight="bold")
     most = max((len(summary.rows) for summary in found), default=0)
     axes.set_yticks(range(len(found)), [_label(summary, most) for summary in found])
-    axes.set(ylim=(len(found) - 0.5, -0.5), xlabel="time for a statement: median, and eight of ten")
+    axes.set(
+        ylim=(len(found) - 0.5, -0.5),
+        xlabel="processor time for a statement: median, and eight of ten",
+    )
     axes.grid(axis="y", visible=False)
     axes.tick_params(axis="y", length=0)
     return figure
@@ -193,8 +216,8 @@ def _times(axes: Axes, found: Sequence[Summary]) -> None:
 
     axes.set_xscale("log")
     axes.set_xlim(
-        min((summary.times[1] for summary in found), default=1e-3) / 2,
-        max((summary.times[2] for summary in found), default=1.0) * 2,
+        min((min(s.times[1], s.start or inf) for s in found), default=1e-3) / 2,
+        max((s.times[2] for s in found), default=1.0) * 2,
     )
     axes.xaxis.set_major_locator(LogLocator())
     axes.xaxis.set_minor_locator(NullLocator())
@@ -208,13 +231,16 @@ def _line(axes: Axes, line: float, one: Summary, ground: str) -> None:
     time, low, high = one.times
     look, full = _mark(one)
     axes.plot([low, high], [line, line], color=look.colour, lw=1.0, zorder=2)
+    if one.start is not None:
+        axes.plot([one.start], [line], color=look.colour, marker="|", ms=11, mew=1.6, zorder=2)
     axes.plot([time], [line], zorder=3, ms=6, **points(look, full))
     if one.words:
         left, right = axes.get_xlim()
         after = low * high < left * right  # where there is more room
         text: dict[str, Any] = {"ha": "left" if after else "right", "va": "center", "size": 6.5}
+        words = re.sub("[;,] ", "\n", one.words)
         axes.annotate(
-            one.words.replace("; ", "\n"), (high if after else low, line), (5 if after else -5, 0),
+            words, (high if after else low, line), (5 if after else -5, 0),
             textcoords="offset points", path_effects=[withStroke(linewidth=2.5, foreground=ground)],
             **text,
         )  # fmt: skip

@@ -1,7 +1,6 @@
 """What the README shows can be pasted."""
 
 import re
-import shutil
 import subprocess
 import sys
 from itertools import takewhile
@@ -58,42 +57,3 @@ def test_its_commands_and_their_options_exist(capsys):
         said = capsys.readouterr().out
         options = [word.partition("=")[0] for word in rest if re.match(r"-[-a-z]", word)]
         assert all(re.search(rf"(^|[ [|]){option}\b", said, re.MULTILINE) for option in options)
-
-
-COMMANDS = re.findall(
-    r"^    ((?:\.venv/bin/kowalevski-cas|python3 -I) [^#\n]*?) *(?:#.*)?$", README, re.MULTILINE
-)
-FILES = README_PATH.parent / "tests" / "data" / "readme"
-FOUND = {"audit": (0, 1, 3)}
-"""The exit codes of commands that say what they found; of all others it is 0."""
-
-
-@pytest.fixture(scope="module")
-def clone(tmp_path_factory):
-    """A folder like a clone after ``make verify``, with the files of which the README speaks."""
-    folder = tmp_path_factory.mktemp("clone")
-    for name in ("kowalevski_cas", "derivations"):
-        shutil.copytree(README_PATH.parent / name, folder / name)
-    for file in FILES.iterdir():
-        shutil.copy(file, folder)
-    lines = re.search(r"^A file anywhere.*:\n\n((?:    .*\n|\n)+)", README, re.MULTILINE)[1]
-    (folder / "lorenz.py").write_text(re.sub("^    ", "", lines, flags=re.MULTILINE))
-    tool = folder / ".venv" / "bin" / "kowalevski-cas"
-    tool.parent.mkdir(parents=True)
-    tool.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m kowalevski_cas "$@"\n')
-    tool.chmod(0o755)
-    return folder
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("command", COMMANDS)
-def test_every_command_works_as_it_is_pasted(command, clone):
-    if "witness rocq" in command and shutil.which("coqc") is None:
-        pytest.skip("no Rocq here")
-    done = subprocess.run(
-        ["bash", "-c", command], cwd=clone, capture_output=True, text=True, timeout=600
-    )
-    name = command.split()[1]
-    assert done.returncode in FOUND.get(name, (0,)), done.stderr
-    assert "Traceback" not in done.stderr
-    assert done.stdout or done.stderr or ">" in command

@@ -80,14 +80,10 @@ class Contents:
         ]
         title = print_prose(read_prose(run.title, run.vocabulary), str, to_plain)
         origin = ", ".join(filter(None, (run.author, run.source)))
-        by: Text = (
-            *written_by(f"kowalevski-cas report {run.derivation}"),
-            "; digest of the statements ", Code(run.digest[:16]), ".",
-        )  # fmt: skip
         return Document(
             self._title(title),
             self._title(shorten(title, 60, placeholder=" …")),
-            ((*self.phrases.words(origin), "."), *self._read(), *self._origins(), by),
+            ((*self.phrases.words(origin), "."), *self._read(), *self._origins()),
             tuple(blocks),
         )
 
@@ -147,6 +143,13 @@ class Contents:
         yield from self.findings.blocks()
         yield Heading(("How the statements were checked",), "holds", 2)
         yield Paragraph(self._confirmations())
+        yield Paragraph(
+            (
+                *written_by(f"kowalevski-cas report {run.derivation}"),
+                "; digest of the statements ", Code(run.digest[:16]), ".",
+            ),
+            "note",
+        )  # fmt: skip
         rows = []
         for section in self.sections:
             links = (Link(f"claim.{anchor(o.claim)}", (Sign(o.verdict),)) for o in section.outcomes)

@@ -13,7 +13,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Final
 
-from kowalevski_cas.notation import Formula
+from kowalevski_cas.notation import Formula, to_plain
 from kowalevski_cas.notation.mathml import MATHML, grow_bracket
 from kowalevski_cas.report.compare import without_marks
 from kowalevski_cas.report.document import (
@@ -88,6 +88,20 @@ class HtmlSetter(Typesetter):
 def _infix(text: str) -> str:
     """A part of a formula that begins with a sign, which stands between it and what is before."""
     return _FIRST.sub('<mo form="infix">', text)
+
+
+def _plain(text: Text) -> str:
+    """A text in plain letters."""
+    said = ""
+    for part in text:
+        match part:
+            case str():
+                said += part
+            case Formula():
+                said += to_plain(part)
+            case Link(text=inner):
+                said += _plain(inner)
+    return said
 
 
 class HtmlWriter(Writer):
@@ -230,11 +244,14 @@ class HtmlWriter(Writer):
         return f'<div class="graph" tabindex="0" style="{wide}">{svg(block.picture)}</div>'
 
     def figure(self, block: Figure) -> str:
-        """A picture, which its caption puts into words: as a drawing that takes the page's ink."""
+        """A picture, as a drawing that takes the page's ink; how its caption begins is its name."""
+        name = escape(_plain(block.caption).partition(". ")[0])
         image = block.figure.drawing(self.beside)
-        if not image:
+        if image:
+            image = image.replace("<svg ", f'<svg role="img" aria-label="{name}" ', 1)
+        else:
             data = b64encode(block.figure.file(self.beside).read_bytes()).decode()
-            image = f'<img alt="" src="data:image/png;base64,{data}">'
+            image = f'<img alt="{name}" src="data:image/png;base64,{data}">'
         caption = self.text(block.caption)
         return f"<figure>{image}<figcaption>{caption}</figcaption></figure>"
 

@@ -43,8 +43,10 @@ def _fate(verdicts: Sequence[Verdict]) -> str:
 
 def _statement(phrases: Phrases, outcome: Outcome) -> Judgement:
     """A statement with its sign, where it holds, and a link to its place."""
-    where = phrases.where(outcome.conditions)
-    valid = (", where ", *where) if where else ()
+    where = phrases.where([one for one in outcome.conditions if not one.zeros])
+    excepted = [list_in_words([(zero,) for zero in one.zeros]) for one in outcome.conditions]
+    unless = list_in_words([zeros for zeros in excepted if zeros], ", or ")
+    valid = (*((", where ", *where) if where else ()), *((", unless ", *unless) if unless else ()))
     words = phrases.words(outcome.words.rstrip("."))
     return Judgement(
         outcome.verdict, "", (*phrases.links([outcome.claim]), ": ", *words, *valid, ".")

@@ -13,6 +13,7 @@ from kowalevski_cas.report.sentences import (
     count_in_words,
     in_words,
     list_in_words,
+    nonzero,
 )
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 
@@ -26,7 +27,7 @@ _OPEN: Final = {
 
 
 def wrong_places(findings: Findings) -> Iterator[Paragraph]:
-    """Where something is misprinted, and what is false."""
+    """Where something is misprinted, what is false, and which hypotheses are missing."""
     phrases = findings.phrases
     if findings.slips:
         places = [_misprint(phrases, slip) for slip in findings.slips]
@@ -35,6 +36,12 @@ def wrong_places(findings: Findings) -> Iterator[Paragraph]:
         words = phrases.words(outcome.words.rstrip("."))
         where = phrases.found([outcome.claim])
         yield Paragraph(("False: ", *where, *((": ", *words) if words else ()), "."))
+    if findings.missing:
+        needed = [
+            (nonzero(expression), " (for ", *phrases.links([claim for claim, _ in needing]), ")")
+            for expression, needing in findings.missing.items()
+        ]
+        yield Paragraph(("Not stated, though needed: ", *list_in_words(needed), "."))
 
 
 def _misprint(phrases: Phrases, slip: Slip) -> Text:

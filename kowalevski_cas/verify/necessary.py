@@ -25,6 +25,7 @@ from kowalevski_cas.verify.conditions import Divided, conditions_of, implies
 from kowalevski_cas.verify.counterexamples import MANY, against
 from kowalevski_cas.verify.loci import failure_on, say_nothing_on
 from kowalevski_cas.verify.outcome import Condition, Counterexample
+from kowalevski_cas.verify.real_zeros import real_zeros
 from kowalevski_cas.verify.statement import Statement
 
 
@@ -45,6 +46,7 @@ def conditions(
             failures[setting.formula(locus.condition)] = failure
             if failure is not None:
                 condition = _where_it_fails(statement, setting, locus, formula, failure)
+                condition = condition._replace(zeros=real_zeros(formula, setting.finder))
         found.append(condition)
     return tuple(found), failures
 

@@ -86,11 +86,15 @@ class Screened(NamedTuple):
 
 
 class Condition(NamedTuple):
-    """An expression assumed non-zero, and what happens where it vanishes."""
+    """An expression assumed non-zero, and what happens where it vanishes.
+
+    ``zeros`` are equations that hold together exactly there, where these say it better.
+    """
 
     expression: Formula
     words: str
     witness: Counterexample | None = None
+    zeros: tuple[Formula, ...] = ()
 
 
 class ReportedStep(NamedTuple):

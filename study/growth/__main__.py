@@ -1,4 +1,4 @@
-"""One run of the growing work: the seconds from the start to each step.
+"""One run of the growing work: the processor time from the start to each step.
 
 It is the program ``python -m study.growth ARITHMETIC CLAIM STEPS``.
 """

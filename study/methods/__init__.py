@@ -6,7 +6,7 @@ from kowalevski_cas.algebra import EXACT, POINTS
 from kowalevski_cas.export import load
 from kowalevski_cas.tools import TOOLS, MissingTool
 from study.methods.arithmetics import ExactArithmetic, PointArithmetic
-from study.methods.certificates import Checker, ExportProgram
+from study.methods.certificates import STARTED, Checker, ExportProgram
 from study.methods.method import ACCEPTED, NONE, REJECTED, Method
 from study.methods.typed import CALLS, ByHand
 
@@ -25,4 +25,4 @@ def methods() -> list[Method]:
     return [*found, *map(PointArithmetic, POINTS), *(ByHand(c, SHARES["by hand"]) for c in CALLS)]
 
 
-__all__ = ["ACCEPTED", "NONE", "REJECTED", "Method", "methods"]
+__all__ = ["ACCEPTED", "NONE", "REJECTED", "STARTED", "ExportProgram", "Method", "methods"]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from functools import cache
-from time import perf_counter
 from typing import Any
 
 from kowalevski_cas.export import Inexpressible
@@ -19,6 +18,7 @@ from kowalevski_cas.processes import each
 from kowalevski_cas.search.place import PointFinder
 from kowalevski_cas.verify.certificate import certificate_text
 from study.labelled import Labelled, identities
+from study.process import processor_seconds
 from study.step import Measured
 
 ACCEPTED, REJECTED, NONE = "accepted", "rejected", "none"
@@ -41,7 +41,10 @@ class Method(ABC):
         self.share = share
 
     def decide(self, one: Labelled) -> Measured:
-        """The verdict on a statement, with the seconds that it took; a reason if there is none."""
+        """The verdict on a statement, with the seconds of processor time that it took.
+
+        A reason if there is none.
+        """
         try:
             prepared = self.prepare(one)
         except (FormatError, Inexpressible, Rejected) as error:
@@ -50,13 +53,13 @@ class Method(ABC):
         return measured
 
     def _time(self, prepared: Any) -> Measured:
-        start = perf_counter()
+        start = processor_seconds()
         try:
             with time_limit(SECONDS):
                 answer = self.answer(prepared)
         except TimeoutError:
             return {"seconds": SECONDS, "verdict": "timeout", "reason": f"{SECONDS:g} s"}
-        return {"seconds": perf_counter() - start, **answer}
+        return {"seconds": processor_seconds() - start, **answer}
 
     @abstractmethod
     def prepare(self, one: Labelled) -> Any:

@@ -12,7 +12,7 @@ from .oracle import is_true
 from .tampering import changed, names_in, others, places, seal
 
 DOCUMENT = (Path(__file__).parents[2] / "docs" / "certificate.md").read_text(encoding="utf-8")
-EXAMPLE = re.search(r"```json\n(.*?)```", DOCUMENT, re.S).group(1)
+EXAMPLE = re.search(r'```json title="circles.json"\n(.*?)```', DOCUMENT, re.S).group(1)
 SAID = re.search(r"```text\n(.*?)```", DOCUMENT, re.S).group(1)
 
 

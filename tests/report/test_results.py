@@ -14,8 +14,21 @@ from kowalevski_cas.report.document import Judgement, Paragraph
 from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.results import main_results
 from kowalevski_cas.report.sentences import Phrases
+from kowalevski_cas.report.tally import wrong_places
 from kowalevski_cas.verify.outcome import Outcome, Verdict
-from tests.report.fixtures import WORDS, C, P, R, claim, condition, correction, outcomes
+from tests.report.fixtures import (
+    WORDS,
+    C,
+    P,
+    R,
+    claim,
+    condition,
+    correction,
+    counterexample,
+    outcomes,
+    point,
+    read,
+)
 from tests.report.test_contents import said
 
 PRINT = Path(__file__).parents[3] / "shared/paper/000_68642ca11e599718.txt"
@@ -59,6 +72,21 @@ def test_conditions_are_named() -> None:
     needs = claim("a", "1", "x=x", "it is so", C, conditions=(condition("x", ""),))
     (_, block) = main_results(Phrases(WORDS, {}), [needs], ["a"], ())
     assert isinstance(block, Judgement) and "where" in said(block.head)
+
+
+def test_a_sum_of_squares_is_said_by_its_zeros() -> None:
+    squares = condition("a^2+b^2", "")._replace(zeros=(*read("a=0"), *read("b=0")))
+    needs = claim("a", "1", "x=x", "it is so", C, conditions=(condition("x", ""), squares))
+    (_, text) = paragraphs(needs, main=("a",))
+    assert text == "a: it is so, where , unless  and ."  # formulas are left out
+
+
+def test_every_hypothesis_that_is_missing_is_named_on_the_first_screen() -> None:
+    needs = condition("a", "", counterexample(point({"a": "0"}), "1", "2"))
+    found = [claim(name, "1", "x=x", "", C, conditions=(needs,)) for name in ("first", "second")]
+    (missing,) = wrong_places(Findings(Phrases(WORDS, {}), found))
+    assert said(missing.text) == "Not stated, though needed:  (for first and second)."
+    assert [*wrong_places(Findings(Phrases(WORDS, {}), [claim("b", "1", "x=x", "", P)]))] == []
 
 
 @given(st.lists(st.booleans(), min_size=1, max_size=4))

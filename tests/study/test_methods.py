@@ -5,7 +5,7 @@ from time import sleep
 import pytest
 
 from study.labelled import labelled_set
-from study.methods import ACCEPTED, NONE, REJECTED, method, methods, typed
+from study.methods import ACCEPTED, NONE, REJECTED, STARTED, ExportProgram, method, methods, typed
 from study.methods.certificates import answer
 from study.methods.typed import decide
 from tests.sample import sampled
@@ -67,6 +67,13 @@ def test_a_limit_of_time_or_memory_is_no_answer(statements, copies, monkeypatch)
         monkeypatch.setitem(typed.CALLS, "expand", call)
         found = by_hand.decide(statements["c1"])
         assert (found["verdict"], found["reason"]) == ("timeout", reason)
+
+
+def test_what_a_start_takes_is_measured_with_a_file_that_is_read():
+    for one in FOUND.values():
+        if isinstance(one, ExportProgram) and one.name != "rocq":
+            found = one.start()
+            assert found["verdict"] == STARTED and 0 < found["seconds"] < 10
 
 
 def test_an_objection_that_does_not_say_no_is_no_answer():

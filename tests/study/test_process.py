@@ -18,8 +18,9 @@ def test_steps_come_with_their_time_and_memory():
     assert (found["verdict"], found["steps"], found["times"]) == ("reached", [1, 2], [0.5, 1.0])
 
 
-def test_time_is_a_limit():
-    found = race(["sh", "-c", "echo step 1 0; exec sleep 60"], Path.cwd(), 0.3, 2048)
+@pytest.mark.parametrize("idle", ["exec sleep 60", "while :; do :; done"])
+def test_time_is_a_limit(idle):
+    found = race(["sh", "-c", f"echo step 1 0; {idle}"], Path.cwd(), 0.3, 2048)
     assert (found["verdict"], found["reason"], found["steps"]) == ("timeout", "0.3 s", [1])
 
 
@@ -40,11 +41,11 @@ def test_an_interruption_ends_the_process(monkeypatch):
         started.append(popen(*arguments, **options))
         return started[0]
 
-    def interrupted(*_):
+    def interrupted(*_, **options):
         raise KeyboardInterrupt
 
     monkeypatch.setattr("subprocess.Popen", kept)
-    monkeypatch.setattr("study.process.Timer", interrupted)
+    monkeypatch.setattr("study.process.Thread", interrupted)
     with pytest.raises(KeyboardInterrupt):
         race(["sleep", "30"], Path.cwd(), 20, 1000)
     assert started[0].wait(5) < 0

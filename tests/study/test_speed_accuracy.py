@@ -67,6 +67,15 @@ def test_a_proof_that_does_not_always_answer_is_hollow_and_says_so():
     assert any(text.get_text() == "no answer: 1 of 1 false" for text in axes.texts)
 
 
+def test_a_start_is_a_tick_and_no_statement():
+    starts = [row("shy", f"start {k}", "started", seconds=0.004 + k / 1e3) for k in range(3)]
+    found = {summary.method: summary for summary in summaries([*ROWS, *starts])}
+    assert len(found["shy"].rows) == 2 and found["shy"].start == 0.005
+    assert found["flint"].start is None
+    ticks = [line for line in draw([*ROWS, *starts]).axes[0].lines if line.get_marker() == "|"]
+    assert [list(line.get_xdata()) for line in ticks] == [[0.005]]
+
+
 def test_the_title_says_what_the_fastest_is_and_how_sure():
     (axes,) = draw(ROWS).axes
     assert axes.get_title(loc="left") == "the fastest answer: wrong answers seen, by quick in 1 ms"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from scipy.ndimage import distance_transform_edt
 
 from kowalevski_cas.motion.motion import Motion
@@ -12,14 +13,16 @@ from kowalevski_cas.motion.pictures.orbit import orbit
 from kowalevski_cas.motion.pictures.space import View, blank, curve, triad
 from kowalevski_cas.motion.plane import regime_at
 from kowalevski_cas.motion.regimes import Regime, all_regimes
-from kowalevski_cas.pictures import mark, new_figure
+from kowalevski_cas.pictures import PlotMark, mark, new_figure
 
 CAPTION = (
     "The hodograph of the angular velocity in the body, for one motion in each regime in these "
     "fields. A regime is an order of the roots; under it stand $m$, $\\ell$ and the number of "
-    "tori. Blue are elliptic tori, $m>0$, and orange hyperbolic ones, $m<0$. Beside each stand the "
-    "directions of $\\omega_1$, $\\omega_2$, $\\omega_3$, of the length that is told."
+    "tori. Beside each stand the axes of $\\omega_1$, $\\omega_2$, $\\omega_3$, of the length that "
+    "is told; the farther a curve is, the paler it is."
 )
+
+KINDS = {1: "elliptic torus, $m>0$", -1: "hyperbolic torus, $m<0$"}
 
 TURNS, POINTS, GRID, COLUMNS = 10, 2000, 241, 3
 
@@ -38,14 +41,27 @@ def draw(motion: Motion) -> Figure:
         place, _ = view(omega)
         left, bottom = np.min(place, axis=0)
         length = float(f"{0.2 * np.max(np.ptp(place, axis=0)):.1g}")
-        triad(axes, view, ("1", "2", "3"), length, at=(left - 0.6 * length, bottom))
-        curve(axes, view, omega, mark(0 if regime.sign > 0 else 1).colour, 0.6)
+        triad(
+            axes,
+            view,
+            (r"$\omega_1$", r"$\omega_2$", r"$\omega_3$"),
+            length,
+            at=(left - 0.6 * length, bottom),
+        )
+        curve(axes, view, omega, _mark(regime.sign).colour, 0.6)
         order = "<".join(regime.order)
         m, ell = float(example.parameters.m), float(example.parameters.ell)
         tori = "1 torus" if regime.tori == 1 else f"{regime.tori} tori"
         words = f"${order}$\n$m={m:.2g}$, $\\ell={ell:.2g}$: {tori}; axes {length:g}"
         axes.set_title(words, size=7.5, loc="center")
+    keys = [Line2D([], [], color=_mark(sign).colour, label=words) for sign, words in KINDS.items()]
+    figure.legend(handles=keys, loc="outside lower center", ncols=len(keys))
     return figure
+
+
+def _mark(sign: int) -> PlotMark:
+    """How motions with this sign of m are drawn."""
+    return mark(0 if sign > 0 else 1)
 
 
 def examples(parameters: Parameters) -> list[tuple[Regime, Motion]]:

@@ -26,7 +26,7 @@ Map = Callable[[Array, Array], Array]
 CAPTION = (
     "Bifurcation diagrams of $N^4$ in the planes of $(m,h)$ and of $(m,\\ell)$; $\\ell$ and "
     "$-\\ell$ are the same motions. Numbers count the tori of a region; there is no motion where "
-    "the paper is white. A separating curve is thick where it parts two regimes, and faint where "
+    "the ground is bare. A separating curve is thick where it parts two regimes, and faint where "
     "it does not. Tori with $m>0$ are elliptic; those with $m<0$, hatched, are hyperbolic, except "
     "where $\\lambda=0$: on the dotted curve, and on $\\ell=0$. "
     "The cross is the motion of the other pictures."

@@ -24,11 +24,11 @@ UNTIL = 1500.0
 
 CAPTION = (
     "A Poincaré section: the states at which a coordinate is largest for the moment, of the motion "
-    f"(black) and of {len(DISTANCES)} others on its level of $H$ and $G$, the darker the nearer "
-    "to it they begin. A motion on $N^4$ or $O^4$, by its closed form, draws curves; "
-    "others fill the image of a torus of dimension three. On the right, how far they are from the "
-    "critical set that the motion is nearest to: where its tori are elliptic, motions stay as far "
-    "from it as they begin; where they are hyperbolic, they go away and come back."
+    f"(as the axes) and of {len(DISTANCES)} others on its level of $H$ and $G$, the farther from "
+    "its colour the farther from it they begin. A motion on $N^4$ or $O^4$, by its closed form, "
+    "draws curves; others fill the image of a torus of dimension three. On the right, how far they "
+    "are from the critical set that the motion is nearest to: where its tori are elliptic, motions "
+    "stay as far from it as they begin; where they are hyperbolic, they go away and come back."
 )
 
 

@@ -21,7 +21,7 @@ CAPTION = (
     "Rotation numbers: of the two frequencies of a torus the smaller one over the larger one, on "
     "$N^4$ over the plane of $(m,\\ell)$ and on $O^4$ over that of $(s,\\tau_3)$, in the fields "
     "of the motion. On the lines they are in the ratio of small whole numbers, which is written "
-    "there. The paper is white where there is no motion."
+    "there. There is no motion where the ground is bare."
 )
 
 POINTS = 64

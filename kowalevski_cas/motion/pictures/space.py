@@ -15,6 +15,9 @@ from matplotlib.patheffects import withStroke
 from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.pictures import FAINT, INK, new_figure
 
+LABEL = 9.0
+"""How far the label of an axis is from its tip, in points."""
+
 FAR = 0.25
 """How much of its colour a line keeps where it is farthest away."""
 
@@ -99,9 +102,12 @@ def triad(
             zorder=1.5 if depth < 0 else 3.0,
         )  # fmt: skip
         axes.add_patch(arrow)
-        x, y = at + tip + 0.1 * length * tip / max(float(np.hypot(*tip)), 1e-9)
-        axes.text(x, y, label, ha="center", va="center", zorder=4.0, path_effects=clear)
-        axes.update_datalim(((x, y),))
+        along = tip / max(float(np.hypot(*tip)), 1e-9)
+        axes.annotate(
+            label, at + tip, tuple(LABEL * along), textcoords="offset points", ha="center",
+            va="center", zorder=4.0, path_effects=clear, annotation_clip=False,
+        )  # fmt: skip
+        axes.update_datalim((at + tip + 0.1 * length * along,))
     axes.autoscale_view()
 
 

@@ -21,7 +21,7 @@ ABOUT = CriticalSets
 CAPTION = (
     "Bifurcation diagrams of $O^4$ in the planes of $(s,\\tau_3)$ and of $(s,h)$, and of $M^4$ in "
     "the plane of $(J_3,h)$, where the other sign of $J_3$ gives the same. Numbers count the tori "
-    "of a region, and there is no motion where the paper is white. The tori of $O^4$ are "
+    "of a region, and there is no motion where the ground is bare. The tori of $O^4$ are "
     "hyperbolic where it is hatched, and elliptic elsewhere. On the curves of $M^4$ the motions "
     "are on $O^4$ as well."
 )
