@@ -7,7 +7,7 @@ from . import motion, solutions
 derivation = Derivation(
     name="pendulum",
     title="The simple pendulum",
-    author="textbooks of mechanics; restated by the kowalevski_cas authors",
+    author="Textbooks of mechanics; restated by the kowalevski_cas authors",
     source="E. T. Whittaker, Analytical Dynamics, §44; https://dlmf.nist.gov/22.19.i",
     sections=(motion.section, solutions.section),
 )

@@ -16,6 +16,9 @@ from kowalevski_cas.algebra.polynomials import Terms
 Squares = tuple[tuple[Fraction, Terms], ...]
 """Positive factors, and what is squared."""
 
+SMALL = 1000
+"""Up to where numbers are made of four squares (Lagrange); others lose the largest one first."""
+
 Monomial = tuple[int, ...]
 
 
@@ -28,7 +31,7 @@ def sum_of_squares(terms: Terms) -> Squares | None:
     True
     """
     gram = _gram(terms)
-    return None if gram is None else _reduce(gram)
+    return None if gram is None else reduce_gram(gram)
 
 
 def _gram(terms: Terms) -> dict[Monomial, dict[Monomial, Fraction]] | None:
@@ -57,7 +60,8 @@ def _gram(terms: Terms) -> dict[Monomial, dict[Monomial, Fraction]] | None:
     return gram
 
 
-def _reduce(gram: dict[Monomial, dict[Monomial, Fraction]]) -> Squares | None:
+def reduce_gram(gram: dict[Monomial, dict[Monomial, Fraction]]) -> Squares | None:
+    """The squares of a symmetric matrix; ``None`` if it is not positive. The matrix is used up."""
     squares: list[tuple[Fraction, Terms]] = []
     while gram:
         m, row = next(iter(gram.items()))
@@ -78,16 +82,22 @@ def _reduce(gram: dict[Monomial, dict[Monomial, Fraction]]) -> Squares | None:
     return tuple(squares)
 
 
-def four_squares(number: Fraction) -> tuple[Fraction, ...]:
-    """Four rational numbers, the squares of which add up to a positive number (Lagrange).
+def few_squares(number: Fraction) -> tuple[Fraction, ...]:
+    """Rational numbers, the squares of which add up to a positive number: four, if it is small.
 
-    >>> sum(part**2 for part in four_squares(Fraction(7, 3))) == Fraction(7, 3)
-    True
+    >>> few_squares(Fraction(7, 3))
+    (Fraction(4, 3), Fraction(2, 3), Fraction(1, 3), Fraction(0, 1))
+    >>> sum(part**2 for part in few_squares(Fraction(10**12 + 39, 7)))
+    Fraction(1000000000039, 7)
     """
-    whole = number.numerator * number.denominator
+    whole, parts = number.numerator * number.denominator, list[int]()
+    while whole > SMALL:
+        parts.append(isqrt(whole))
+        whole -= parts[-1] ** 2
     top = isqrt(whole)
     for a, b, c in product(range(top, -1, -1), repeat=3):
         rest = whole - a * a - b * b - c * c
         if rest >= 0 and isqrt(rest) ** 2 == rest:
-            return tuple(Fraction(n, number.denominator) for n in (a, b, c, isqrt(rest)))
+            parts += (a, b, c, isqrt(rest))
+            return tuple(Fraction(part, number.denominator) for part in parts)
     raise AssertionError("every natural number is a sum of four squares")

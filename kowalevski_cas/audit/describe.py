@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from kowalevski_cas.audit.audited import GIVEN, MISSING, NEW, SUSPECT, UNREADABLE, WRONG, Audited
@@ -52,7 +53,7 @@ class Describer:
         try:
             if display in self.refused:
                 raise NotationError(self.refused[display], typed.tex, 0)
-            intervals = split_display(typed.tex)
+            intervals = split_display(_read_as(typed.tex, display.tex))
             expected = len(split_display(display.tex))
             self.texts.statement(display[1])
         except NotationError as error:
@@ -155,3 +156,12 @@ class Describer:
             audited.message = f"what rests on it is true with ${mended}$"
         if (lost or idle or audited.breaks) and audited.verdict not in WRONG:
             audited.verdict = SUSPECT
+
+
+_RANGES = re.compile(r"(?:,\\quad [a-z]=\d(?:,\d)*)*")
+
+
+def _read_as(typed: str, read: str) -> str:
+    """A formula with the ranges of its indices that stand elsewhere, if it was read with them."""
+    behind = read.removeprefix(typed)
+    return read if behind != read and _RANGES.fullmatch(behind) else typed

@@ -17,15 +17,21 @@ def frames(states: Array) -> Array:
     The first axis has the direction of α, the third one that of α × β. Raises
     :class:`~kowalevski_cas.motion.parameters.Inadmissible` for parallel fields.
     """
-    alpha, beta = states[:, 3:6], states[:, 6:]
+    alpha, beta = _directions(states[:, 3:6]), _directions(states[:, 6:])
     normal = np.cross(alpha, beta)
-    lengths = np.linalg.norm(alpha, axis=1) * np.linalg.norm(beta, axis=1)
-    size = np.linalg.norm(normal, axis=1)
-    if np.any(~(size > PARALLEL * lengths)):
+    if np.any(~(np.linalg.norm(normal, axis=1) > PARALLEL)):
         raise Inadmissible("the fields are parallel: they do not tell the turn about them")
-    first = alpha / np.linalg.norm(alpha, axis=1)[:, None]
-    third = normal / size[:, None]
-    return np.stack([first, np.cross(third, first), third], axis=1)
+    third = _directions(normal)
+    return np.stack([alpha, np.cross(third, alpha), third], axis=1)
+
+
+def _directions(vectors: Array) -> Array:
+    """The vectors (N, 3) by their lengths, of any size; zero where there is none."""
+    largest = np.max(np.abs(vectors), axis=1, keepdims=True)
+    scaled = vectors / np.where(largest > 0, largest, 1.0)
+    lengths = np.linalg.norm(scaled, axis=1, keepdims=True)
+    found: Array = scaled / np.where(lengths > 0, lengths, 1.0)
+    return found
 
 
 def quaternions(states: Array) -> Array:

@@ -3,7 +3,7 @@
 The diagram at an energy is made of the curves of M⁴, N⁴ and O⁴. What happens on them changes where
 the energy is extreme along a separating curve of O⁴, or where two of these meet: there M⁴
 and N⁴ change too. Of these energies those separate on whose sides the curves differ, in their
-numbers of tori or in their types.
+numbers of tori or in their types, or the chambers between them.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from itertools import combinations, pairwise
 import numpy as np
 
 from kowalevski_cas.motion.arrays import Array, Integers
+from kowalevski_cas.motion.chambers import Strips
 from kowalevski_cas.motion.cut import Curve, section
 from kowalevski_cas.motion.diagram import Fields
 
@@ -38,7 +39,9 @@ def separating_energies(fields: Fields) -> list[float]:
             if found[-1] + SAME * size < energy < LARGEST * size:
                 found.append(energy)
     between = [(low + high) / 2 for low, high in pairwise([*found, found[-1] + size])]
-    kinds = pairwise([kind(unit, energy) for energy in between])
+    kinds = pairwise(
+        [(kind(unit, energy), Strips(unit, Fraction(energy)).type()) for energy in between]
+    )
     changes = [e for e, (u, v) in zip(found[1:], kinds, strict=True) if u != v]
     return [a * energy for energy in (-size, *changes)]
 

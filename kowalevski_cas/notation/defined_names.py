@@ -6,6 +6,7 @@ it is nothing but this name, a function with its arguments, or a bracket of two 
 
 from __future__ import annotations
 
+from contextlib import suppress
 from functools import cache
 from itertools import groupby
 from typing import NamedTuple
@@ -24,11 +25,15 @@ UNDECLARED = Vocabulary()
 
 
 class DefinedNames(NamedTuple):
-    """The names that a statement defines, those whose squares it gives, and if it has a matrix."""
+    """The names that a statement defines, those whose squares it gives, and if it has a matrix.
+
+    Of ``multiples`` it gives a whole multiple, as of T in :math:`2T=v^2`.
+    """
 
     names: tuple[str, ...]
     squares: tuple[str, ...]
     matrix: bool = False
+    multiples: tuple[str, ...] = ()
 
 
 @cache
@@ -37,8 +42,10 @@ def defined_names(tex: str) -> tuple[DefinedNames, ...]:
 
     >>> defined_names(r"H = \omega_1^2 - x \equiv h, \quad r^2 = x^2")[0].names
     ('H', 'h')
-    >>> defined_names(r"({\bs \alpha}, {\bs \alpha}) = a^2")
-    (DefinedNames(names=(), squares=('a',), matrix=False),)
+    >>> defined_names(r"({\bs \alpha}, {\bs \alpha}) = a^2")[0].squares
+    ('a',)
+    >>> defined_names(r"2T = v^2")[0].multiples
+    ('T',)
     >>> [*defined_names(r"\varphi(s) = 4ms^2, \quad {\bf e}_1 = (1,0)")][1].names
     ('\\mathbf{e}_1',)
     """
@@ -62,6 +69,7 @@ def _heads(tokens: list[Token], tex: str) -> DefinedNames:
         tuple(dict.fromkeys(name for name, square in found if name and square)),
         any(member.matrix() for member in members)
         or (diagonal and not any(symbol(name).is_bold for name in names)),
+        tuple(filter(None, (member.multiple() for member in members))),
     )
 
 
@@ -79,6 +87,15 @@ class _Member(Cursor):
             return "", False
         read = self.tokens[self.at].kind == END and power in (False, "2")
         return (name, power == "2") if read else ("", False)
+
+    def multiple(self) -> str:
+        """The name of which the member is a whole multiple; empty if it is none."""
+        self.at = 1
+        with suppress(NotationError):
+            if self.tokens[0].kind == "number":
+                name = self.name()
+                return name if self.tokens[self.at].kind == END else ""
+        return ""
 
     def matrix(self) -> bool:
         """Whether matrices by their rows make it up: no columns, no functions of matrices."""

@@ -227,6 +227,12 @@ DERIVATIVES = {
 They are real where the roots in these are.
 """
 
+AT_AMPLITUDE = {
+    r"\mathrm{\Pi}": r"\frac{1}{1-n\operatorname{sn}^2(x,k)}",
+    r"\mathrm{E}": r"\operatorname{dn}^2(x,k)",
+}
+"""Derivatives of incomplete integrals at the amplitude of x, as E of am(x, k) and k."""
+
 _OTHERS = ("log", "max", "min", "det", "tr Tr")
 _MACROS = frozenset(
     """sin cos tan cot sec csc sinh cosh tanh coth arcsin arccos arctan exp ln log max min

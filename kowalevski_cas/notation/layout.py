@@ -14,12 +14,21 @@ from typing import NamedTuple
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.ranges import each_value, without_ranges
+from kowalevski_cas.notation.tensors import SPACE, permuted
 from kowalevski_cas.notation.tokens import BEGINNING, BRACE, ENDING, Token
 
 # Breaks, the stronger the larger: of several in a row the strongest counts.
 _BREAKS = {"gap": 1, "cell": 2, "row": 3, "block": 4, "comma": 5}
 _BINARY = frozenset({"sign", "plusminus", "relation", "times", "slash"})
 _UNCLEAR = "does this belong to what stands before the break? set a comma, or a sign"
+
+
+_RATES = frozenset({"accent", "frac"})
+
+
+def _is_rate(tokens: list[Token]) -> bool:
+    """Whether a statement begins with a rate: its indices are those of the tensors beside it."""
+    return tokens[0].kind in _RATES
 
 
 class _Run:
@@ -58,10 +67,12 @@ def statements(tex: str) -> tuple[StatementTokens, ...]:
     With a ± in it, it is two statements, and one for each value of an index with a range.
     """
     tokens, ranges = without_ranges(scan(tex), tex)
+    printed = _statement_of(tokens, tex)
+    known = {**dict.fromkeys(set[str]().union(*map(permuted, printed)), SPACE), **ranges}
     found = [
         statement
-        for own in _statement_of(tokens, tex)
-        for statement in each_value(own, ranges, tex)
+        for own in printed
+        for statement in each_value(own, known if _is_rate(own) else ranges, tex)
     ]
     groups = _groups(tex)
     return tuple(
@@ -153,7 +164,7 @@ def _runs(tokens: list[Token], tex: str) -> list[_Run]:
     for run in runs:
         while run.tokens and run.tokens[-1].kind == "stop":
             run.tokens.pop()
-        if _is_condition(run):
+        if run is not runs[0] and _is_condition(run):
             run.before, run.relation, run.tokens = "comma", True, run.tokens[1:-1]
     return [run for run in runs if run.tokens]
 

@@ -11,11 +11,11 @@ for it is read as it stands.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import product
 
 from kowalevski_cas.notation.errors import NotationError
-from kowalevski_cas.notation.sums import SIGNS, Ranges, SumSign, Values, outside_sums
+from kowalevski_cas.notation.sums import SIGNS, Ranges, SumSign, Values, indexed_sums, outside_sums
 from kowalevski_cas.notation.tensors import (
     SPACE,
     add_sums,
@@ -63,7 +63,7 @@ def without_ranges(tokens: list[Token], tex: str) -> tuple[list[Token], Ranges]:
 
 def each_value(tokens: list[Token], ranges: Ranges, tex: str) -> Iterator[list[Token]]:
     """A statement for all values of the indices in it; itself, if it has none."""
-    tokens = add_sums(tokens, ranges, tex)
+    tokens = add_sums(indexed_sums(tokens, ranges), ranges, tex)
     if not (tokens[0].text == r"\{" and permuted(tokens).isdisjoint(ranges)):
         ranges = {**dict.fromkeys(sorted(permuted(tokens)), SPACE), **ranges}
     own = {n: v for n, v in ranges.items() if v and _is_index(outside_sums(tokens), n)}
@@ -72,6 +72,17 @@ def each_value(tokens: list[Token], ranges: Ranges, tex: str) -> Iterator[list[T
         own = {n: range(max(0, v[0] - length), v[-1] + 1) for n, v in own.items()}
     for values in product(*own.values()):
         yield _substitute(tokens, dict(zip(own, values, strict=True)), ranges, tex)
+
+
+def index_letters(tokens: Sequence[Token]) -> set[str]:
+    r"""The letters that stand in indices, but for those of sums as :math:`\sum_{i=1}^3`."""
+    found = {t.text for t, within in _index_flags(tokens) if within and t.kind == "letter"}
+    bound = set[str]()
+    for k, token in enumerate(tokens):
+        if token.kind in SIGNS and (sign := SumSign.at([*tokens], k)).is_plain:
+            bound |= sign.own
+    free = {t.text for t in outside_sums([*tokens])}
+    return found - (bound - free)
 
 
 def _sign(token: Token) -> str:
@@ -150,7 +161,8 @@ def _expand_sum(sum_: SumSign, at: Mapping[str, int], ranges: Ranges, tex: str) 
         yield from [Token("sign", sign, start, start)] if number or factor < 0 else []
         yield from _substitute(body, {**outer, **values}, ranges, tex)
     yield from [] if own else [Token("number", "0", start, start)]
-    yield Token("close", ")", start, start)
+    end = sum_.body[-1].end if sum_.body else start
+    yield Token("close", ")", end, end)
 
 
 def _ends_with_name(tokens: list[Token]) -> bool:

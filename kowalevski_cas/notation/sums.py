@@ -164,6 +164,25 @@ class SumSign(NamedTuple):
         )
 
 
+def indexed_sums(tokens: list[Token], ranges: Ranges) -> list[Token]:
+    r"""The tokens with an index below a sum without one, as in :math:`\sum x_i^2`.
+
+    It is the only letter with a range that stands in an index behind the sign.
+    """
+    found = [*tokens]
+    for k in range(len(tokens) - 1, -1, -1):
+        if tokens[k].kind in SIGNS and tokens[k + 1 : k + 2] and tokens[k + 1].kind not in "^_":
+            sign = SumSign.at(tokens, k)
+            body = [*pairwise(sign.body)]
+            letters = {b.text for a, b in body if a.kind == "_" and ranges.get(b.text)}
+            if len(letters) == 1:
+                start = tokens[k].end
+                found[k + 1 : k + 1] = [
+                    Token("_", "_", start, start), Token("letter", letters.pop(), start, start)
+                ]  # fmt: skip
+    return found
+
+
 def outside_sums(tokens: list[Token]) -> Iterator[Token]:
     """The tokens that stand in no sum, or for no index of it."""
     first = next((k for k, token in enumerate(tokens) if token.kind in SIGNS), len(tokens))

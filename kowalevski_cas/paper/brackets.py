@@ -17,6 +17,7 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Number,
+    Partial,
     Product,
     Quotient,
     Sum,
@@ -25,6 +26,7 @@ from kowalevski_cas.notation import (
     total,
 )
 from kowalevski_cas.notation.symbol import rate_name
+from kowalevski_cas.paper.logarithms import has_logarithm
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.names import BRACKET, DELTA, EPSILON, head, is_indexed
 from kowalevski_cas.problem.space import Meaningless
@@ -84,11 +86,16 @@ class Brackets:
                 return self.structure.get((x, y), Number(0))
         terms = []
         for (x, y), value in self.structure.items():
-            by = self.setting.partial
-            first = Product((by(f, x), by(g, y)))
-            second = Product((by(f, y), by(g, x)))
+            first = Product((self._partial(f, x), self._partial(g, y)))
+            second = Product((self._partial(f, y), self._partial(g, x)))
             terms.append(Product((value, Sum((first, Negative(second))))))
         return total(terms)
+
+    def _partial(self, f: Formula, by: str) -> Formula:
+        """A partial derivative, also of a function with logarithms."""
+        return (
+            self.setting.plain(Partial(f, by)) if has_logarithm(f) else self.setting.partial(f, by)
+        )
 
     def _instances(self, name: str) -> Iterator[tuple[tuple[str, str], Formula]]:
         """A printed bracket with all values of its indices, as brackets of variables."""

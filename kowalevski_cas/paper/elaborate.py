@@ -23,6 +23,8 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Number,
+    Product,
+    Quotient,
     Relation,
     Root,
     Vector,
@@ -36,11 +38,13 @@ from kowalevski_cas.paper.plain import Plain
 from kowalevski_cas.paper.roots import root_of_number, solve_for_root
 from kowalevski_cas.paper.scene import Change as ChangeOfScene
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.signs import Comparison, comparisons, root_of
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.paper.validation import validate
 from kowalevski_cas.problem import finder
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.mentions import mentions
+from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.problem.space import (
     Adjoined,
     Equation,
@@ -95,7 +99,8 @@ class Elaboration(Moving):
         self._open: list[str] = []
         self.places: dict[str, tuple[Printed, ...]] = {}
         self.inverses: dict[object, dict[str, Formula]] = {}
-        self.roots = tuple(self._root_names())
+        self.supposed = tuple(self._supposed())
+        self.roots = tuple(dict.fromkeys(self._root_names()))
 
     def _root_names(self) -> Iterator[str]:
         if self.scene.unit is not None or (self.source is not None and "i" in self.source.roots):
@@ -109,6 +114,41 @@ class Elaboration(Moving):
                 primes |= dict.fromkeys(rf"\sqrt{{{p}}}" for p in number[1]) if number else {}
                 names += [] if number else [name]
         yield from (*primes, *names, *self.transcendental.roots)
+        yield from (root_of(one.difference) for one in self.supposed if one.sign != r"\ne")
+        if self.supposed:  # a printed root is not negative, nor is the root of it imaginary
+            own = [name for name in names if name.startswith(r"\sqrt")]
+            signs = {rf"\sqrt{{{name}}}": name for name in own}
+            yield from (sign for sign, name in signs.items() if name not in signs)
+
+    def _supposed(self) -> Iterator[Comparison]:
+        """What the inequalities of the scene say; not what numbers say of each other."""
+        for printed in self.scene.signs:
+            for one in comparisons(self.texts.comparison(printed)):
+                if one.sign == "=" or one.number is False:
+                    raise Meaningless(f"{printed.tex} is no inequality that can be supposed")
+                if one.number is None:
+                    yield one
+
+    @cached_property
+    def unprinted(self) -> frozenset[str]:
+        """The roots that say what is not negative, and that no scene declares."""
+        supposed = {root_of(one.difference) for one in self.supposed if one.sign != r"\ne"}
+        signs = {rf"\sqrt{{{name}}}" for name in self.roots}
+        return frozenset((supposed - {*self.scene.roots}) | signs)
+
+    @cached_property
+    def together(self) -> tuple[tuple[str, ...], ...]:
+        """Names that say something about each other: in an inequality, and of a root its sign."""
+        known = {*self.roots}
+        signs = ((name, rf"\sqrt{{{name}}}") for name in self.roots)
+        groups: list[tuple[str, ...]] = [two for two in signs if two[1] in known]
+        for one in self.supposed:
+            reach = Reach(self)
+            reach.formula(self.formula(one.difference))
+            if one.sign != r"\ne":
+                reach.name(root_of(one.difference))
+            groups.append(tuple(sorted(reach.names)))
+        return (*super().together, *groups)
 
     def _is_power(self, root: str) -> bool:
         """Whether a printed root is that of a name with a root in its place."""
@@ -143,7 +183,19 @@ class Elaboration(Moving):
         """What the scene takes for granted not to vanish."""
         roots = (Name(self.radicals.root(name)) for name in self.radicals.orders)
         granted = (Name(n) if n in self.roots else self.formula(n) for n in self.scene.nonzero)
-        return (*granted, *self.transcendental.nonzero, *roots)
+        strict = (self.formula(one.difference) for one in self.supposed if one.sign != r"\le")
+        said = (one for one in (*granted, *strict) if not self._is_given_by_number(one))
+        return (*said, *self.transcendental.nonzero, *roots)
+
+    def _is_given_by_number(self, formula: Formula) -> bool:
+        r"""Whether a name is a number, so that :math:`b\ne0` says nothing beside :math:`b=1`."""
+        if not isinstance(formula, Name) or formula.name not in self.scene.definitions:
+            return False
+        step = self.step(formula.name)
+        value = step.formula if isinstance(step, Let) else formula
+        value = value.argument if isinstance(value, Negative) else value
+        parts = value.children() if isinstance(value, Quotient) else (value,)
+        return all(isinstance(part, Number) and part.value for part in parts)
 
     @cached_property
     def conjugates(self) -> tuple[tuple[str, str], ...]:  # type: ignore[override] # computed here, an attribute above
@@ -242,7 +294,7 @@ class Elaboration(Moving):
         for other in mentions(let.formula):  # vectors stay as they are, and may run in a circle
             if (
                 isinstance(other, Name)
-                and is_bold(other.name)
+                and (is_bold(other.name) or other.name in self.scene.vectors)
                 and other.name in self.scene.definitions
             ):
                 self.step(other.name)
@@ -283,7 +335,8 @@ class Elaboration(Moving):
         """The expression for which a name stands.
 
         It is the first member of the printed chain that is not a bare name, or
-        else another name; a formula that is no equation is the expression itself.
+        else another name, that stands for nothing; a formula that is no equation is the expression
+        itself.
         """
         printed = self.scene.definitions.get(name) or self.scene.roots.get(name)
         if printed is None:
@@ -292,9 +345,15 @@ class Elaboration(Moving):
         members = formula.members if isinstance(formula, Relation) else (formula,)
         own = self.texts.expression(name)
         others = [m for m in members if m != own and not isinstance(m, Constant)]
+        for one in others:
+            match one:
+                case Product((Number() as factor, multiple)) if multiple == own:
+                    rest = next(other for other in others if other != one)
+                    return Quotient(rest, factor)
         if not others or (name in printed.heads.names and own not in members):
             raise Meaningless(f"no expression stands for {name} in its definition", name)
-        return next((m for m in others if not isinstance(m, Name)), others[0])
+        given = (m for m in others if getattr(m, "name", "") not in self.scene.definitions)
+        return next((m for m in others if not isinstance(m, Name)), next(given, others[0]))
 
     def free(self, names: Sequence[str]) -> Evaluation:
         """The setting in FLINT with more variables, bound by nothing; a root may be one."""

@@ -22,7 +22,14 @@ from kowalevski_cas.notation import (
     times,
     to_latex,
 )
-from kowalevski_cas.notation.functions import FAMILY_OF, FUNCTIONS, ROTATED, Family, canonical
+from kowalevski_cas.notation.functions import (
+    AT_AMPLITUDE,
+    FAMILY_OF,
+    FUNCTIONS,
+    ROTATED,
+    Family,
+    canonical,
+)
 from kowalevski_cas.paper.arguments import Monomial, product_of
 from kowalevski_cas.paper.summation import expand_sum, without_sums
 from kowalevski_cas.problem.space import Adjoined, Meaningless
@@ -240,10 +247,19 @@ def kind_of(formula: Application) -> Kind:
 @once
 def applications(formula: Formula) -> tuple[Application, ...]:
     """The functions of known families in a formula."""
-    found = (node for node in without_sums(formula).nodes() if isinstance(node, Application))
+    nodes = without_sums(formula).nodes()
+    found = (n for n in nodes if isinstance(n, Application) and not of_amplitude(n))
     return tuple(
         dict.fromkeys(application for application in found if application.function in FAMILY_OF)
     )
+
+
+def of_amplitude(formula: Formula) -> bool:
+    """Whether it is an incomplete integral at an amplitude: only its derivative is known."""
+    match formula:
+        case Application(function, (Application(r"\mathrm{am}"), *parameters)):
+            return function in AT_AMPLITUDE and bool(parameters)
+    return False
 
 
 @once

@@ -111,6 +111,9 @@ def _conditions(setting: Meaning) -> Iterator[Formula]:
     for tex in texts:
         with suppress(NotationError):
             yield setting.texts.expression(tex)
+    for place in scene.signs:
+        with suppress(NotationError):
+            yield setting.texts.as_printed(place)
 
 
 def _definitions(setting: Meaning, names: Iterable[str]) -> Iterator[Formula]:

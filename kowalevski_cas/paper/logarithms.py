@@ -28,12 +28,14 @@ from kowalevski_cas.notation import (
     substitute,
     to_latex,
 )
-from kowalevski_cas.notation.functions import DERIVATIVE_OF
+from kowalevski_cas.notation.functions import AT_AMPLITUDE, DERIVATIVE_OF, FUNCTIONS
+from kowalevski_cas.paper.families import of_amplitude
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.problem.space import Meaningless
 
 ARGUMENT = Vocabulary(frozenset("x"))
+AT_ARGUMENT = Vocabulary(frozenset("xnk"), functions=FUNCTIONS)
 
 
 @once
@@ -42,7 +44,7 @@ def has_logarithm(formula: Formula) -> bool:
     match formula:
         case Derivative() | Partial():
             return False
-        case Application(function) if function in DERIVATIVE_OF:
+        case Application(function) if function in DERIVATIVE_OF or of_amplitude(formula):
             return True
     return any(map(has_logarithm, formula.children()))
 
@@ -84,6 +86,10 @@ def derivative_of(formula: Formula, by: Callable[[Formula], Formula], space: Mea
         case Application(r"\ln", (Modulus() as inner,)) if not has_logarithm(inner):
             square = Power(inner, Number(2))
             return Quotient(by(square), Product((Number(2), square)))
+        case Application(function, (Application(_, (inner, *_)), *rest)) if of_amplitude(formula):
+            below = dict(zip("nk", rest, strict=True)) if len(rest) > 1 else {"k": rest[0]}
+            slope = substitute(read(AT_AMPLITUDE[function], AT_ARGUMENT), {"x": inner, **below})
+            return Product((slope, by(inner)))
         case Application(function, (inner,)) if not has_logarithm(inner):
             return Product((_slope(function, inner), by(inner)))
         case Sum() | Negative():

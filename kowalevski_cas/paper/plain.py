@@ -190,6 +190,8 @@ class Plain:
     def _rate(self, argument: Formula) -> Formula:
         """The derivative along the field; that of a variable may be a variable."""
         velocities, vectors = self.setting.velocities, self.setting.scene.vectors
+        if argument == Name(self.setting.scene.time):
+            return Number(1)
         if isinstance(argument, Name) and argument.name in velocities:
             return Name(velocities[argument.name])
         if isinstance(argument, Name) and argument.name in self.setting.transcendental:
@@ -281,7 +283,8 @@ class Plain:
         if isinstance(formula, Name) and formula.name in self.setting.scene.vectors:
             names = self.setting.scene.vectors[formula.name]
             return True, tuple(self(Name(n)) for n in names)
-        return False, (self(formula),)
+        written = substitute(formula, self._logarithms)  # only its derivatives have values
+        return False, (written if has_logarithm(written) else self(formula),)
 
 
 @once

@@ -93,6 +93,9 @@ class Scene:
     ``nonzero``
         what the scene takes for granted not to vanish. ``x+r`` with a root ``r`` says nothing
         of ``x-r``, and only the norm of both excludes a denominator with one of them.
+    ``signs``
+        printed inequalities that are supposed, as :math:`0<k<1`. What is not negative has a real
+        square root, which is a root of the scene.
     ``values``
         printed equations that give all generators of a family at a constant, as those of Jacobi
         at the quarter period.
@@ -118,6 +121,7 @@ class Scene:
     zero: tuple[Printed, ...] = ()
     conjugates: tuple[tuple[str, str], ...] = ()
     nonzero: tuple[str, ...] = ()
+    signs: tuple[Printed, ...] = ()
     values: tuple[Printed, ...] = ()
     loci: tuple[Locus, ...] = ()
     jets: tuple[tuple[str, str, str], ...] = ()
@@ -140,7 +144,7 @@ class Scene:
         yield from (("a power", f"{base}^{exponent}") for base, exponent in self.powers)
         for name in self.definitions:
             function, arguments = head(name)
-            if function != BRACKET and not is_bold(name):
+            if function != BRACKET and not is_bold(name) and name not in self.vectors:
                 yield "a function" if arguments else "defined", function
         for components in self.vectors.values():
             yield from (("a component", name) for name in components)
@@ -190,7 +194,8 @@ class Scene:
         """The scene where printed statements define all names that are new in them.
 
         These are the bare names, heads of functions and brackets among their members that are
-        no variables, constants or roots. Raises ``ValueError`` if a name is defined already, or if
+        no variables, constants or roots, or else what stands in a whole multiple, as T in
+        :math:`2T=v^2`. Raises ``ValueError`` if a name is defined already, or if
         a statement defines none.
         """
         return self._defining(by, again=False)
@@ -228,6 +233,10 @@ class Scene:
         """
         self._is_new(root, self.roots, self.definitions)
         return replace(self, roots={**self.roots, root: by})
+
+    def assuming(self, *by: Display | Printed) -> Scene:
+        r"""The scene where printed inequalities are supposed, as :math:`I_1\le I_2<I_3`."""
+        return replace(self, signs=(*self.signs, *statements(*by)))
 
     def taking(self, *by: Display | Printed) -> Scene:
         """The scene where printed statements give the values of functions at constants."""
@@ -279,7 +288,9 @@ class Scene:
         known = {*self.variables, *self.constants, *self.roots}
         definitions = dict(self.definitions)
         for place in statements(*by):
-            names = [name for name in place.heads.names if name not in known]
+            heads = place.heads
+            names = [name for name in heads.names if name not in known]
+            names = names or [name for name in heads.multiples if name not in known]
             if not names:
                 raise ValueError(f"{place.tex} defines no new name on the scene “{self.name}”")
             for name in names:
@@ -307,7 +318,7 @@ class Scene:
         found = {
             "unit": (self.unit,),
             "definition": (self.clock, *self.definitions.values(), *by),
-            "condition": (*self.roots.values(), *self.zero, *self.values),
+            "condition": (*self.roots.values(), *self.zero, *self.signs, *self.values),
             "vector field": () if isinstance(self.field, Change) else self.field,
         }
         yield from ((role, place) for role, places in found.items() for place in places if place)
@@ -323,7 +334,7 @@ class Scene:
                 indexed = [argument for argument in arguments if is_indexed(argument)]
                 yield from [EPSILON, DELTA] if indexed else []
                 yield from (f"{argument[:-1]}{k}" for argument in indexed for k in "ijk")
-            elif is_bold(name) or self.definitions[name].heads.matrix:
+            elif is_bold(name) or name in self.vectors or self.definitions[name].heads.matrix:
                 yield from self.vectors.get(name, ())
             else:
                 yield from (a for a in arguments if a[:4] != r"\dot" and a not in self.vectors)

@@ -195,14 +195,24 @@ class Texts:
             self._expressions[tex] = read(tex, self.vocabulary)
         return self._expressions[tex]
 
+    def as_printed(self, printed: Printed) -> Formula:
+        """The formula at a place, which may be an inequality."""
+        return self.edits.get(printed, self.statement(printed).formula)
+
+    def comparison(self, printed: Printed) -> Relation:
+        """The chain of equalities and inequalities at a place.
+
+        Raises ``NotationError`` for a formula without a sign between two sides.
+        """
+        return self._chain(printed, self.as_printed(printed), "an inequality")
+
     def formula(self, printed: Printed) -> Formula:
         """The formula at a place.
 
         Raises ``NotationError`` if it cannot be read, or if it says that things differ: an
         inequality is never taken for the equality that may have been meant.
         """
-        statement = self.statement(printed)
-        formula = self.edits.get(printed, statement.formula)
+        statement, formula = self.statement(printed), self.as_printed(printed)
         if isinstance(formula, Relation) and not formula.is_equality:
             before = [formula.signs.index(sign) for sign in formula.signs if sign not in EQUALITIES]
             end = statement.spans.get((before[0],), (0, statement.start))[1]
@@ -212,10 +222,12 @@ class Texts:
 
     def relation(self, printed: Printed) -> Relation:
         """The chain of equalities at a place; raises ``NotationError`` if there is none."""
-        formula = self.formula(printed)
+        return self._chain(printed, self.formula(printed), "an equation")
+
+    def _chain(self, printed: Printed, formula: Formula, what: str) -> Relation:
         if not isinstance(formula, Relation):
             source = self.source(printed.display)
-            raise NotationError(f"an equation is expected at {printed.place}", source, 0)
+            raise NotationError(f"{what} is expected at {printed.place}", source, 0)
         return formula
 
     def sides(self, printed: Printed) -> tuple[Formula, Formula]:

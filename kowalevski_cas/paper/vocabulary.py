@@ -20,8 +20,8 @@ def vocabulary(scenes: tuple[Scene, ...]) -> Vocabulary:
     moving = {n for s in scenes for n in (*s.variables, *s.definitions)} - still
     parts = ((name, parts) for scene in scenes for name, parts in scene.vectors.items())
     return Vocabulary(
-        scalars=times.union(name for scene in scenes for name in scene.names()),
-        vectors=frozenset(bold) - matrices,
+        scalars=times.union(n for scene in scenes for n in scene.names()) - vectors,
+        vectors=frozenset(bold | vectors) - matrices,
         matrices=matrices,
         functions=frozenset(
             head(n)[0] for s in scenes for n in s.definitions if head(n)[1] and n[:2] != BRACKET

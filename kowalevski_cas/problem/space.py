@@ -195,6 +195,12 @@ class Space(Setting):
     loci: tuple[tuple[tuple[Equation, ...], Formula], ...] = ()
     assumed: tuple[Formula, ...] = ()
 
+    @property
+    def together(self) -> tuple[tuple[str, ...], ...]:
+        """The roots with the names in their squares, of which they say that these are real."""
+        steps = (step for step in self.steps if isinstance(step, Adjoined))
+        return tuple((one.name, *sorted(one.square.names())) for one in steps)
+
     @cached_property
     def _by_name(self) -> dict[str, Step]:
         return {step.name: step for step in self.steps}

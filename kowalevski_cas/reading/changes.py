@@ -32,7 +32,8 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
         new = dict.fromkeys(
             name for one in giving for name in sorted(one.names) if name not in seen | {"t"}
         )
-        for names in ([*new], [name for name in new if name in rated]):
+        timed = any("t" in one.names for one in giving)  # else it is a solution
+        for names in ([] if timed else [*new], [name for name in new if name in rated]):
             if giving and names and len(names) == len(given):
                 yield Law((), law.names, base=law, change=tuple(giving), new=(*names,))
                 break

@@ -13,6 +13,9 @@ CUES: dict[str, str] = {
         (?:is|are|remains?|stays?)\s+(?:a\s+|also\s+)?(?:constants?|preserved|conserved)
         do(?:es)?\s+not\s+(?:change|depend\s+on\s+(?:the\s+)?time) интеграл\w* сохраня\w+
         постоян(?:на|но|ны|ен)\b не\s+меня\w+""",
+    "energy": r"""
+        \benergy\b(?!\s+levels?)(?:\s+(?!satisf|chang|equation)\w+){0,5}[\s:,]*$
+        \bэнерги[яи]\b(?:\s+\w+){0,4}[\s:,—-]*$""",
     "its constant": r"""
         (?<=\w)(?<!\band)\s+with\s+the\s+constants?[\s:]*$
         (?<=\w)(?<!\bи)\s+с\s+постоянн(?:ой|ыми)[\s:]*$""",
@@ -25,7 +28,8 @@ CUES: dict[str, str] = {
         равновеси\w+ стационарн\w+ особ\w+\s+точ\w+""",
     "suppose": r"""
         suppos\w+ assum\w+ \blet\b \btake\b \bmake\b \bif\b \bwhen\b
-        \bfor\s+(?:the\s+)?(?:\w+\s+){0,3}$ \bput\b \bsetting\b (?:we|us|and|now|^\s*)\s*set\s*$
+        \bfor(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?\s*$ \bput\b \bsetting\b
+        (?:we|us|and|now|^\s*)\s*set\s*$
         provided choos\w+ choice
         \bunder\b in\s+the\s+case \bcase\b restrict\w+ \bconsider\b \bwith\b
         on\s+the\s+(?:\w+\s+)?levels? пусть предполож\w+ полож\w+ полага\w+ если при\s*$ допуст\w+
@@ -38,7 +42,8 @@ CUES: dict[str, str] = {
     "lasting": r"""
         \blet\b suppos\w+ assum\w+ пусть предполож\w+""",
     "for": r"""
-        \bfor\s+(?:the\s+)?(?:\w+\s+){0,3}(?:§[^§]*)*$ \bпри\s+(?:\w+\s+){0,2}(?:§[^§]*)*$""",
+        \bfor\b(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?\s*(?:§[^§]*)*$
+        \bпри\b(?:\s+\w+){0,2}\s*(?:§[^§]*)*$""",
     "where": r"""
         \bwhere\b \bhere\b \bin\s+which\b \bгде\b \bздесь\b""",
     "claim": r"""
@@ -81,6 +86,11 @@ CUES: dict[str, str] = {
         \bon\s+(?:it|this|them|these|that)\b \bthere\b на\s+н[её][мй]?\b на\s+них""",
     "on them": r"""
         \bon\s+(?:them|these)\b \bthere\b на\s+(?:них|этих)""",
+    "restricted": r"""
+        restrict\w+\s+to\b
+        \bon\s+(?:the\s+|this\s+)?(?:\w+\s+)?(?:sets?|manifolds?|submanifolds?|levels?|surfaces?|spheres?)\b
+        ограничен\w+\s+на\b
+        на\s+(?:\w+\s+)?(?:множеств|многообрази|поверхност|уровн|сфер)\w+""",
     "level": r"""
         levels? manifold relations? \bsets?\b surfaces? submanifold уровн\w+ многообрази\w+
         соотношени\w+ поверхност\w+ множеств\w+""",
@@ -89,24 +99,35 @@ CUES: dict[str, str] = {
     "approximate": r"""
         terms?\s+of\s+(?:the\s+)?(?:first|second|higher|lowest)\s+order
         to\s+(?:the\s+)?first\s+order (?:first|linear|crude|rough)\s+approximation approximat\w+
-        lineari[sz]\w+ neglect\w*
+        lineari[sz]\w+
+        neglect\w*\s+(?:\w+\s+){0,3}(?:terms|orders?|powers|squares|products|quantities)
+        (?:terms|orders?|powers|squares|products|quantities)\s+(?:\S+\s+){0,6}?neglect\w*
         small\s+(?:§|deviation|oscillation|perturbation|amplitude|parameter|variation|displacement|vibration|quantit)\w*
-        first\s+variation asymptotic\w* infinitesimal\w* перв\w+\s+приближени\w+ приближ[её]нн\w+
-        линеариз\w+ пренебрег\w+ асимптотич\w+
+        first\s+variation asymptotic(?:ally\s+equal|\s+(?:expansion|formula|series|equation))
+        infinitesimal\w* перв\w+\s+приближени\w+ приближ[её]нн\w+
+        линеариз\w+ пренебрег\w+\s+(?:\w+\s+){0,3}(?:член|слагаем|степен|квадрат|величин)\w+
         мал\w+\s+(?:§|колебани|отклонени|возмущени|параметр|амплитуд)\w* бесконечно\s+мал\w+
         член\w+\s+(?:перв|втор|высш)\w+\s+порядк\w+""",
     "denied": r"""
         \bnot\s+(?:true|an?\s+integral|constant|conserved|the|valid|hold|correct|preserved|in\s+general)
-        does\s+not\s+(?:hold|vanish|follow) is\s+not\b are\s+not\b \bno\s+longer\b never\b
+        does\s+not\s+(?:hold|vanish|follow) (?:is|are)\s+not\s+(?:\w+\s+){0,2}§
+        §[\s,]*(?:\w+\s+){0,3}(?:is|are)\s+not\b \bno\s+longer\b never\b
         wrong\w* incorrect\w* erroneous\w* false\b mistak\w+ misprint\w* contrary
         instead\s+of\s*(?:§|$) contradict\w+ if\s+it\s+were \bwere\b would\s+be fails?\b cannot\b
-        \b(?:no|without)\s+(?:\w+\s+){0,2}integrals? refut\w+
+        \b(?:no|without)\s+(?:\w+\s+){0,2}integrals?(?:\s+\w+){0,3}\s*§ refut\w+
+        §[\s,]*(?:\w+\s+){0,2}(?:no|without)\s+(?:\w+\s+){0,2}integrals?
         in\s+place\s+of\s*(?:§|$) \bneither\b невер\w+ ошиб\w+ ложн\w+ опечат\w+
         вместо\s*(?:§|$) противореч\w+ не\s+явля\w+ не\s+сохраня\w+ нельзя не\s+выполн\w+
         неправильн\w+ не\s+верно не\s+име\w+\s+мест""",
+    "so it is not": r"""
+        [;.,]\s*(?:\\\w+\{)?(?:but\s+)?(?:this|that|which)\s+is\s+(?:wrong|false|incorrect)
+        [;.,]\s*(?:but\s+)?(?:this|that|which)\s+is\s+not\s+(?:true|so|correct)
+        (?:это|что)\s+неверно""",
     "quoted": r"""
+        \b(?:was|were|been)\s+(?:written|stated|said)\s+that
         \baccording\s+to\s+(?-i:(?!Theor|Lemma|Prop|Coroll|Eq|Sect|Newton|Hamilton|Euler|Liouv)[A-Z])
         \bclaims?\s+that \bclaimed\b \basserted?\b \bwrites\b \bconjectur\w+
+        \bwas\s+(?:printed|asserted|believed)\b было\s+(?:написано|сказано)
         one\s+might\s+(?:think|expect) \bbelieve[sd]?\b it\s+is\s+said утвержда\w+ по\s+мнению
         предположительно гипотез\w+""",
     "another law": r"""
@@ -121,9 +142,11 @@ CUES: dict[str, str] = {
     "another system": r"""
         now\s+(?:\w+\s+){0,2}consider \breduced\b \blimit\b polar\s+coordinates
         another\s+(?:system|problem|example) second\s+(?:system|example|problem)
-        \bconsider\s+(?:now|also|next|the) next\s+example \bturn\s+to\b теперь\s+рассмотр\w+
+        \bconsider\s+(?:now|also|next|the) next\s+example \bturn\s+to\b
+        \b(?:is|are)\s+added\b \badd(?:ing)?\s+(?:to\b|a\b|the\b) \bperturbed\b \bfriction\b
+        \bdamping\b \brelaxation\b теперь\s+рассмотр\w+
         рассмотрим\s+(?:теперь|также) друг\w+\s+(?:систем|задач|пример)\w+
-        приведенн\w+ полярн\w+""",
+        приведенн\w+ полярн\w+ добав\w+ трени(?:е|я|ем)\b""",
     "hamiltonian": r"""
         \bhamilton\w* canonical\w* \blagrang\w* гамильтон\w* каноническ\w+ лагранж\w*""",
     "map": r"""

@@ -6,11 +6,13 @@ from kowalevski_cas.notation import (
     Application,
     Constant,
     Derivative,
+    Formula,
     Name,
     Negative,
     Number,
     PoissonBracket,
     Power,
+    Vector,
 )
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.reading.cues import cue
@@ -26,7 +28,7 @@ from kowalevski_cas.reading.known import (
     StatementRole,
 )
 from kowalevski_cas.reading.phrases import integral_words, is_number, plain, reach_of_constants
-from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.statements import SourceStatement, derived_names
 
 ZERO = Number(0)
 
@@ -41,10 +43,14 @@ def law(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 def unit(item: SourceStatement, known: Known) -> StatementRole | None:
-    r"""The imaginary unit, as :math:`i^2=-1`, and another time, as :math:`\tau=it`."""
+    r"""The imaginary unit, as :math:`i^2=-1`, components, and another time, as :math:`\tau=it`."""
     match item.members:
         case (Power(Name("i"), Number(2)), Number() | Negative(Number())):
             return StatementRole(NOTATION, "says what the imaginary unit is", "unit", ("i",))
+        case (Name(name), Vector(entries)) if known.names.vectors.get(name) == tuple(
+            getattr(entry, "name", "") for entry in entries
+        ):
+            return StatementRole(DEFINITION, f"names the components of {plain(name)}", "vector")
         case (Name(name), right) if name in known.times and "t" in right.names():
             return StatementRole(DEFINITION, f"gives another time {name}", "clock")
     return None
@@ -87,21 +93,32 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
     if len([m for m in others if not isinstance(m, Name | Constant)]) > 1:
         why = f"a chain of equalities; it names {plain(fresh[0])}"
         return StatementRole(CLAIM, why, "identity", (*fresh,))
-    named = [m for m in others if isinstance(m, Name) and known.varies(m.name)]
-    if named and item.members and item.members[0] == named[0]:
-        return StatementRole(
-            LEVEL, f"names the value {plain(fresh[0])} of {plain(named[0].name)}", "", (*fresh,)
-        )
-    if (
-        named == []
-        and not isinstance(item.members[0], Name | Application)
-        and len(others) == len(item.members) - 1
-    ):
-        if known.varying(item.names - {*fresh}) and not isinstance(item.members[0], PoissonBracket):
-            return StatementRole(LEVEL, f"names the value {plain(fresh[0])}", "", (*fresh,))
+    if role := _level(item, known, fresh, others):
+        return role
     return StatementRole(
         DEFINITION, f"first with {plain(fresh[0])} alone on a side", "", tuple(fresh)
     )
+
+
+def _level(
+    item: SourceStatement, known: Known, fresh: list[str], others: list[Formula]
+) -> StatementRole | None:
+    """A value for which there is a new name: of a function, of what moves, or of constants."""
+    named = [m for m in others if isinstance(m, Name) and known.varies(m.name)]
+    if named and item.members and item.members[0] == named[0]:
+        why = f"names the value {plain(fresh[0])} of {plain(named[0].name)}"
+        return StatementRole(LEVEL, why, "", (*fresh,))
+    first = item.members[0]
+    behind = not named and len(others) == len(item.members) - 1
+    if behind and not isinstance(first, Name | Application | PoissonBracket):
+        if known.varying(item.names - {*fresh}):
+            why = f"names the value {plain(fresh[0])}"
+            if item.typed.inline or cue("suppose", item.lead) or cue("level", item.lead):
+                return StatementRole(LEVEL, why, "", (*fresh,))
+            return StatementRole(CLAIM, f"{why}, which is constant then", "integral", (*fresh,))
+    if item.bare[:1] != tuple(fresh[:1]) and len(item.bare) == len(item.members):
+        return StatementRole(ASSUMPTION, "gives constants by a new one", "", item.bare)
+    return None
 
 
 def repeated(item: SourceStatement, known: Known) -> StatementRole | None:
@@ -133,7 +150,8 @@ def square(item: SourceStatement, known: Known) -> StatementRole | None:
     fresh = [n for n in item.printed.heads.squares if _is_fresh(n, item, known)]
     if not fresh or not known.varying(item.names - {*fresh}):
         return None
-    claimed = integral_words(item) if item.members[0] != Power(Name(fresh[0]), Number(2)) else ""
+    first = item.members[0] == Power(Name(fresh[0]), Number(2))
+    claimed = _integral_further_off(item, known) if first else integral_words(item)
     if claimed:
         return StatementRole(
             CLAIM,
@@ -157,6 +175,8 @@ def _is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
     if found := known.definitions.get(function) or known.definitions.get(
         known.names.whole(function)
     ):
+        if _defines_anew(item, found):
+            return True
         bound = {n for one in found for name in one.printed.heads.names for n in head(name)[1]}
         unclear = any(not known.is_explained(n) for one in found for n in one.names - bound)
         return unclear and all(known.is_explained(n) for n in item.names)
@@ -171,9 +191,26 @@ def _is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
     return (
         first is None
         or (known.roles[first].name in (LAW, DEFINITION) and first.sentence == item.sentence)
+        or (known.roles[first].name == LAW and _gives(function, item, known))
         or (bool(cue("where", item.lead)) and _is_near(known.seen[function], item))
+        or (known.roles[first].name == LAW and function in derived_names(first))
         or (new and not item.typed.inline)
     )
+
+
+def _defines_anew(item: SourceStatement, found: list[SourceStatement]) -> bool:
+    """Whether words let a display of another section define a name once more."""
+    apart = all(one.section not in item.sections for one in found)
+    said = cue("hamiltonian", item.lead[-40:]) or cue("define", item.lead)
+    return apart and not item.typed.inline and bool(said) and not cue("derived", item.lead)
+
+
+def _gives(name: str, item: SourceStatement, known: Known) -> bool:
+    """Whether a display gives a name of the law by what moves, as it does a potential."""
+    first = item.members[0] if item.members else None
+    alone = name in (getattr(first, "name", ""), getattr(first, "function", ""))
+    moving = known.varying(item.names - {name})
+    return alone and bool(moving) and not item.typed.inline and not item.derives
 
 
 def _is_near(one: SourceStatement, item: SourceStatement) -> bool:
@@ -186,16 +223,28 @@ def _is_law_left(item: SourceStatement) -> bool:
     return isinstance(item.members[0], Derivative) and not item.typed.inline
 
 
+def _integral_further_off(item: SourceStatement, known: Known) -> str:
+    """The words of the sentence of a display that call it an integral, or the energy."""
+    if item.typed.inline or cue("follows", item.lead) or cue("deduced", item.lead):
+        return ""
+    if said := cue("integral", item.before) or cue("energy", item.lead):
+        return said
+    before = [one for one in known.roles if one.typed is item.typed and one.order < item.order]
+    integrals = any(known.roles[one].kind == "integral" for one in before)
+    return integral_words(before[0]) if integrals else ""
+
+
 def _integral_that_defines(
     item: SourceStatement, known: Known, fresh: list[str]
 ) -> StatementRole | None:
     """An integral with a name that is new: a claim, unless its rate is claimed elsewhere."""
-    said = integral_words(item)
+    said = integral_words(item) or _integral_further_off(item, known)
     moves = known.varying(item.names - {*fresh}) or item.derives
     if not said or not moves or cue("where", item.lead):
         return None
+    vanishing = integral_words(item)
     for one in known.paper.items:
-        if one.order > item.order and one.order < item.order + 12 and ZERO in one.members:
+        if item.order < one.order < item.order + 12 and (ZERO in one.members or not vanishing):
             rated = [m.argument for m in one.members if isinstance(m, Derivative)]
             if any(isinstance(m, Name) and m.name in fresh for m in rated):
                 return None

@@ -31,15 +31,23 @@ def doubt_of(
     fixed = (member for member in item.members if not known.varying(member.names()))
     if role.kind == "identity" and not item.derives and any(fixed):
         return Doubt.ALWAYS
+    if role.kind == "solution":
+        return Doubt.ALWAYS
     if role.kind == SAID:
         return None
-    if _is_unread_summary(item, known):
+    if _is_unread_summary(item, known) or item in known.paper.approximate:
+        return Doubt.ALWAYS
+    if {"dot", "prime"} <= item.marks and not known.clocks:  # the prime of another frame, perhaps
+        return Doubt.ALWAYS
+    if role.kind == "identity" and not item.derives and cue("lasting", item.lead):
+        return Doubt.ALWAYS
+    if not rung.given and cue("restricted", item.words):
         return Doubt.ALWAYS
     if _has_usual_bracket(item, rung, known) or _is_conditioned(item, rung, known):
         return Doubt.ALWAYS
-    if any(_implied(rung, known)):
-        return Doubt.ALWAYS
-    if _has_case(item, rung, {one for other in candidates for one in other.on}, known):
+    unclear = any(_implied(rung, known))
+    beside = {one for other in candidates for one in other.on}
+    if unclear or _is_constrained(rung, known) or _has_case(item, rung, beside, known):
         return Doubt.ALWAYS
     given = any(one.given for one in candidates)
     sure = not (given or rung.constants or cue("on it", item.words))
@@ -90,6 +98,27 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
         if proved and not apart and role is not None and role.name == ASSUMPTION and one.members:
             return True
     return False
+
+
+def _has_two_meanings(item: SourceStatement, rung: Rung, known: Known) -> bool:
+    """Whether a name on which it rests stands alone on a side once more in its section."""
+    places = rung.claim.scene.definitions
+    return any(
+        one.printed != places[name] and one.order < item.order and one.section in item.sections[1:]
+        for name in places
+        for one in known.later.get(name, ())
+        if one is not item
+    )
+
+
+def _is_constrained(rung: Rung, known: Known) -> bool:
+    """Whether a display before the law says where it moves, and the claim is not made there."""
+    first = min((law.first.order for law in known.laws), default=0)
+    return any(
+        one.order < first and not one.typed.inline and one not in rung.on and one.members
+        for one in known.assumptions
+        if known.roles[one].kind.startswith("set")
+    )
 
 
 def _has_level(item: SourceStatement, rung: Rung, known: Known) -> bool:
@@ -170,6 +199,8 @@ def _is_lost(name: str, known: Known) -> bool:
 
 def _is_plain(rung: Rung, item: SourceStatement, parts: Parts) -> bool:
     """Whether a claim stands on the only law of its variables, which rests on no other one."""
+    if _has_two_meanings(item, rung, parts.of(item)):
+        return False
     rows = {*rung.claim.scene.field} if isinstance(rung.claim.scene.field, tuple) else set()
     laws = [law for law in parts.of(item).laws if not law.change]
     law = next((one for one in laws if {r.printed for r in one.rows} == rows), None)

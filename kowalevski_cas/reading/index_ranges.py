@@ -1,49 +1,97 @@
-r"""Ranges of indices that the text gives: they hold in their sentence, and from there on.
+r"""The ranges of indices in a paper: :math:`i=1,2,3` is said once, and holds for what follows.
 
-As in “the vortices have the strengths :math:`\Gamma_i`, :math:`i=1,2,3`”.
+Where nothing says it, an index has the values of the numbers that stand in its place elsewhere in
+the paper, if these are the same for all letters that have it, and no range ends with a letter.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from dataclasses import replace
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
 
-from kowalevski_cas.reading.text import Prose
+from kowalevski_cas.notation.ranges import index_letters
 from kowalevski_cas.source.displays import TypedFormula
+from kowalevski_cas.source.tokens import tokens_of
 
+Values = tuple[int, ...]
+
+_USUAL = "ijk"
+"""Letters that are indices where they stand in the place of numbers."""
+_DOTS = r"\\[lc]?dots[bcio]?|\.\.\."
 _RANGE = re.compile(
-    r"\s*(?P<letter>[a-z])\s*=\s*1\s*,\s*(?:2\s*,\s*)?(?:\\[lc]?dots\s*,\s*)?(?P<last>\d)[\s.,]*"
+    r"(?<![A-Za-z\\])(?P<letters>[a-z](?:\s*,\s*[a-z])*)\s*=\s*(?P<first>\d)\s*,\s*"
+    rf"(?:(?P<rest>\d(?:\s*,\s*\d)*)|(?:\d\s*,\s*)?(?:{_DOTS})\s*,\s*(?P<last>\d))(?![\d,])"
 )
-_INDEX = re.compile(r"_\s*(?:\{([^{}]*)\}|(\\?\w))")
-_OWN_RANGE = re.compile(r"(?<![_{\w])[a-z]\s*=\s*\d\s*,")
+_UNKNOWN = re.compile(rf"(?:{_DOTS})\s*,\s*[A-Za-z]|\\(?:sum|prod)[^+=]*?\^\s*\{{?\s*[A-Za-z]")
+"""A range, or a sum, that ends with a letter."""
+_NUMBERED = re.compile(r"([A-Za-z]|\\[A-Za-z]+)\s*_\s*\{?\s*([A-Za-z\d])(?![\w+-])")
+_SUM = re.compile(r"\\sum\s*_\s*\{\s*([a-z])\s*=\s*1\s*\}\s*\^\s*\{?\s*(\d)")
+_PAIR = re.compile(r"_\s*\{\s*([ijk])\s*,?\s*([ijk])\s*\}")
+_SHIFTED = re.compile(r"_\s*\{\s*([a-z])\s*[+-]")
+_TENSOR = re.compile(r"\\(?:var)?epsilon\s*_|\\delta\s*_")
+
+
+_ALONE = re.compile(rf"\s*\(?\s*{_RANGE.pattern}\s*\)?[\s.,;]*")
 
 
 def is_range(formula: TypedFormula) -> bool:
     """Whether a formula says over what an index runs, and nothing else."""
-    return _RANGE.fullmatch(formula.tex) is not None
+    return _ALONE.fullmatch(formula.tex) is not None
 
 
-def with_ranges(formulas: Sequence[TypedFormula], prose: Prose) -> list[TypedFormula]:
-    """The formulas, with the range of their index where the text gives it.
+def with_ranges(formulas: Sequence[TypedFormula]) -> Iterator[str]:
+    """The TeX of each formula, with the ranges of its indices behind it that stand elsewhere.
 
-    A formula with other indices beside, or with shifted ones, is left as it is printed: over what
-    they run is not said.
+    An index that is shifted, as in a chain, may leave its range: nobody says what stands there.
     """
-    found = [*formulas]
+    said = [_said(formula.tex) for formula in formulas]
+    usual = _by_numbers([formula.tex for formula in formulas])
+    pairs = {pair.groups() for formula in formulas for pair in _PAIR.finditer(formula.tex)}
+    shifted = {one[1] for formula in formulas for one in _SHIFTED.finditer(formula.tex)}
+    known: dict[str, Values] = {}
     for place, formula in enumerate(formulas):
-        if not (said := _RANGE.fullmatch(formula.tex)):
-            continue
-        letter, start = said["letter"], prose.sentence(formula.start)[0]
-        for number, other in enumerate(formulas):
-            if other.start >= start and number != place and _runs(other.tex, letter):
-                found[number] = replace(other, tex=f"{other.tex},\\quad {formula.tex.strip(' .,')}")
+        known |= said[place]
+        later = {n: v for one in reversed(said[place:]) for n, v in one.items()}
+        every = {**usual, **later, **known}
+        for one, other in ((*pair[::step],) for pair in pairs for step in (1, -1)):
+            if one in every:
+                every.setdefault(other, every[one])
+        own = {} if _TENSOR.search(formula.tex) else {n: every[n] for n in every.keys() - shifted}
+        behind = [
+            rf"\quad {letter}={','.join(map(str, own[letter]))}"
+            for letter in sorted(index_letters(tokens_of(formula.tex)) & {*own} - {*said[place]})
+        ]
+        yield formula.tex + "".join(f",{one}" for one in behind)
+
+
+def _said(tex: str) -> dict[str, Values]:
+    """The ranges of indices that a formula prints."""
+    found: dict[str, Values] = {}
+    for match in _RANGE.finditer(tex):
+        last = int(match["last"] or re.findall(r"\d", match["rest"])[-1])
+        values = tuple(range(int(match["first"]), last + 1))
+        printed = [int(digit) for digit in re.findall(r"\d", match["rest"] or "")]
+        if not printed or [values[0], *printed] == [*values]:
+            found |= {letter.strip(): values for letter in match["letters"].split(",")}
     return found
 
 
-def _runs(tex: str, letter: str) -> bool:
-    """Whether a letter is the only index of a formula, as it stands."""
-    every = {(group or token).strip() for group, token in _INDEX.findall(tex)}
-    indices = {index for index in every if not index.isdigit()}
-    letters = {index for index in indices if re.fullmatch("[a-z]+", index)}
-    return letters == {letter} and indices == letters and _OWN_RANGE.search(tex) is None
+def _by_numbers(texts: Sequence[str]) -> dict[str, Values]:
+    """The values of indices that are not said, by the numbers in their place."""
+    if any(map(_UNKNOWN.search, texts)):
+        return {}
+    numbers: dict[str, set[int]] = defaultdict(set)
+    letters: dict[str, set[str]] = defaultdict(set)
+    for base, index in (match.groups() for tex in texts for match in _NUMBERED.finditer(tex)):
+        if index.isdecimal():
+            numbers[base].add(int(index))
+        elif index in _USUAL:
+            letters[index].add(base)
+    sums = (match.groups() for tex in texts for match in _SUM.finditer(tex))
+    found = {letter: (*range(1, int(last) + 1),) for letter, last in sums}
+    for letter, bases in letters.items():
+        every = {tuple(sorted(numbers[base])) for base in bases if numbers[base]}
+        if len(every) == 1 and (values := every.pop()) == (*range(1, len(values) + 1),):
+            found |= {letter: values} if len(values) > 1 else {}
+    return found

@@ -62,6 +62,8 @@ class Known:
     clocks: list[SourceStatement] = field(default_factory=list)
     seen: dict[str, SourceStatement] = field(default_factory=dict)
     """The equations in which names have been used first."""
+    elsewhere: frozenset[str] = frozenset()
+    """What moves by the laws of other parts."""
     said: Said = field(default_factory=Said)
     """What comments say of statements."""
 
@@ -181,7 +183,7 @@ class Known:
             taken |= names
         return found
 
-    def elsewhere(self, item: SourceStatement) -> list[list[SourceStatement]]:
+    def supposed_elsewhere(self, item: SourceStatement) -> list[list[SourceStatement]]:
         """The assumptions about constants, by sentences, that are not in force at a later place."""
         found: dict[tuple[int, int], list[SourceStatement]] = {}
         here = self.supposed(item)
@@ -223,7 +225,8 @@ class Known:
         assert law.restates is not None
         below = {one for name in law.restates.mentions for one in self.below(name)}
         mentioned = {*self.names.scalars(below)} | below
-        return [one for one in self.supposed(first) if {*self.roles[one].names} & mentioned]
+        supposed = (one for one in self.supposed(first) if one.members)
+        return [one for one in supposed if {*self.roles[one].names} & mentioned]
 
     def cited(self, item: SourceStatement) -> Iterator[SourceStatement]:
         """The statements that are cited in a sentence."""

@@ -9,19 +9,22 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from kowalevski_cas.notation import Application, Derivative, Name, Number, Root, Unwritten, to_latex
+from kowalevski_cas.notation import Name, Number, Root, Unwritten, to_latex
 from kowalevski_cas.paper.claims import (
     Claim,
     Coefficient,
+    Definition,
     FirstIntegral,
     Identity,
     Implication,
+    Inequality,
     InvariantRelations,
     RestPoints,
 )
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM
+from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.phrases import right_behind
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.stage import Stage, Supposed
@@ -72,16 +75,20 @@ class _Ladder:
         match self.role.kind:
             case "identity" | "constant":
                 yield from self.identities()
+            case "inequality":
+                yield from self.inequalities()
             case "integral":
                 yield from self.integrals()
             case "invariant" | "rest":
                 yield from self.of_set()
+            case "solution":
+                yield from self.solutions()
         yield from self.elsewhere()
 
     def elsewhere(self) -> Iterator[Rung]:
         """The claim with what is supposed in other places: one that then holds may be meant so."""
         moving = not self.item.derives and not self.known.varying(self.item.names)
-        for group in [] if moving else self.known.elsewhere(self.item):
+        for group in [] if moving else self.known.supposed_elsewhere(self.item):
             names = {name for one in group for name in self.known.roles[one].names}
             other = [one for one in self.supposed if names & {*self.known.roles[one].names}]
             if any(one.sentence == self.item.sentence for one in other):
@@ -100,6 +107,8 @@ class _Ladder:
                 yield self._integral(assumptions)
             case "invariant" | "rest":
                 yield from self._of_set([assumptions])
+            case "inequality":
+                yield self.rung(Inequality, "this is so at all real points", assumptions)
 
     # -- identities ------------------------------------------------------------------
 
@@ -130,6 +139,14 @@ class _Ladder:
                         Implication, chosen, assumptions, given, (self.item, *beside),
                         given=_places(given), root=root, together=_places(beside),
                     )  # fmt: skip
+
+    def inequalities(self) -> Iterator[Rung]:
+        """A chain at all real points, and where cited equations hold."""
+        says = "this is so at all real points"
+        yield self.rung(Inequality, says, self.supposed)
+        for given in self.hypotheses():
+            said = f"{says} where the cited equations hold"
+            yield self.rung(Inequality, said, self.supposed, given, given=_places(given))
 
     def _leaves_out(self) -> bool:
         """Whether terms are not printed."""
@@ -225,36 +242,23 @@ class _Ladder:
             yield self._integral(assumptions)
         for given in self.hypotheses():
             said = "this is constant along every motion on the set"
-            if self._derived() is None:
-                yield self.rung(FirstIntegral, said, self.supposed, given, given=_places(given))
-            else:
-                yield self.rung(Implication, said, self.supposed, given, given=_places(given))
+            kind = Implication if self._is_rate else FirstIntegral
+            yield self.rung(kind, said, self.supposed, given, given=_places(given))
 
     def _integral(self, assumptions: list[SourceStatement]) -> Rung:
         """That a function does not move, under some assumptions."""
-        says, derived = "this is constant along every motion", self._derived()
-        if derived is None:
-            return self.rung(FirstIntegral, says, assumptions)
-        if isinstance(derived, SourceStatement):
-            return self.rung(FirstIntegral, says, assumptions, printed=derived.printed)
-        return self.rung(Identity, says, assumptions)
+        kind = Identity if self._is_rate else FirstIntegral
+        return self.rung(kind, "this is constant along every motion", assumptions)
 
     def _ways(self) -> list[list[SourceStatement]]:
         """Without assumptions, and with those in force; what is not zero is never left aside."""
         kept = [one for one in self.supposed if self.known.roles[one].kind == "inequality"]
         return [kept, self.supposed] if len(kept) < len(self.supposed) else [kept]
 
-    def _derived(self) -> SourceStatement | bool | None:
-        """Of a rate that vanishes: true, or where its function is defined by logarithms."""
-        if ZERO not in self.item.members or not self.item.derives:
-            return None
-        inner = next(m for m in self.item.members if m != ZERO)
-        name = inner.argument if isinstance(inner, Derivative) else None
-        if isinstance(name, Name) and (by := self.known.definition(name.name, self.item)):
-            nodes = by.formula.nodes() if by.formula is not None else ()
-            if any(isinstance(node, Application) and node.function == r"\ln" for node in nodes):
-                return by
-        return True
+    @property
+    def _is_rate(self) -> bool:
+        """Whether a rate is said to vanish."""
+        return ZERO in self.item.members and self.item.derives
 
     # -- sets ------------------------------------------------------------------------
 
@@ -278,6 +282,30 @@ class _Ladder:
         sets = sets_of(own, self.known.paper.source.text)
         return next(items for items in sets if self.item in items)
 
+    # -- solutions -------------------------------------------------------------------
+
+    def solutions(self) -> Iterator[Rung]:
+        """That a function of the time, with those beside it, solves its equation of motion."""
+        roles = self.known.roles
+        beside = [
+            one
+            for one, role in roles.items()
+            if role.kind == "solution" and one.sentence == self.item.sentence
+        ]
+        law = self.stage.law(self.item, beside)
+        names = {**{one.bare[0]: one for one in beside}, self.item.bare[0]: self.item}
+        rows = [row for row in (law.rows if law else ()) if self.item.bare[0] in row.rates]
+        moving = {name for row in rows for name in row.names if self.known.moves(name)}
+        if len(rows) != 1 or law is None or not moving <= names.keys():
+            raise ValueError("by the time not all is given that stands in its equation of motion")
+        still = Law((), law.names, change=(*names.values(),))
+        says = "this solves its equation of motion"
+        for assumptions in self._ways():
+            yield self.rung(
+                Definition, says, assumptions, (), (*names.values(), rows[0]),
+                law=still, printed=self.item.printed, equation=rows[0].printed,
+            )  # fmt: skip
+
     # -- all -------------------------------------------------------------------------
 
     def rung(
@@ -287,10 +315,11 @@ class _Ladder:
         assumptions: Sequence[SourceStatement],
         on: Sequence[SourceStatement] = (),
         items: Sequence[SourceStatement] = (),
+        law: Law | None = None,
         **attributes: object,
     ) -> Rung:
         own = [*(items or (self.item,)), *on]
-        found: Supposed = self.stage.scene(own, assumptions)
+        found: Supposed = self.stage.scene(own, assumptions, law)
         if "relations" not in attributes:
             attributes.setdefault("printed", self.item.printed)
         claim = kind(self.id, found.scene, says, **attributes)  # type: ignore[arg-type]

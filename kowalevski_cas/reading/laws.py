@@ -119,9 +119,10 @@ class _LawFinder:
 
     def other(self, item: SourceStatement, part: Sequence[Law]) -> Law | None:
         """Another law beside some: of another system, or of further variables."""
-        if not self._may_set_up(item):
+        beside = any(row.sentence == item.sentence for law in part for row in law.items)
+        if not (self._may_set_up(item) or beside):
             return None
-        if law := self.other_system(item, part):
+        if not beside and (law := self.other_system(item, part)):
             return law
         since = part[0].begins or self.paper.prose.start
         moving = {name for law in part for name in law.variables}
@@ -129,11 +130,16 @@ class _LawFinder:
             return None
         if part[0].first.marks.isdisjoint(item.marks):  # derivatives by another time
             return None
-        if any(self._relates(one, item, moving) for one in self.paper.items):
+        rows = self.undefined(since)
+        following = [row for row in rows if self._follows(row, moving)]
+        if item in following:
             return None
-        law = self.grown(item, moving, self.undefined(since))
+        law = self.grown(item, moving, [row for row in rows if row not in following])
+        rated = {name for row in following for name in self.scalars(row)}
         if law is not None:
             law.base = part[-1]
+            if rated & {*self.names.scalars(law.mentions)} - moving:
+                return None  # it rests on what follows
         return law
 
     def other_system(self, item: SourceStatement, part: Sequence[Law]) -> Law | None:
@@ -146,9 +152,9 @@ class _LawFinder:
         said = cue("another system", item.before) or cue("another system", item.section.title)
         apart = [one for one in item.sections if one not in before.sections]
         new = bool(apart) and before.section not in item.sections
-        if item.refs or not (new or said):
+        if (item.refs and not cue("another system", item.before)) or not (new or said):
             return None
-        begins = apart[0].start if apart else item.sentence[0]
+        begins = self._begins(item, apart[0].start) if apart else item.sentence[0]
         end = apart[0].end if apart else item.section.end
         rows = [row for row in self.undefined(begins) if begins <= row.typed.start < end]
         beside = {row for row in self.rows if row.typed is item.typed}
@@ -161,14 +167,33 @@ class _LawFinder:
         printed = {row.formula for one in part for row in one.rows}
         if named & old - rated or (deduced and rated <= old):
             return None
+        if not said and any(self._relates(one, item, old) for one in self._since(begins, item)):
+            return None
         if not said and len(law.items) == 1 and rated < old:  # what follows for one of several
             return None
         if all(row.formula in printed for row in law.items):
             return None
         if not said and all(self.is_defined(row, self.paper.prose.start) for row in law.items):
             return None
-        law.begins = begins
+        between = [one for one in self.paper.items if begins <= one.typed.start < item.typed.start]
+        speaks = any({*self.names.scalars(one.names)} & old - rated for one in between)
+        law.begins = item.sentence[0] if speaks else begins
         return law
+
+    def _begins(self, row: SourceStatement, heading: int) -> int:
+        """Where another system begins: at its heading, unless rates stand between, as of this."""
+        between = any(one.rates for one in self._since(heading, row) if one.typed is not row.typed)
+        return row.sentence[0] if between else heading
+
+    def _since(self, begins: int, row: SourceStatement) -> list[SourceStatement]:
+        """The statements from an offset on, before a row."""
+        return [
+            one for one in self.paper.items if begins <= one.typed.start and one.order < row.order
+        ]
+
+    def _follows(self, row: SourceStatement, moving: Collection[str]) -> bool:
+        """Whether what a row derives was given before by what moves already."""
+        return any(self._relates(one, row, moving) for one in self.paper.items)
 
     def _relates(self, one: SourceStatement, row: SourceStatement, moving: Collection[str]) -> bool:
         """Whether an equation before a row gives what the row derives by what moves already."""

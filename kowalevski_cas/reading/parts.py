@@ -51,6 +51,9 @@ class Parts:
             )
             for laws, items in zip(own, placed, strict=True)
         ]
+        for known in self.known:
+            others = (law for law in self.laws if law not in known.laws)
+            known.elsewhere = frozenset(name for law in others for name in law.variables)
 
     def _place(self, item: SourceStatement) -> int:
         """The part of a statement: where it stands, or that of the only law that is cited."""

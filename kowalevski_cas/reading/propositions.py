@@ -21,8 +21,10 @@ ZERO = Number(0)
 
 def approximate(item: SourceStatement, known: Known) -> StatementRole | None:
     """What holds approximately: it is not judged."""
-    if item not in known.paper.approximate or not item.members:
+    if item not in known.paper.approximate_here or not item.members:
         return None
+    if ZERO in item.members and all(m == ZERO or isinstance(m, Name) for m in item.members):
+        return None  # it says where, and not what is small there
     return StatementRole(CLAIM, "the words before say that it holds approximately", "approximate")
 
 

@@ -235,7 +235,11 @@ class _DerivationReader:
         vectors = self.parts.known[0].names.vectors
         components = {part for own in vectors.values() for part in own}
         clocks = [n for known in self.parts.known for one in known.clocks for n in one.bare]
-        scalars = sorted((words.scalars | components) - {"t", "d", *clocks})
+        read = frozenset().union(*(item.names for item in self.paper.items))
+        scalars = sorted(
+            (words.scalars | components | read - words.functions)
+            - {"t", "d", *clocks, *vectors, *words.matrices}
+        )
         functions: dict[str, str] = {}
         places: dict[str, Printed] = {}
         for item, role in self.parts.roles.items():

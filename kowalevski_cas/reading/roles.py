@@ -74,6 +74,8 @@ def unjudged(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(
             OTHER, f"“{said}” stands beside it: it is not claimed as printed", "denied"
         )
+    if said := cue("so it is not", item.after[:80]):
+        return StatementRole(OTHER, f"“{said}” is said of it: it is not claimed", "denied")
     if said := cue("quoted", clause(item)):
         return StatementRole(OTHER, f"“{said}” stands beside it: others claim it", "quoted")
     if item.after.endswith("?") or known.paper.prose.text[: item.sentence[1]].rstrip()[-1:] == "?":

@@ -28,10 +28,11 @@ from kowalevski_cas.paper.logarithms import roots as real_roots
 from kowalevski_cas.paper.names import BRACKET, DELTA, head, summation_indices
 from kowalevski_cas.paper.relations import solve_for_constant
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, Known
 from kowalevski_cas.reading.law import Law
-from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.statements import SourceStatement, derived_names
 
 
 @dataclass(frozen=True)
@@ -64,10 +65,16 @@ class Stage:
     scenes: dict[object, Supposed] = field(default_factory=dict)
 
     def scene(
-        self, items: Sequence[SourceStatement], assumptions: Sequence[SourceStatement] = ()
+        self,
+        items: Sequence[SourceStatement],
+        assumptions: Sequence[SourceStatement] = (),
+        law: Law | None = None,
     ) -> Supposed:
-        """The smallest scene of some statements, with what is supposed of its constants."""
-        closure = self._closure(items)
+        """The smallest scene of some statements, with what is supposed of its constants.
+
+        The law is that of their names, if no other one is given.
+        """
+        closure = self._closure(items, law)
         law = closure.law
         special = self.known.special(law) if law is not None and law.restates else []
         given = dict.fromkeys((*assumptions, *special))
@@ -87,15 +94,29 @@ class Stage:
         key = (closure.law, closure.names, defined, (*about,), roots, powers, clock)
         if key not in self.scenes:
             self.scenes[key] = self._made(closure, about, roots, powers, clock)
+        self._refuse_unknown(self.scenes[key].scene, [*items, *closure.definitions.values()], law)
         return self.scenes[key]
+
+    def _refuse_unknown(
+        self, scene: Scene, items: Sequence[SourceStatement], law: Law | None
+    ) -> None:
+        """Take nothing for a constant that is derived, or moves by the law of another part."""
+        rows = law.rows if law is not None else ()
+        derived = {name for item in (*items, *rows) for name in derived_names(item)}
+        if lost := derived & {*scene.constants}:
+            raise ValueError(f"nothing says what {min(lost)} is, of which derivatives are printed")
+        given = {name for one in self.known.assumptions for name in self.known.roles[one].names}
+        mentioned = self.known.names.scalars(law.mentions) if law is not None else ()
+        if moving := {*scene.constants} & self.known.elsewhere - given - {*mentioned}:
+            raise ValueError(f"{min(moving)} moves by the equations of another part")
 
     # -- names -----------------------------------------------------------------------
 
-    def _closure(self, items: Sequence[SourceStatement]) -> _Closure:
+    def _closure(self, items: Sequence[SourceStatement], law: Law | None) -> _Closure:
         """What some statements need, through the definitions before the last of them."""
         known = self.known
         at = max(items, key=lambda item: item.order)
-        law = self.law(at, items)
+        law = law or self.law(at, items)
         moving = {*law.variables} if law else set()
         waiting = [name for item in items for name in self._mentioned(item)]
         waiting += [name for row in (law.rows if law else ()) for name in self._mentioned(row)]
@@ -146,7 +167,7 @@ class Stage:
         named = [law for law in smallest if cited & {*law.rows}]
         law = next(iter((named or smallest)[::-1]), None)
         for name in known.names.scalars(name for item in items for name in item.rates):
-            if not (known.is_defined(name) or (law and name in law.variables)):
+            if law is None or not (known.is_defined(name) or name in law.variables):
                 raise ValueError(f"nothing says how {name} moves")
         return self._restated(law, at) if law is not None else None
 
@@ -184,7 +205,9 @@ class Stage:
             for name, parts in names.vectors.items()
             if name in closure.names or {*parts} & {*closure.names, *closure.variables}
         }
-        constants = tuple(self._constants(closure, places, squares, vectors))
+        new = {name for one in about for name in one.names if not self.known.is_defined(name)}
+        named = replace(closure, names=closure.names | {n for n in new if not self.known.varies(n)})
+        constants = tuple(self._constants(named, places, squares, vectors))
         title = closure.law.title if closure.law else "the constants"
         rows = tuple(row.printed for row in closure.law.rows) if closure.law else ()
         scene = Scene(
@@ -288,6 +311,11 @@ def with_assumption(scene: Scene, item: SourceStatement, known: Known) -> Scene:
         case Relation((left, right), (r"\ne" | r"\neq",)):
             named = item.names <= {*scene.names()}
             return scene.having(nonzero=(to_latex(minus((left, right))),)) if named else scene
+    if item.formula is not None and is_inequality(item.formula):
+        new = tuple(sorted(item.names - {*scene.names()}))
+        if known.varying(new):
+            return scene
+        return scene.having(constants=new).assuming(item.printed)
     if not item.members:
         return scene
     place = item.printed

@@ -4,36 +4,22 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 from functools import cached_property
 
-from kowalevski_cas.notation import (
-    Derivative,
-    Formula,
-    Name,
-    NotationError,
-    Partial,
-    Relation,
-    Vocabulary,
-)
-from kowalevski_cas.notation.layout import StatementTokens
-from kowalevski_cas.notation.layout import statements as placed
-from kowalevski_cas.notation.open import OpenParser, is_exponential
-from kowalevski_cas.notation.symbol import BOLD, name_of_rate
-from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
-from kowalevski_cas.paper.summation import without_sums
+from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation, Vocabulary
+from kowalevski_cas.notation.symbol import name_of_rate
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.formulas import read_formula, vocabulary_of
 from kowalevski_cas.reading.index_ranges import with_ranges
 from kowalevski_cas.reading.numbers import numbers_of
 from kowalevski_cas.reading.text import MARK, Prose, TextSection, references
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.formulas import typed_formulas
-from kowalevski_cas.source.listing import guess
 from kowalevski_cas.source.text import Source
-from kowalevski_cas.source.tokens import tokens_of
 
 LONGEST_ID = 32
 """The signs of a formula by which it is called if it has no label."""
@@ -81,7 +67,7 @@ class SourceStatement:
     @cached_property
     def names(self) -> frozenset[str]:
         """The names that stand in the statement."""
-        return frozenset(without_sums(self.formula).names() if self.formula is not None else ())
+        return frozenset(self.formula.names() if self.formula is not None else ())
 
     @cached_property
     def members(self) -> tuple[Formula, ...]:
@@ -131,12 +117,28 @@ class SourcePaper:
 
     @cached_property
     def approximate(self) -> frozenset[SourceStatement]:
-        """The statements behind the words, in the same section, that they hold approximately."""
+        """The statements behind the words, in the same section, that they hold approximately.
+
+        A model may be approximate itself: what stands before its equations is not meant.
+        """
         words = self.prose.between
+        rows = (item for item in self.items if item.rates and not item.typed.inline)
+        model = next((item.typed.end for item in rows), self.prose.start)
         return frozenset(
             item
             for item in self.items
-            if cue("approximate", words(item.section.start, item.sentence[1]))
+            if cue("approximate", words(max(model, item.section.start), item.sentence[1]))
+            and item.typed.start > model
+        )
+
+    @cached_property
+    def approximate_here(self) -> frozenset[SourceStatement]:
+        """Those of them behind these words in the same paragraph: they may hold in no other way."""
+        words = self.prose.between
+        return frozenset(
+            item
+            for item in self.approximate
+            if cue("approximate", words(max(item.paragraph, item.section.start), item.sentence[1]))
         )
 
     @cached_property
@@ -168,13 +170,12 @@ def read_statements(source: Source) -> SourcePaper:
     """The statements of a source, read in the names that it uses."""
     expanded, formulas = typed_formulas(source)
     prose = Prose(expanded.text, expanded.body, formulas)
-    formulas = with_ranges(formulas, prose)
-    words = _vocabulary(formulas)
+    words = vocabulary_of(formulas)
     displays: list[tuple[Display, TypedFormula]] = []
     items: list[SourceStatement] = []
     lines: dict[str, int] = {}
     ids: Counter[str] = Counter()
-    for formula in formulas:
+    for formula, tex in zip(formulas, with_ranges(formulas), strict=True):
         path = prose.path(formula.start)
         if any(one.title == "thebibliography" for one in path):
             continue
@@ -182,7 +183,7 @@ def read_statements(source: Source) -> SourcePaper:
         around = _Around(prose, formula)
         display = Display(
             _id(formula, ids),
-            formula.tex,
+            tex,
             section,
             formula.inline,
             label=_label(formula),
@@ -191,7 +192,9 @@ def read_statements(source: Source) -> SourcePaper:
         displays.append((display, formula))
         start = formula.start + len(formula.tex) - len(formula.tex.lstrip())
         lines[display.id] = source.line(expanded.origin(start, start + 1)[0])
-        for number, (tree, trouble, (start, end)) in enumerate(_read(formula, words), 1):
+        for number, (tree, trouble, (start, end)) in enumerate(
+            read_formula(formula, tex, words), 1
+        ):
             span = expanded.origin(formula.start + start, formula.start + end)
             items.append(
                 SourceStatement(
@@ -231,56 +234,11 @@ def _id(formula: TypedFormula, ids: Counter[str]) -> str:
     return letters if ids[letters] == 1 else f"{letters}_{ids[letters]}"
 
 
-def _vocabulary(formulas: Sequence[TypedFormula]) -> Vocabulary:
-    """The names of a paper; each bold capital is a matrix or a vector, as more can be read."""
-    guesses = [guess(formulas, capitals) for capitals in (VECTOR, MATRIX)]
-    euler = all(is_exponential(tokens_of(one.tex)) for one in formulas if "e" in one.tex)
-    other = {"d", "e"} if euler else {"d"}
-    guesses = [replace(one, scalars=one.scalars - other) for one in guesses]
-    if guesses[0] == guesses[1]:
-        return guesses[0]
-    bold = [one for one in formulas if any(mark in one.tex for mark in (*BOLD, r"\vec", r"\bf "))]
-
-    def readable(known: Vocabulary) -> int:
-        return sum(not trouble for one in bold for _, trouble, _ in _read(one, known))
-
-    best = max(guesses, key=readable)
-    most = readable(best)
-    for capital in sorted(guesses[1].matrices):  # a tensor and a moment may both be capitals
-        apart = frozenset({capital})
-        turned = replace(best, vectors=best.vectors ^ apart, matrices=best.matrices ^ apart)
-        if (count := readable(turned)) > most:
-            best, most = turned, count
-    return best
-
-
-def _read(
-    formula: TypedFormula, words: Vocabulary
-) -> Iterator[tuple[Formula | None, str, tuple[int, int]]]:
-    """The statements of a formula, each with why it cannot be read, and where it stands."""
-    whole = (0, len(formula.tex))
-    if formula.trouble:
-        yield None, formula.trouble, whole
-        return
-    try:
-        found: Sequence[StatementTokens] = placed(formula.tex)
-    except NotationError as error:
-        yield None, error.message, whole
-        return
-    if not found:
-        yield None, "there is no formula here", whole
-    for tokens, start, end in found:
-        try:
-            tree = OpenParser(formula.tex, tokens, words).statement()[0]
-            why = "a derivative by what is no time" if _is_derivative(tree, formula.tex) else ""
-            yield (None if why else tree), why, (start, end)
-        except (NotationError, RecursionError) as error:
-            yield None, getattr(error, "message", str(error)), (start, end)
-
-
-def _is_derivative(tree: Formula, tex: str) -> bool:
-    """Whether the letter d was read as a name, and stands above or below a fraction."""
-    return "d" in tree.names() and re.search(r"\\[dt]?frac\s*\{?\s*d\b|/\s*d\b", tex) is not None
+def derived_names(item: SourceStatement) -> set[str]:
+    r"""The names of functions of which partial derivatives are printed, as the energy's."""
+    nodes = item.formula.nodes() if item.formula is not None else ()
+    partials = (node.argument for node in nodes if isinstance(node, Partial))
+    return {argument.name for argument in partials if isinstance(argument, Name)}
 
 
 def _rates(formula: Formula) -> Iterator[tuple[str, int]]:

@@ -82,7 +82,8 @@ class HtmlSetter(Typesetter):
         if width_of(row) <= SHORT:
             parts = [[*row]]
         texts = [source_of(part, self.printer) for part in parts if part]
-        return " ".join(f"<math>{text}</math>" for text in (*texts[:1], *map(_infix, texts[1:])))
+        after_space = (_FIRST.sub('<mo form="infix" lspace="0">', text) for text in texts[1:])
+        return " ".join(f"<math>{text}</math>" for text in (*texts[:1], *after_space))
 
 
 def _infix(text: str) -> str:
@@ -241,7 +242,9 @@ class HtmlWriter(Writer):
 
     def graph(self, block: Graph) -> str:
         wide = f"--wide: {block.picture.width:.1f}"
-        return f'<div class="graph" tabindex="0" style="{wide}">{svg(block.picture)}</div>'
+        named = '<svg role="group" aria-label="What rests on what" '
+        drawn = svg(block.picture).replace("<svg ", named, 1)
+        return f'<div class="graph" tabindex="0" style="{wide}">{drawn}</div>'
 
     def figure(self, block: Figure) -> str:
         """A picture, as a drawing that takes the page's ink; how its caption begins is its name."""

@@ -91,7 +91,7 @@ class LatexWriter(Writer):
     def link(self, link: Link) -> str:
         text = self.text(link.text)
         if link.outside:
-            return rf"\href{{run:{link.target}}}{{{text}}}"
+            return rf"\href{{{link.target}}}{{{text}}}"
         return rf"\hyperlink{{{link.target}}}{{{text}}}"
 
     def heading(self, block: Heading) -> str:

@@ -67,6 +67,8 @@ class Writer(ABC):
                 return self.code(text)
             case Sign(verdict):
                 return self.sign(verdict)
+            case Link(target, (str(name),), True) if "://" not in target:
+                return self.code(name)  # a file, which does not go with a page that is sent on
             case Link():
                 return self.link(one)
             case Emphasis(text, strong):

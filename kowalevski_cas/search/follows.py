@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import reduce
 from itertools import product
 from operator import mul
@@ -16,11 +17,12 @@ from kowalevski_cas.problem.evidence import At, Entailment, Point, Proof
 from kowalevski_cas.problem.examine import is_real, law, value_of
 from kowalevski_cas.problem.goals import Fails, Follows
 from kowalevski_cas.problem.place import PointEvaluation
+from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.combinations import Combinations, combinations_of, complete
 from kowalevski_cas.search.equal_roots import proof_by_equal_roots
 from kowalevski_cas.search.place import Candidate, PointFinder, Values
-from kowalevski_cas.search.real_cases import proof_by_cases
+from kowalevski_cas.search.real_cases import RealCases
 
 LARGEST_POWER = 3
 """The largest power of a goal that is combined."""
@@ -67,7 +69,9 @@ class FollowsFinder(PointFinder):
         found = rows_of(alternatives(goal, at), known, goal.main)
         entries = [entry for row in found[0] for entry in row] if found else []
         if found is None or any(entry.denominator for entry in entries):
-            everywhere = self._at_real_points(conclusions, known, at) or self._by_loci(goal, at)
+            everywhere = self._at_real_points(goal, conclusions, known, at) or self._by_loci(
+                goal, at
+            )
             if everywhere is not None:
                 return Entailment(everywhere, point)
         if found is None:
@@ -82,17 +86,19 @@ class FollowsFinder(PointFinder):
 
     @staticmethod
     def _at_real_points(
-        conclusions: Sequence[Sequence[Element]], known: Sequence[Element], at: Evaluation
+        goal: Follows,
+        conclusions: Sequence[Sequence[Element]],
+        known: Sequence[Element],
+        at: Evaluation,
     ) -> Proof | None:
-        """A proof by cases where all are polynomials."""
-        everything = (
-            *known,
-            *(difference for conclusion in conclusions for difference in conclusion),
-        )
-        plain = not any(difference.denominator for difference in everything) and not at.ring.roots
-        if not plain or not known or not is_real(at.setting):
+        """A proof by cases where all are polynomials, or where something is known of signs."""
+        everything = (*known, *(one for conclusion in conclusions for one in conclusion))
+        if not everything or not is_real(at.setting):
             return None
-        return proof_by_cases(conclusions, known)
+        plain = known and not at.ring.roots and not any(one.denominator for one in everything)
+        if not plain and not _has_signs(goal):
+            return None
+        return RealCases(conclusions, known, at.granted).proof(known)
 
     @staticmethod
     def _by_loci(goal: Follows, at: Evaluation) -> Proof | None:
@@ -144,6 +150,14 @@ class FollowsFinder(PointFinder):
         return None if point is None else At(point)
 
 
+def _has_signs(goal: Follows) -> bool:
+    """Whether the space has roots that stand in no formula of a goal: they say what is real."""
+    reach = Reach(goal.space)
+    for formula in goal.formulas():
+        reach.formula(formula)
+    return not reach.names.issuperset(goal.space.roots)
+
+
 def alternatives(goal: Follows, at: Evaluation) -> list[Element]:
     """What has to vanish: the products of one difference from each conclusion."""
     conclusions = [at.differences(conclusion) for conclusion in goal.conclusions]
@@ -193,5 +207,6 @@ def combine(
     row = cofactors(target, known, main) if known else None
     if row is None and len(known) == 1 and not target.is_zero:
         inverse = cofactors(known[0], [target], main)
-        row = [inverse[0].inverse()] if inverse and not inverse[0].is_zero else None
+        with suppress(ZeroDivisionError):  # it divides zero
+            row = [inverse[0].inverse()] if inverse else None
     return row

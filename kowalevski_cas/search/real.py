@@ -23,6 +23,9 @@ from kowalevski_cas.search.positive import positive_points
 RATIONAL_ROOTS = 100
 """How many points are looked at for one at which all roots are rational."""
 
+MANY = 12
+"""So many roots are hardly ever real all at once at a point in general position."""
+
 
 class RealCoordinates:
     """Real coordinates for the generators of a space, and its elements in them.
@@ -158,11 +161,12 @@ def real_points(
     def usable(assignments: Iterable[Assignment]) -> Iterator[tuple[bool, ExactPoint]]:
         """Points at which no radicand is negative, and whether all are squares."""
         for assignment in assignments:
-            values = [
-                sum((constant(part, assignment) for part in parts), Fraction(0))
-                for parts in radicands
-            ]
-            if all(value >= 0 for value in values):
+            values = list[Fraction]()
+            for parts in radicands:
+                values.append(sum((constant(part, assignment) for part in parts), Fraction(0)))
+                if values[-1] < 0:
+                    break
+            else:
                 rational = all(square_root(value) is not None for value in values)
                 yield rational, coordinates.point(assignment)
 
@@ -173,10 +177,11 @@ def real_points(
         else:
             kept.append(point)
     yield from kept
-    yield from (point for _, point in usable(found))
+    if constraints or len(radicands) <= MANY:
+        yield from (point for _, point in usable(found))
     if not constraints:
         parts = [part for radicand in radicands for part in radicand]
-        found = positive_points(parts, range(len(coordinates.names)), avoid)
+        found = positive_points(parts, len(coordinates.names), avoid)
         yield from (point for _, point in usable(found))
 
 

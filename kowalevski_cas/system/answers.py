@@ -113,6 +113,25 @@ class SystemClaim(HasFormulas):
         return f"{mark.format(own.verdict)}: {'; '.join(filter(None, found))}"
 
 
+class ClaimOfBothSigns(SystemClaim):
+    """A claim for the upper signs of a print, and one for the lower: it is as true as the worse."""
+
+    def __init__(self, parts: tuple[SystemClaim, ...]) -> None:
+        first = parts[0]
+        super().__init__(first.claim, first.section, first.symbols, first.seconds)
+        self.parts = parts
+
+    @cached_property
+    def outcome(self) -> Outcome:
+        """That of the worst part: false, or not decided, or true under conditions."""
+        order = (Verdict.PROVED, Verdict.CONDITIONAL)
+        found = [part.outcome for part in self.parts]
+        red = (outcome for outcome in found if outcome.verdict is Verdict.REFUTED)
+        open_ones = (outcome for outcome in found if outcome.verdict not in order)
+        worse = max(found, key=lambda outcome: outcome.verdict is Verdict.CONDITIONAL)
+        return next(red, next(open_ones, worse))
+
+
 class SystemClaims(list[SystemClaim]):
     """What a question has found, in its order; a notebook shows it as a list."""
 

@@ -39,6 +39,7 @@ from kowalevski_cas.paper.exponents import half_power, linear_exponent
 from kowalevski_cas.paper.implied import implied_equations
 from kowalevski_cas.paper.names import BRACKET, head, is_bold, summation_indices
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.paper.summation import expand_sum
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
@@ -349,7 +350,8 @@ def with_roots(scene: Scene, display: Display) -> Scene:
     waiting = [statement.formula for statement in read_display(display.tex, vocabulary((scene,)))]
     for place, formula in zip(display, waiting, strict=True):
         named = {*place.heads.names} & {*scene.definitions}
-        if named and len(formula.children()) > len(named) + 1:
+        sides = [side for side in formula.children() if not isinstance(side, Constant)]
+        if named and len(sides) > len(named) + 1:
             raise ValueError(f"{place.tex} gives {min(named)} twice: leave one side out")
     for formula in (node for one in waiting for node in one.nodes()):
         if isinstance(formula, Conjugate) and scene.unit is None:
@@ -381,9 +383,12 @@ def _root(formula: Formula) -> Root | None:
 def restrict(scene: Scene, place: Printed) -> Scene:
     """A scene with what a relation says of its constants."""
     formula = read(place.tex, vocabulary((scene,)), OpenParser)
+    if is_inequality(formula):
+        return scene.assuming(place)
     if (supposing := _suppose(scene, place, formula)) is not None:
         return supposing
-    for name in (*place.heads.squares, *place.heads.names):
+    # A name that is a square is not negative: as the root of it, the other one would be left out.
+    for name in (*place.heads.names, *place.heads.squares):
         if name in scene.constants:
             kept = tuple(constant for constant in scene.constants if constant != name)
             rest = replace(scene, constants=kept)

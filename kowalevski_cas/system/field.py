@@ -28,7 +28,7 @@ from kowalevski_cas.paper.relations import solve_for_constant
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
-from kowalevski_cas.system.answers import Function, SystemClaim, in_html
+from kowalevski_cas.system.answers import ClaimOfBothSigns, Function, SystemClaim, in_html
 from kowalevski_cas.system.constraints import equations_on
 from kowalevski_cas.system.equations import (
     components,
@@ -44,6 +44,7 @@ from kowalevski_cas.system.equations import (
 from kowalevski_cas.system.maps import Map, index_of_map, with_images
 from kowalevski_cas.system.matrices import at_parameters, without_parameters
 from kowalevski_cas.system.refused import check_constant, check_field, names_of
+from kowalevski_cas.system.signs import SIGNS, has_both_signs, with_signs
 from kowalevski_cas.system.solved import (
     gives_constant,
     simple_relations,
@@ -211,7 +212,8 @@ class Field:
             left = {n: one for n, one in scene.definitions.items() if n not in self.implied}
             scene, self.implied = replace(scene, definitions=left), frozenset()
         self._stand_on(with_roots(scene.defining(display), display))
-        name, formula = display[1].heads.names[0], self._formulas(display)[0]
+        heads, formula = display[1].heads, self._formulas(display)[0]
+        name = (*heads.names, *heads.multiples)[0]
         return Function(display[1], name, formula, self.symbols)
 
     def where(self, *relations: Tex) -> Self:
@@ -222,6 +224,8 @@ class Field:
             ValueError: a relation gives no constant, or gives it by what moves.
         """
         special, said = copy(self), ", ".join(map(self._tex, relations))
+        if has_both_signs(said):
+            raise ValueError(f"{said}: one of the signs is expected; a system for each")
         scene = self.scene.called(f"{self.scene.name} where {said}")
         simple = (one for tex in relations for one in simple_relations(self._tex(tex), scene))
         for tex in simple:
@@ -269,6 +273,16 @@ class Field:
             NotationError: a formula is broken TeX.
             ValueError: a formula is several, or there is no such verdict to expect.
         """
+        if has_both_signs((printed, *attributes.values())):
+            return ClaimOfBothSigns(
+                tuple(
+                    self.states(
+                        kind, name, with_signs(says, signs), expect, with_signs(printed, signs),
+                        **{key: with_signs(value, signs) for key, value in attributes.items()},
+                    )
+                    for signs in SIGNS
+                )
+            )  # fmt: skip
         if self.functions and (kind not in OF_FUNCTIONS or any(attributes.values())):
             names = ", ".join(one.name for one in self.functions)
             raise ValueError(f"{kind.__name__} is not known where {names} may be any function")

@@ -1,8 +1,8 @@
 r"""Maps: :math:`x_{n+1}=y_n,\; y_{n+1}=-x_n`, or :math:`x'=y,\; y'=-x` where that is said.
 
-A name with the index :math:`n+1` is the image of the one with n, and that of the one with
-:math:`n-1`, if there is one, is the one with n. Equations that do not give the images are solved
-for them.
+A name with the index :math:`n+1` is the image of the one with n, and so on from the first step that
+is printed, as :math:`n-1`, to the last, as :math:`n+4`. Equations that do not give the images are
+solved for them.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.notation import Derivative, Formula, Name, Relation, Vocabulary, to_latex
 from kowalevski_cas.notation.cursor import Cursor
 from kowalevski_cas.notation.lexer import scan
-from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.notation.symbol import Symbol, symbol
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.implied import canonical_brackets, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET, head
@@ -53,17 +53,24 @@ def index_of_map(tex: str) -> str:
 
 
 def images_by_index(names: Iterable[str], index: str) -> dict[str, str]:
-    """The variables of a map with their images."""
-    names = parts = {name: symbol(name) for name in names}
+    """The variables of a map with their images; between its first and last step none is missing.
 
-    def at(name: str, index: str) -> str:
-        return replace(parts[name], index=index).name
+    >>> images_by_index(["x_n", "x_{n+3}"], "n")
+    {'x_n': 'x_{n+1}', 'x_{n+1}': 'x_{n+2}', 'x_{n+2}': 'x_{n+3}'}
+    """
+    steps: dict[Symbol, list[int]] = {}
+    for name in names:
+        parts = symbol(name)
+        if step := re.fullmatch(rf"{re.escape(index)}([+-]\d+)?", parts.index):
+            steps.setdefault(replace(parts, index=""), []).append(int(step[1] or 0))
 
-    moving = [one for one in names if parts[one].index in (index, f"{index}{STEP}")]
-    here = dict.fromkeys(at(one, index) for one in moving if at(one, f"{index}{STEP}") in names)
-    before = dict.fromkeys(at(one, index) for one in names if parts[one].index == f"{index}-1")
-    found = {one: replace(symbol(one), index=f"{index}{STEP}").name for one in here}
-    return found | {replace(symbol(one), index=f"{index}-1").name: one for one in before}
+    def at(letter: Symbol, step: int) -> str:
+        return replace(letter, index=f"{index}{step:+}" if step else index).name
+
+    pairs = [
+        (one, k) for one, found in steps.items() for k in range(min(0, *found), max(0, *found))
+    ]
+    return {at(*pair): at(pair[0], pair[1] + 1) for pair in sorted(pairs, key=lambda p: p[1] < 0)}
 
 
 def images_by_primes(formulas: Collection[Formula]) -> dict[str, str]:

@@ -24,6 +24,7 @@ from kowalevski_cas.paper.claims import (
     FirstIntegral,
     Identity,
     Implication,
+    Inequality,
     IntegrableMap,
     InvariantRelations,
     Involution,
@@ -32,6 +33,7 @@ from kowalevski_cas.paper.claims import (
     LiouvilleIntegrable,
     MeasureOfMap,
     PoissonMap,
+    Union,
 )
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
@@ -42,6 +44,7 @@ from kowalevski_cas.processes import each
 from kowalevski_cas.questions import collect, forecast, question
 from kowalevski_cas.system.answers import Function, SystemClaim, SystemClaims
 from kowalevski_cas.system.field import Field, Tex, Texs, several
+from kowalevski_cas.system.signs import alternatives
 from kowalevski_cas.verify.finding import Finding
 
 
@@ -70,15 +73,29 @@ class System(Field):
     # -- claims; each takes the verdict to expect -------------------------------------
 
     def identity(self, equation: Tex, expect: str = "") -> SystemClaim:
-        """Both sides are equal; derivatives are along the motion."""
+        r"""Both sides are equal; derivatives are along the motion.
+
+        With :math:`\pm` on one side they are for one of the signs, at each point; else for both.
+        """
+        if either := alternatives(equation):
+            return self._either(either, (), expect)
         says = "both sides are the same function"
         return self.states(Identity, "identity", says, expect, equation)
 
     def implication(self, equation: Tex, given: Texs, expect: str = "") -> SystemClaim:
-        """An equation holds wherever the given ones do."""
+        r"""An equation holds wherever the given ones do; with :math:`\pm` as in an identity."""
         given = several(given)
+        if either := alternatives(equation):
+            return self._either(either, given, expect)
         says = f"this holds wherever {self._list(given)}"
         return self.states(Implication, "implication", says, expect, equation, given=given)
+
+    def inequality(self, chain: Tex, given: Texs = (), expect: str = "") -> SystemClaim:
+        r"""A chain as ``0<k\le1`` is true at all real points, or at those of an invariant set."""
+        given = several(given)
+        where = f" where {self._list(given)}" if given else ""
+        says = f"this is so at all real points{where}"
+        return self.states(Inequality, "inequality", says, expect, chain, given=given)
 
     def integral(self, formula: Tex, given: Texs = (), expect: str = "") -> SystemClaim:
         """A function is constant along every motion, perhaps on an invariant set only."""
@@ -140,6 +157,15 @@ class System(Field):
     def symplectic(self, expect: str = "") -> SystemClaim:
         """A map preserves the Poisson bracket, the canonical one if none is printed."""
         return self.states(PoissonMap, "symplectic", "the map preserves the bracket", expect)
+
+    def _either(
+        self, equations: tuple[str, ...], given: tuple[Tex, ...], expect: str
+    ) -> SystemClaim:
+        """At each point one of some equations holds."""
+        where = f" where {self._list(given)}" if given else ""
+        says = f"at each real point{where} one of these holds: {self._list(equations)}"
+        sets = tuple((equation,) for equation in equations)
+        return self.states(Union, "either", says, expect, given=given, sets=sets)
 
     def _list(self, formulas: Sequence[Tex]) -> str:
         return ", ".join(f"${self._tex(formula)}$" for formula in formulas)

@@ -43,8 +43,9 @@ def printed_name(name: str, setting: Elaboration) -> Formula:
 
 def point(values: Mapping[str, Formula], setting: Elaboration) -> PrintedPoint:
     """A point of a setting, with the values of exponential functions for those of their roots."""
+    shown = ((name, value) for name, value in values.items() if name not in setting.unprinted)
     return PrintedPoint(
-        dict(_value(printed_name(name, setting), _one_root(v)) for name, v in values.items())
+        dict(_value(printed_name(name, setting), _one_root(v)) for name, v in shown)
     )
 
 

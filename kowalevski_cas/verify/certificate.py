@@ -21,7 +21,7 @@ from kowalevski_cas.problem.codec import Data, evidence_data, problem_data, read
 from kowalevski_cas.problem.evidence import Denial, Evidence
 from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.finder import finder_of
-from kowalevski_cas.problem.goals import Exists, Goal
+from kowalevski_cas.problem.goals import Exists, Follows, Goal
 from kowalevski_cas.problem.trees import FormatError, Tree, encode
 from kowalevski_cas.verify.outcome import CORRECTED
 from kowalevski_cas.verify.statement import Posed, Statement, Verdicts
@@ -191,7 +191,9 @@ def _with_away(evidence: Evidence, goal: Goal, away: Any) -> Data:
         for entry, inner in zip(data["evidence"], goal.goals, strict=True):
             _enter(entry, inner.space, next(away))
     elif not isinstance(goal, Exists):
-        _enter(data, goal.space, next(away))
+        divided = next(away)
+        if not isinstance(goal, Follows) or goal.conclusions:  # else only by what is granted
+            _enter(data, goal.space, divided)
     return data
 
 

@@ -22,6 +22,7 @@ from kowalevski_cas.paper.claims import (
     Claim,
     CriticalSet,
     FirstIntegral,
+    Inequality,
     Involution,
     Jacobi,
     LaxPair,
@@ -83,6 +84,8 @@ def against(
         claimed = len(place.at.setting.variables) - goal.rank
         words = f"by the rank at this point the dimension is {own}, not {claimed}"
         return Counterexample(_at(statement, place), Number(own), Number(claimed), words)
+    if isinstance(statement.claim, Inequality):
+        return _equal_or_less(statement, goal, place)
     if accepted.differs is not None:
         left, right = map(number_formula, accepted.differs)
         words = _words(statement, goal, place, (to_latex(left), to_latex(right)))
@@ -90,6 +93,22 @@ def against(
     if isinstance(evidence, Regardless) and isinstance(goal, Exists):
         return _regardless(statement, goal, evidence, place)
     return None
+
+
+def _equal_or_less(
+    statement: Statement, goal: Goal, place: PointEvaluation
+) -> Counterexample | None:
+    """A point at which the larger side is the smaller one, or both are equal."""
+    assert isinstance(goal, Follows)
+    (stated,) = goal.conclusions or (goal.given[-1:],)
+    (difference, _), printed = stated[0], statement.claim.scene.roots
+    value = number_formula(place(place.at.scalar(difference)))
+    values = place.point.values.items()
+    shown_values = {n: v for n, v in values if n in printed or not n.startswith(r"\sqrt")}
+    here = point(shown_values, statement.legend[place.at.setting])
+    shown = to_latex(printed_formula(difference, statement.legend[place.at.setting]))
+    words = f"there ${shown}={to_latex(value)}$"
+    return Counterexample(here, value, Number(0), words)
 
 
 def _at(statement: Statement, place: PointEvaluation) -> PrintedPoint:
@@ -155,6 +174,8 @@ def why(claim: Claim, goal: Goal, evidence: Evidence) -> str:
             return "all invariants of the matrix are constant by themselves: it gives no integral"
         case Fails(), Entailment():
             return "what is said to fail somewhere holds everywhere"
+        case Follows(conclusions=()), At() if isinstance(claim, Inequality):
+            return "both sides are equal at a real point"
         case Follows(conclusions=()), At():
             return "there is a real point where none is said to be"
         case Rank(functions=(own,)), Minors() if _is_constant(own, goal.space):

@@ -5,7 +5,12 @@ from __future__ import annotations
 import json
 from decimal import Decimal
 
+import numpy as np
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
 from kowalevski_cas.cli import main
+from kowalevski_cas.motion import Motion, MotionO4, load, through
 from kowalevski_cas.motion.methods import closed as closed_form
 
 FAST = "--a 1.2 --b 0.7 --s 1 --tau=-1e8 --until 10 --samples 3".split()
@@ -58,6 +63,33 @@ def test_a_state_beside_a_set_is_followed_where_it_is(capfd):
     point[2] = repr(float(point[2]) + 3e-11)
     near = json.loads(_printed(capfd, ["--point", *point], "dop853 follows it"))["states"]
     assert near[0]["omega"][2] == float(point[2])
+
+
+ON = {
+    "N⁴": Motion.of(1, "0.4", "0.8", ell="0.9"),
+    "N⁴, hyperbolic": Motion.of(1, "0.4", "-0.8", ell="0.5"),
+    "O⁴": MotionO4.of("1.2", "0.7", "-0.9", "0.6", angles=(1, 2)),
+}
+
+
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(st.sampled_from(sorted(ON)), st.integers(0, 8), st.floats(-12.9, -8))
+def test_what_is_followed_begins_at_the_given_state(capfd, name, place, power):
+    """Whatever little it is off N⁴ or O⁴, and whoever follows it says so where it is another."""
+    state = load("closed")(ON[name], np.array([0.7]))[0]
+    state[place] += 10.0**power
+    capfd.readouterr()
+    assert main(["motion", "--point", *map(repr, state.tolist()), "--until", "0"]) == 0
+    out, err = capfd.readouterr()
+    first = json.loads(out)["states"][0]
+    begun = np.array([*first["omega"], *first["alpha"], *first["beta"]])
+    assert np.max(abs(begun - state)) < 1e-13 * np.max(abs(state)) * 2
+    assert through(state.tolist()).off < 1e-13 or "dop853 follows it" in err
+
+
+def test_near_two_edges_of_O4_an_integrator_follows_and_this_is_said(capfd):
+    known = ["--a", "1.2", "--b", "0.7", "--s", "1.199999999803243", "--tau", "0.25000000065345684"]
+    _printed(capfd, known, "two pairs of roots are so close")
 
 
 def _printed(capfd, arguments, said=""):

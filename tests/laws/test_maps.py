@@ -128,3 +128,16 @@ def test_the_steps_of_a_map_are_counted_by_no_index_of_a_sum_or_a_product(factor
     expected = Verdict.REFUTED if "prod" in factor else Verdict.PROVED
     assert turn.integral("x_n^2+y_n^2").verdict is expected
     assert turn.integral("x_n^2-y_n^2").verdict is Verdict.REFUTED
+
+
+@FEW
+def test_a_recurrence_of_higher_order_moves_all_names_between_its_ends(seed):
+    chance = random.Random(seed)
+    letter, n, order = chance.choice("xus"), chance.choice("nkm"), chance.choice([3, 4])
+    at = [f"{letter}_{{{n}+{k}}}" if k else f"{letter}_{n}" for k in range(order + 1)]
+    law = System(f"{at[order]}={at[0]}+{chance.randint(2, 5)}c{at[1]}")
+    assert {*law.scene.variables} == {*at[:order]} and law.scene.constants == ("c",)
+    product = "".join(at[:order])
+    cyclic = System(f"{at[order]}={at[0]}+{at[1]}-{at[1]}")
+    assert cyclic.integral(product).verdict == "proved"
+    assert cyclic.integral(f"{product}+{at[1]}").verdict == "refuted"

@@ -430,3 +430,30 @@ def test_a_correction_in_which_the_rates_rest_on_themselves_is_none():
     """A dot in the Hamiltonian is tried, where the equations of motion are its derivatives."""
     toda = System(r"H=\frac12(p_1^2+p_2^2+p_3^2)+e^{q_1-q_2}+e^{q_2-q_3}")
     assert toda.integral("p_1p_2p_3").verdict is Verdict.REFUTED
+
+
+@FEW
+def test_rates_beside_the_sign_of_a_permutation_have_its_indices(seed):
+    chance = random.Random(seed)
+    sign, i, j, k = chance.choice([1, -1]), *"ijk"
+    a, b, c = (chance.randint(1, 4) for _ in range(3))
+    minus = "-" if sign < 0 else ""
+    tex = (
+        rf"\{{M_{i},M_{j}\}}={minus}\varepsilon_{{{i}{j}{k}}}M_{k},\ H={a}M_1^2+{b}M_2^2+{c}M_3M_1"
+    )
+    index = chance.choice([i, j])
+    m = vector("M")
+    energy = a * m[0] ** 2 + b * m[1] ** 2 + c * m[2] * m[0]
+    meant = {
+        f"M_{p + 1}": sum(
+            sign * LeviCivita(p, q, r) * m[r] * energy.diff(m[q])
+            for q in range(3)
+            for r in range(3)
+        )
+        for p in range(3)
+    }
+    assert not differ(System(rf"{tex},\ \dot M_{index}=\{{M_{index},H\}}"), meant, seed), tex
+    other = System(rf"{tex},\ \dot M_{index}=-\{{M_{index},H\}}")
+    assert differ(other, meant, seed), tex
+    with pytest.raises(ValueError, match="print l=1,2,3"):
+        System(rf"{tex},\ \dot M_l=\{{M_l,H\}}")

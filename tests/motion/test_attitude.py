@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from kowalevski_cas.cli import main
-from kowalevski_cas.motion import Inadmissible, load
+from kowalevski_cas.motion import METHODS, Inadmissible, Motion, load, through
 from kowalevski_cas.motion.attitude import quaternions
 from tests.motion.o4.levels import KNOWN
 from tests.motion.o4.levels import motion as on_O4
@@ -26,6 +26,41 @@ def test_the_body_turns_with_the_angular_velocity(known, time):
     turned = (before.inv() * after).as_rotvec() / (2 * STEP)
     size = np.linalg.norm(states[1, :3])
     np.testing.assert_allclose(turned, states[1, :3], atol=1e-5 * (1 + size) ** 3)
+
+
+STATE = [0.1, 0.2, 0.3, 1.0, 0.0, 0.0, 0.0, 0.4, 0.2]
+MOTIONS = {
+    "N⁴": Motion.of(1, "0.4", "0.8", ell="0.9"),
+    "N⁴, fields at an angle": Motion.of(1, 1, "-0.5", ell="0.1", c="0.4"),
+    "O⁴": on_O4(KNOWN[0]),
+    "off all sets": through(STATE),
+}
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("name", MOTIONS)
+def test_by_every_method_the_quaternion_is_a_unit_without_jumps(name, method):
+    motion = MOTIONS[name]
+    if method == "taylor":
+        pytest.importorskip("heyoka")
+    if method in ("closed", "ball") and motion.point is not None:
+        return
+    times = np.linspace(0, 5, 400 if method != "ball" else 40)
+    states = load(method)(motion, times)
+    found = quaternions(states)
+    np.testing.assert_allclose(np.sum(found**2, axis=1), 1, rtol=0, atol=1e-15)
+    assert np.all(np.sum(found[1:] * found[:-1], axis=1) > 0.9)
+    in_space = rotations(found).apply(states[:, 6:])
+    np.testing.assert_allclose(in_space, np.tile(in_space[0], (len(times), 1)), atol=1e-9)
+
+
+@pytest.mark.parametrize("power", [-300, -160, 150])
+def test_fields_of_any_size_tell_the_attitude(power):
+    states = np.array([STATE, [*STATE[:3], 0.6, 0.8, 0.0, -0.32, 0.24, 0.2]])
+    scaled = states.copy()
+    scaled[:, 3:6] *= 10.0**power
+    scaled[:, 6:] *= 10.0 ** (power + 7)
+    np.testing.assert_allclose(quaternions(scaled), quaternions(states), atol=1e-15)
 
 
 @given(st.sampled_from(KNOWN))

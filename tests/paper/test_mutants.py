@@ -44,6 +44,7 @@ def free_body():
     L = body.define(r"{\bf L}=\begin{pmatrix}0&-z&y\\z&0&-x\\-y&x&0\end{pmatrix}")
     M = body.define(r"{\bf M}=\begin{pmatrix}0&-z&0\\z&0&x\\0&-x&0\end{pmatrix}")
     body.lax(L, M)
+    body.inequality(r"x^2+y^2+z^2\ge2xy")
     body.states(kinds.Dimension, "global", "", levels=(), equations=("x=0",), dimension=2)
     body.states(kinds.LocalDimension, "dimension", "", equations=("x=0",), dimension=2)
     body.states(kinds.RestPoints, "rest", "", relations=("x=0", "y=0"))

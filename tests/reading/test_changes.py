@@ -62,3 +62,25 @@ def test_a_set_of_fewer_dimensions_is_no_change_of_variables():
     text = SPACE.replace("We write $y=k", r"On it $x=k\tan\theta$, $y=k")
     found = read(decode("paper.tex", (r"\begin{document}" + text + r"\end{document}").encode()))
     assert [law.new for law in found.parts.laws] == [()]
+
+
+PULSE = r"""
+The equations of motion are
+\begin{equation} \dot a=-ab,\qquad \dot b=4a^2 . \end{equation}
+They have the solution
+"""
+
+
+@pytest.mark.parametrize(
+    ("print_of_b", "green"), [(r"c\tanh ct", True), (r"c\tanh 2ct", False), (r"2c\tanh ct", False)]
+)
+def test_functions_of_the_time_solve_the_equations_of_motion(print_of_b, green):
+    found = judged(PULSE + rf"\[ a=\frac{{c}}{{2\cosh ct}},\qquad b={print_of_b} . \]")
+    verdicts = [verdict for tex, (_, verdict) in found.items() if tex[:2] in ("a=", "b=")]
+    assert all(verdict.green for verdict in verdicts) is green
+    assert Verdict.REFUTED not in verdicts
+
+
+def test_of_a_part_of_a_solution_nothing_is_said():
+    found = judged(PULSE + r"\[ b=c\tanh ct . \]")
+    assert found[r"b=c\tanh ct"] == (CLAIM, None)

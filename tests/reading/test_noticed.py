@@ -113,3 +113,80 @@ def test_a_polynomial_is_a_function_where_nothing_is_derived_by_its_argument():
     text = r"""\[ \dot u=v,\qquad \dot v=u . \] Let \[ R(x)=x^2+h, \] where $R$ is a polynomial, and
     $h=v^2-u^2$. Then \[ \dot u^2=R(u) . \]"""
     assert verdicts(text)[r"\dot u^2=R(u)"] is Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"In a report it was written that $\dot u_1=0$ ``holds''; \textbf{this is wrong}.",
+        r"Somebody takes $\dot u_1=0$ for granted, which is false.",
+        r"Было написано, что $\dot u_1=0$.",
+    ],
+)
+def test_what_was_written_by_others_or_is_wrong_is_not_claimed(words):
+    assert roles(VOLTERRA + words)[r"\dot u_1=0"] == "other"
+
+
+@pytest.mark.parametrize(("b", "green"), [("1", True), (r"\frac32", False), ("-2", False)])
+def test_a_constant_that_is_not_zero_may_be_given_by_a_number(b, green):
+    text = rf"""\[ \dot x=-sx+y,\qquad \dot y=-by . \] Let $b\ne0$ and $s\ne0$. If $b={b}$, the function
+    $F=y^2$ has the rate $\dot F=-2F$."""
+    found = verdicts(text)[r"\dot F=-2F"]
+    assert found in (Verdict.PROVED,) if green else found in (Verdict.REFUTED, Verdict.UNDECIDED)
+
+
+def test_the_energy_that_a_law_derives_is_no_constant_before_it_is_given():
+    """Else nothing would move, and everything were constant."""
+    law = r"""The equations are \[ \dot q=\frac{\partial H}{\partial p},\qquad
+    \dot p=-\frac{\partial H}{\partial q} \] with the energy $H$. """
+    never = law + r"Then $q+p$ is a first integral."
+    assert not verdicts(never)
+    given = law + r"Let \[ H=\tfrac12p^2+\tfrac12q^2 . \] Then $q+p$ is a first integral."
+    assert verdicts(given)["q+p"] in (Verdict.REFUTED, Verdict.UNDECIDED)
+
+
+TWO = r"""
+\section{Space} The motion is given by
+\[ \dot x=y,\qquad \dot y=-kx . \]
+\section{More} We put $G=x^2+y^2$. It has the rate $\dot G=0$. Another angle moves by
+\[ \ddot\vartheta=-n\sin\vartheta . \]
+"""
+
+
+def test_what_stands_before_another_law_in_its_section_is_said_of_the_law_before():
+    assert verdicts(TWO)[r"\dot G=0"] in (Verdict.REFUTED, Verdict.UNDECIDED)
+
+
+def test_what_is_said_on_a_set_is_not_refuted_without_it():
+    text = r"""The equations are \[ \dot x=y,\qquad \dot y=-x+\lambda x,\qquad \lambda=x^2-1 . \] The
+    function $H=x^2+y^2$ is an integral of the system restricted to the sphere ${\cal M}$."""
+    assert verdicts(text)["H=x^2+y^2"] is Verdict.UNDECIDED
+
+
+def test_a_model_may_be_approximate():
+    text = r"""In the first approximation, \[ \dot x=y,\qquad \dot y=-x . \] Then $\dot x^2+x^2$ is
+    an integral. Neglecting small terms we find $\ddot x=-2x$."""
+    found = {f.item.printed.tex: f.role for f in reading(text).formulas}
+    assert found[r"\dot x^2+x^2"].kind == "integral"
+    assert found[r"\ddot x=-2x"].kind == "approximate"
+
+
+@pytest.mark.parametrize(("power", "green"), [("2", True), ("3", False)])
+def test_brackets_and_rates_of_a_function_with_logarithms_are_known(power, green):
+    text = rf"""\[ \{{x,y\}}=xy,\qquad \dot x=xy,\qquad \dot y=-xy . \] Put
+    \[ K=\ln x+{power}\ln y . \] Then $\dot K=y-{power}x$, and $\{{K,xy^2\}}=0$."""
+    found = verdicts(text)
+    assert found[rf"\dot K=y-{power}x"].green
+    assert found[r"\{K,xy^2\}=0"].green is green
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        r"Seen from another frame, $\dot x'=\dot x-v$ holds.",
+        r"Let $y=2x$, as is usual. Then $\dot x=y$.",
+    ],
+)
+def test_what_may_be_another_frame_or_is_supposed_is_not_refuted(claim):
+    text = r"The equations are \[ \dot x=y,\qquad \dot y=-x,\qquad \dot v=x' . \] "
+    assert Verdict.REFUTED not in verdicts(text + claim).values()

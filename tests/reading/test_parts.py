@@ -145,3 +145,12 @@ def test_an_integral_is_refuted_under_what_its_theorem_supposes():
     case = text + r"\begin{theorem}Let $a=b$ and $c=0$. Then $x^2+2y^2$ is constant.\end{theorem}"
     assert {*verdicts(case).values()} == {Verdict.REFUTED}
     assert {*verdicts(case.replace("2y^2", "y^2")).values()} == {Verdict.PROVED}
+
+
+def test_what_moves_beside_a_law_is_claimed_with_it():
+    text = (
+        r"The motion is $$\ddot x+k^2x=\frac{a}{x^3}.$$ It is solved by means of $$\ddot y+k^2y=0.$$ "
+        r"Put $W=x\dot y-y\dot x$. Then \[\dot W=-\frac{ay}{x^3}.\]"
+    )
+    assert roles(text)[r"\ddot y+k^2y=0"] == LAW
+    assert all(verdict.green for verdict in verdicts(text).values())

@@ -87,7 +87,7 @@ def test_a_sign_at_which_a_line_may_be_broken_stays_between_two_parts():
     left = read(EQ16)[0].members[0]
     parts = HtmlSetter().inline(Sum((left, *left.terms))).split(" <math>")
     assert len(parts) > 1
-    assert all(part.startswith('<mo form="infix">') for part in parts[1:])
+    assert all(part.startswith('<mo form="infix" lspace="0">') for part in parts[1:])
 
 
 def test_short_formulas_share_a_line_and_others_are_aligned():

@@ -80,27 +80,31 @@ class Quadratures:
         found = np.array(
             [np.interp(phase, *table) for phase, table in zip(aim, self._tables, strict=True)]
         )
-        left = np.arange(phases.shape[1])
-        reached, slopes = self._with_slopes(found)
+        left, here = np.arange(phases.shape[1]), found.copy()
+        reached, slopes = self._with_slopes(here)
         rest = aim - reached
         for _ in range(STEPS):
-            step, rest, slopes = self._damp(found[:, left], rest, slopes, aim[:, left])
-            found[:, left] += step
-            more = ~(np.hypot(*step) <= NEAR)
-            left, rest, slopes = left[more], rest[:, more], slopes[:, :, more]
+            (a, b), (c, d) = slopes
+            step = np.array([d * rest[0] - b * rest[1], a * rest[1] - c * rest[0]])
+            step /= a * d - b * c
+            last = np.hypot(*step) <= NEAR
+            if last.any():
+                found[:, left[last]] = here[:, last] + step[:, last]
+                left = left[~last]
+                here, step, rest, aim = (x[:, ~last] for x in (here, step, rest, aim))
             if not len(left):
                 break
+            step, rest, slopes = self._damp(here, step, rest, aim)
+            here = here + step
         else:
-            found[:, left] = self._bisect(aim[:, left])
+            found[:, left] = self._bisect(aim)
         angles: Array = found + turns
         return angles
 
     def _damp(
-        self, start: Array, rest: Array, slopes: Array, aim: Array
+        self, start: Array, step: Array, rest: Array, aim: Array
     ) -> tuple[Array, Array, Array]:
-        """A step, or as much of it as diminishes the rest; what then is left, and the slopes."""
-        (a, b), (c, d) = slopes
-        step = np.array([d * rest[0] - b * rest[1], a * rest[1] - c * rest[0]]) / (a * d - b * c)
+        """As much of a step as diminishes the rest; what then is left, and the slopes there."""
         before = np.hypot(*rest)
         reached, slopes = self._with_slopes(start + step)
         after = aim - reached

@@ -20,13 +20,6 @@ GRID = 501
 """Points of the grid on which regions are found, along each axis."""
 
 
-WIDTHS = (6, 2)
-"""How thick the curves are drawn between which regions are told apart."""
-
-DEPTH = 2
-"""So far from these a piece has to reach: in smaller ones tori are too near to each other."""
-
-
 def mesh(axes: Axes) -> tuple[Array, Array]:
     """The points of the grid in the frame of a diagram, none of them at the middle."""
     x, y = np.meshgrid(np.linspace(*axes.get_xlim(), GRID + 1), np.linspace(*axes.get_ylim(), GRID))
@@ -85,11 +78,8 @@ def hatch(axes: Axes, here: Mask) -> None:
 
 def fill_regions(
     axes: Axes, curves: Iterable[tuple[Array, Array]], points: tuple[Array, Array]
-) -> tuple[Mask, list[tuple[float, float]]]:
-    """The pieces of the grid between curves in which there is one of the points, at least.
-
-    With them, of each that is deep enough, the place that is farthest from all curves.
-    """
+) -> Mask:
+    """The pieces of the grid between curves in which there is one of the points, at least."""
     walls, here = np.zeros((GRID, GRID + 1), dtype=bool), np.zeros((GRID, GRID + 1), dtype=bool)
     for x, y in curves:
         column, row = _places(axes, x, y)
@@ -103,31 +93,7 @@ def fill_regions(
     sure = here & ~binary_dilation(walls, iterations=2)  # a wall may cut off a corner of a place
     found = np.isin(pieces, np.unique(pieces[sure])) & ~walls
     closed: Mask = binary_closing(np.pad(found, 2, mode="edge"), iterations=2)[2:-2, 2:-2]
-    return closed, _places_inside(axes, walls, sure)
-
-
-def _places_inside(axes: Axes, walls: Mask, here: Mask) -> list[tuple[float, float]]:
-    """A place in each piece of the grid between walls in which there is something.
-
-    Walls are thick at first, to close the gaps that curves leave where they meet, and then thin,
-    for small pieces.
-    """
-    x, y = mesh(axes)
-    found: list[tuple[int, int]] = []
-    for width in WIDTHS:
-        pieces, _ = label(~binary_dilation(walls, iterations=width))
-        for number in np.unique(pieces[here]):
-            if number and all(pieces[place] != number for place in found):
-                place, depth = _deepest(pieces == number)
-                found += [place] if depth >= DEPTH else []
-    return [(float(x[place]), float(y[place])) for place in found]
-
-
-def _deepest(here: Mask) -> tuple[tuple[int, int], float]:
-    """The place in a part of a grid that is farthest from its edge, and how far."""
-    depth = distance_transform_edt(np.pad(here, 1))[1:-1, 1:-1]
-    row, column = np.unravel_index(np.argmax(depth), depth.shape)
-    return (int(row), int(column)), float(depth[row, column])
+    return closed
 
 
 def _places(axes: Axes, x: Array, y: Array) -> tuple[Array, Array]:

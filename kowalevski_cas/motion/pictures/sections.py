@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
+from fractions import Fraction
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
 
+from kowalevski_cas.motion.chambers import Chamber, chambers
 from kowalevski_cas.motion.cut import Curve, rotations, section, values
 from kowalevski_cas.motion.diagram import Fields
 from kowalevski_cas.motion.energies import representatives
@@ -26,9 +28,14 @@ CAPTION = (
     "between each two at which it changes: the values at which the three integrals are dependent, "
     "on $M^4$, $N^4$, $O^4$, and at rotations about the third axis (dots, hollow where they are on "
     "none of the three). Numbers count the tori of $M^4$, $N^4$ and $O^4$ with these values. "
-    "Motions fill the shaded chambers; the bold numbers count their tori of dimension three, by "
-    "following motions; chambers that are too small to be seen have none."
+    "Motions fill the shaded chambers; the bold numbers count their tori of dimension three, and "
+    "those in a corner the tori of chambers that are too narrow to be seen. They follow from the "
+    "tori on the walls or, in a wide chamber where these do not tell, from motions that are "
+    "followed."
 )
+
+SEEN = 0.02
+"""The least size of a chamber, as a share of the diagram, in which there is room for a number."""
 
 COLUMNS = 3
 
@@ -64,7 +71,7 @@ def _draw_section(axes: Axes, fields: Fields, h: float) -> None:
     axes.grid(False)
     curves, dots = section(fields, h), rotations(fields, h)
     walls = [curve[:2] for some in curves for curve in some]
-    here, chambers = fill_regions(axes, walls, (g, root))
+    here = fill_regions(axes, walls, (g, root))
     axes.contourf(*mesh(axes), here, levels=(0.5, 1.5), colors=[GREYS[1]], zorder=0)
     for index, (name, some) in enumerate(zip(SETS, curves, strict=True)):
         for number, curve in enumerate(some):
@@ -73,12 +80,31 @@ def _draw_section(axes: Axes, fields: Fields, h: float) -> None:
             axes.plot(*curve[:2], **mark((2, 0, 1)[index]).line, lw=1.2, label=label)
     for x, y, alone in dots:
         axes.plot(x, y, "o", ms=4, color=INK, mfc="white" if alone else INK, zorder=5)
-    tori = count_tori(fields, [(h, y * y, x) for x, y in chambers])
-    for (x, y), count in zip(chambers, tori, strict=True):
+    _draw_tori(axes, fields, chambers(fields, Fraction(h)))
+
+
+def _draw_tori(axes: Axes, fields: Fields, found: Sequence[Chamber]) -> None:
+    """Write the number of tori into each chamber, or into a corner where there is no room."""
+    narrow = [chamber for chamber in found if chamber.depth < SEEN]
+    wide = [chamber for chamber in found if chamber.depth >= SEEN]
+    unknown = [chamber for chamber in wide if chamber.tori is None]
+    followed = count_tori(fields, [chamber.level for chamber in unknown]) if unknown else []
+    counted = dict(zip(unknown, followed, strict=True))
+    for chamber in wide:
         axes.text(
-            x, y, str(count), size=8, weight="bold", ha="center", va="center", zorder=6,
+            *chamber.place, str(counted.get(chamber, chamber.tori)),
+            size=8, weight="bold", ha="center", va="center", zorder=6,
             path_effects=[withStroke(linewidth=1.5, foreground=GREYS[1])],
         )  # fmt: skip
+    if narrow:
+        words = "narrow: " + ", ".join(_words(chamber.numbers) for chamber in narrow)
+        axes.text(0.02, 0.97, words, size=6, va="top", transform=axes.transAxes)
+
+
+def _words(numbers: Collection[int]) -> str:
+    """The number of tori, or between which it is."""
+    least, most = min(numbers), max(numbers)
+    return str(least) if least == most else f"{least} to {most}"
 
 
 def numbers(axes: Axes, curve: Curve, taken: Sequence[tuple[float, float]]) -> None:

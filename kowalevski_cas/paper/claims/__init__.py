@@ -18,6 +18,7 @@ from kowalevski_cas.paper.claims.exponents import SolvedExponents
 from kowalevski_cas.paper.claims.first_integral import FirstIntegral
 from kowalevski_cas.paper.claims.identity import Identity
 from kowalevski_cas.paper.claims.implication import Implication
+from kowalevski_cas.paper.claims.inequality import Inequality
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.claims.lax_pair import LaxPair
 from kowalevski_cas.paper.claims.limit import Limit

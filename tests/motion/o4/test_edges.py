@@ -92,6 +92,40 @@ def test_the_closed_form_is_exact_to_twelve_digits_everywhere(moving):
     check_promise(moving)
 
 
+@st.composite
+def corners(draw):
+    """Constants near two edges at once, where two pairs of roots almost coincide."""
+    near, further = (
+        draw(st.sampled_from([1, -1])) * Fraction(10.0 ** draw(st.floats(-12, -2))) for _ in "12"
+    )
+    b = draw(st.sampled_from([B, A - abs(near), abs(near)]))
+    s = draw(st.sampled_from([A, B, -A, -B, b, -b])) + further
+    tau = draw(st.sampled_from([(A - b) ** 2, (A + b) ** 2, Fraction(2), Fraction(0)])) + near
+    assume(s and tau and admissible(A, b, s, tau))
+    return A, b, s, tau
+
+
+@given(corners())
+def test_near_two_edges_it_is_as_exact_or_is_not_given(known):
+    try:
+        motion = MotionO4.of(*known, angles=(Fraction(1, 3), Fraction(2)))
+        rate = 2.0 ** float(unit_of(initial_state(motion)))
+        times = np.array([0.0, 1.3 / rate, -1e6 / rate])
+        found = states(motion, times)
+    except (Inadmissible, MethodError) as error:
+        assert "close" in str(error) or "≠ 0" in str(error) or "digits" in str(error)
+    else:
+        assert apart(found, balls(motion, times)) < closed_form.PROMISE
+
+
+@settings(max_examples=5)
+@given(motions(), st.floats(9, 200))
+def test_it_is_exact_however_late(moving, power):
+    motion, times = moving
+    late = np.array([-(10.0**power), 10.0 ** (power + 0.3)]) * abs(times[1])
+    assert apart(states(motion, late), balls(motion, late)) < closed_form.PROMISE
+
+
 def check_equations(moving):
     """From the state at t = 0 the nine equations lead to the others, but for its rounding."""
     motion, _ = moving

@@ -1,0 +1,111 @@
+"""The formulas of a paper to statements, in the names that it uses: which letters are vectors."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from kowalevski_cas.notation import Formula, NotationError, Vocabulary
+from kowalevski_cas.notation.layout import StatementTokens
+from kowalevski_cas.notation.layout import statements as placed
+from kowalevski_cas.notation.open import OpenParser, is_exponential
+from kowalevski_cas.notation.symbol import BOLD
+from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
+from kowalevski_cas.paper.summation import without_sums
+from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.source.displays import TypedFormula
+from kowalevski_cas.source.listing import guess
+from kowalevski_cas.source.tokens import tokens_of
+
+
+def vocabulary_of(formulas: Sequence[TypedFormula]) -> Vocabulary:
+    """The names of a paper; bold capitals are matrices or vectors, as more formulas can be read."""
+    guesses = [guess(formulas, capitals) for capitals in (VECTOR, MATRIX)]
+    euler = all(is_exponential(tokens_of(one.tex)) for one in formulas if "e" in one.tex)
+    other = {"d", "e"} if euler else {"d"}
+    listed = _lists(formulas)
+    guesses = [
+        replace(
+            one,
+            scalars=one.scalars - other - listed,
+            vectors=one.vectors | listed,
+            times=one.times - listed,
+            functions=one.functions - listed,
+        )
+        for one in guesses
+    ]
+    if guesses[0] == guesses[1]:
+        return guesses[0]
+    bold = [one for one in formulas if any(mark in one.tex for mark in (*BOLD, r"\vec", r"\bf "))]
+
+    def readable(words: Vocabulary) -> int:
+        return sum(
+            not trouble for one in bold for _, trouble, _ in read_formula(one, one.tex, words)
+        )
+
+    best = max(guesses, key=readable)
+    for name in sorted(guesses[1].matrices):
+        flipped = replace(best, matrices=best.matrices ^ {name}, vectors=best.vectors ^ {name})
+        if readable(flipped) > readable(best):
+            best = flipped
+    return best
+
+
+_LIST = re.compile(
+    r"(?<![\w}\\])(?P<name>[A-Za-z]|\\[A-Za-z]+)\s*=\s*\(\s*"
+    r"(?P<entries>(?:[A-Za-z]|\\[A-Za-z]+)(?:_\{?\w\}?)?"
+    r"(?:\s*,\s*(?:[A-Za-z]|\\[A-Za-z]+)(?:_\{?\w\}?)?)+)\s*\)\s*[.,;]?\s*"
+)
+r"""A letter that is a list of names, as :math:`x=(x_1,x_2,x_3)`: it is a vector."""
+_PRODUCT = re.compile(r"\(\s*([A-Za-z]|\\[A-Za-z]+)\s*,\s*([A-Za-z]|\\[A-Za-z]+)\s*\)")
+
+
+def _lists(formulas: Sequence[TypedFormula]) -> frozenset[str]:
+    """The letters that are lists of names, and those of which the product with one is printed."""
+    texts = [formula.tex for formula in formulas]
+    found = {match["name"] for tex in texts for match in _LIST.finditer(tex)}
+    pairs = {pair.groups() for tex in texts for pair in _PRODUCT.finditer(tex)}
+    beside = {other for pair in pairs for other in pair if {*pair} & found}
+    return frozenset(
+        name
+        for name in found | beside
+        if any(re.search(rf"{re.escape(name)}_\{{?\w", t) for t in texts)
+    )
+
+
+def read_formula(
+    formula: TypedFormula, tex: str, words: Vocabulary
+) -> Iterator[tuple[Formula | None, str, tuple[int, int]]]:
+    """The statements of a formula, each with why it cannot be read, and where it stands."""
+    whole = (0, len(formula.tex))
+    if formula.trouble:
+        yield None, formula.trouble, whole
+        return
+    try:
+        found: Sequence[StatementTokens] = placed(tex)
+    except NotationError as error:
+        yield None, error.message, whole
+        return
+    if not found:
+        yield None, "there is no formula here", whole
+    for tokens, start, end in found:
+        try:
+            tree = OpenParser(tex, tokens, words).statement()[0]
+            why = "a derivative by what is no time" if _is_derivative(tree, tex) else ""
+            yield (None if why else _expanded(tree)), why, (start, end)
+        except (NotationError, RecursionError) as error:
+            yield None, getattr(error, "message", str(error)), (start, end)
+
+
+def _expanded(tree: Formula) -> Formula:
+    """A formula with its sums written out, where that can be done."""
+    try:
+        return without_sums(tree)
+    except Meaningless:
+        return tree
+
+
+def _is_derivative(tree: Formula, tex: str) -> bool:
+    """Whether the letter d was read as a name, and stands above or below a fraction."""
+    return "d" in tree.names() and re.search(r"\\[dt]?frac\s*\{?\s*d\b|/\s*d\b", tex) is not None

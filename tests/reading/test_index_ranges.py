@@ -1,0 +1,75 @@
+"""Indices of which the range stands elsewhere, letters that are lists, and sums without limits."""
+
+import pytest
+
+from kowalevski_cas.audit.reading import ReadingSession
+from kowalevski_cas.reading import CLAIM, LAW, read
+from kowalevski_cas.source.files import decode
+
+CHAIN = r"""
+Let $x=(x_1,x_2)$ and $y=(y_1,y_2)$. The equations of motion are
+\begin{equation} \dot x_i=y_i,\qquad \dot y_i=-a_ix_i, \end{equation}
+RANGE. Here $H=\frac12|y|^2+\frac12\sum a_ix_i^2$.
+"""
+
+
+def reading(text):
+    return read(decode("paper.tex", (r"\begin{document}" + text + r"\end{document}").encode()))
+
+
+def verdicts(text):
+    found = reading(text)
+    outcomes = ReadingSession(found, timeout=5).outcomes
+    return [
+        (f.item.printed.tex.strip(" .,\n"), outcomes[f.claim.id].verdict)
+        for f in found.formulas
+        if f.claim is not None
+    ]
+
+
+@pytest.mark.parametrize("words", [r"$i=1,2$", r"$i=1,\ldots,2$", "as usual"])
+def test_an_index_runs_where_the_text_says_or_as_its_letters_are_numbered(words):
+    found = reading(CHAIN.replace("RANGE", words))
+    assert found.parts.laws[0].variables == ("x_1", "x_2", "y_1", "y_2")
+    assert sum(f.role.name == LAW for f in found.formulas) == 4
+
+
+def test_what_is_claimed_for_all_values_is_judged_for_each():
+    text = CHAIN.replace("RANGE", "$i=1,2$")
+    found = verdicts(text + r"Then $\dot H=0$ and $\frac{d}{dt}x_i^2=2x_iy_i$.")
+    assert [tex for tex, _ in found] == [r"\dot H=0", *[r"\frac{d}{dt}x_i^2=2x_iy_i"] * 2]
+    assert all(verdict.green for _, verdict in found)
+    found = verdicts(text + r"Then $\frac{d}{dt}x_i^2=2x_iy_i+x_1-x_i$.")
+    assert [verdict.green for _, verdict in found] == [True, False]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"where $i=1,\ldots,n$, and $q_1,q_2$ are the first. \[\dot q_i=p_i,\ \dot p_i=-q_i.\]",
+        r"for $i=1,2$ with \[\dot q_i=p_i,\qquad \dot p_i=q_{i+1}-q_i.\]",
+    ],
+)
+def test_what_nobody_says_is_not_written_out(text):
+    found = reading("The equations " + text)
+    assert not any("q_1" in law.variables for law in found.parts.laws)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "The energy is",
+        "Two integrals are seen at once,",
+        r"The equations have the integrals \[G=x_1y_2-x_2y_1\] and",
+    ],
+)
+def test_a_display_that_is_called_an_integral_is_claimed(words):
+    text = CHAIN.replace("RANGE. Here", "$i=1,2$. Let").replace("a_i", "a")
+    found = reading(text + words + r"\[ E=y_1^2+y_2^2+ax_1^2+ax_2^2 .\]")
+    assert found.formulas[-1].role.name == CLAIM
+
+
+def test_an_energy_of_which_a_rate_is_printed_is_a_definition():
+    text = CHAIN.replace("RANGE. Here", "$i=1,2$. Let")
+    found = reading(text + r"The energy is \[E=x_1y_1 .\] It obeys $\dot E=y_1^2-a_1x_1^2$.")
+    assert [f.role.name for f in found.formulas][-2:] == ["definition", CLAIM]
