@@ -31,7 +31,7 @@ BESIDE = ("where", "display", "given")
 """What a line of text beside the equations may be typed as."""
 
 
-class Reading(StrEnum):
+class PrintReading(StrEnum):
     """What becomes of a print."""
 
     MEANT = "read as meant"
@@ -40,19 +40,19 @@ class Reading(StrEnum):
     REFUSED = "refused"
 
 
-class Found(NamedTuple):
+class PrintResult(NamedTuple):
     """What became of a print, and why."""
 
-    reading: Reading
+    reading: PrintReading
     words: tuple[str, ...] = ()
 
 
-def read(entry: Print, seconds: float) -> Found:
+def read(entry: Print, seconds: float) -> PrintResult:
     """How a print is read: what moves, its rates or images, and its claims."""
     try:
         system, given = typed(entry)
     except ValueError as error:
-        return Found(Reading.REFUSED, (str(error),))
+        return PrintResult(PrintReading.REFUSED, (str(error),))
     system.seconds = seconds
     wrong, left = list[str](), list[str]()
     for words, expected, verdict in judged(entry, system, given):
@@ -61,8 +61,8 @@ def read(entry: Print, seconds: float) -> Found:
         elif verdict not in (*GREEN, "refuted"):
             left.append(f"{words}: {verdict}")
     if wrong:
-        return Found(Reading.MISREAD, tuple(wrong))
-    return Found(Reading.OPEN, tuple(left)) if left else Found(Reading.MEANT)
+        return PrintResult(PrintReading.MISREAD, tuple(wrong))
+    return PrintResult(PrintReading.OPEN, tuple(left)) if left else PrintResult(PrintReading.MEANT)
 
 
 def typed(entry: Print) -> tuple[System, tuple[str, ...]]:
@@ -143,7 +143,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
-    count = Counter[Reading]()
+    count = Counter[PrintReading]()
     for entry in json.loads(arguments.prints.read_text(encoding="utf-8")):
         if arguments.half not in (None, entry["half"]):
             continue
@@ -153,8 +153,8 @@ def run(arguments: argparse.Namespace) -> int:
         count[found.reading] += 1
         if arguments.verbose:
             print(f"{entry['id']}: {found.reading}", *found.words, sep="\n    ", flush=True)
-    print("; ".join(f"{count[reading]} {reading}" for reading in Reading))
-    return DIFFERENT if count[Reading.MISREAD] else AS_RECORDED
+    print("; ".join(f"{count[reading]} {reading}" for reading in PrintReading))
+    return DIFFERENT if count[PrintReading.MISREAD] else AS_RECORDED
 
 
 if __name__ == "__main__":

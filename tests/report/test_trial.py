@@ -167,7 +167,13 @@ def test_the_page_and_the_checker_agree(tmp_path: Path) -> None:
 def test_every_refuted_formula_can_be_tried() -> None:
     found = denials()
     assert len(found) >= 9
-    assert all(len(trial.versions) == 2 for _, trial, _ in found)
+    for name, trial, _ in found:
+        assert trial.versions[0].steps, name
+
+
+def test_every_correction_that_is_certified_can_be_switched_to() -> None:
+    certified = [p for name in available() for p in (find(name) / FOLDER / "corrected").glob("*")]
+    assert len(certified) == sum(len(trial.versions) == 2 for _, trial, _ in denials()) >= 9
 
 
 def test_a_trial_is_part_of_the_page_and_not_of_paper() -> None:

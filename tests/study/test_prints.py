@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from study.prints import Reading, read, typed
+from study.prints import PrintReading, read, typed
 
 PRINTS = Path(__file__).parent.parent / "data" / "prints" / "prints.json"
 ENTRIES = {entry["id"]: entry for entry in json.loads(PRINTS.read_text(encoding="utf-8"))}
@@ -23,15 +23,15 @@ def test_each_half_has_thirty():
 
 @pytest.mark.parametrize("id", ["duffing-strogatz", "uniform-field-landau", "toda-lax-matrix"])
 def test_a_print_is_read_as_it_is_meant(id):
-    assert read(ENTRIES[id], 30).reading == Reading.MEANT
+    assert read(ENTRIES[id], 30).reading == PrintReading.MEANT
 
 
 def test_a_print_that_means_something_else_is_misread():
     entry = ENTRIES["duffing-strogatz"]
     other = {**entry, "equations": [tex.replace("x-x^3", "x+x^3") for tex in entry["equations"]]}
-    assert read(other, 30).reading == Reading.MISREAD
+    assert read(other, 30).reading == PrintReading.MISREAD
     swapped = {**entry, "true": entry["false"], "false": entry["true"]}
-    assert read(swapped, 30).reading == Reading.MISREAD
+    assert read(swapped, 30).reading == PrintReading.MISREAD
 
 
 def test_what_stands_beside_the_equations_is_typed_as_what_it_can_be():
@@ -46,6 +46,6 @@ def test_what_stands_beside_the_equations_is_typed_as_what_it_can_be():
 def test_no_print_is_misread(half):
     entries = [entry for entry in ENTRIES.values() if entry["half"] == half]
     found = {entry["id"]: read(entry, 30) for entry in entries}
-    assert not [id for id, one in found.items() if one.reading == Reading.MISREAD]
+    assert not [id for id, one in found.items() if one.reading == PrintReading.MISREAD]
     count = Counter(one.reading for one in found.values())
-    assert count[Reading.MEANT] >= MEANT[half], found
+    assert count[PrintReading.MEANT] >= MEANT[half], found
