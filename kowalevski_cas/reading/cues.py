@@ -27,7 +27,7 @@ CUES: dict[str, str] = {
         equilibri\w+ state\w*\s+of\s+rest (?:singular|stationary|fixed|critical)\s+points?
         равновеси\w+ стационарн\w+ особ\w+\s+точ\w+""",
     "suppose": r"""
-        suppos\w+ assum\w+ \blet\b \btake\b \bmake\b \bif\b \bwhen\b
+        suppos\w+ assum\w+ \blet\b \btake\b \bmake\b \bif\b \bwhen\b \bgiven\s+that\b
         \bfor(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?\s*$ \bput\b \bsetting\b
         (?:we|us|and|now|^\s*)\s*set\s*$
         provided choos\w+ choice

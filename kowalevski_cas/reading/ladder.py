@@ -7,7 +7,7 @@ and words say “on it”. No other one is ever tried.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from kowalevski_cas.notation import Name, Number, Root, Unwritten, to_latex
 from kowalevski_cas.paper.claims import (
@@ -53,6 +53,8 @@ class Rung:
     """Whether these are what is supposed there, and no more."""
     idle: Claim | None = None
     """That nothing moves where these hold: then what is said of rates there says nothing."""
+    elsewhere: bool = False
+    """Whether it rests on what is supposed in other places only: it is not claimed so."""
 
 
 def rungs(item: SourceStatement, id: str, stage: Stage) -> Iterator[Rung]:
@@ -81,6 +83,32 @@ class _Ladder:
                 yield from self.of_set()
             case "solution":
                 yield from self.solutions()
+        yield from self.elsewhere()
+
+    def elsewhere(self) -> Iterator[Rung]:
+        """The claim with what is supposed in other places: one that then holds may be meant so."""
+        moving = not self.item.derives and not self.known.varying(self.item.names)
+        for group in [] if moving else self.known.supposed_elsewhere(self.item):
+            names = {name for one in group for name in self.known.roles[one].names}
+            other = [one for one in self.supposed if names & {*self.known.roles[one].names}]
+            if any(one.sentence == self.item.sentence for one in other):
+                continue
+            kept = [one for one in self.supposed if one not in other]
+            for rung in self._under([*kept, *group]):
+                if {*group} <= {*rung.on}:
+                    yield replace(rung, elsewhere=True)
+
+    def _under(self, assumptions: list[SourceStatement]) -> Iterator[Rung]:
+        """The claim under some assumptions, and on no set that is given besides."""
+        match self.role.kind:
+            case "identity":
+                yield self.rung(Identity, "both sides are equal", assumptions)
+            case "integral":
+                yield self._integral(assumptions)
+            case "invariant" | "rest":
+                yield from self._of_set([assumptions])
+            case "inequality":
+                yield self.rung(Inequality, "this is so at all real points", assumptions)
 
     # -- identities ------------------------------------------------------------------
 
@@ -210,13 +238,17 @@ class _Ladder:
         """A function that does not move: everywhere, under the assumptions, or on a set."""
         if not self.known.varying(self.item.names):
             raise ValueError("it is called an integral, and nothing says how its names move")
-        says = "this is constant along every motion"
         for assumptions in self._ways():
-            yield self.rung(Identity if self._is_rate else FirstIntegral, says, assumptions)
+            yield self._integral(assumptions)
         for given in self.hypotheses():
             said = "this is constant along every motion on the set"
             kind = Implication if self._is_rate else FirstIntegral
             yield self.rung(kind, said, self.supposed, given, given=_places(given))
+
+    def _integral(self, assumptions: list[SourceStatement]) -> Rung:
+        """That a function does not move, under some assumptions."""
+        kind = Identity if self._is_rate else FirstIntegral
+        return self.rung(kind, "this is constant along every motion", assumptions)
 
     def _ways(self) -> list[list[SourceStatement]]:
         """Without assumptions, and with those in force; what is not zero is never left aside."""
@@ -232,12 +264,15 @@ class _Ladder:
 
     def of_set(self) -> Iterator[Rung]:
         """That no motion leaves a set, or that nothing moves there; its equations are one claim."""
+        yield from self._of_set(self._ways())
+
+    def _of_set(self, ways: list[list[SourceStatement]]) -> Iterator[Rung]:
         relations = self._set()
         if relations[0] is not self.item:
             return
         kind, says = _OF_SETS[self.role.kind]
         places = _places(relations)
-        for assumptions in self._ways():
+        for assumptions in ways:
             yield self.rung(kind, says, assumptions, (), relations, relations=places)
 
     def _set(self) -> SetOfEquations:

@@ -24,6 +24,7 @@ from kowalevski_cas.paper.claims import (
 )
 from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.names import BRACKET
+from kowalevski_cas.paper.relations import solve_for_constant
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
@@ -48,7 +49,6 @@ from kowalevski_cas.system.signs import SIGNS, has_both_signs, with_signs
 from kowalevski_cas.system.solved import (
     gives_constant,
     simple_relations,
-    solve_for_constant,
     speaks_of_constants,
     with_new_names,
 )
@@ -236,7 +236,8 @@ class Field:
         for tex in simple:
             scene = with_new_names(tex, scene)
             if speaks_of_constants(tex, scene) and not gives_constant(tex, scene):
-                solved, below = solve_for_constant(tex, scene)
+                rooted = with_roots(scene, Display("", tex, ""))
+                solved, below = solve_for_constant(tex, rooted)
                 tex, scene = solved or tex, scene.having(nonzero=below)
             place = self._place("where", tex, IN_WORDS)
             constants, scene = scene.constants, restrict(scene, place)
