@@ -35,8 +35,10 @@ from kowalevski_cas.notation.open import OpenParser, independent, words_that_mov
 from kowalevski_cas.notation.symbol import name_of_rate
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
+from kowalevski_cas.paper.constraints import constraints, multipliers
 from kowalevski_cas.paper.exponents import half_power, linear_exponent
 from kowalevski_cas.paper.implied import implied_equations
+from kowalevski_cas.paper.matrix_equations import equations_of_entries, matrix_equations
 from kowalevski_cas.paper.names import BRACKET, head, is_bold, summation_indices
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.signs import is_inequality
@@ -45,9 +47,7 @@ from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.system.amplitudes import SQUARE, conjugate_equations, with_conjugates
-from kowalevski_cas.system.constraints import constraints, multipliers
 from kowalevski_cas.system.differentials import differentials, rates
-from kowalevski_cas.system.matrices import equations_of_entries, matrix_equations
 from kowalevski_cas.system.refused import (
     check_derivatives,
     check_ends,
