@@ -223,7 +223,7 @@ class _DerivationReader:
         words = self.paper.words
         vectors = self.parts.known[0].names.vectors
         components = {part for own in vectors.values() for part in own}
-        clocks = [n for known in self.parts.known for one in known.clocks for n in one.bare]
+        clocks = [one.other_time for known in self.parts.known for one in known.clocks]
         read = frozenset().union(*(item.names for item in self.paper.items))
         scalars = sorted(
             (words.scalars | components | read - words.functions)
@@ -253,7 +253,8 @@ def chosen(found: list[Rung], on: Elaborations) -> Choice:
     """The first claim that holds, or the one with what is in force, where none does."""
     first: int | None = None
     message = ""
-    alone = len(found) == 1 and found[0].idle is None  # there is nothing to choose from
+    only = found[0].idle is None and not found[0].is_stronger
+    alone = len(found) == 1 and only  # there is nothing to choose from
     for place, rung in enumerate(found):
         try:
             with time_limit(SECONDS):
@@ -271,6 +272,8 @@ def chosen(found: list[Rung], on: Elaborations) -> Choice:
             continue
         except (TimeoutError, ProcessDied):
             pass
+        if rung.is_stronger:
+            continue
         if first is None or (rung.in_force and not found[first].in_force):
             first = place
         elif not rung.given and not found[first].given and {*rung.on} > {*found[first].on}:
