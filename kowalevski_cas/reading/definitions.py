@@ -27,7 +27,13 @@ from kowalevski_cas.reading.known import (
     Known,
     StatementRole,
 )
-from kowalevski_cas.reading.phrases import integral_words, is_number, plain, words_behind
+from kowalevski_cas.reading.phrases import (
+    integral_words,
+    is_number,
+    plain,
+    reach_of_constants,
+    words_behind,
+)
 from kowalevski_cas.reading.statements import SourceStatement, derived_names
 
 ZERO = Number(0)
@@ -81,7 +87,8 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
         m for m in item.members if getattr(m, "name", getattr(m, "function", "")) not in heads
     ]
     if not any(known.is_known(n) for n in item.names - {*fresh}) and is_number(others):
-        return StatementRole(ASSUMPTION, "gives a number for a name", "value", tuple(fresh))
+        why = "gives a number for a name"
+        return StatementRole(ASSUMPTION, why, reach_of_constants(item), tuple(fresh))
     if cue("if", item.lead):
         return StatementRole(ASSUMPTION, "supposed in its sentence", "set", tuple(fresh))
     if len(others) == 1 and isinstance(others[0], Derivative) and not _is_law_left(item):

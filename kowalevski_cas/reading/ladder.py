@@ -36,8 +36,6 @@ _OF_SETS: dict[str, tuple[type[Claim], str]] = {
     "rest": (RestPoints, "nothing moves where these equations hold"),
 }
 """The claims that are made of a set, by the kind of its role."""
-EQUATIONS = ("integral", "identity")
-"""The kinds of claims that may hold on a part of the phase space only."""
 
 
 @dataclass(frozen=True)
@@ -55,6 +53,8 @@ class Rung:
     """That nothing moves where these hold: then what is said of rates there says nothing."""
     is_stronger: bool = False
     """Whether it says more than the statement: where it fails nothing is said of that."""
+    elsewhere: bool = False
+    """Whether it rests on what is supposed in other places only: it is not claimed so."""
 
 
 def rungs(item: SourceStatement, id: str, stage: Stage) -> Iterator[Rung]:
@@ -87,11 +87,33 @@ class _Ladder:
                 yield from map(_stronger, self.identities())
                 yield from self.first_order()
             case "somewhere":
-                for given in hypotheses(self.item, self.known):
-                    says = "this is so where the equations before hold"
-                    yield _stronger(
-                        self.rung(Implication, says, self.supposed, given, given=_places(given))
-                    )
+                yield from map(_stronger, self.values())
+        yield from self.elsewhere()
+
+    def elsewhere(self) -> Iterator[Rung]:
+        """The claim with what is supposed in other places: one that then holds may be meant so."""
+        moving = not self.item.derives and not self.known.varying(self.item.names)
+        for group in [] if moving else self.known.supposed_elsewhere(self.item):
+            names = {name for one in group for name in self.known.roles[one].names}
+            other = [one for one in self.supposed if names & {*self.known.roles[one].names}]
+            if any(one.sentence == self.item.sentence for one in other):
+                continue
+            kept = [one for one in self.supposed if one not in other]
+            for rung in self._under([*kept, *group]):
+                if {*group} <= {*rung.on}:
+                    yield replace(rung, elsewhere=True)
+
+    def _under(self, assumptions: list[SourceStatement]) -> Iterator[Rung]:
+        """The claim under some assumptions, and on no set that is given besides."""
+        match self.role.kind:
+            case "identity":
+                yield self.rung(Identity, "both sides are equal", assumptions)
+            case "integral":
+                yield self._integral(assumptions)
+            case "invariant" | "rest":
+                yield from self._of_set([assumptions])
+            case "inequality":
+                yield self.rung(Inequality, "this is so at all real points", assumptions)
 
     # -- identities ------------------------------------------------------------------
 
@@ -130,6 +152,12 @@ class _Ladder:
         for given in hypotheses(self.item, self.known):
             said = f"{says} where the cited equations hold"
             yield self.rung(Inequality, said, self.supposed, given, given=_places(given))
+
+    def values(self) -> Iterator[Rung]:
+        """A value where the equations hold that its words name."""
+        for given in hypotheses(self.item, self.known):
+            says = "this is so where the equations before hold"
+            yield self.rung(Implication, says, self.supposed, given, given=_places(given))
 
     def _leaves_out(self) -> bool:
         """Whether terms are not printed."""
@@ -177,13 +205,17 @@ class _Ladder:
         """A function that does not move: everywhere, under the assumptions, or on a set."""
         if not self.known.varying(self.item.names):
             raise ValueError("it is called an integral, and nothing says how its names move")
-        says = "this is constant along every motion"
         for assumptions in self._ways():
-            yield self.rung(Identity if self._is_rate else FirstIntegral, says, assumptions)
+            yield self._integral(assumptions)
         for given in hypotheses(self.item, self.known):
             said = "this is constant along every motion on the set"
             kind = Implication if self._is_rate else FirstIntegral
             yield self.rung(kind, said, self.supposed, given, given=_places(given))
+
+    def _integral(self, assumptions: list[SourceStatement]) -> Rung:
+        """That a function does not move, under some assumptions."""
+        kind = Identity if self._is_rate else FirstIntegral
+        return self.rung(kind, "this is constant along every motion", assumptions)
 
     def _ways(self) -> list[list[SourceStatement]]:
         """Without assumptions, and with those in force; what is not zero is never left aside."""
@@ -202,13 +234,17 @@ class _Ladder:
 
         The set may bound the domain of which inequalities say that it is the space.
         """
+        everywhere = [one for one in self.supposed if not self.known.varying(one.names)]
+        ways = self._ways()
+        yield from self._of_set(ways if everywhere in ways else [everywhere, *ways])
+
+    def _of_set(self, ways: list[list[SourceStatement]]) -> Iterator[Rung]:
         relations = self._set()
         if relations[0] is not self.item:
             return
         kind, says = _OF_SETS[self.role.kind]
         places = _places(relations)
-        everywhere = [one for one in self.supposed if not self.known.varying(one.names)]
-        for assumptions in dict.fromkeys(map(tuple, (everywhere, *self._ways()))):
+        for assumptions in ways:
             yield self.rung(kind, says, assumptions, (), relations, relations=places)
 
     def _set(self) -> SetOfEquations:

@@ -44,9 +44,9 @@ def clause(item: SourceStatement) -> str:
 
 def supposing(item: SourceStatement) -> str:
     """The words by which something is supposed right before a statement."""
-    said = cue("suppose", item.lead)
+    said = cue("suppose", f"{item.lead} ")
     if said:
-        return said
+        return said.strip()
     before = item.before.rsplit("§", 1)[0] if "§" in item.before else ""
     between = item.lead.strip(" ,;~")
     joined = between in ("", "and", "и", "or", "или", ", and")
@@ -58,6 +58,13 @@ def reach(item: SourceStatement) -> str:
     if cue("here", f"{item.before} "):
         return "set of the sentence"
     return "set in force" if cue("suppose", item.lead) else "set"
+
+
+def reach_of_constants(item: SourceStatement) -> str:
+    """How far it reaches what is supposed of constants; to the end of the section, if empty."""
+    brief = cue("for", f"{item.before} ") or cue("if", item.lead)
+    lasting = cue("lasting", item.before)
+    return "of the sentence" if item.typed.inline and brief and not lasting else ""
 
 
 def integral_words(item: SourceStatement) -> str:

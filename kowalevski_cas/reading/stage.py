@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -25,6 +26,7 @@ from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.exponents import half_power
 from kowalevski_cas.paper.logarithms import roots as real_roots
 from kowalevski_cas.paper.names import BRACKET, DELTA, head, summation_indices
+from kowalevski_cas.paper.relations import solve_for_constant
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.paper.texts import Printed
@@ -330,6 +332,23 @@ def with_assumption(scene: Scene, item: SourceStatement, known: Known) -> Scene:
     names = names[:-1] if len(names) == len(item.members) else names
     given = dict.fromkeys((*vectors, *matrices, *names), place)
     if not given:
-        return scene
+        return _with_relation(scene, item)
     kept = tuple(name for name in scene.constants if name not in {*names, *parts})
     return replace(scene, constants=kept, definitions={**scene.definitions, **given})
+
+
+def _with_relation(scene: Scene, item: SourceStatement) -> Scene:
+    """A scene with an equation of its constants, solved for one of them; itself, if it is none."""
+    if len(item.members) != 2 or not item.names <= {*scene.constants}:
+        return scene
+    display = item.printed.display
+    with suppress(ValueError):
+        solved, below = solve_for_constant(item.printed.tex, scene)
+        if solved:
+            (place,) = replace(display, id=f"{display.id}-solved-{item.printed.number}", tex=solved)
+            left = solved.partition("=")[0]
+            name = left.removesuffix("^2")
+            kept = tuple(constant for constant in scene.constants if constant != name)
+            rest = replace(scene.having(nonzero=below), constants=kept)
+            return rest.naming(name, place) if name == left else rest.adjoining(place)
+    return scene
