@@ -234,7 +234,7 @@ class _DerivationReader:
         words = self.paper.words
         vectors = self.parts.known[0].names.vectors
         components = {part for own in vectors.values() for part in own}
-        clocks = [n for known in self.parts.known for one in known.clocks for n in one.bare]
+        clocks = [one.other_time for known in self.parts.known for one in known.clocks]
         read = frozenset().union(*(item.names for item in self.paper.items))
         scalars = sorted(
             (words.scalars | components | read - words.functions)
@@ -266,7 +266,8 @@ def chosen(found: list[Rung], on: Elaborations) -> Choice:
     """The first claim that holds, or the one with what is in force, where none does."""
     first: int | None = None
     message = ""
-    alone = len(found) == 1 and found[0].idle is None  # there is nothing to choose from
+    only = found[0].idle is None and not found[0].is_stronger
+    alone = len(found) == 1 and only  # there is nothing to choose from
     for place, rung in enumerate(found):
         if rung.elsewhere and first is None:
             break
@@ -274,7 +275,7 @@ def chosen(found: list[Rung], on: Elaborations) -> Choice:
         if true:
             return Choice(first, "", place) if rung.elsewhere else Choice(place)
         message = message or trouble
-        if trouble or rung.elsewhere:
+        if trouble or rung.elsewhere or rung.is_stronger:
             continue
         if first is None or (rung.in_force and not found[first].in_force):
             first = place
