@@ -267,6 +267,8 @@ def _as_read(audited: Audited, formula: JudgedStatement | None) -> None:
         return
     audited.role, audited.reason = formula.role.name, formula.role.reason
     audited.on = tuple(item.printed.place for item in formula.on)
+    if audited.message == FALSE_AS_READ and formula.message:
+        audited.message = f"{FALSE_AS_READ}: {formula.message}"
     if formula.role.name == CLAIM and formula.claim is None and not audited.claims:
         audited.verdict = OPEN
         audited.message = formula.message or NOT_JUDGED

@@ -9,8 +9,9 @@ from kowalevski_cas.notation import Name, Number, PoissonBracket
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.hypotheses import EQUATIONS
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, SETS, Known
-from kowalevski_cas.reading.ladder import EQUATIONS, Rung
+from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement
@@ -51,7 +52,7 @@ def doubt_of(
         return Doubt.ALWAYS
     given = any({*one.given} - {*known.bound} for one in candidates)
     sure = not (given or rung.constants or cue("on it", item.words))
-    sure = sure and not _has_level(item, rung, known)
+    sure = sure and not _has_level(item, rung, known) and not _has_constant(item, rung, known)
     sure = sure and _is_plain(rung, item, parts)
     sure = sure and not any(one.title == "abstract" for one in item.sections)
     return None if sure and (role.kind == "integral" or item.derives) else Doubt.UNLESS_MENDED
@@ -135,6 +136,17 @@ def _has_level(item: SourceStatement, rung: Rung, known: Known) -> bool:
         and known.varying(one.names)
         for one, role in known.roles.items()
     )
+
+
+def _has_constant(item: SourceStatement, rung: Rung, known: Known) -> bool:
+    r"""Whether an equation has a constant that no law has: it may belong to a motion.
+
+    So :math:`\dot\theta^2=4(k^2-\sin^2\frac\theta2)` holds for the k of this motion.
+    """
+    mentioned = {name for law in known.laws for name in known.names.scalars(law.mentions)}
+    below = {name for own in mentioned for name in known.names.scalars(known.below(own))}
+    own = {*rung.claim.scene.constants} - mentioned - below
+    return known.roles[item].kind == "identity" and bool(own)
 
 
 def _has_case(

@@ -193,6 +193,16 @@ class Known:
         """The constraints of the motion, with their derivatives."""
         return [one for one in self.assumptions if self.roles[one].kind == CONSTRAINT]
 
+    def supposed_elsewhere(self, item: SourceStatement) -> list[list[SourceStatement]]:
+        """The assumptions about constants, by sentences, that are not in force at a later place."""
+        found: dict[tuple[int, int], list[SourceStatement]] = {}
+        here = self.supposed(item)
+        for one in self.assumptions:
+            kind = self.roles[one].kind
+            if one.order < item.order and one not in here and kind in ("", "of the sentence"):
+                found.setdefault(one.sentence, []).append(one)
+        return [*found.values()]
+
     def sets(self, item: SourceStatement) -> list[SourceStatement]:
         """The sets of the phase space that are supposed, to the end of their section.
 

@@ -20,11 +20,13 @@ def find_laws(paper: SourcePaper, names: Names, said: Said) -> list[Law]:
 
     The first display with rates of names that nothing defines is grown until the rates of all that
     moves in it are there. Another set has new variables, or is set up as another system. Where none
-    is printed, there may be that of a Hamiltonian.
+    is printed, there may be that of a Hamiltonian, or one among the words.
     """
     found = [*_LawFinder(paper, names, said).laws()]
     rows = () if found else tuple(implied_rows(paper))
-    return [Law(rows, names)] if rows else found
+    if rows:
+        return [Law(rows, names)]
+    return found or [*_LawFinder(paper, names, said, inline=True).laws()]
 
 
 def find_restated(items: Sequence[SourceStatement], laws: Sequence[Law]) -> list[Law]:
@@ -48,8 +50,10 @@ def find_restated(items: Sequence[SourceStatement], laws: Sequence[Law]) -> list
 class _LawFinder:
     """The equations with rates of a paper, and which of them belong together."""
 
-    def __init__(self, paper: SourcePaper, names: Names, said: Said) -> None:
+    def __init__(self, paper: SourcePaper, names: Names, said: Said, inline: bool = False) -> None:
         self.paper, self.names, self.said = paper, names, said
+        self.inline = inline
+        """Whether any words may have a law among them."""
         rows = [item for item in paper.items if self._may_be_row(item)]
         rated = {name for row in rows for name in row.rates}
         rows = [row for row in rows if not {*row.bare[:1]} - rated or self._told(row)]
@@ -60,7 +64,8 @@ class _LawFinder:
     def _may_set_up(self, item: SourceStatement) -> bool:
         """Whether a law may begin with a row: with a display, or as the words right before say."""
         aside = any(section.title == "abstract" for section in item.sections)
-        return not item.typed.inline or bool(cue("system", item.lead) and not aside)
+        said = self.inline or cue("system", item.lead)
+        return not item.typed.inline or bool(said and not aside)
 
     def _told(self, item: SourceStatement) -> bool:
         return self.said.verb(item) == "law"

@@ -188,10 +188,21 @@ class _DerivationReader:
             message = self.troubles.get(item, "") if choice is None else choice.message
             return JudgedStatement(item, role, message=message)
         rung = self.candidates[item][choice.place]
-        doubt = doubt_of(item, rung, self.candidates[item], self.parts)
-        return JudgedStatement(
-            item, role, rung.claim, rung.on, rung.constants, doubt, choice.message
-        )
+        doubt, message = doubt_of(item, rung, self.candidates[item], self.parts), choice.message
+        if choice.elsewhere is not None:
+            doubt, message = Doubt.ALWAYS, self._supposed_elsewhere(item, choice.elsewhere)
+        return JudgedStatement(item, role, rung.claim, rung.on, rung.constants, doubt, message)
+
+    def _supposed_elsewhere(self, item: SourceStatement, place: int) -> str:
+        """The words for what is supposed in another place, and makes a claim true."""
+        lines = self.paper.lines
+        own = self.parts.of(item).supposed(item)
+        said = [
+            f"${one.printed.tex}$ (line {lines.get(one.printed.display.id, 0)})"
+            for one in self.candidates[item][place].on
+            if one not in own
+        ]
+        return f"it holds with {' and '.join(said)}, which is not said to hold here"
 
     def _id(self, item: SourceStatement) -> str:
         beside = [one for one in self.paper.items if one.typed is item.typed]
@@ -225,7 +236,7 @@ class _DerivationReader:
         words = self.paper.words
         vectors = self.parts.known[0].names.vectors
         components = {part for own in vectors.values() for part in own}
-        clocks = [n for known in self.parts.known for one in known.clocks for n in one.bare]
+        clocks = [one.other_time for known in self.parts.known for one in known.clocks]
         read = frozenset().union(*(item.names for item in self.paper.items))
         scalars = sorted(
             (words.scalars | components | read - words.functions)
@@ -250,35 +261,48 @@ class Choice(NamedTuple):
 
     place: int | None
     message: str = ""
+    elsewhere: int | None = None
+    """Which rung holds by what is supposed in other places, if no other one holds."""
 
 
 def chosen(found: list[Rung], on: Elaborations) -> Choice:
     """The first claim that holds, or the one with what is in force, where none does."""
     first: int | None = None
     message = ""
-    alone = len(found) == 1 and found[0].idle is None  # there is nothing to choose from
+    only = found[0].idle is None and not found[0].is_stronger
+    alone = len(found) == 1 and only  # there is nothing to choose from
     for place, rung in enumerate(found):
-        try:
-            with time_limit(SECONDS):
-                statement = Statement(rung.claim, on)
-                if (alone and statement.goals) or statement.holds():
-                    if rung.idle is None or not Statement(rung.idle, on).holds():
-                        return Choice(place)
-                    message = message or IDLE
-                    continue
-        except (NotationError, Meaningless, FormatError, ArithmeticError, RecursionError) as error:
-            said = str(getattr(error, "message", error))
-            for printed in rung.claim.places():
-                said = said.removeprefix(f"{printed.display.id}: ")
-            message = message or said
+        if rung.elsewhere and first is None:
+            break
+        true, trouble = _trial(rung, on, alone)
+        if true:
+            return Choice(first, "", place) if rung.elsewhere else Choice(place)
+        message = message or trouble
+        if trouble or rung.elsewhere or rung.is_stronger:
             continue
-        except (TimeoutError, ProcessDied):
-            pass
         if first is None or (rung.in_force and not found[first].in_force):
             first = place
         elif not rung.given and not found[first].given and {*rung.on} > {*found[first].on}:
             first = place  # what is supposed there is not left aside where the claim fails
     return Choice(first, "" if first is not None else message)
+
+
+def _trial(rung: Rung, on: Elaborations, alone: bool) -> tuple[bool, str]:
+    """Whether a claim holds, or is the only one and has a meaning; else perhaps why it has none."""
+    try:
+        with time_limit(SECONDS):
+            statement = Statement(rung.claim, on)
+            if (alone and statement.goals) or statement.holds():
+                idle = rung.idle is not None and Statement(rung.idle, on).holds()
+                return not idle, IDLE if idle else ""
+    except (NotationError, Meaningless, FormatError, ArithmeticError, RecursionError) as error:
+        said = str(getattr(error, "message", error))
+        for printed in rung.claim.places():
+            said = said.removeprefix(f"{printed.display.id}: ")
+        return False, said
+    except (TimeoutError, ProcessDied):
+        pass
+    return False, ""
 
 
 __all__ = ["JudgedStatement", "Reading", "read"]

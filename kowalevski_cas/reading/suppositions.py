@@ -5,7 +5,7 @@ from __future__ import annotations
 from kowalevski_cas.notation import Name, Relation
 from kowalevski_cas.reading.cues import cue, last_cue
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, OTHER, Known, StatementRole
-from kowalevski_cas.reading.phrases import is_number, is_value, reach, supposing
+from kowalevski_cas.reading.phrases import is_number, is_value, reach, reach_of_constants, supposing
 from kowalevski_cas.reading.statements import SourceStatement
 
 
@@ -43,11 +43,9 @@ def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
         return None
     values = all(is_value(m) for m in item.members)
     if said or (names and (item.typed.inline or values)):
-        brief = cue("for", item.before) or cue("if", item.lead)
-        lasting = cue("lasting", item.before)
-        where = "of the sentence" if item.typed.inline and brief and not lasting else ""
         why = f"“{said}” supposes it" if said else "gives a constant that was seen before"
-        return StatementRole(ASSUMPTION, why, where, tuple(names) or tuple(sorted(item.names)))
+        gives = tuple(names) or tuple(sorted(item.names))
+        return StatementRole(ASSUMPTION, why, reach_of_constants(item), gives)
     return None
 
 

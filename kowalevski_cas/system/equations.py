@@ -42,7 +42,7 @@ from kowalevski_cas.paper.matrix_equations import equations_of_entries, matrix_e
 from kowalevski_cas.paper.names import BRACKET, head, is_bold, summation_indices
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.signs import is_inequality
-from kowalevski_cas.paper.summation import expand_sum
+from kowalevski_cas.paper.summation import expand_sum, without_sums
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.problem.space import Meaningless
@@ -136,7 +136,7 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
     laws = tuple(p for p, one in formulas.items() if _is_law(one) or _is_momentum(one, moving))
     moving = _without_momenta(formulas, laws, moving, vectors)
     others = [place for place in formulas if place not in laws]
-    heads_of = [head(one) for place in others for one in (*place.heads.names, *place.heads.squares)]
+    heads_of = [head(one) for place in others for one in place.heads.names or place.heads.squares]
     defined = {one for f, given in heads_of for one in (f, *given, *summation_indices(given))} - {
         *moving
     }
@@ -329,13 +329,14 @@ def with_levels(scene: Scene, place: Printed) -> Scene:
     """A scene with the new names in an integral: T for it, or its value, as h in :math:`2T=2h`."""
     known = {*scene.names(), *scene.definitions, *scene.vectors, scene.time}
     scene = with_parameters(scene, place.display)
-    for name in place.heads.names:
+    heads = place.heads.names or place.heads.multiples
+    for name in heads:
         if name not in known:
             scene = scene.naming(name, place)
-    formula = read(place.tex, vocabulary((scene,)), OpenParser)
+    formula = read_rows(place.display, vocabulary((scene,)))[place]
     members = formula.members if isinstance(formula, Relation) else ()
     names = [{node.name for node in member.nodes() if isinstance(node, Name)} for member in members]
-    new = {one for own in names if own.isdisjoint({*known, *place.heads.names}) for one in own}
+    new = {one for own in names if own.isdisjoint({*known, *heads}) for one in own}
     if known.isdisjoint(one for own in names for one in own):
         return scene  # of nothing that moves it is no value
     return scene.having(constants=tuple(sorted(new)))
@@ -347,7 +348,8 @@ def with_roots(scene: Scene, display: Display) -> Scene:
     Raises ``ValueError`` if a name is defined there by two expressions, of which one would be lost,
     and for a bar, which would say nothing.
     """
-    waiting = [statement.formula for statement in read_display(display.tex, vocabulary((scene,)))]
+    printed = read_display(display.tex, vocabulary((scene,)))
+    waiting = [without_sums(statement.formula) for statement in printed]
     for place, formula in zip(display, waiting, strict=True):
         named = {*place.heads.names} & {*scene.definitions}
         sides = [side for side in formula.children() if not isinstance(side, Constant)]

@@ -26,6 +26,7 @@ from kowalevski_cas.paper.claims import (
 from kowalevski_cas.paper.constraints import equations_on
 from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.names import BRACKET
+from kowalevski_cas.paper.relations import solve_for_constant
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
@@ -41,13 +42,13 @@ from kowalevski_cas.system.equations import (
     with_roots,
     with_time,
 )
+from kowalevski_cas.system.indices import has_permutation, with_ranges
 from kowalevski_cas.system.maps import Map, index_of_map, with_images
 from kowalevski_cas.system.refused import check_constant, check_field, names_of
 from kowalevski_cas.system.signs import SIGNS, has_both_signs, with_signs
 from kowalevski_cas.system.solved import (
     gives_constant,
     simple_relations,
-    solve_for_constant,
     speaks_of_constants,
     with_new_names,
 )
@@ -103,6 +104,8 @@ class Field:
         self.prefix = f"{name}-" if name else ""
         self.section = Section(name or "1", "", copied=None)
         MADE.append(self.section)
+        self.scene = Scene(name)  # of which nothing is known yet
+        self._convention = False
         self.applied: dict[str, str] = {}
         self.functions: list[Unknown] = []
         tex = field if isinstance(field, str) else self._rows(field)
@@ -110,6 +113,8 @@ class Field:
         """The arguments of names that are defined; they are called by their names alone."""
         self.functions = unknown_functions(tex)
         """The functions of which nothing is known; they are called by their names alone."""
+        self._convention = has_permutation(tex)
+        """Whether indices that stand twice are summed over, though no sums are printed."""
         jets = [jet for one in self.functions for jet in one.jets]
         names = dict.fromkeys(name for *both, _ in jets for name in both)
         tex, words = self._tex(tex), [*self.symbols, *names]
@@ -231,7 +236,8 @@ class Field:
         for tex in simple:
             scene = with_new_names(tex, scene)
             if speaks_of_constants(tex, scene) and not gives_constant(tex, scene):
-                solved, below = solve_for_constant(tex, scene)
+                rooted = with_roots(scene, Display("", tex, ""))
+                solved, below = solve_for_constant(tex, rooted)
                 tex, scene = solved or tex, scene.having(nonzero=below)
             place = self._place("where", tex, IN_WORDS)
             constants, scene = scene.constants, restrict(scene, place)
@@ -347,12 +353,18 @@ class Field:
         """A formula in the names of the system; raises ``NotationError`` for any other name."""
         return read(tex, vocabulary((self.scene,)))
 
+    @property
+    def _names(self) -> tuple[str, ...]:
+        """The names that stand in the equations of motion, or were defined beside them."""
+        return (*self.scene.names(), *self.scene.vectors)
+
     def _formulas(self, display: Display) -> list[Formula]:
         return [s.formula for s in read_display(display.tex, vocabulary((self.scene,)))]
 
     def _tex(self, formula: Tex) -> str:
         if isinstance(formula, str):
-            return without_arguments(without_argument(formula, self.functions), self.applied)
+            plain = without_arguments(without_argument(formula, self.functions), self.applied)
+            return with_ranges(plain, self._names, self._convention)
         if not isinstance(formula, Function):
             return latex_of(formula, self.symbols)
         if self.scene.definitions.get(formula.name) != formula.place:

@@ -159,7 +159,7 @@ def stands_still(
     if images:
         return any((now.scalar(Name(x)) - now.scalar(Name(new))).is_zero for x, new in images)
     moving = was.rates.items() if before.scene.field else ()
-    if any(now.rates[x].is_zero for x, rate in moving if not rate.is_zero):
+    if any(now.rates[x].is_zero for x, rate in moving if x in now.rates and not rate.is_zero):
         return True
     return any(_still(name, now) and not _still(name, was) for name in names)
 

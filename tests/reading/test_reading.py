@@ -401,3 +401,35 @@ def test_a_function_that_everybody_knows_is_no_constant_of_the_paper():
     session = ReadingSession(reading(system + "The function $F=ye^{t}$ is constant."), timeout=5)
     assert next(iter(session.outcomes.values())).verdict is Verdict.PROVED
     assert not [*assumptions_of(audit_reading(session))]
+
+
+PENDULUM = r"\section{The pendulum} The pendulum moves by $\ddot\theta=-\sin\theta$. "
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"The pendulum is ${}$.",
+        r"Consider ${}$.",
+        r"We study the motion ${}$ of a point.",
+        r"Let ${}$ be the equation of an oscillator.",
+    ],
+)
+@pytest.mark.parametrize(
+    ("law", "true", "false"),
+    [
+        (r"\ddot x=-\sin x", r"\dot x^2-2\cos x", r"\dot x^2+2\cos x"),
+        (r"\dot x=yz,\ \dot y=-xz,\ \dot z=0", "x^2+y^2", "x^2-y^2"),
+        (r"\ddot{\mathbf r}=-\mathbf r,\ \mathbf r=(x,y)", r"x\dot y-y\dot x", "xy"),
+    ],
+)
+def test_the_only_law_of_a_paper_may_stand_among_its_words(words, law, true, false):
+    text = words.replace("{}", law) + f" The function ${true}$ is constant. So is not ${false}$."
+    assert verdicts(text)[true] is Verdict.PROVED
+    text = words.replace("{}", law) + f" The function ${false}$ is constant."
+    assert verdicts(text)[false] is Verdict.REFUTED
+
+
+def test_an_equation_for_the_constant_of_a_motion_is_not_called_false():
+    text = PENDULUM + r"With $k=\sin(\theta_0/2)$ we have $\dot\theta^2=4(k^2-\sin^2\frac\theta2)$."
+    assert verdicts(text)[r"\dot\theta^2=4(k^2-\sin^2\frac\theta2)"] is Verdict.UNDECIDED

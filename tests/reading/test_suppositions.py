@@ -1,0 +1,66 @@
+"""How far it reaches what is supposed of constants: a claim elsewhere does not rest on it."""
+
+import pytest
+
+from kowalevski_cas.audit.reading import ReadingSession, audit_reading
+from kowalevski_cas.verify.outcome import Verdict
+
+from .test_reading import TOP, reading, verdicts
+
+OSCILLATOR = r"""
+\section{A point} It moves by
+\begin{equation} \dot x=y,\quad\dot y=-\omega^2x. \end{equation}
+"""
+
+SUPPOSED = [
+    (TOP, "a+b=0", "p^2+q^2", "2p^2+2q^2"),
+    (TOP, "b+c=0", "q^2+r^2", "-q^2-r^2"),
+    (TOP, "a+b+c=0", "p^2+q^2+r^2", "3p^2+3q^2+3r^2"),
+    (TOP, "a=2b", "p^2-2q^2", "2q^2-p^2"),
+    (OSCILLATOR, r"\omega=1", "x^2+y^2", "-x^2-y^2"),
+    (OSCILLATOR, r"\omega^2=4", "4x^2+y^2", "8x^2+2y^2"),
+]
+"""A law, what is supposed of its constants, and two functions that are constant then only."""
+
+BRIEF = ["For ${0}$ the function ${1}$ is an integral. ", "If ${0}$, then ${1}$ is an integral. "]
+LASTING = [
+    "Let ${0}$. Then ${1}$ is an integral.",
+    "Suppose that ${0}$. Then ${1}$ is an integral.",
+]
+
+
+@pytest.mark.parametrize(("law", "supposed", "function", "other"), SUPPOSED)
+@pytest.mark.parametrize("words", BRIEF)
+def test_what_a_sentence_supposes_for_itself_proves_nothing_in_the_next(
+    law, supposed, function, other, words
+):
+    text = law + words.format(supposed, function) + f" The function ${other}$ is an integral."
+    found = verdicts(text)
+    assert found[function] is Verdict.PROVED
+    assert found[other] is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize(("law", "supposed", "function", "other"), SUPPOSED)
+@pytest.mark.parametrize("words", LASTING)
+def test_what_is_supposed_for_all_that_follows_holds_in_its_section(
+    law, supposed, function, other, words
+):
+    text = law + words.format(supposed, function) + f" The function ${other}$ is an integral."
+    assert verdicts(text) == {function: Verdict.PROVED, other: Verdict.PROVED}
+
+
+def test_a_claim_that_holds_by_what_is_supposed_elsewhere_names_it():
+    text = OSCILLATOR + BRIEF[0].format(r"\omega=1", "x^2+y^2") + "The sum $x^2+y^2$ is constant."
+    audit = audit_reading(ReadingSession(reading(text), timeout=5))
+    *_, last = audit.formulas
+    assert r"it holds with $\omega=1$" in last.message
+
+
+def test_a_claim_that_fails_by_what_its_own_sentence_supposes_is_false():
+    text = TOP + BRIEF[1].format("a+b=0", "p^2+q^2") + BRIEF[1].format("a=b", "2p^2+2q^2")
+    assert verdicts(text)["2p^2+2q^2"] is Verdict.REFUTED
+
+
+def test_a_claim_that_no_supposition_makes_true_is_false():
+    text = TOP + BRIEF[1].format("a+b=0", "p^2+q^2") + "The function $p^2+r$ is an integral."
+    assert verdicts(text)["p^2+r"] is Verdict.REFUTED
