@@ -344,7 +344,7 @@ class Moving(Meaning):
             *((n, Name(n)) for n in own if n in self.source.variables and n not in new),
         ]
         check_time(self.source, change.time)
-        time = Quotient(Number(1), self.source.plain(self.texts.time_scale(change.time)))
+        time = Quotient(Number(1), self.source.plain(self.texts.time_change(change.time).rate))
         return ChangeOfVariables(self.source, tuple(formulas), time)
 
     @cached_property
