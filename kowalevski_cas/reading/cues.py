@@ -125,7 +125,8 @@ CUES: dict[str, str] = {
         instead\s+of\s*(?:§|$) contradict\w+ if\s+it\s+were \bwere\b would\s+be fails?\b cannot\b
         \b(?:no|without)\s+(?:\w+\s+){0,2}integrals?(?:\s+\w+){0,3}\s*§ refut\w+
         §[\s,]*(?:\w+\s+){0,2}(?:no|without)\s+(?:\w+\s+){0,2}integrals?
-        in\s+place\s+of\s*(?:§|$) \bneither\b невер\w+ ошиб\w+ ложн\w+ опечат\w+
+        in\s+place\s+of\s*(?:§|$) \bneither\b ^\s*nor\s*§ ^\s*ни\s*§
+        невер\w+ ошиб\w+ ложн\w+ опечат\w+
         вместо\s*(?:§|$) противореч\w+ не\s+явля\w+ не\s+сохраня\w+ нельзя не\s+выполн\w+
         неправильн\w+ не\s+верно не\s+име\w+\s+мест""",
     "so it is not": r"""
@@ -170,8 +171,25 @@ CUES: dict[str, str] = {
     "free of": r"""
         \bfree\s+of\s*$ (?:not|never)\s+(?:depending\s+on|containing|involving)\s*$
         \b(?:independent\s+of|without)\s*$ не\s+(?:завис\w+\s+от|содерж\w+)\s*$""",
+    "except": r"""
+        \b(?:except(?:ing)?|unless)(?:\s+(?:for|when|if|where|at|in\s+the\s+cases?(?:\s+of)?|that))*\s*$
+        \b(?:кроме|за\s+исключением)\s+(?:случа\w+|того)(?:,?\s+когда)?\s*$""",
+    "excepted": r"""
+        \b(?:except(?:ing)?|unless)(?:\s+(?:for|when|if|where|at|in\s+the\s+cases?(?:\s+of)?|that))*\s*§
+        \b(?:кроме|за\s+исключением)\s+(?:случа\w+|того)(?:,?\s+когда)?\s*§""",
+    "region": r"""
+        \b(?:region|domain|interval|strip|half-?plane|half-?space|quadrant|where)\s*$
+        (?:област\w+|интервал\w*|полос\w+|полуплоскост\w+|полупространств\w+|где)\s*$""",
+    "condition": r"""
+        \b(?:if|when|provided(?:\s+that)?|for)\s*$
+        \bin\s+the\s+(?:\w+\s+)?case(?:\s+(?:of|when))?\s*$
+        \bunder\s+the\s+conditions?\s*$ \bon\s+condition\s+that\s*$
+        (?:если|когда|при(?:\s+\w+)?|в\s+случае|при\s+условии)\s*$""",
+    "only if": r"""
+        \bonly\s+(?:if|when|for|in\s+the\s+case)\b \biff\b
+        тогда\s+и\s+только только\s+(?:если|при)\b""",
     "if": r"""
-        \bif\s*$ \bwhen\s*$ \bunless\b \bif\s+(?:and\s+only\s+if\s*)?$ если\s*$ когда\s*$""",
+        \bif\s*$ \bwhen\s*$ \bif\s+(?:and\s+only\s+if\s*)?$ если\s*$ когда\s*$""",
 }
 """Patterns by the cue that they give; spaces stand between them."""
 

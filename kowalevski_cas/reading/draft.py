@@ -68,7 +68,8 @@ def comments(reading: Reading) -> Iterator[tuple[TypedFormula, list[str]]]:
             lines = [
                 f"{f.item.printed.number} {t}" for f, t in zip(formulas, texts, strict=True) if t
             ]
-        if lines := [f"{MARK} {line}" for line in lines if line]:
+        lines = [f"{MARK} {line}" for line in lines if line]
+        if lines and typed.kind:  # what is deduced of a printed one stands nowhere
             yield typed, lines
 
 

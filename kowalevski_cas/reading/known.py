@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from kowalevski_cas.notation import Name, NotationError, Number
 from kowalevski_cas.paper.names import BRACKET, head
+from kowalevski_cas.reading.clauses import Clauses
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.names import Names
@@ -175,17 +176,41 @@ class Known:
         """The assumptions about constants that are in force at a statement, the latest first.
 
         They hold to the end of their section, or of their theorem with its proof; a later one
-        about the same constants takes the place of an earlier one.
+        about the same constants takes the place of an earlier one. One that stands behind a claim
+        of its sentence, as in “F is an integral if a=0”, is of this claim only.
         """
         found: list[SourceStatement] = []
         taken: set[str] = set()
         for one in sorted(self.assumptions, key=lambda one: -one.order):
-            if one.order >= item.order or not self.reaches(one, item):
+            if not self._is_in_force(one, item):
                 continue
             names = {*self.roles[one].names}
             if not names & taken:
                 found.append(one)
             taken |= names
+        return found
+
+    def _is_in_force(self, one: SourceStatement, item: SourceStatement) -> bool:
+        clauses = self._clauses(one.sentence)
+        if one in clauses.conditions and one.sentence == item.sentence and item in clauses.of:
+            return one in clauses.of[item] and self.reaches(one, item)
+        before = one.order < item.order and one not in clauses.behind
+        return before and self.reaches(one, item)
+
+    def _clauses(self, sentence: tuple[int, int]) -> Clauses:
+        claims = {
+            one: self.roles[one].name == CLAIM
+            for one in self._sentences.get(sentence, ())  # a comment stands in none
+            if one in self.roles and self.roles[one].name in (CLAIM, ASSUMPTION)
+        }
+        return Clauses(claims, claims)
+
+    @cached_property
+    def _sentences(self) -> dict[tuple[int, int], list[SourceStatement]]:
+        """The statements of each sentence, in their order."""
+        found: dict[tuple[int, int], list[SourceStatement]] = {}
+        for one in sorted(self.paper.items, key=lambda one: one.order):
+            found.setdefault(one.sentence, []).append(one)
         return found
 
     @property
@@ -199,7 +224,8 @@ class Known:
         here = self.supposed(item)
         for one in self.assumptions:
             kind = self.roles[one].kind
-            if one.order < item.order and one not in here and kind in ("", "of the sentence"):
+            near = one.order < item.order or one.sentence == item.sentence
+            if near and one not in here and kind in ("", "of the sentence"):
                 found.setdefault(one.sentence, []).append(one)
         return [*found.values()]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 
 from kowalevski_cas.notation import Name, Relation
@@ -69,8 +70,19 @@ def expression(item: SourceStatement, known: Known) -> StatementRole | None:
     return StatementRole(OTHER, "an expression: nothing is stated")
 
 
+_ONE_CLAUSE = re.compile(r"[,;:]|\b(?:and(?!\s+only)|but|и(?!\s+только)|но)\b")
+"""What ends a clause, but for “if and only if”."""
+
+
 def unjudged(item: SourceStatement, known: Known) -> StatementRole | None:
-    """What is denied, quoted or asked, and what holds approximately."""
+    """What is denied, quoted, asked or left out, and what is claimed with exceptions."""
+    if said := cue("except", item.lead):
+        return StatementRole(OTHER, f"“{said}” leaves it out", "excepted")
+    mates = (role for one, role in known.roles.items() if one.sentence == item.sentence)
+    if cue("excepted", item.after) or any(role.kind == "excepted" for role in mates):
+        return StatementRole(OTHER, "its sentence makes exceptions: it is not judged", "excepted")
+    if said := cue("only if", item.lead) or cue("only if", _ONE_CLAUSE.split(item.tail)[0]):
+        return StatementRole(OTHER, f"“{said}” says more than is judged", "asked")
     if said := cue("denied", clause(item)):
         return StatementRole(
             OTHER, f"“{said}” stands beside it: it is not claimed as printed", "denied"
@@ -90,7 +102,7 @@ def other(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 RULES: tuple[Rule, ...] = (
-    unread, expression, inequality, law, constraint, unit, bracket, unjudged, repeated, change,
+    unread, expression, law, constraint, unit, bracket, unjudged, inequality, repeated, change,
     claimed_set, solution, definition, square, assumption, value, approximate, rate, zero_set,
     integral, identity, other,
 )  # fmt: skip

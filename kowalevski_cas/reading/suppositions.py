@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from kowalevski_cas.notation import Name, Relation
+from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.reading.cues import cue, last_cue
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, OTHER, Known, StatementRole
 from kowalevski_cas.reading.phrases import is_number, is_value, reach, reach_of_constants, supposing
@@ -10,16 +11,24 @@ from kowalevski_cas.reading.statements import SourceStatement
 
 
 def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
-    """What says that something is larger, or is not."""
+    """What says that something is larger, or is not; of what moves it is claimed, as a rule."""
     if item.members:
         return None
     assert isinstance(item.formula, Relation)
     if not {*item.formula.signs} & {"<", ">", r"\le", r"\ge", r"\leq", r"\geq", r"\ne", r"\neq"}:
         return StatementRole(OTHER, "no equation")
-    words = item.lead[-30:] if item.typed.inline else item.before
-    claimed = last_cue("claim", words) > last_cue("suppose", words)
-    supposed = cue("suppose", item.before[:12])
-    if supposed or not (claimed or (not item.typed.inline and cue("claim", item.tail))):
+    if is_inequality(item.formula) and known.varying(item.names):
+        if said := cue("region", item.lead):
+            return StatementRole(OTHER, f"“{said}” names a region by it")
+        others = (one for one in known.paper.items if one.typed is item.typed)
+        beside = not item.typed.inline and len([*others]) > 1
+        supposed = beside or bool(supposing(item))
+    else:
+        words = item.lead[-30:] if item.typed.inline else item.before
+        claimed = last_cue("claim", words) > last_cue("suppose", words)
+        claimed = claimed or (not item.typed.inline and bool(cue("claim", item.tail)))
+        supposed = bool(cue("suppose", item.before[:12])) or not claimed
+    if supposed:
         why = "an inequality that is supposed"
         return StatementRole(ASSUMPTION, why, "inequality", tuple(item.names))
     return StatementRole(CLAIM, "an inequality that is claimed", "inequality")

@@ -20,7 +20,7 @@ class PrintedFunctions:
 
     def __init__(self, setting: Elaboration, printed: Iterable[Formula]) -> None:
         self.setting = setting
-        definitions = map(setting.texts.formula, setting.scene.definitions.values())
+        definitions = map(setting.texts.as_printed, setting.scene.definitions.values())
         formulas = (*printed, *setting.printed_field, *definitions)
         self.printed = dict.fromkeys(one for formula in formulas for one in applications(formula))
 

@@ -1,0 +1,76 @@
+"""Whose conditions are those of a sentence, as in “F is an integral if a=0, and G if b=0”."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.text import MARK
+
+_ANEW = re.compile(
+    r"(?:[,;:]|\b(?:and|but|while|whereas|и|а|но)\b)[\s~]*(?:\w+[\s~]+){0,5}\w+[\s~]*$"
+)
+"""How words end that begin another clause with a condition."""
+
+_GOES_ON = re.compile(r"[\s,~]*(?!(?:and|but|while|whereas|и|а|но)\b)[\w§]")
+"""How words begin that go on with what holds under a condition."""
+
+
+class Clauses:
+    """The conditions of a sentence: each belongs to the claims behind it, or to those before.
+
+    Args:
+        statements: those of the sentence, in their order.
+        claims: whether each is claimed; what is not there is neither claimed nor supposed.
+    """
+
+    def __init__(
+        self, statements: Iterable[SourceStatement], claims: Mapping[SourceStatement, bool]
+    ) -> None:
+        self.of: dict[SourceStatement, list[SourceStatement]] = {}
+        self.behind: set[SourceStatement] = set()
+        self._leading: list[SourceStatement] = []
+        self._claims: list[SourceStatement] = []  # those that were spoken of last, together
+        self._before: SourceStatement | None = None
+        for statement in statements:
+            if claims.get(statement):
+                self._claim(statement)
+            elif statement in claims and self._is_condition(statement):
+                self._suppose(statement)
+            self._before = statement
+
+    @property
+    def conditions(self) -> set[SourceStatement]:
+        """Those that belong to claims of the sentence."""
+        return {one for conditions in self.of.values() for one in conditions}
+
+    def _claim(self, statement: SourceStatement) -> None:
+        if self._before not in self._claims or not _is_joined(statement):
+            self._claims = []
+        self._claims.append(statement)
+        self.of[statement] = [*self._leading]
+
+    def _is_condition(self, statement: SourceStatement) -> bool:
+        listed = self._before in self.behind or self._before in self._leading
+        said = cue("condition", statement.lead) or (listed and _is_joined(statement))
+        return statement.typed.inline and bool(said)
+
+    def _suppose(self, statement: SourceStatement) -> None:
+        anew = _ANEW.search(statement.lead)
+        goes_on = MARK in statement.after and _GOES_ON.match(statement.tail)
+        listed = self._before in self.behind and _is_joined(statement)
+        if self._claims and (listed or not (anew and goes_on)):
+            self.behind.add(statement)
+            for claim in self._claims:
+                self.of[claim].append(statement)
+        else:
+            more = not anew or self._before in self._leading
+            self._leading = [*self._leading, statement] if more else [statement]
+            self._claims = []
+
+
+def _is_joined(statement: SourceStatement) -> bool:
+    """Whether only a comma or “and” stands between a statement and the one before it."""
+    return statement.lead.strip(" ,;~\n") in ("", "and", "or", "и", "или")
