@@ -123,8 +123,9 @@ def _level(
 
 def repeated(item: SourceStatement, known: Known) -> StatementRole | None:
     """What has been said before, sign for sign, to name something."""
-    for one, role in known.roles.items():
-        if role.name in NAMING and one.formula == item.formula and one.order < item.order:
+    for one in known.paper.alike[item.formula]:
+        role = known.roles.get(one)
+        if role is not None and role.name in NAMING and one.order < item.order:
             if role.name != CLAIM or item.typed.inline:
                 return StatementRole(NOTATION, f"said before, at {one.printed.place}")
     return None
@@ -243,8 +244,8 @@ def _integral_that_defines(
     if not said or not moves or cue("where", item.lead):
         return None
     vanishing = integral_words(item)
-    for one in known.paper.items:
-        if item.order < one.order < item.order + 12 and (ZERO in one.members or not vanishing):
+    for one in known.paper.items[item.order + 1 : item.order + 12]:
+        if ZERO in one.members or not vanishing:
             rated = [m.argument for m in one.members if isinstance(m, Derivative)]
             if any(isinstance(m, Name) and m.name in fresh for m in rated):
                 return None
