@@ -134,7 +134,8 @@ def draw(rows: Sequence[Row]) -> Figure:
     for line, many in zip(panels, (False, True), strict=True):
         for axes, (name, (words, _)) in zip(line, CASES.items(), strict=True):
             for row in rows:
-                if row["case"].startswith(name) and row["case"].endswith("states") is many:
+                here = row["case"].startswith(name) and row["case"].endswith("states") is many
+                if here and "errors" in row:
                     curve(axes, row, "errors", "times")
             axes.set(xscale="log", yscale="log", xlim=(10, 1e-17))
             axes.minorticks_off()

@@ -15,7 +15,7 @@ A method takes a motion and an array of times and returns the states (ω, α, β
 Through a state that has no closed form goes a general motion, for the integrators:
 
 >>> through([0.1, 0.2, 0.3, 1, 0, 0, 0, 0.4, 0]).why.partition(";")[0]
-'the state is not on N⁴: the left side of (16), equation 1, is 0.108 there, 0.172 of its size'
+'the state is not on N⁴: the left side of (16), equation 1, is 0.172 of its size'
 """
 
 from kowalevski_cas.motion.frequencies import Frequencies, frequencies

@@ -67,12 +67,13 @@ def frequencies(motion: Motion | MotionO4) -> Frequencies:
     >>> [round(value, 6) for value in found.frequencies]
     [0.694393, 0.41459]
     """
-    torus = _Torus(motion)
+    unit = motion.parameters.unit
+    torus = _Torus(motion.in_unit(unit))
     basis = torus.basis()
     rates = np.linalg.solve(basis, torus.rates)
     basis *= np.sign(rates)
-    first, second = (torus.action(circle) for circle in basis.T)
-    one, two = np.abs(2 * np.pi * rates).tolist()
+    actions = [torus.action(circle) for circle in basis.T]
+    (one, two), (first, second) = np.ldexp([np.abs(2 * np.pi * rates), actions], unit).tolist()
     return Frequencies((one, two), (first, second))
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import hypot
-from typing import Final, NoReturn
+from typing import NoReturn
 
 import numpy as np
 
@@ -13,11 +13,8 @@ from kowalevski_cas.motion import formulas, point
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.o4.start import on_O4
-from kowalevski_cas.motion.parameters import Inadmissible, Real, exact
-from kowalevski_cas.motion.units import in_unit, scale, unit_of
-
-_WEIGHTS: Final = {"a": 2, "b": 2, "c": 4, "h": 2, "k": 4, "g": 6}
-"""The weights of the constants, of which the unit of time has the weight −1."""
+from kowalevski_cas.motion.parameters import Inadmissible, Real, usable
+from kowalevski_cas.motion.units import in_unit, unit_of, without_unit
 
 
 @dataclass(frozen=True)
@@ -34,11 +31,7 @@ class General:
     @property
     def constants(self) -> dict[str, float | str]:
         """The values of a, b, c and of the three integrals; in digits what no float holds."""
-        unit = int(unit_of(np.array(self.point)))
-        return {
-            name: scale(value, _WEIGHTS[name] * unit)
-            for name, value in self.constants_in_unit.items()
-        }
+        return without_unit(self.constants_in_unit, int(unit_of(np.array(self.point))))
 
     @property
     def constants_in_unit(self) -> dict[str, float]:
@@ -50,7 +43,8 @@ class General:
         lengths = {"a": hypot(*state[3:6]), "b": hypot(*state[6:])}
         return {**lengths, "c": values["c"], **{name.lower(): values[name] for name in "HKG"}}
 
-    def oscillations(self) -> NoReturn:
+    @property
+    def parameters(self) -> NoReturn:
         """Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible`, with the reason."""
         raise Inadmissible(
             f"there is no closed form, but integrators follow the motion: {self.why}"
@@ -73,4 +67,4 @@ def through(state: Sequence[Real]) -> AnyMotion:
             return closed(state)
         except Inadmissible as error:
             refused.append(str(error))
-    return General(tuple(float(exact(value)) for value in state), "; ".join(refused))
+    return General(tuple(float(usable(value)) for value in state), "; ".join(refused))

@@ -7,14 +7,17 @@ several, is the motion; :func:`~kowalevski_cas.motion.point.on_N4` finds them fo
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
+
+import numpy as np
 
 from kowalevski_cas.motion.frame import fields, straighten
 from kowalevski_cas.motion.oscillation import Oscillation
 from kowalevski_cas.motion.parameters import Parameters, Real, precision, usable
 from kowalevski_cas.motion.regimes import Arc, Regime, regime_of, signs_of, without_rounding
+from kowalevski_cas.motion.units import in_unit, power, without_unit
 
 
 @dataclass(frozen=True)
@@ -69,7 +72,7 @@ class Motion:
         longer, shorter, turn = straighten(usable(a), usable(b), usable(c))
         make, last = (Parameters.of, ell) if h is None else (Parameters.at_energy, h)
         assert last is not None
-        parameters = make(longer, shorter, m, last)
+        parameters = make(longer, shorter, usable(m), usable(last))
         t1, t2 = map(usable, origins)
         if all(turn):
             parameters = without_rounding(parameters)
@@ -80,10 +83,22 @@ class Motion:
         """The regime of its constants."""
         return regime_of(self.parameters)
 
+    def in_unit(self, unit: int) -> Motion:
+        """The same motion in a unit of time in which a rate of this power of two is 1."""
+        first, second = (time * power(unit) for time in self.origins)
+        point = self.point and tuple(in_unit(np.array(self.point), np.array(unit)).tolist())
+        parameters = self.parameters.in_unit(unit)
+        return replace(self, parameters=parameters, origins=(first, second), point=point)
+
     @property
-    def constants(self) -> dict[str, float]:
+    def constants(self) -> dict[str, float | str]:
         """The lengths a, b of the fields and their scalar product c, the integrals, m and ℓ."""
-        known = self.parameters
+        return without_unit(self.constants_in_unit, self.parameters.unit)
+
+    @property
+    def constants_in_unit(self) -> dict[str, float]:
+        """The constants in a unit of time in which a is about 1."""
+        known = self.parameters.in_unit(self.parameters.unit)
         a, b, c = fields(known.p_square, known.r_square, self.turn)
         values = (known.h, known.k, known.g, known.m)
         named = {name: float(value) for name, value in zip("hkgm", values, strict=True)}

@@ -7,6 +7,7 @@ when the energy is given, the square root of a rational number; so these signs a
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from fractions import Fraction
@@ -18,13 +19,14 @@ from flint import arb, ctx
 from kowalevski_cas.algebra.flint import to_flint
 from kowalevski_cas.algebra.numbers import square_root
 from kowalevski_cas.motion.phases import as_fraction
+from kowalevski_cas.motion.units import power
 
 Real = int | float | str | Fraction
 """What may be given as a number; a string is read as the decimal or quotient that it prints."""
 
 
 LARGEST = Fraction(10**50)
-"""What is given, and 1/m, may be as large: then floats can hold all constants."""
+"""In units of a, what is given, and 1/m, may be as large: then floats can hold all constants."""
 
 
 class Inadmissible(ValueError):
@@ -52,6 +54,11 @@ class Lengths:
         """r² = a² − b²."""
         return self.a**2 - self.b**2
 
+    @property
+    def unit(self) -> int:
+        """The exponent of a unit of time in which a is about 1."""
+        return int((self.a.numerator.bit_length() - self.a.denominator.bit_length()) / 2)
+
 
 @dataclass(frozen=True)
 class Parameters(Lengths):
@@ -67,8 +74,6 @@ class Parameters(Lengths):
 
     def __post_init__(self) -> None:
         """Refuse lengths that do not separate, m = 0, and what floats would not hold."""
-        for value in (self.a, self.b, self.m, self.ell_square / LARGEST):
-            usable(value)
         if self.b < 0 or self.a < 0:
             short = "a" if self.a < 0 else "b"
             raise Inadmissible(f"the length {short} = {float(self.a if self.a < 0 else self.b):g}"
@@ -80,11 +85,8 @@ class Parameters(Lengths):
             raise Inadmissible(
                 f"a = {float(self.a):g} and b = {float(self.b):g} are {words}; a > b ≥ 0 is needed"
             )
-        if self.a * LARGEST < 1:
-            raise Inadmissible(
-                f"a < {float(1 / LARGEST):g}: floats do not hold the powers of it; take other units"
-            )
-        if abs(self.m) * LARGEST < 1:
+        refuse_extremes({"am": self.a * self.m, "ℓ²": self.ell_square / LARGEST})
+        if abs(self.a * self.m) * LARGEST < 1:
             words = "almost 0" if self.m else "0"
             raise Inadmissible(
                 f"m = {words}: the roots (ℓ±1)/2m are at infinity; m > 0 or m < 0 would do"
@@ -97,20 +99,26 @@ class Parameters(Lengths):
         Raises :class:`Inadmissible` unless a > b ≥ 0 and m ≠ 0, and ``ValueError`` for
         what is not a finite number.
         """
-        fields, value = (usable(a), usable(b), usable(m)), usable(ell)
+        fields, value = (exact(a), exact(b), exact(m)), exact(ell)
         return Parameters(*fields, value**2, _sign(value))
 
     @staticmethod
     def at_energy(a: Real, b: Real, m: Real, h: Real) -> Parameters:
         r"""The constants a, b, m and the energy h, by :math:`\ell^2=2p^2m^2+2hm+1`, ℓ ≥ 0."""
         first = Parameters.of(a, b, m, 0)
-        square = 2 * first.p_square * first.m**2 + 2 * usable(h) * first.m + 1
+        refuse_extremes({"h/a": exact(h) / first.a})
+        square = 2 * first.p_square * first.m**2 + 2 * exact(h) * first.m + 1
         if square < 0:
             raise Inadmissible(
                 f"ℓ² = 2p²m²+2hm+1 = {float(square):.6g} is negative; "
                 f"{energies(first.a, first.b, first.m)} would do"
             )
         return Parameters(first.a, first.b, first.m, square, int(square > 0))
+
+    def in_unit(self, unit: int) -> Parameters:
+        """The same in a unit of time in which a rate of this power of two is 1."""
+        a, b, m = self.a * power(-2 * unit), self.b * power(-2 * unit), self.m * power(2 * unit)
+        return Parameters(a, b, m, self.ell_square, self.ell_sign)
 
     # -- ℓ, and linear expressions in it -------------------------------------------
 
@@ -184,7 +192,7 @@ def round_towards(value: Fraction, up: bool) -> str:
 
 
 def exact(value: Real) -> Fraction:
-    """The number as a fraction; raises ``ValueError`` unless it is finite and of usable size.
+    """The number as a fraction; raises ``ValueError`` unless it is finite and can be written out.
 
     >>> exact("0.3"), exact(0.5)
     (Fraction(3, 10), Fraction(1, 2))
@@ -202,17 +210,23 @@ def exact(value: Real) -> Fraction:
 
 
 def usable(value: Real) -> Fraction:
-    """The number as a fraction; raises ``ValueError`` unless it is finite, and not huge either.
-
-    For a huge one that is :class:`Inadmissible`: there are motions, which integrators follow.
-    """
+    """The number as a fraction; raises ``ValueError`` unless it is finite and a float holds it."""
     number = exact(value)
-    if abs(number) > LARGEST:
-        words = "a constant" if isinstance(value, Fraction) else f"“{value}”"
-        raise Inadmissible(
-            f"{words} is too large: {float(LARGEST):g} is the most; take other units"
-        )
+    try:
+        held = float(number) != 0 or number == 0
+    except OverflowError:
+        held = False
+    if not held:
+        size = "large" if abs(number) > 1 else "small"
+        raise ValueError(f"“{value}” is too {size}: no float holds it; take other units")
     return number
+
+
+def refuse_extremes(values: Mapping[str, Fraction]) -> None:
+    """Refuse constants that are huge in units of a: there are motions, which integrators follow."""
+    for name, value in values.items():
+        if abs(value) > LARGEST:
+            raise Inadmissible(f"|{name}| is too large: {float(LARGEST):g} is the most")
 
 
 def root(square: Fraction) -> Fraction:

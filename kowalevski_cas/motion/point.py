@@ -36,6 +36,7 @@ from kowalevski_cas.motion.parameters import (
 from kowalevski_cas.motion.phases import as_fraction
 from kowalevski_cas.motion.regimes import NOISE, regime_of, without_rounding
 from kowalevski_cas.motion.start import Values, arc_of, at_infinity, start, variables
+from kowalevski_cas.motion.units import numbers_in_unit
 
 ROUNDING = 1e-15
 """How far from a state, of its size, a motion may begin that is not improved."""
@@ -76,9 +77,12 @@ def on_N4(state: Sequence[Real]) -> Motion:
             (_with_distance(motion, given) for motion in found), key=lambda motion: motion.off
         )
         if best.off > ROUNDING:
-            fields, size = _sizes(given)
+            unit = parameters.unit
+            inner = numbers_in_unit(given, unit)
+            fields, size = _sizes(inner)
             weights = np.repeat([float(size) ** -0.5, float(1 / fields)], (3, 6))
-            fitted = _with_distance(nearest(best, given, weights), given)
+            fitted = nearest(best.in_unit(unit), inner, weights).in_unit(-unit)
+            fitted = _with_distance(fitted, given)
             best = min(best, fitted, key=lambda motion: motion.off)
     if not best.off <= TOLERANCE:
         raise Inadmissible(
@@ -193,7 +197,7 @@ def _check(state: list[Fraction]) -> bool:
         if value**2 > TOLERANCE**2 * square:
             raise Inadmissible(
                 f"the state is not on N⁴: the left side of (16), equation {number}, is "
-                f"{float(value):.3g} there, {float(value**2 / square) ** 0.5:.3g} of its size"
+                f"{float(value**2 / square) ** 0.5:.3g} of its size"
             )
     return False
 

@@ -59,11 +59,16 @@ class Trajectory:
 
     @cached_property
     def drift(self) -> dict[str, float]:
-        """The largest change of each integral, relative to what it is for the size of the state."""
+        """The largest change of each integral, relative to what it is for the size of the state.
+
+        Those of the fields alone are relative to the fields, which are tiny for a fast top.
+        """
         states = in_unit(self.states, unit_of(self.states[0]))
+        fields = np.max(np.abs(states[0, 3:])) ** 2 or 1.0
+        sizes = {"a^2": fields, "b^2": fields, "c": fields}
         values = formulas.values_of_offer("integrals")(*states.T)
         return {
-            INTEGRALS[name]: float(np.max(np.abs(value - value[0])))
+            INTEGRALS[name]: float(np.max(np.abs(value - value[0]) / sizes.get(name, 1.0)))
             for name, value in zip(formulas.INTEGRALS, map(np.atleast_1d, values), strict=True)
             if name in INTEGRALS
         }

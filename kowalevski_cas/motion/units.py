@@ -6,13 +6,22 @@ the size of the state. Units are powers of two: to change them rounds nothing.
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from decimal import Decimal
+from fractions import Fraction
+from typing import Final
 
 import numpy as np
 
 from kowalevski_cas.motion.arrays import Array
 
-_WEIGHTS = np.array([1] * 3 + [2] * 6)
+WEIGHTS = np.array([1] * 3 + [2] * 6)
+"""Those of ω, α, β."""
+
+_CONSTANTS: Final = {
+    "a": 2, "b": 2, "c": 4, "h": 2, "k": 4, "g": 6, "m": -2, "l": 0, "s": 2, "tau": 4
+}  # fmt: skip
+"""The weights of the constants, of which the unit of time has the weight −1."""
 
 
 def unit_of(states: Array) -> Array:
@@ -32,8 +41,24 @@ def in_unit(states: Array, exponents: Array) -> Array:
     >>> in_unit(np.array([4.0, 0, 0, 16.0, 0, 0, 0, 0, 0]), np.array(2))[[0, 3]]
     array([1., 1.])
     """
-    scaled: Array = np.ldexp(states, -np.asarray(exponents)[..., None] * _WEIGHTS)
+    scaled: Array = np.ldexp(states, -np.asarray(exponents)[..., None] * WEIGHTS)
     return scaled
+
+
+def numbers_in_unit(state: Sequence[Fraction], exponent: int) -> list[Fraction]:
+    """The nine numbers of a state in such a unit of time, exactly."""
+    weighted = zip(state, WEIGHTS.tolist(), strict=True)
+    return [x * power(-weight * exponent) for x, weight in weighted]
+
+
+def power(exponent: int) -> Fraction:
+    """A power of two."""
+    return Fraction(2) ** exponent
+
+
+def without_unit(constants: Mapping[str, float], exponent: int) -> dict[str, float | str]:
+    """The values of constants by those in such a unit of time; in digits what no float holds."""
+    return {name: scale(value, _CONSTANTS[name] * exponent) for name, value in constants.items()}
 
 
 def scale(value: float, exponent: int) -> float | str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from kowalevski_cas.notation.atoms import Atoms
 from kowalevski_cas.notation.cursor import Piece
 from kowalevski_cas.notation.errors import NotationError
-from kowalevski_cas.notation.formula import Derivative, Partial, Quotient
+from kowalevski_cas.notation.formula import Derivative, Name, Partial, Quotient
 
 _DIFFERENTIALS = ("d", r"\partial")
 
@@ -70,6 +70,9 @@ class Derivatives(Atoms):
                 return super().factor()
             if token.text in self.names:
                 raise self.error("a derivative, or the name d? print a fraction, or a dot", token)
+        if self.differential_begins():
+            self.at += 1
+            return Name("d"), token.start, token.end, ()
         self.at += 1
         order = self.order()
         piece = super().factor()
@@ -81,6 +84,12 @@ class Derivatives(Atoms):
         if len(by) != order:
             raise self.error("the orders above and below differ", token)
         return _derivative(piece, token.text, by, token.start, self.tokens[self.at - 1].end)
+
+    def differential_begins(self) -> bool:
+        """Whether the differential of a time begins here, as in a change of the time."""
+        letter = self.tokens[self.at + 1]
+        time = letter.kind == "letter" and letter.text in self.vocabulary.times
+        return self.tokens[self.at].text == "d" and time and not self.slash_derivative_begins()
 
     def slash_derivative_begins(self) -> bool:
         """Whether a derivative with a slash begins here, as dx/dt."""

@@ -31,7 +31,8 @@ def choose(found: list[Rung], on: Elaborations) -> Choice:
     """The first claim that holds, or the one with what is in force, where none does."""
     first: int | None = None
     message = ""
-    alone = len(found) == 1 and found[0].idle is None  # there is nothing to choose from
+    only = found[0].idle is None and not found[0].is_stronger
+    alone = len(found) == 1 and only  # there is nothing to choose from
     for place, rung in enumerate(found):
         if rung.elsewhere and first is None:
             break
@@ -39,7 +40,7 @@ def choose(found: list[Rung], on: Elaborations) -> Choice:
         if true:
             return Choice(first, "", place) if rung.elsewhere else Choice(place)
         message = message or trouble
-        if trouble or rung.elsewhere:
+        if trouble or rung.elsewhere or rung.is_stronger:
             continue
         if first is None or (rung.in_force and not found[first].in_force):
             first = place

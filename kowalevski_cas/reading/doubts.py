@@ -9,8 +9,9 @@ from kowalevski_cas.notation import Name, Number, PoissonBracket
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.hypotheses import EQUATIONS
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, SETS, Known
-from kowalevski_cas.reading.ladder import EQUATIONS, Rung
+from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement

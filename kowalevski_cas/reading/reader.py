@@ -259,7 +259,7 @@ class _DerivationReader:
         words = self.paper.words
         vectors = self.parts.known[0].names.vectors
         components = {part for own in vectors.values() for part in own}
-        clocks = [n for known in self.parts.known for one in known.clocks for n in one.bare]
+        clocks = [one.other_time for known in self.parts.known for one in known.clocks]
         read = frozenset().union(*(item.names for item in self.paper.items))
         scalars = sorted(
             (words.scalars | components | read - words.functions)

@@ -17,7 +17,7 @@ from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Derivative, Formula, Name, Power, Relation, to_latex
 from kowalevski_cas.notation.symbol import symbol
-from kowalevski_cas.paper.claims.forms import sides
+from kowalevski_cas.paper.components import sides
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene

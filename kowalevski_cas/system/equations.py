@@ -329,13 +329,14 @@ def with_levels(scene: Scene, place: Printed) -> Scene:
     """A scene with the new names in an integral: T for it, or its value, as h in :math:`2T=2h`."""
     known = {*scene.names(), *scene.definitions, *scene.vectors, scene.time}
     scene = with_parameters(scene, place.display)
-    for name in place.heads.names:
+    heads = place.heads.names or place.heads.multiples
+    for name in heads:
         if name not in known:
             scene = scene.naming(name, place)
-    formula = read(place.tex, vocabulary((scene,)), OpenParser)
+    formula = read_rows(place.display, vocabulary((scene,)))[place]
     members = formula.members if isinstance(formula, Relation) else ()
     names = [{node.name for node in member.nodes() if isinstance(node, Name)} for member in members]
-    new = {one for own in names if own.isdisjoint({*known, *place.heads.names}) for one in own}
+    new = {one for own in names if own.isdisjoint({*known, *heads}) for one in own}
     if known.isdisjoint(one for own in names for one in own):
         return scene  # of nothing that moves it is no value
     return scene.having(constants=tuple(sorted(new)))

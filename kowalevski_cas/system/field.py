@@ -41,6 +41,7 @@ from kowalevski_cas.system.equations import (
     with_roots,
     with_time,
 )
+from kowalevski_cas.system.indices import has_permutation, with_ranges
 from kowalevski_cas.system.maps import Map, index_of_map, with_images
 from kowalevski_cas.system.matrices import at_parameters, without_parameters
 from kowalevski_cas.system.refused import check_constant, check_field, names_of
@@ -103,6 +104,8 @@ class Field:
         self.prefix = f"{name}-" if name else ""
         self.section = Section(name or "1", "", copied=None)
         MADE.append(self.section)
+        self.scene = Scene(name)  # of which nothing is known yet
+        self._convention = False
         self.spectral: dict[str, str] = {}
         self.functions: list[Unknown] = []
         tex = field if isinstance(field, str) else self._rows(field)
@@ -110,6 +113,8 @@ class Field:
         """The parameters of matrices that move; a matrix is called by its name alone."""
         self.functions = unknown_functions(tex)
         """The functions of which nothing is known; they are called by their names alone."""
+        self._convention = has_permutation(tex)
+        """Whether indices that stand twice are summed over, though no sums are printed."""
         jets = [jet for one in self.functions for jet in one.jets]
         names = dict.fromkeys(name for *both, _ in jets for name in both)
         tex, words = self._tex(tex), [*self.symbols, *names]
@@ -348,12 +353,18 @@ class Field:
         """A formula in the names of the system; raises ``NotationError`` for any other name."""
         return read(tex, vocabulary((self.scene,)))
 
+    @property
+    def _names(self) -> tuple[str, ...]:
+        """The names that stand in the equations of motion, or were defined beside them."""
+        return (*self.scene.names(), *self.scene.vectors)
+
     def _formulas(self, display: Display) -> list[Formula]:
         return [s.formula for s in read_display(display.tex, vocabulary((self.scene,)))]
 
     def _tex(self, formula: Tex) -> str:
         if isinstance(formula, str):
-            return without_parameters(without_arguments(formula, self.functions), self.spectral)
+            plain = without_parameters(without_arguments(formula, self.functions), self.spectral)
+            return with_ranges(plain, self._names, self._convention)
         if not isinstance(formula, Function):
             return latex_of(formula, self.symbols)
         if self.scene.definitions.get(formula.name) != formula.place:

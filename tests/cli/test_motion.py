@@ -246,8 +246,10 @@ def test_numbers_may_be_quotients_and_negative_and_times_too(cli):
         ([*FIELDS, *"--s 1 --tau 1 --m 1".split()], "of O⁴; --m cannot stand beside it"),
         ([*FIELDS, "--s", "1"], "--tau missing"),
         (["--point", "1", "2"], "nine numbers"),
-        (["--a", "1e400", "--b", "1", "--m", "1", "--l", "1"], "“1e400” is too large: 1e+50"),
-        ([*FIELDS, "--m", "1e-400", "--l", "1"], "m = almost 0: the roots"),
+        (["--a", "1e400", "--b", "1", "--m", "1", "--l", "1"], "“1e400” is too large: no float"),
+        ([*FIELDS, "--m", "1e-200", "--l", "1"], "m = almost 0: the roots"),
+        ([*FIELDS, "--m", "1e-400", "--l", "1"], "“1e-400” is too small: no float"),
+        (["--point", "1e400", *"12345678"], "“1e400” is too large: no float"),
         ([*FIELDS, "--m", "-inf", "--l", "1"], "“-inf” is not a finite number"),
         (
             ["--point", *"123456789", "--method", "closed"],

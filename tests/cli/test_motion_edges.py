@@ -6,12 +6,16 @@ import json
 from decimal import Decimal
 
 import numpy as np
+import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from kowalevski_cas.cli import main
 from kowalevski_cas.motion import Motion, MotionO4, load, through
 from kowalevski_cas.motion.methods import closed as closed_form
+from tests.motion.test_closed import relative
+
+closed = load("closed")
 
 FAST = "--a 1.2 --b 0.7 --s 1 --tau=-1e8 --until 10 --samples 3".split()
 
@@ -45,11 +49,11 @@ def test_a_state_of_any_size_is_followed_and_no_constant_is_lost(capfd):
 
 
 def test_a_small_state_is_printed_in_units_of_its_size(capfd):
-    for size, power in (("e-6", -6), ("e-200", -200), ("e-320", -300)):
-        state = [f"{x}{size}" for x in (1, 2, 3, 1, 0, 0, 0, 4, 1)]
+    for size, power in ((-6, -12), (-140, -280), (-158, -300)):
+        state = [f"{x}e{size}" for x in (1, 2, 3)] + [f"{x}e{2 * size}" for x in (1, 0, 0, 0, 4, 1)]
         assert main(["motion", "--point", *state, "--until", "0", "--format", "table"]) == 0
         table = capfd.readouterr().out
-        assert f"ω in units of 1e{power}, α, β in units of 1e{power}" in table
+        assert f"ω in units of 1e{size}, α, β in units of 1e{power}" in table
         assert power == -300 or "  1.0000  2.0000  3.0000  1.0000" in table
     assert main(["motion", *FAST, "--format", "table"]) == 0
     assert "in units of" not in capfd.readouterr().out
@@ -65,6 +69,8 @@ def test_a_state_beside_a_set_is_followed_where_it_is(capfd):
     assert near[0]["omega"][2] == float(point[2])
 
 
+WHOLE = st.integers(-140, 140)
+
 ON = {
     "N⁴": Motion.of(1, "0.4", "0.8", ell="0.9"),
     "N⁴, hyperbolic": Motion.of(1, "0.4", "-0.8", ell="0.5"),
@@ -76,7 +82,7 @@ ON = {
 @given(st.sampled_from(sorted(ON)), st.integers(0, 8), st.floats(-12.9, -8))
 def test_what_is_followed_begins_at_the_given_state(capfd, name, place, power):
     """Whatever little it is off N⁴ or O⁴, and whoever follows it says so where it is another."""
-    state = load("closed")(ON[name], np.array([0.7]))[0]
+    state = closed(ON[name], np.array([0.7]))[0]
     state[place] += 10.0**power
     capfd.readouterr()
     assert main(["motion", "--point", *map(repr, state.tolist()), "--until", "0"]) == 0
@@ -85,6 +91,30 @@ def test_what_is_followed_begins_at_the_given_state(capfd, name, place, power):
     begun = np.array([*first["omega"], *first["alpha"], *first["beta"]])
     assert np.max(abs(begun - state)) < 1e-13 * np.max(abs(state)) * 2
     assert through(state.tolist()).off < 1e-13 or "dop853 follows it" in err
+
+
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=15)
+@given(st.sampled_from(sorted(ON)), st.sampled_from([-140, -60, -25, 25, 60, 140]) | WHOLE)
+def test_in_any_unit_the_closed_form_follows_a_state_that_has_one(capfd, name, power):
+    """Nobody else does, the same numbers come out, and the constants are those of the unit."""
+    times, scales = (
+        np.array([0.7, 0.7 + 1e4]),
+        np.repeat([10.0**power, 10.0 ** (2 * power)], (3, 6)),
+    )
+    first, last = closed(ON[name], times)
+    point = map(repr, (first * scales).tolist())
+    capfd.readouterr()
+    until = f"{1e4 / 10.0**power!r}"
+    assert main(["motion", "--point", *point, "--until", until, "--samples", "2"]) == 0
+    out, err = capfd.readouterr()
+    found = json.loads(out)
+    end = found["states"][1]
+    assert not err and "none" not in found["regime"]
+    assert (
+        relative(np.array([end["omega"] + end["alpha"] + end["beta"]]) / scales, last[None]) < 1e-9
+    )
+    a = Decimal(str(found["invariants"]["a"])) / Decimal(10) ** (2 * power)
+    assert float(a) == pytest.approx(float(ON[name].parameters.a))
 
 
 def test_near_two_edges_of_O4_an_integrator_follows_and_this_is_said(capfd):

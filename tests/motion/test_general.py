@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import assume, example, given
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
@@ -15,6 +15,8 @@ from kowalevski_cas.motion.frame import rotate
 from kowalevski_cas.motion.methods.integrators import integrate
 from kowalevski_cas.motion.regimes import tori
 from kowalevski_cas.motion.result import Trajectory
+from kowalevski_cas.motion.units import in_unit, unit_of
+from tests.motion.exact import integrated
 from tests.motion.levels_on_M4 import by_chance
 from tests.motion.regions import EVERY_REGIME
 from tests.motion.test_closed import constants, relative
@@ -61,6 +63,19 @@ def test_a_motion_is_the_same_in_another_unit_of_time(state, rate):
         Trajectory(far, T, there).drift,
     )
     assert all(abs(drift[name] - other[name]) < 1e-9 for name in drift)
+
+
+@settings(max_examples=10, deadline=None)
+@given(states, st.floats(-9, 0), st.floats(-9, 0), st.sampled_from(["DOP853", "LSODA", "Radau"]))
+def test_of_a_fast_top_each_field_is_followed_relative_to_its_size(state, weaker, less, method):
+    """However small both are beside ω², and one beside the other; the drift says it as well."""
+    state = in_unit(state, unit_of(state)) * np.repeat([1, 10**weaker, 10 ** (weaker + less)], 3)
+    assume(all(np.max(np.abs(state[part])) > 0 for part in (slice(3, 6), slice(6, 9))))
+    tolerance = 1e-9 if method == "Radau" else 1e-12
+    (found,), exact = integrate(method, state, np.ones(1), tolerance), integrated(state, 1)
+    for part in slice(0, 3), slice(3, 6), slice(6, 9):
+        size = 1.0 if part.start == 0 else np.max(np.abs(state[part]))
+        assert np.max(np.abs(found - exact)[part]) < 2000 * tolerance * size
 
 
 @given(st.integers(0, 199), st.floats(-3, 3))

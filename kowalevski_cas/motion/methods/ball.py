@@ -16,6 +16,7 @@ from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.oscillation import Oscillation
 from kowalevski_cas.motion.parameters import MethodError, ball, exact, precision
 from kowalevski_cas.motion.solution import PhasePoint, Variable
+from kowalevski_cas.motion.units import WEIGHTS, in_unit, power
 
 LARGEST_PRECISION = 1 << 17
 """Bits of working precision after which an enclosure is given up."""
@@ -48,11 +49,13 @@ def start_on_O4(motion: MotionO4) -> Array:
     Raises ``MethodError`` if the largest working precision does not suffice.
     """
     working = 128
+    unit = motion.parameters.unit
     while working <= LARGEST_PRECISION:
         with precision(working):
-            state = state_by_angles(motion)
+            state = state_by_angles(motion.in_unit(unit))
             if _narrow(state, 64):
-                return np.array([0.0 if x.contains(0) else float(x.mid()) for x in state])
+                row = np.array([0.0 if x.contains(0) else float(x.mid()) for x in state])
+                return in_unit(row, np.array(-unit))
         working *= 2
     raise MethodError("no enclosure of the state at t = 0")
 
@@ -62,21 +65,26 @@ def enclosures(
 ) -> list[list[arb]]:
     """For each time nine balls that contain the state, of radii below 2^−bits times its size.
 
+    Those of ω are relative to the size of the state, those of the fields to that of the fields.
     Raises ``MethodError`` if the largest working precision does not suffice.
     """
     found: list[list[arb]] = []
-    left = [exact(time) for time in times]
+    unit = motion.parameters.unit
+    inner, left = motion.in_unit(unit), [exact(time) * power(unit) for time in times]
+    scales = [ball(power(weight * unit)) for weight in WEIGHTS.tolist()]
     working = bits + 64
     while left:
         if working > LARGEST_PRECISION:
-            raise MethodError(f"no enclosure of {bits} bits at t = {float(left[0]):g}")
+            raise MethodError(
+                f"no enclosure of {bits} bits at t = {float(left[0] / power(unit)):g}"
+            )
         with precision(working):
-            solution = SolutionO4(motion) if isinstance(motion, MotionO4) else _Solution(motion)
+            solution = SolutionO4(inner) if isinstance(inner, MotionO4) else _Solution(inner)
             while left:
                 state = solution(left[0])
                 if not _narrow(state, bits):
                     break
-                found.append(state)
+                found.append([x * scale for x, scale in zip(state, scales, strict=True)])
                 left.pop(0)
         working *= 2
     return found
@@ -142,5 +150,6 @@ def _select(condition: arb, positive: arb, negative: arb) -> arb:
 def _narrow(state: list[arb], bits: int) -> bool:
     if not all(x.is_finite() for x in state):
         return False
-    size = sum(float(abs(x.mid())) for x in state) / 9
-    return all(x.rad() <= arb(2) ** -bits * size for x in state)
+    omega, fields = (max(abs(x.mid()) for x in part) for part in (state[:3], state[3:]))
+    sizes = [max(omega, fields.sqrt())] * 3 + [fields] * 6
+    return all(x.rad() <= arb(2) ** -bits * size for x, size in zip(state, sizes, strict=True))

@@ -74,25 +74,30 @@ def states(motion: Motion | MotionO4, times: Array) -> Array:
     largest = float(np.max(np.abs(t), initial=0.0))
     if not largest <= LARGEST:
         raise ValueError(f"times have to be finite, up to {LARGEST:g}")
+    unit = motion.parameters.unit
+    inner, t, largest = motion.in_unit(unit), np.ldexp(t, unit), float(np.ldexp(largest, unit))
     closed: Closed | ClosedO4
-    closed = ClosedO4(motion, largest) if isinstance(motion, MotionO4) else Closed(motion, largest)
+    closed = ClosedO4(inner, largest) if isinstance(inner, MotionO4) else Closed(inner, largest)
     found = np.empty((9, len(t)))
     for start in range(0, len(t), closed.block):  # so that all arrays stay in the cache
         block = slice(start, start + closed.block)
         found[:, block] = closed(t[block])
     some = found[:, :: -(-len(t) // CHECKED) or 1]
-    if isinstance(motion, MotionO4) and not _loss(some, motion) <= PROMISE:
+    if isinstance(inner, MotionO4) and not _loss(some, inner) <= PROMISE:
         raise MethodError("the closed form does not keep the integrals to twelve digits there")
-    return found.T
+    return in_unit(found.T, np.array(-unit))
 
 
 def _loss(states: Array, motion: MotionO4) -> float:
-    """How far the integrals of states (9, N) are from those of the motion, relative to sizes."""
+    """How far the integrals of states (9, N) are from those of the motion, relative to sizes.
+
+    The states are those in the motion's own unit of time.
+    """
     units = unit_of(states.T)
     H, K, a_square, b_square, c, G, *_ = formulas.values_of_offer("integrals")(
         *in_unit(states.T, units).T
     )
-    constants, fields = motion.constants, float(motion.parameters.p_square)
+    constants, fields = motion.constants_in_unit, float(motion.parameters.p_square)
     lost = [
         np.abs(value - np.ldexp(constants[name], -weight * units))
         for name, value, weight in (("h", H, 2), ("k", K, 4), ("g", G, 6))

@@ -16,7 +16,8 @@ from kowalevski_cas.motion.parameters import MethodError
 from kowalevski_cas.motion.units import in_unit, unit_of
 
 TOLERANCE = 1e-12
-"""The tolerance, relative to the size of the state, unless another is asked for."""
+"""The tolerance, relative to the size of the state and of either field, unless another is asked
+for."""
 
 
 def states(
@@ -51,7 +52,7 @@ def integrate(method: str, start: Array, times: Array, tolerance: float = TOLERA
             return begin[None]
         solution = solve_ivp(
             lambda t, y: rates(*y.tolist()), (0.0, grid[-1]), begin, method=method, t_eval=grid,
-            rtol=tolerance, atol=tolerance,
+            rtol=tolerance, atol=tolerance * sizes(begin),
         )  # fmt: skip
         if not solution.success:
             raise MethodError(f"{method} stopped at t = {solution.t[-1]:g}: {solution.message}")
@@ -59,6 +60,18 @@ def integrate(method: str, start: Array, times: Array, tolerance: float = TOLERA
         return states
 
     return both_ways(run, start, times)
+
+
+def sizes(state: Array) -> Array:
+    """What the nine numbers of a state (9,) of the size 1 are compared with: powers of two.
+
+    For a velocity that is 1; for a field, its own size, which it keeps: that of a fast top is tiny.
+    """
+    alpha, beta = (np.max(np.abs(field)) for field in (state[3:6], state[6:]))
+    found: Array = np.repeat(
+        [1.0, *(np.ldexp(1.0, np.frexp(size)[1]) if size else 1.0 for size in (alpha, beta))], 3
+    )
+    return found
 
 
 def both_ways(run: Callable[[Array, Array], Array], start: Array, times: Array) -> Array:

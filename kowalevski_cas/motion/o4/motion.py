@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
+
+import numpy as np
 
 from kowalevski_cas.motion.frame import fields, straighten
 from kowalevski_cas.motion.o4.parameters import ParametersO4
 from kowalevski_cas.motion.o4.regimes import RegimeO4, regime_of
 from kowalevski_cas.motion.parameters import Inadmissible, Real, usable
 from kowalevski_cas.motion.regimes import Arc
+from kowalevski_cas.motion.units import in_unit, without_unit
 
 
 @dataclass(frozen=True)
@@ -79,10 +82,20 @@ class MotionO4:
         K1, mu2, A2, B2, K2 = self.signs
         return K1, -mu2 * A2 * B2 * K2
 
+    def in_unit(self, unit: int) -> MotionO4:
+        """The same motion in a unit of time in which a rate of this power of two is 1."""
+        point = self.point and tuple(in_unit(np.array(self.point), np.array(unit)).tolist())
+        return replace(self, parameters=self.parameters.in_unit(unit), point=point)
+
     @property
-    def constants(self) -> dict[str, float]:
+    def constants(self) -> dict[str, float | str]:
         """The lengths a, b of the fields and their scalar product c, the integrals, s and τ."""
-        known = self.parameters
+        return without_unit(self.constants_in_unit, self.parameters.unit)
+
+    @property
+    def constants_in_unit(self) -> dict[str, float]:
+        """The constants in a unit of time in which a is about 1."""
+        known = self.parameters.in_unit(self.parameters.unit)
         values = (*fields(known.p_square, known.r_square, self.turn), *known.integrals)
         named = dict(zip("abchkg", values, strict=True))
         return {**named, "s": float(known.s), "tau": float(known.tau)}

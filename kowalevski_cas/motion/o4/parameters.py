@@ -14,7 +14,15 @@ from functools import cached_property
 from flint import arb
 
 from kowalevski_cas.motion import formulas
-from kowalevski_cas.motion.parameters import Inadmissible, Lengths, Real, ball, usable
+from kowalevski_cas.motion.parameters import (
+    Inadmissible,
+    Lengths,
+    Real,
+    ball,
+    exact,
+    refuse_extremes,
+)
+from kowalevski_cas.motion.units import power
 from kowalevski_cas.paper.closed_form import HyperellipticForm
 
 MU, KAPPA, LOW, HIGH = ("-√σ", "√σ"), ("-κ", "κ"), "-τ-r²", "-τ+r²"
@@ -35,6 +43,7 @@ class ParametersO4(Lengths):
         """Refuse lengths that do not separate, and constants that vanish."""
         if not 0 < self.b < self.a:
             raise Inadmissible(f"a = {float(self.a):g}, b = {float(self.b):g}; a > b > 0 is needed")
+        refuse_extremes({"s/a": self.s / self.a, "τ/a²": self.tau / self.a**2})
         for name, value in (("s", self.s), ("τ", self.tau), ("σ", self.sigma)):
             if value == 0:
                 raise Inadmissible(f"{name} = 0: the tori of O⁴ degenerate; {name} ≠ 0 is needed")
@@ -42,7 +51,12 @@ class ParametersO4(Lengths):
     @staticmethod
     def of(a: Real, b: Real, s: Real, tau: Real) -> ParametersO4:
         """The constants as given; raises ``ValueError`` for what is not a finite number."""
-        return ParametersO4(usable(a), usable(b), usable(s), usable(tau))
+        return ParametersO4(exact(a), exact(b), exact(s), exact(tau))
+
+    def in_unit(self, unit: int) -> ParametersO4:
+        """The same in a unit of time in which a rate of this power of two is 1."""
+        a, b, s = (x * power(-2 * unit) for x in (self.a, self.b, self.s))
+        return ParametersO4(a, b, s, self.tau * power(-4 * unit))
 
     @cached_property
     def sigma(self) -> Fraction:

@@ -30,9 +30,10 @@ from kowalevski_cas.motion.o4.variable import VariableO4
 from kowalevski_cas.motion.parameters import Inadmissible, Real, ball, precision, root
 from kowalevski_cas.motion.phases import as_fraction
 from kowalevski_cas.motion.point import distance
+from kowalevski_cas.motion.units import numbers_in_unit
 from kowalevski_cas.paper.closed_form import HyperellipticForm
 
-LEAST_GAP = 2.0**-40
+LEAST_GAP = Fraction(1, 2**40)
 """Between two roots, relative to the largest: with less the rounding of a state parts them."""
 
 SIGNS = np.array(list(product((1.0, -1.0), repeat=5))).T
@@ -63,7 +64,9 @@ def on_O4(state: Sequence[Real]) -> MotionO4:
             [float(VariableO4(constants, arc, BALLS).angle(pair)) for pair in order]
             for arc, order in zip(motion.arcs, (pairs, pairs[::-1]), strict=True)
         ]
-        motion = _best_fit(motion, np.array(angles), np.array(straight, dtype=float))
+        unit = constants.unit
+        inner = np.array(numbers_in_unit(straight, unit), dtype=float)
+        motion = _best_fit(motion.in_unit(unit), np.array(angles), inner).in_unit(-unit)
     off = distance(states(motion, np.zeros(1))[0], given)
     if not off <= TOLERANCE:
         raise Inadmissible(
@@ -106,7 +109,7 @@ def _separate(state: Sequence[Fraction]) -> tuple[ParametersO4, list[tuple[arb, 
     tau = constants.tau
     largest = abs(tau) + constants.r_square
     names = constants.roots
-    close = [constants.gap(y, x) <= LEAST_GAP * ball(largest) for x, y in pairwise(names)]
+    close = [constants.gap(y, x) <= ball(LEAST_GAP * largest) for x, y in pairwise(names)]
     squares = constants.sigma, constants.kappa_square
     if any(close) or any(abs(square) <= LEAST_GAP * largest**2 for square in squares):
         raise Inadmissible("two roots coincide at the state, but for rounding: the tori degenerate")

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import numpy as np
 from matplotlib.figure import Figure
 
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.pictures.orbit import orbit
 from kowalevski_cas.motion.pictures.space import View, sheets, sphere, trace
+from kowalevski_cas.motion.units import in_unit
 from kowalevski_cas.pictures import mark
 
 CAPTION = (
@@ -22,7 +24,8 @@ def draw(motion: Motion | MotionO4) -> Figure:
     """Both traces of a motion."""
     states = orbit(motion, TURNS, POINTS)
     view, letters = View(), (r"\alpha", r"\beta")
-    lengths = motion.constants["a"], motion.constants["b"]
+    known = motion.constants_in_unit
+    states, lengths = in_unit(states, np.array(motion.parameters.unit)), (known["a"], known["b"])
     figure, axes = sheets(r"$\alpha$, $|\alpha|=a$", r"$\beta$, $|\beta|=b$")
     for index, (one, letter, length) in enumerate(zip(axes, letters, lengths, strict=True)):
         labels = tuple(rf"${letter}_{k}$" for k in (1, 2, 3))

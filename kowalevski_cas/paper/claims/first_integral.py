@@ -11,12 +11,13 @@ from itertools import pairwise
 from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.dimension import check_conjugates
-from kowalevski_cas.paper.claims.forms import equations, members, minus, rate, sides, vanishes
+from kowalevski_cas.paper.claims.forms import equations, members, minus, rate, vanishes
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
-from kowalevski_cas.paper.components import parts
+from kowalevski_cas.paper.components import parts, sides
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.logarithms import derivative_of, has_logarithm, with_real_logarithms
+from kowalevski_cas.paper.summation import without_sums
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.space import Equation, Meaningless
@@ -116,7 +117,7 @@ class FirstIntegral(Claim):
         return [member for member in chain if not _is_level(member, space)] or chain
 
     def _chain(self, on: Elaborations) -> list[Formula]:
-        formula = on.texts.formula(self.own)
+        formula = without_sums(on.texts.formula(self.own))
         return members(formula) if isinstance(formula, Relation) else [formula]
 
     def _with_names_of(self, values: Sequence[Formula], on: Elaborations) -> Elaboration:

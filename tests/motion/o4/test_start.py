@@ -14,7 +14,7 @@ from kowalevski_cas.motion.result import Trajectory
 from tests.motion.o4.levels import KNOWN, motion, point, points
 from tests.motion.o4.test_closed import angles, on_a_torus, relative, signs
 
-closed = load("closed")
+closed, balls = load("closed"), load("ball")
 T = np.linspace(-4.0, 4.0, 5)
 
 
@@ -27,13 +27,16 @@ def test_a_state_of_a_motion_leads_to_that_motion(known, first, second, chosen):
     assert relative(closed(found, T), states) < 1e-10
 
 
-@given(st.sampled_from(KNOWN), st.floats(-3, 3), st.floats(0.1, 10))
-def test_in_turned_fields_and_another_unit_of_time_it_is_the_same_motion(known, angle, unit):
+@given(st.sampled_from(KNOWN), st.floats(-3, 3), st.floats(-140, 140))
+def test_in_turned_fields_and_another_unit_of_time_it_is_the_same_motion(known, angle, power):
     states = closed(motion(known), T)
+    unit = 10.0**power
     scales = np.repeat([unit, unit**2], [3, 6])
-    changed = np.array(rotate(states.T, np.cos(angle), np.sin(angle))).T * scales
-    found = on_O4(changed[2].tolist())
-    assert relative(closed(found, T / unit), changed) < 1e-10
+    turned = np.array(rotate(states.T, np.cos(angle), np.sin(angle))).T
+    found = on_O4((turned * scales)[2].tolist())
+    assert found.off < 1e-13
+    assert relative(closed(found, T / unit) / scales, turned) < 1e-10
+    assert relative(balls(found, T / unit) / scales, turned) < 1e-10
 
 
 @given(st.integers(-3, 3).filter(bool), st.integers(-3, 3).filter(bool))
