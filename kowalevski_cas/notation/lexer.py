@@ -25,6 +25,7 @@ from kowalevski_cas.notation.macros import (
     WORDS,
 )
 from kowalevski_cas.notation.tokens import DEEPEST, TOKEN, Token, after_group
+from kowalevski_cas.notation.words import CONSTANT, DESCRIPTION, with_constants, without_names
 
 LONGEST = 100_000
 
@@ -82,6 +83,7 @@ class _Scanner:
         self.shift = -1  # where the mathematics ends, once something has been read
         self.groups: list[_Group] = []
         self.halved: list[int] = []  # the open groups, by their number, that have an \over
+        self.stacked: list[int] = []  # those of which the rows stand below a sign
         # Open environments: the name, is it a matrix, was a printed brace dropped before it.
         self.environments: list[tuple[str, bool, bool]] = []
 
@@ -105,9 +107,7 @@ class _Scanner:
                 self.macro(match[0], start)
             else:
                 assert kind is not None
-                if kind == "number":
-                    self.owed = max(0, self.owed - (end - start))
-                self.add(kind, match[0], start)
+                self.plain(kind, match[0], start)
         self.refuse_accents(size)
         if self.groups:
             raise NotationError("this brace is never closed", tex, self.groups[-1].begin)
@@ -128,6 +128,16 @@ class _Scanner:
         """An error if a letter is awaited that accents stand over."""
         if self.accents:
             raise NotationError(f"{self.accents[-1]} stands over one letter", self.tex, start)
+
+    def plain(self, kind: str, text: str, start: int) -> None:
+        """Enter a number, a break between rows, or an ellipsis; a zero may be a vector."""
+        if kind == "row" and self.stacked[-1:] == [len(self.groups)]:
+            kind = "comma"
+        if kind == "number":
+            self.owed = max(0, self.owed - len(text))
+        if text == "0" and self.accents == [r"\vec"]:
+            self.accents = []
+        self.add(kind, text, start)
 
     def argument(self) -> None:
         """The thing just met is the next argument, if one is owed."""
@@ -198,6 +208,8 @@ class _Scanner:
             self.halved.pop()
             self.add("}", "}", start)
         self.refuse_accents(start)
+        if self.stacked[-1:] == [len(self.groups)]:
+            self.stacked.pop()
         argument, self.font, owed, begin, before, accents = self.groups.pop()
         self.once = ""
         if argument and [token.kind for token in self.tokens[-2:]] in (["^", "{"], ["_", "{"]):
@@ -230,7 +242,18 @@ class _Scanner:
             self.argument()
             self.owed += ARGUMENTS[action]
             self.add(action, SPELLING.get(text, text), start)
-        elif action in ("skip", "text", "glue", "begin", "end", "number", "shift", "over", "size"):
+        elif action in (
+            "skip",
+            "text",
+            "glue",
+            "begin",
+            "end",
+            "number",
+            "shift",
+            "over",
+            "size",
+            "stack",
+        ):
             getattr(self, "do_" + action)(start)
         else:
             if action == "open" or action == "close":
@@ -264,6 +287,10 @@ class _Scanner:
         self.add("}", "}", start)
         self.add("{", "{", start)
 
+    def do_stack(self, start: int) -> None:
+        """Rows below a sign, as of a sum: each is a condition."""
+        self.stacked.append(len(self.groups) + 1)
+
     def do_skip(self, start: int) -> None:
         self.at = after_group(self.tex, self.at)
 
@@ -291,6 +318,11 @@ class _Scanner:
         if words in WORDS:
             self.argument()
             self.add(WORDS[words], words, start)
+        elif CONSTANT.fullmatch(words) and self.tokens:
+            self.tokens = with_constants(self.tokens, start, self.at)
+        elif DESCRIPTION.fullmatch(words):
+            self.tokens = without_names(self.tokens)
+            self.add("comma", words, start)
         elif words.isalnum() and (self.owed or (self.groups and self.groups[-1].argument)):
             self.argument()
             self.add("letter", words if len(words) == 1 else rf"\mathrm{{{words}}}", start)
@@ -299,7 +331,10 @@ class _Scanner:
         elif words:
             told = "mathematics inside of text cannot be read"
             if words.replace(" ", "").replace(".", "").isalpha():
-                told = f"the words “{words}” among formulas are not understood"
+                told = (
+                    f"the words “{words}” among formulas are not understood: print what they "
+                    "suppose as a formula"
+                )
             raise NotationError(told, self.tex, inside)
 
     def do_begin(self, start: int) -> None:

@@ -43,6 +43,7 @@ ACTIONS: dict[str, str] = _table(
     diacritic="hat widehat tilde widetilde vec overrightarrow check",
     switch="bf rm cal boldmath sf",
     over="over",
+    stack="substack",
     sum="sum",
     product="prod",
     plusminus="pm mp",

@@ -15,6 +15,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import product
 
 from kowalevski_cas.notation.errors import NotationError
+from kowalevski_cas.notation.index_sets import without_sets
 from kowalevski_cas.notation.sums import SIGNS, Ranges, SumSign, Values, indexed_sums, outside_sums
 from kowalevski_cas.notation.tensors import (
     SPACE,
@@ -43,6 +44,7 @@ _PERIOD = re.compile(r"(.+)_\{?(\w)(?:\+(\d+)\}=\1_\{?\2\}?|\}?=\1_\{\2\+(\d+)\}
 
 def without_ranges(tokens: list[Token], tex: str) -> tuple[list[Token], Ranges]:
     """The tokens without the ranges of indices that are printed among them, and these ranges."""
+    tokens = without_sets(tokens, tex)
     signs = "".join(_sign(token) for token in tokens)
     found: dict[str, range | tuple[int, ...]] = {}
     kept, end = list[Token](), 0
@@ -130,11 +132,12 @@ def _substitute(
     sum_ = SumSign.at(tokens, first)
     before, behind = tokens[:first], tokens[sum_.end :]
     dot = Token("times", r"\cdot", tokens[first].start, tokens[first].start)
-    multiplied = tokens[first].kind == "product" and _ends_with_name(before)
+    expanded = [*_expand_sum(sum_, at, ranges, tex)]
+    multiplied = expanded[0].kind == "open" and _ends_with_name(before)
     return [
         *_substitute_values(before, at, tex),
         *([dot] if multiplied else []),
-        *_expand_sum(sum_, at, ranges, tex),
+        *expanded,
         *_substitute(behind, at, ranges, tex),
     ]
 

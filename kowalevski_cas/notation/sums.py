@@ -43,9 +43,10 @@ class SumSign(NamedTuple):
                 break
             depth += _depths(tokens[begin])
             begin += 1
-        end = begin
-        while end < len(tokens) and (depth or tokens[end].kind not in _BEHIND):
+        end, barred = begin, False
+        while end < len(tokens) and (depth or barred or tokens[end].kind not in _BEHIND):
             depth += _depths(tokens[end])
+            barred ^= tokens[end].kind == "bar"
             if depth < 0:
                 break
             end += 1
@@ -125,6 +126,14 @@ class SumSign(NamedTuple):
     def own(self) -> set[str]:
         """The letters that can be nothing but its indices."""
         return {part[0] for part in self._below if part and (len(part) == 1 or part[1] == "=")}
+
+    def without_values(self) -> list[str]:
+        """Its indices of which no values are printed; without any, the one letter that may be."""
+        if len(self.head) == 1:
+            pairs = pairwise(self.body)
+            letters = {b.text for a, b in pairs if a.kind == "_" and b.kind == "letter"}
+            return [*letters] if len(letters) == 1 else []
+        return [name for name in self.letters if not self._domain(name, {}, {})]
 
     def terms(self, at: Values, ranges: Ranges) -> list[Values] | None:
         """The values of its indices, where others have values; ``None`` if they are not known."""

@@ -79,6 +79,17 @@ def add_sums(tokens: list[Token], ranges: Mapping[str, Sequence[int]], tex: str)
     return found
 
 
+def repeated(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], str]]:
+    """The terms with each index that stands in them twice, as a factor of theirs."""
+    if any(token.kind == "sum" for token in tokens):
+        return
+    for term in _terms(tokens):
+        places = [*zip(_letters(term), _depths(term, index=False), strict=True)]
+        counts = Counter(letter for letter, _ in places if letter)
+        inner = {letter for letter, depth in places if depth}
+        yield from ((term, one) for one, n in counts.items() if n == 2 and one not in inner)
+
+
 def without_tensors(tokens: Sequence[Token], at: Values) -> tuple[int, list[Token]]:
     """The product of the tensors with known indices that are factors of a term, and the others."""
     depths = _depths(tokens)
@@ -176,11 +187,12 @@ def _letters(tokens: Sequence[Token]) -> list[str]:
 def _depths(tokens: Sequence[Token], index: bool = True) -> list[int]:
     """The number of brackets around each token, perhaps without those of indices and accents."""
     found, opened = list[int](), list[bool]()
-    before = ""
+    before, barred = "", False
     for token in tokens:
         if token.kind in ENDING and opened:
             opened.pop()
-        found.append(sum(opened))
+        barred ^= token.kind == "bar"
+        found.append(sum(opened) + barred)
         if token.kind in BEGINNING:
             opened.append(index or before not in ("_", "accent"))
         before = token.kind

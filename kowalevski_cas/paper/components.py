@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from kowalevski_cas.notation import (
     CrossProduct,
     Derivative,
@@ -9,6 +11,7 @@ from kowalevski_cas.notation import (
     Formula,
     Name,
     Negative,
+    Number,
     Product,
     Quotient,
     Sum,
@@ -19,6 +22,8 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.problem.space import Let, Meaningless
+
+ZERO = Number(0)
 
 
 def parts(formula: Formula, setting: Meaning) -> tuple[Formula, ...]:
@@ -43,6 +48,19 @@ def size(vector: Formula, setting: Meaning) -> int:
         numbers = " and ".join(map(str, sorted(found)))
         raise Meaningless(f"the vectors in {to_latex(vector)} have {numbers} components")
     return found.pop()
+
+
+def sides(members: Sequence[Formula], setting: Meaning) -> list[Formula]:
+    """The members of a chain, written out; a zero among vectors is one.
+
+    Raises ``Meaningless`` for vectors that differ in the number of their components.
+    """
+    found = [setting.plain(member) for member in members]
+    sizes = {len(parts(member, setting)) for member in found if member != ZERO} or {1}
+    if len(sizes) > 1:
+        raise Meaningless("vectors with different numbers of components are set equal")
+    zero = ZERO if sizes == {1} else Vector((ZERO,) * sizes.pop())
+    return [zero if member == ZERO else member for member in found]
 
 
 def component(vector: Formula, index: int, setting: Meaning) -> Formula:

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property, reduce
+from itertools import pairwise
 from operator import add, mul
 
 from kowalevski_cas.algebra.derivation import along
@@ -32,7 +33,7 @@ from kowalevski_cas.notation import (
     to_latex,
 )
 from kowalevski_cas.notation.symbol import name_of_rate, rate_name
-from kowalevski_cas.paper.components import component
+from kowalevski_cas.paper.components import component, sides
 from kowalevski_cas.paper.generators import angles_of, functions_of, in_generators, with_generators
 from kowalevski_cas.paper.inverse import inverse
 from kowalevski_cas.paper.matrices import by_rows
@@ -96,7 +97,7 @@ def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[EquationOfMot
         left, right = setting.texts.sides(printed)
         row, force = _row(left, setting), setting.plain(right)
         if row is None or _has_rate(force):
-            others.append((setting.plain(left), force))
+            others += pairwise(sides((left, right), setting))
             continue
         if force == Number(0) and len(row.names) > 1:
             force = Vector((force,) * len(row.names))
@@ -343,7 +344,7 @@ class Moving(Meaning):
             *((n, Name(n)) for n in own if n in self.source.variables and n not in new),
         ]
         check_time(self.source, change.time)
-        time = Quotient(Number(1), self.source.plain(self.texts.time_scale(change.time)))
+        time = Quotient(Number(1), self.source.plain(self.texts.time_change(change.time).rate))
         return ChangeOfVariables(self.source, tuple(formulas), time)
 
     @cached_property

@@ -180,11 +180,13 @@ class Plain:
         rate = self._rate(argument)
         if mark == ("dot" if scene.time == "t" else "prime") or mark == scene.time:
             return rate
-        if scene.clock is None:
+        change = self.setting.texts.time_change(scene.clock) if scene.clock is not None else None
+        known = ("prime", change.time) if change is not None and scene.time == "t" else ("dot", "t")
+        if change is None or mark not in known:
             if mark in marks(self.setting.printed_field):
                 return rate
             raise Meaningless(f"no derivative is printed as “{mark}” on “{scene.name}”")
-        scale = self(self.setting.texts.time_scale(scene.clock))
+        scale = self(change.rate)
         return Quotient(rate, scale) if scene.time == "t" else Product((scale, rate))
 
     def _rate(self, argument: Formula) -> Formula:

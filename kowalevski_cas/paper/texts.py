@@ -18,19 +18,16 @@ from kowalevski_cas.notation import (
     DefinedNames,
     Edit,
     Formula,
-    Name,
-    Negative,
     NotationError,
     PrintedStatement,
-    Product,
     Relation,
     Vocabulary,
     defined_names,
     read,
     read_display,
     split_display,
-    times,
 )
+from kowalevski_cas.paper.times import TimeChange, time_change
 
 IN_WORDS = "in the words of a claim"
 """The source of a formula that the words of a claim give, so that nobody has to display it."""
@@ -239,13 +236,13 @@ class Texts:
             raise NotationError(message, statement.tex, statement.start)
         return members[0], members[1]
 
-    def time_scale(self, printed: Printed) -> Formula:
-        r"""The factor :math:`\kappa` of a printed change of time, :math:`\tau=\kappa t`."""
-        scale = _scale(self.sides(printed)[1])
-        if scale is None:
+    def time_change(self, printed: Printed) -> TimeChange:
+        """What a printed equation says of another time."""
+        change = time_change(*self.sides(printed))
+        if change is None:
             source = self.source(printed.display)
             raise NotationError(f"a multiple of t is expected at {printed.place}", source, 0)
-        return scale
+        return change
 
     def statement(self, printed: Printed) -> PrintedStatement:
         """The statement at a place, as it stands before edits."""
@@ -280,14 +277,3 @@ class Texts:
             ids = {printed.display.id for printed in places}
             changed |= {item for item in self.sources.items() if item[0] in ids}
         return frozenset(changed)
-
-
-def _scale(formula: Formula) -> Formula | None:
-    """The factor before t; ``None`` if the formula is no multiple of it."""
-    match formula:
-        case Negative(argument):
-            scale = _scale(argument)
-            return None if scale is None else Negative(scale)
-        case Product((*rest, Name("t"))):
-            return times(*rest)
-    return None

@@ -53,14 +53,15 @@ def _same(setting: Meaning, value: Element, formula: Formula) -> bool:
 
 
 def _clock(setting: Meaning) -> None:
-    """The other time of a scene is one."""
-    if setting.scene.clock is not None:
-        check_time(setting, setting.scene.clock)
+    """The other time of a scene is one; where differentials give it, its rate may vary."""
+    clock = setting.scene.clock
+    if clock is not None and not setting.texts.time_change(clock).varies:
+        check_time(setting, clock)
 
 
 def check_time(setting: Meaning, printed: Printed) -> None:
     """Another time is a multiple of the time by a constant that is not zero."""
-    scale = setting.finder.scalar(setting.plain(setting.texts.time_scale(printed)))
+    scale = setting.finder.scalar(setting.plain(setting.texts.time_change(printed).rate))
     moving = [n for n in setting.variables if not setting.finder.partial(scale, n).is_zero]
     if scale.is_zero or moving:
         what = f"{printed.place} gives a time that {'stands still' if scale.is_zero else 'varies'}"

@@ -54,7 +54,7 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
     if "i" in scalars and not known.units and not known.moves("i"):
         yield (
             unprinted(paper, f"unit{suffix}", "i^2=-1"),
-            StatementRole(CONVENTION, "the imaginary unit", "unit", ("i",)),
+            StatementRole(CONVENTION, "the imaginary unit", "unit"),
         )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from functools import cache
 
 CUES: dict[str, str] = {
@@ -28,17 +29,17 @@ CUES: dict[str, str] = {
         равновеси\w+ стационарн\w+ особ\w+\s+точ\w+""",
     "suppose": r"""
         suppos\w+ assum\w+ \blet\b \btake\b \bmake\b \bif\b \bwhen\b \bgiven\s+that\b
-        \bfor(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?\s*$ \bput\b \bsetting\b
+        \bfor(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?\s*$ \bput\b(?!\s+together) \bsetting\b
         (?:we|us|and|now|^\s*)\s*set\s*$
         provided choos\w+ choice
         \bunder\b in\s+the\s+case \bcase\b restrict\w+ \bconsider\b \bwith\b
         on\s+the\s+(?:\w+\s+)?levels? пусть предполож\w+ полож\w+ полага\w+ если при\s*$ допуст\w+
         в\s+случае будем\s+считать считая возьм\w+ выбер\w+ \bпри\b""",
     "define": r"""
-        \blet\b denot\w+ defin\w+ introduc\w+ \bput\b \bset\b notation \bwrite\b \bwhere\b
-        \bhere\b \bcall(?:ed)?\b new\s+variables? in\s+the\s+variables? abbreviat\w+ stands?\s+for
-        \bwith\s+the\b обознач\w+ введ\w+ вводя полож\w+ пусть \bгде\b \bздесь\b определ\w+
-        в\s+переменных""",
+        \blet\b denot\w+ defin\w+ introduc\w+ \bput\b(?!\s+together) \bset\b notation
+        \bwrite\b \bwhere\b \bhere\b \bcall(?:ed)?\b new\s+variables? in\s+the\s+variables?
+        abbreviat\w+ stands?\s+for \bwith\s+the\b обознач\w+ введ\w+ вводя полож\w+ пусть \bгде\b
+        \bздесь\b определ\w+ в\s+переменных""",
     "lasting": r"""
         \blet\b suppos\w+ assum\w+ пусть предполож\w+""",
     "for": r"""
@@ -95,7 +96,9 @@ CUES: dict[str, str] = {
         levels? manifold relations? \bsets?\b surfaces? submanifold уровн\w+ многообрази\w+
         соотношени\w+ поверхност\w+ множеств\w+""",
     "constraint": r"""
-        constraints? connected\s+by subject\s+to связ(?:ь|и|ью|ями)\b стеснен\w+""",
+        constrain\w+
+        (?:lie|stay|move|remain)s?\s+on\s+the\s+(?:\w+\s+)?(?:sphere|surface|curve|line)
+        connected\s+by subject\s+to связ(?:ь|и|ью|ями)\b стеснен\w+""",
     "approximate": r"""
         terms?\s+of\s+(?:the\s+)?(?:first|second|higher|lowest)\s+order
         to\s+(?:the\s+)?first\s+order (?:first|linear|crude|rough)\s+approximation approximat\w+
@@ -108,6 +111,12 @@ CUES: dict[str, str] = {
         линеариз\w+ пренебрег\w+\s+(?:\w+\s+){0,3}(?:член|слагаем|степен|квадрат|величин)\w+
         мал\w+\s+(?:§|колебани|отклонени|возмущени|параметр|амплитуд)\w* бесконечно\s+мал\w+
         член\w+\s+(?:перв|втор|высш)\w+\s+порядк\w+""",
+    "linear": r"""
+        first\s+(?:order|approximation|variation) lineari[sz]\w*
+        linear\s+(?:equation|system|approximation)
+        small\s+(?:deviation|oscillation|displacement|vibration)\w* infinitesimal\w*
+        перв\w+\s+(?:порядк|приближени)\w+ линеариз\w+ линейн\w+\s+(?:уравнени|систем)\w+
+        мал\w+\s+(?:колебани|отклонени)\w+""",
     "denied": r"""
         \bnot\s+(?:true|an?\s+integral|constant|conserved|the|valid|hold|correct|preserved|in\s+general)
         does\s+not\s+(?:hold|vanish|follow) (?:is|are)\s+not\s+(?:\w+\s+){0,2}§
@@ -134,6 +143,8 @@ CUES: dict[str, str] = {
         (?:\bif|\bwhen|\bfor|even|also)\b[^.;]*\bfunctions?\s+of\s+(?:the\s+)?time
         (?:\bif|\bwhen|even|also)\b[^.;]*\bdepends?\s+on\s+(?:the\s+)?time
         (?:\bесли|\bкогда|\bпри)\b[^.;]*(?:функци\w+\s+времени|завис\w+\s+от\s+времени)""",
+    "multiplier": r"""
+        \bmultipliers?\b множител\w+""",
     "system": r"""
         equations?\s+of\s+motion equations?\s+(?:are|read|take|have) \bsystem\b \bmodel\b
         now\s+consider reduced\s+(?:system|equations) in\s+polar\s+coordinates another\s+system
@@ -177,12 +188,16 @@ def _pattern(cue: str) -> re.Pattern[str]:
     return re.compile("|".join(CUES[cue].split()), re.IGNORECASE)
 
 
+def cues(name: str, words: str, start: int = 0) -> Iterator[re.Match[str]]:
+    """The places, from an offset on, at which some words give a cue."""
+    for found in _pattern(name).finditer(words, start):
+        if not _CITED.match(words, found.end()) or _OF.match(words, found.end()):
+            yield found
+
+
 def cue(name: str, words: str) -> str:
     """The first of some words that give a cue; empty if none do."""
-    for found in _pattern(name).finditer(words):
-        if not _CITED.match(words, found.end()) or _OF.match(words, found.end()):
-            return found[0].strip()
-    return ""
+    return next((found[0].strip() for found in cues(name, words)), "")
 
 
 def last_cue(name: str, words: str) -> int:

@@ -27,7 +27,13 @@ from kowalevski_cas.reading.known import (
     Known,
     StatementRole,
 )
-from kowalevski_cas.reading.phrases import integral_words, is_number, plain, reach_of_constants
+from kowalevski_cas.reading.phrases import (
+    integral_words,
+    is_number,
+    plain,
+    reach_of_constants,
+    words_behind,
+)
 from kowalevski_cas.reading.statements import SourceStatement, derived_names
 
 ZERO = Number(0)
@@ -43,7 +49,7 @@ def law(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 def unit(item: SourceStatement, known: Known) -> StatementRole | None:
-    r"""The imaginary unit, as :math:`i^2=-1`, components, and another time, as :math:`\tau=it`."""
+    r"""The imaginary unit, :math:`i^2=-1`, components, and another time, :math:`dt=r\,d\tau`."""
     match item.members:
         case (Power(Name("i"), Number(2)), Number() | Negative(Number())):
             return StatementRole(NOTATION, "says what the imaginary unit is", "unit", ("i",))
@@ -51,8 +57,8 @@ def unit(item: SourceStatement, known: Known) -> StatementRole | None:
             getattr(entry, "name", "") for entry in entries
         ):
             return StatementRole(DEFINITION, f"names the components of {plain(name)}", "vector")
-        case (Name(name), right) if name in known.times and "t" in right.names():
-            return StatementRole(DEFINITION, f"gives another time {name}", "clock")
+    if item.other_time in known.times:
+        return StatementRole(DEFINITION, f"gives another time {item.other_time}", "clock")
     return None
 
 
@@ -124,8 +130,9 @@ def _level(
 def repeated(item: SourceStatement, known: Known) -> StatementRole | None:
     """What has been said before, sign for sign, to name something."""
     for one, role in known.roles.items():
-        if role.name in NAMING and one.formula == item.formula and one.order < item.order:
-            if role.name != CLAIM or item.typed.inline:
+        claimed = role.name == CLAIM and not (role.names and item.typed.inline)
+        if role.name in NAMING and not claimed:
+            if one.formula == item.formula and one.order < item.order:
                 return StatementRole(NOTATION, f"said before, at {one.printed.place}")
     return None
 
@@ -152,10 +159,11 @@ def square(item: SourceStatement, known: Known) -> StatementRole | None:
         return None
     first = item.members[0] == Power(Name(fresh[0]), Number(2))
     claimed = _integral_further_off(item, known) if first else integral_words(item)
+    claimed = claimed or words_behind(item, "integral")
     if claimed:
         return StatementRole(
             CLAIM,
-            f"“{claimed}” stands before it; it names {plain(fresh[0])}",
+            f"“{claimed}” stands beside it; it names {plain(fresh[0])}",
             "integral",
             (*fresh,),
         )
@@ -179,7 +187,8 @@ def _is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
             return True
         bound = {n for one in found for name in one.printed.heads.names for n in head(name)[1]}
         unclear = any(not known.is_explained(n) for one in found for n in one.names - bound)
-        return unclear and all(known.is_explained(n) for n in item.names)
+        rests = any(function in known.below(n) for n in item.names - {function})
+        return unclear and not rests and all(known.is_explained(n) for n in item.names)
     if known.moves(function) or function in known.times:
         return False
     alone = (Name(function), Power(Name(function), Number(2)))
@@ -237,13 +246,17 @@ def _integral_further_off(item: SourceStatement, known: Known) -> str:
 def _integral_that_defines(
     item: SourceStatement, known: Known, fresh: list[str]
 ) -> StatementRole | None:
-    """An integral with a name that is new: a claim, unless its rate is claimed elsewhere."""
+    """An integral with a name that is new: a claim, unless its rate is claimed elsewhere.
+
+    A theorem claims it itself; its rate is the proof.
+    """
     said = integral_words(item) or _integral_further_off(item, known)
     moves = known.varying(item.names - {*fresh}) or item.derives
     if not said or not moves or cue("where", item.lead):
         return None
     vanishing = integral_words(item)
-    for one in known.paper.items:
+    later = known.paper.items if item.theorem is None or not vanishing else ()
+    for one in later:
         if item.order < one.order < item.order + 12 and (ZERO in one.members or not vanishing):
             rated = [m.argument for m in one.members if isinstance(m, Derivative)]
             if any(isinstance(m, Name) and m.name in fresh for m in rated):

@@ -9,8 +9,9 @@ from kowalevski_cas.notation import Name, Number, PoissonBracket
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.hypotheses import EQUATIONS
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, SETS, Known
-from kowalevski_cas.reading.ladder import EQUATIONS, Rung
+from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement
@@ -49,7 +50,7 @@ def doubt_of(
     beside = {one for other in candidates for one in other.on}
     if unclear or _is_constrained(rung, known) or _has_case(item, rung, beside, known):
         return Doubt.ALWAYS
-    given = any(one.given for one in candidates)
+    given = any({*one.given} - {*known.bound} for one in candidates)
     sure = not (given or rung.constants or cue("on it", item.words))
     sure = sure and not _has_level(item, rung, known) and not _has_constant(item, rung, known)
     sure = sure and _is_plain(rung, item, parts)

@@ -14,6 +14,7 @@ from kowalevski_cas.paper.claims import (
     Claim,
     Coefficient,
     Definition,
+    DoubleZero,
     FirstIntegral,
     Identity,
     Implication,
@@ -23,9 +24,8 @@ from kowalevski_cas.paper.claims import (
 )
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.known import ASSUMPTION, CLAIM
+from kowalevski_cas.reading.hypotheses import hypotheses, near
 from kowalevski_cas.reading.law import Law
-from kowalevski_cas.reading.phrases import right_behind
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.stage import Stage, Supposed
 from kowalevski_cas.reading.statements import SourceStatement
@@ -36,8 +36,6 @@ _OF_SETS: dict[str, tuple[type[Claim], str]] = {
     "rest": (RestPoints, "nothing moves where these equations hold"),
 }
 """The claims that are made of a set, by the kind of its role."""
-EQUATIONS = ("integral", "identity")
-"""The kinds of claims that may hold on a part of the phase space only."""
 
 
 @dataclass(frozen=True)
@@ -53,6 +51,8 @@ class Rung:
     """Whether these are what is supposed there, and no more."""
     idle: Claim | None = None
     """That nothing moves where these hold: then what is said of rates there says nothing."""
+    is_stronger: bool = False
+    """Whether it says more than the statement: where it fails nothing is said of that."""
     elsewhere: bool = False
     """Whether it rests on what is supposed in other places only: it is not claimed so."""
 
@@ -83,6 +83,11 @@ class _Ladder:
                 yield from self.of_set()
             case "solution":
                 yield from self.solutions()
+            case "approximate":
+                yield from map(_stronger, self.identities())
+                yield from self.first_order()
+            case "somewhere":
+                yield from map(_stronger, self.values())
         yield from self.elsewhere()
 
     def elsewhere(self) -> Iterator[Rung]:
@@ -122,14 +127,14 @@ class _Ladder:
         if self._leaves_out():
             yield from self.coefficients()
             return
-        hypotheses = self.hypotheses()
+        given_there = hypotheses(self.item, self.known)
         for assumptions in self.suppositions():
-            if not hypotheses or ZERO not in self.item.members:
+            if not given_there or ZERO not in self.item.members:
                 yield self.rung(Identity, says, assumptions)
             if (root := self._root()) and cue("either root", self.item.words):
                 chosen = f"{says}, for one value of ${root}$"
                 yield self.rung(Implication, chosen, assumptions, given=(), root=root)
-            for given in hypotheses:
+            for given in given_there:
                 said = "both sides are equal where the cited equations hold"
                 yield self.rung(Implication, said, assumptions, given, given=_places(given))
                 if root:
@@ -144,9 +149,15 @@ class _Ladder:
         """A chain at all real points, and where cited equations hold."""
         says = "this is so at all real points"
         yield self.rung(Inequality, says, self.supposed)
-        for given in self.hypotheses():
+        for given in hypotheses(self.item, self.known):
             said = f"{says} where the cited equations hold"
             yield self.rung(Inequality, said, self.supposed, given, given=_places(given))
+
+    def values(self) -> Iterator[Rung]:
+        """A value where the equations hold that its words name."""
+        for given in hypotheses(self.item, self.known):
+            says = "this is so where the equations before hold"
+            yield self.rung(Implication, says, self.supposed, given, given=_places(given))
 
     def _leaves_out(self) -> bool:
         """Whether terms are not printed."""
@@ -188,50 +199,6 @@ class _Ladder:
         ]
         return [kept, self.supposed] if len(kept) < len(self.supposed) else [self.supposed]
 
-    def hypotheses(self) -> list[tuple[SourceStatement, ...]]:
-        """What may be given: sets in force, what the sentence cites, and both.
-
-        What stands just before is given too, if the words say so.
-        """
-        sets = tuple(self.known.sets(self.item))
-        cited = [one for one in self.known.cited(self.item) if self._restricts(one)]
-        if cue("on it", self._place_words()):
-            cited += self.just_before()
-        found = (sets, tuple(cited), (*sets, *cited))
-        return [*dict.fromkeys(tuple(dict.fromkeys(one)) for one in found if one)]
-
-    def _place_words(self) -> str:
-        """The words that may say where the statement holds: before it, and right behind it."""
-        return f"{self.item.before[-80:]} {right_behind(self.item)}"
-
-    def _restricts(self, one: SourceStatement) -> bool:
-        """Whether a statement holds on a part of the phase space only, so that it can be given."""
-        role = self.known.roles.get(one)
-        if role is None or not one.members or one.derives or not self.known.varying(one.names):
-            return False
-        if role.name == ASSUMPTION or role.kind in _OF_SETS:
-            return True
-        said = self.known.said.verb(one) == "claim"
-        return role.name == CLAIM and not role.names and (said or role.kind in EQUATIONS)
-
-    def just_before(self) -> SetOfEquations:
-        """The set that was spoken of, or cited, last in the same paragraph; none of several."""
-        near: list[SourceStatement] = []
-        for one in self.known.roles:
-            if one.order < self.item.order and one.paragraph == self.item.paragraph:
-                near += [o for o in (one, *self.known.cited(one)) if self._is_set(o)]
-        if not near:
-            return ()
-        display = [one for one in self.known.roles if one.typed is near[-1].typed]
-        sets = sets_of({*near, *filter(self._is_set, display)}, self.known.paper.source.text)
-        own = next(one for one in sets if near[-1] in one)
-        beside = [one for one in sets if one[0].sentence == own[0].sentence]
-        return own if len(beside) == 1 or not cue("on them", self._place_words()) else ()
-
-    def _is_set(self, one: SourceStatement) -> bool:
-        role = self.known.roles.get(one)
-        return role is not None and (role.kind.startswith("set") or role.kind in _OF_SETS)
-
     # -- integrals -------------------------------------------------------------------
 
     def integrals(self) -> Iterator[Rung]:
@@ -240,7 +207,7 @@ class _Ladder:
             raise ValueError("it is called an integral, and nothing says how its names move")
         for assumptions in self._ways():
             yield self._integral(assumptions)
-        for given in self.hypotheses():
+        for given in hypotheses(self.item, self.known):
             said = "this is constant along every motion on the set"
             kind = Implication if self._is_rate else FirstIntegral
             yield self.rung(kind, said, self.supposed, given, given=_places(given))
@@ -263,17 +230,23 @@ class _Ladder:
     # -- sets ------------------------------------------------------------------------
 
     def of_set(self) -> Iterator[Rung]:
-        """That no motion leaves a set, or that nothing moves there; its equations are one claim."""
-        yield from self._of_set(self._ways())
+        """That no motion leaves a set, or that nothing moves there; its equations are one claim.
+
+        The set may bound the domain of which inequalities say that it is the space.
+        """
+        everywhere = [one for one in self.supposed if not self.known.varying(one.names)]
+        ways = self._ways()
+        yield from self._of_set(ways if everywhere in ways else [everywhere, *ways])
 
     def _of_set(self, ways: list[list[SourceStatement]]) -> Iterator[Rung]:
         relations = self._set()
         if relations[0] is not self.item:
             return
         kind, says = _OF_SETS[self.role.kind]
-        places = _places(relations)
+        bound = self.known.bound
+        places = _places((*relations, *bound))
         for assumptions in ways:
-            yield self.rung(kind, says, assumptions, (), relations, relations=places)
+            yield self.rung(kind, says, assumptions, bound, relations, relations=places)
 
     def _set(self) -> SetOfEquations:
         """The equations of the set that the statement defines, with others or alone."""
@@ -294,7 +267,7 @@ class _Ladder:
         ]
         law = self.stage.law(self.item, beside)
         names = {**{one.bare[0]: one for one in beside}, self.item.bare[0]: self.item}
-        rows = [row for row in (law.rows if law else ()) if self.item.bare[0] in row.rates]
+        rows = [row for row in (law.rows if law else ()) if self.item.bare[0] in _highest(row)]
         moving = {name for row in rows for name in row.names if self.known.moves(name)}
         if len(rows) != 1 or law is None or not moving <= names.keys():
             raise ValueError("by the time not all is given that stands in its equation of motion")
@@ -305,6 +278,16 @@ class _Ladder:
                 Definition, says, assumptions, (), (*names.values(), rows[0]),
                 law=still, printed=self.item.printed, equation=rows[0].printed,
             )  # fmt: skip
+
+    # -- approximations --------------------------------------------------------------
+
+    def first_order(self) -> Iterator[Rung]:
+        """That a rate is right up to what vanishes twice at the point, or on the set, before it."""
+        given = near(self.item, self.known)
+        if self.item.derives and given:
+            says = "up to small quantities of the second order both sides are equal"
+            rung = self.rung(DoubleZero, says, self.supposed, given, given=_places(given))
+            yield replace(_stronger(rung), idle=None)  # it is said of what is near
 
     # -- all -------------------------------------------------------------------------
 
@@ -325,9 +308,20 @@ class _Ladder:
         claim = kind(self.id, found.scene, says, **attributes)  # type: ignore[arg-type]
         in_force = bool(on) and [*on] == self.known.sets(self.item)
         idle = None
-        if on and (self.item.derives or self.role.kind == "integral"):
+        if {*on} - {*self.known.bound} and (self.item.derives or self.role.kind == "integral"):
             idle = RestPoints(self.id, found.scene, "", relations=_places(on))
         return Rung(claim, (*found.assumptions, *on), found.constants, (*on,), in_force, idle)
+
+
+def _stronger(rung: Rung) -> Rung:
+    """A claim that says more than its statement."""
+    return replace(rung, is_stronger=True)
+
+
+def _highest(row: SourceStatement) -> list[str]:
+    """The names of which an equation of motion has derivatives of its highest order."""
+    most = max(row.rates.values(), default=0)
+    return [name for name, order in row.rates.items() if order == most]
 
 
 def _places(items: Sequence[SourceStatement]) -> tuple[Printed, ...]:

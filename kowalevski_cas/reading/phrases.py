@@ -88,7 +88,7 @@ def integral_words(item: SourceStatement) -> str:
 
 _ONE_MORE = re.compile(
     r"\b(?:one\s+more|another|an?\s+\w+\s+one|the\s+(?:other|last|\w+th|second|third)\s+one)\b"
-    r"|\bещ[её]\s+один\b|\bещ[её]\s+одно\b|\bдруго[йе]\b|\b(?:второй|третий|четв[её]ртый)\b",
+    r"|\bthere\s+(?:is|are)\s+also\b|\bещ[её]\s+один\b|\bещ[её]\s+одно\b|\bдруго[йе]\b|\b(?:второй|третий|четв[её]ртый)\b",
     re.IGNORECASE,
 )
 """Words for one more of what was spoken of."""
@@ -147,6 +147,14 @@ def right_behind(item: SourceStatement) -> str:
     return _CLAUSE.split(item.tail[:40], maxsplit=1)[0]
 
 
+def words_behind(item: SourceStatement, name: str) -> str:
+    """The words right behind a statement by which it is said to be something."""
+    tail = _joined_tail(item)[:80]
+    if not (VERB.match(tail) or _MAKES.match(tail)):
+        return ""
+    return cue(name, _CLAUSE.split(tail, maxsplit=1)[0])
+
+
 def words_of(item: SourceStatement, name: str) -> str:
     """The words by which a statement is said to be something, right behind it or before.
 
@@ -154,10 +162,8 @@ def words_of(item: SourceStatement, name: str) -> str:
     """
     if _SO.search(item.lead):
         return cue(name, item.before)
-    tail = _joined_tail(item)[:80]
-    if VERB.match(tail) or _MAKES.match(tail):
-        if said := cue(name, _CLAUSE.split(tail, maxsplit=1)[0]):
-            return said
+    if said := words_behind(item, name):
+        return said
     lead = _joined_lead(item)[-60:]
     end = last_cue(name, lead)
     if end < 0 or cue("here", f"{item.before} ") or _CLAUSE.search(lead[end:].rstrip(" :~\n")):

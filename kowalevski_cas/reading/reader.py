@@ -21,6 +21,7 @@ from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
 from kowalevski_cas.reading.comments import read_comments
+from kowalevski_cas.reading.constraints import enter_constraints
 from kowalevski_cas.reading.conventions import enter_conventions
 from kowalevski_cas.reading.doubts import doubt_of
 from kowalevski_cas.reading.grammar import wrong
@@ -85,6 +86,7 @@ def read(source: Source, heard: Heard = lambda *_: None) -> Reading:
         parts.suppose(item)
         parts.enter(item, role_of(item, parts.of(item)))
     enter_conventions(parts)
+    enter_constraints(parts)
     return _DerivationReader(parts).reading(heard)
 
 
@@ -234,7 +236,7 @@ class _DerivationReader:
         words = self.paper.words
         vectors = self.parts.known[0].names.vectors
         components = {part for own in vectors.values() for part in own}
-        clocks = [n for known in self.parts.known for one in known.clocks for n in one.bare]
+        clocks = [one.other_time for known in self.parts.known for one in known.clocks]
         read = frozenset().union(*(item.names for item in self.paper.items))
         scalars = sorted(
             (words.scalars | components | read - words.functions)
@@ -245,7 +247,8 @@ class _DerivationReader:
         for item, role in self.parts.roles.items():
             for name in role.names:
                 letter, arguments = head(name)
-                if arguments and letter != BRACKET and letter not in functions:
+                is_matrix = letter in words.matrices and item.printed.heads.matrix
+                if letter != BRACKET and letter not in functions and (arguments or is_matrix):
                     functions[letter] = name
                     places[name] = item.printed
         scalars = sorted({*scalars} - functions.keys())
@@ -266,7 +269,8 @@ def chosen(found: list[Rung], on: Elaborations) -> Choice:
     """The first claim that holds, or the one with what is in force, where none does."""
     first: int | None = None
     message = ""
-    alone = len(found) == 1 and found[0].idle is None  # there is nothing to choose from
+    only = found[0].idle is None and not found[0].is_stronger
+    alone = len(found) == 1 and only  # there is nothing to choose from
     for place, rung in enumerate(found):
         if rung.elsewhere and first is None:
             break
@@ -274,7 +278,7 @@ def chosen(found: list[Rung], on: Elaborations) -> Choice:
         if true:
             return Choice(first, "", place) if rung.elsewhere else Choice(place)
         message = message or trouble
-        if trouble or rung.elsewhere:
+        if trouble or rung.elsewhere or rung.is_stronger:
             continue
         if first is None or (rung.in_force and not found[first].in_force):
             first = place

@@ -74,7 +74,8 @@ class Stage:
 
         The law is that of their names, if no other one is given.
         """
-        closure = self._closure(items, law)
+        clock = self._clock(items)
+        closure = self._closure([*items, *([clock] if clock is not None else [])], law)
         law = closure.law
         special = self.known.special(law) if law is not None and law.restates else []
         given = dict.fromkeys((*assumptions, *special))
@@ -89,7 +90,6 @@ class Stage:
         powers = tuple(
             dict.fromkeys(power for item in items for power in self._powers(item.formula))
         )
-        clock = next((one for one in self.known.clocks if any(map(self._has_clock, items))), None)
         defined = (*closure.definitions.items(),)
         key = (closure.law, closure.names, defined, (*about,), roots, powers, clock)
         if key not in self.scenes:
@@ -136,6 +136,8 @@ class Stage:
             elif by is not None:
                 definitions[name] = by
                 waiting += self._mentioned(by)
+            elif name in known.lost:
+                raise ValueError(known.lost[name])
             elif name in known.unreadable:
                 raise ValueError(f"{name} is defined by what cannot be read")
         return _Closure(law, frozenset(names), definitions)
@@ -164,7 +166,7 @@ class Stage:
         near = [law for law in fitting if lacking[law] == min(lacking.values())]
         smallest = [law for law in near if law.base not in near] or near
         cited = {*known.cited(at)}
-        named = [law for law in smallest if cited & {*law.rows}]
+        named = [law for law in smallest if cited & {*law.rows, *law.printed}]
         law = next(iter((named or smallest)[::-1]), None)
         for name in known.names.scalars(name for item in items for name in item.rates):
             if law is None or not (known.is_defined(name) or name in law.variables):
@@ -185,10 +187,15 @@ class Stage:
 
     # -- scenes ------------------------------------------------------------------------
 
-    def _has_clock(self, item: SourceStatement) -> bool:
-        """Whether derivatives by another time are printed in a statement."""
+    def _clock(self, items: Sequence[SourceStatement]) -> SourceStatement | None:
+        """What gives the other time by which derivatives are printed: the last before them."""
         law = {mark for one in self.known.laws for row in one.rows for mark in row.marks}
-        return bool(item.marks - {"dot", "t"} - ({"prime"} & law))
+        marks = frozenset().union(*(item.marks for item in items)) - {"dot", "t"}
+        marks -= {"prime"} & law
+        last = max(item.order for item in items)
+        before = [one for one in self.known.clocks if one.order < last]
+        fitting = [one for one in before if "prime" in marks or one.other_time in marks]
+        return fitting[-1] if fitting else None
 
     def _made(
         self,
@@ -254,7 +261,7 @@ class Stage:
         for name in places:
             arguments = head(name)[1]
             taken |= {*arguments, *summation_indices(arguments), DELTA}
-        clocks = {name for item in self.known.clocks for name in item.bare}
+        clocks = {name for item in self.known.clocks for name in (item.other_time, "d")}
         taken |= {*closure.variables, "t"} | words.matrices | clocks
         taken |= words.functions - words.scalars
         taken |= {"i"} if self.known.units else set()
@@ -265,10 +272,8 @@ class Stage:
     def _with_unit(
         self, scene: Scene, names: frozenset[str], clock: SourceStatement | None
     ) -> Scene:
-        if not self.known.units or ("i" not in names and clock is None):
-            return scene
-        unit = self.known.units[0].printed
-        return scene.with_unit(unit, clock.printed if clock else None)
+        unit = self.known.units[0].printed if self.known.units and "i" in names else scene.unit
+        return replace(scene, unit=unit, clock=clock.printed if clock else None)
 
     @cached_property
     def introduced(self) -> frozenset[str]:

@@ -11,8 +11,9 @@ from functools import cached_property
 from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation, Vocabulary
 from kowalevski_cas.notation.symbol import name_of_rate
 from kowalevski_cas.paper.texts import Display, Printed
-from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.formulas import read_formula, vocabulary_of
+from kowalevski_cas.paper.times import time_change
+from kowalevski_cas.reading.cues import cue, cues
+from kowalevski_cas.reading.formulas import by_names, read_formula, vocabulary_of
 from kowalevski_cas.reading.index_ranges import with_ranges
 from kowalevski_cas.reading.numbers import numbers_of
 from kowalevski_cas.reading.text import MARK, Prose, TextSection, references
@@ -53,6 +54,8 @@ class SourceStatement:
     """The interval of the item of a list in which it stands."""
     earlier: tuple[str, ...] = ()
     """The sentences before its own, the last one first."""
+    implied_by: SourceStatement | None = None
+    """The printed statement that says it, if it is not printed itself."""
 
     @property
     def words(self) -> str:
@@ -77,8 +80,10 @@ class SourceStatement:
 
     @cached_property
     def rates(self) -> dict[str, int]:
-        """The names that are derived by the time here, with the highest order."""
+        """The names that are derived by the time here, with the highest order; no other time."""
         found: dict[str, int] = {}
+        if self.other_time:
+            return found
         for name, order in _rates(self.formula) if self.formula is not None else ():
             found[name] = max(order, found.get(name, 0))
         return found
@@ -95,6 +100,12 @@ class SourceStatement:
         """How derivatives are printed here: with dots, with primes, by a variable."""
         nodes = self.formula.nodes() if self.formula is not None else ()
         return frozenset(node.mark for node in nodes if isinstance(node, Derivative))
+
+    @cached_property
+    def other_time(self) -> str:
+        """The time that it gives, if it gives another one than t."""
+        change = time_change(*self.members) if len(self.members) == 2 else None
+        return change.time if change is not None else ""
 
     @cached_property
     def bare(self) -> tuple[str, ...]:
@@ -117,29 +128,49 @@ class SourcePaper:
 
     @cached_property
     def approximate(self) -> frozenset[SourceStatement]:
-        """The statements behind the words, in the same section, that they hold approximately.
-
-        A model may be approximate itself: what stands before its equations is not meant.
-        """
-        words = self.prose.between
-        rows = (item for item in self.items if item.rates and not item.typed.inline)
-        model = next((item.typed.end for item in rows), self.prose.start)
-        return frozenset(
-            item
-            for item in self.items
-            if cue("approximate", words(max(model, item.section.start), item.sentence[1]))
-            and item.typed.start > model
-        )
+        """The statements behind the words, in the same section, that they hold approximately."""
+        return frozenset(one for one in self.items if any(self._approximating(one)))
 
     @cached_property
     def approximate_here(self) -> frozenset[SourceStatement]:
         """Those of them behind these words in the same paragraph: they may hold in no other way."""
-        words = self.prose.between
         return frozenset(
-            item
-            for item in self.approximate
-            if cue("approximate", words(max(item.paragraph, item.section.start), item.sentence[1]))
+            one
+            for one in self.approximate
+            if any(said > one.paragraph for said in self._approximating(one))
         )
+
+    def _approximating(self, item: SourceStatement) -> Iterator[int]:
+        """Where the words stand, in the section of a statement, that it holds approximately.
+
+        What a footnote says reaches to its end.
+        """
+        for said in self._approximations:
+            footnote = self.prose.footnote(said)
+            if footnote is None or footnote[0] <= item.typed.start < footnote[1]:
+                if item.section.start <= said < item.sentence[1]:
+                    yield said
+
+    @cached_property
+    def _approximations(self) -> list[int]:
+        """Where words say that what follows holds approximately; not those that say it of a model.
+
+        A model may be approximate itself: so are the equations of motion that come first, and
+        those that words set up behind these words in their sentence, for what did not move before.
+        """
+        rows = [item for item in self.items if item.rates and not item.typed.inline]
+        model = next((item.typed.end for item in rows), self.prose.start)
+        found: list[int] = []
+        for said in cues("approximate", self.prose.text, model):
+            sentence = self.prose.sentence(said.start())
+            behind = [one for one in rows if one.sentence == sentence]
+            row = next((one for one in behind if one.typed.start > said.start()), None)
+            words = self.prose.between(said.end(), row.typed.start) if row is not None else ""
+            before = (one for one in self.items if one.typed.start < sentence[0])
+            moving = {name for one in before for name in one.rates}
+            if row is None or not cue("system", words) or moving & {*row.rates}:
+                found.append(said.start())
+        return found
 
     @cached_property
     def maps(self) -> frozenset[SourceStatement]:
@@ -168,7 +199,8 @@ class SourcePaper:
 
 def read_statements(source: Source) -> SourcePaper:
     """The statements of a source, read in the names that it uses."""
-    expanded, formulas = typed_formulas(source)
+    expanded, typed = typed_formulas(source)
+    formulas = [*by_names(typed)]
     prose = Prose(expanded.text, expanded.body, formulas)
     words = vocabulary_of(formulas)
     displays: list[tuple[Display, TypedFormula]] = []

@@ -54,6 +54,8 @@ _ABBREVIATED = re.compile(
     r"|[Pp]p?|[Nn]os?|[Vv]ol|[Cc]h|[Cc]hap|т\.\s?[екдп]|см|ср|рис|гл|стр|ур|соотв|напр)$"
 )
 _WORD = re.compile(r"(?<![\\\w])[^\W\d]{2}")
+_FOOTNOTE = re.compile(r"\\footnote(?:text)?\s*(?:\[[^\]]*\])?\s*\{")
+_BRACE = re.compile(r"(?<!\\)[{}]")
 _PRINTED = re.compile(r"\((\d[\w.*']{0,8})\)")
 _REFERENCE = re.compile(r"\\(?:eq|c|C|auto)?ref\s*\{([^{}]*)\}")
 
@@ -181,6 +183,23 @@ class Prose:
                 if match["what"] is None:
                     opened.append(match.start())
         return found
+
+    @cached_property
+    def footnotes(self) -> list[tuple[int, int]]:
+        """The intervals of the footnotes, to the brace that closes each."""
+        found: list[tuple[int, int]] = []
+        for match in _FOOTNOTE.finditer(self.text, self.start):
+            depth = 1
+            for brace in _BRACE.finditer(self.text, match.end()):
+                depth += 1 if brace[0] == "{" else -1
+                if depth == 0:
+                    found.append((match.start(), brace.end()))
+                    break
+        return found
+
+    def footnote(self, offset: int) -> tuple[int, int] | None:
+        """The interval of the footnote around an offset."""
+        return next((one for one in self.footnotes if one[0] <= offset < one[1]), None)
 
     def entry(self, offset: int) -> tuple[int, int] | None:
         """The interval of the innermost item of a list around an offset."""

@@ -337,6 +337,8 @@ def test_equivalence(oscillator, tex, verdict, where):
         ("x^2", "proved"),
         ("x + v^2", "refuted"),
         ("xv + 1", "refuted"),
+        ("x^2 = xv^2", "proved"),
+        ("x = v^2", "refuted"),
     ],
 )
 def test_double_zero(oscillator, name, tex, verdict):

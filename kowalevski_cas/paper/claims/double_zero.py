@@ -1,12 +1,23 @@
-"""Double zeros: an expression vanishes with its gradient wherever given equations hold."""
+"""Double zeros: an expression vanishes with its gradient wherever given equations hold.
+
+Of an equation that is the difference of its sides: it holds there to the first order.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kowalevski_cas.notation import Partial
+from kowalevski_cas.notation import Formula, Partial, Relation
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import equations, expression, moving, vanishes
+from kowalevski_cas.paper.claims.forms import (
+    equation,
+    equations,
+    expression,
+    minus,
+    moving,
+    vanishes,
+)
+from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Follows, Goal
@@ -20,8 +31,14 @@ class DoubleZero(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        value = expression(on, space, self.own)
+        value = self._value(on, space)
         gradient = (vanishes(Partial(value, name)) for name in moving(space, value))
         yield Follows(
             space, ((vanishes(value), *gradient),), equations(on, space, self.given), self.main
         )
+
+    def _value(self, on: Elaborations, space: Elaboration) -> Formula:
+        """The printed expression, or the difference of the sides of the printed equation."""
+        if isinstance(on.texts.formula(self.own), Relation):
+            return minus(equation(on, space, self.own))
+        return expression(on, space, self.own)

@@ -11,12 +11,13 @@ from itertools import pairwise
 from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.dimension import check_conjugates
-from kowalevski_cas.paper.claims.forms import equations, members, minus, rate, sides, vanishes
+from kowalevski_cas.paper.claims.forms import equations, members, minus, rate, vanishes
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
-from kowalevski_cas.paper.components import parts
+from kowalevski_cas.paper.components import parts, sides
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.logarithms import derivative_of, has_logarithm, with_real_logarithms
+from kowalevski_cas.paper.summation import without_sums
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.space import Equation, Meaningless
@@ -50,10 +51,11 @@ class FirstIntegral(Claim):
         for same in zip(*chain, strict=True):
             yield from self._goals(on, space, same)
         if values and not there.transcendental.dependent:
-            given = level(printed[0], values[0], there)
+            same = level(printed[0], values[0], there)
+            given = (*same, *equations(on, there, self.given))
             # The first is refuted where no point has the value; the second asks for one that moves.
             yield Fails(there, (), given)
-            yield Follows(there, (tuple(vanishes(rate(part)) for part, _ in given),), given)
+            yield Follows(there, (tuple(vanishes(rate(part)) for part, _ in same),), given)
 
     def levels(self, on: Elaborations) -> Iterator[Goal]:
         """That the function has the value that is printed of it, if one is, at a real point."""
@@ -61,7 +63,8 @@ class FirstIntegral(Claim):
         printed = self.constants(on, space)
         if values := self._values(on, space, printed):
             there = self._with_names_of(values, on)
-            yield Fails(there, (), level(printed[0], values[0], there))
+            given = equations(on, there, self.given)
+            yield Fails(there, (), (*level(printed[0], values[0], there), *given))
 
     def _goals(
         self, on: Elaborations, space: Elaboration, same: tuple[Formula, ...]
@@ -104,7 +107,7 @@ class FirstIntegral(Claim):
         if not self.given:
             return ""
         goals = (goal for goal in replace(self, given=()).goals(on) if isinstance(goal, Follows))
-        sides = [pair for goal in goals for pair in goal.conclusions[0]]
+        sides = [pair for goal in goals for one in goal.conclusions for pair in one]
         whole = all(rest.is_zero for rest in on(self.scene).finder.differences(sides))
         return "it is constant along the motions off this set, too" if whole else ""
 
@@ -116,7 +119,7 @@ class FirstIntegral(Claim):
         return [member for member in chain if not _is_level(member, space)] or chain
 
     def _chain(self, on: Elaborations) -> list[Formula]:
-        formula = on.texts.formula(self.own)
+        formula = without_sums(on.texts.formula(self.own))
         return members(formula) if isinstance(formula, Relation) else [formula]
 
     def _with_names_of(self, values: Sequence[Formula], on: Elaborations) -> Elaboration:

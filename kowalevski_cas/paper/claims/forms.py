@@ -14,9 +14,8 @@ from kowalevski_cas.notation import (
     Number,
     Relation,
     Sum,
-    Vector,
 )
-from kowalevski_cas.paper.components import parts
+from kowalevski_cas.paper.components import parts, sides
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.matrices import Rows, as_matrices, is_matrix, sizes
@@ -80,19 +79,6 @@ def equation(on: Elaborations, space: Elaboration, printed: Printed) -> Equation
         raise Meaningless(f"an equation with two sides is expected at {printed.place}")
     left, right = sides(relation.members, space)
     return left, right
-
-
-def sides(members: Sequence[Formula], space: Elaboration) -> list[Formula]:
-    """The members of a chain; a zero among vectors is one.
-
-    Raises ``Meaningless`` for vectors that differ in the number of their components.
-    """
-    found = [space.plain(member) for member in members]
-    sizes = {len(parts(member, space)) for member in found if member != ZERO} or {1}
-    if len(sizes) > 1:
-        raise Meaningless("vectors with different numbers of components are set equal")
-    zero = ZERO if sizes == {1} else Vector((ZERO,) * sizes.pop())
-    return [zero if member == ZERO else member for member in found]
 
 
 def equations(

@@ -58,7 +58,7 @@ class Limit(Claim):
         """The entries of the difference."""
         space = on(self.scene)
         assert self.scene.clock is not None
-        scale = space.plain(on.texts.time_scale(self.scene.clock))
+        scale = space.plain(on.texts.time_change(self.scene.clock).rate)
         for rows in zip(t, product(t, n), product(m, t), strict=True):
             for a, b, c in zip(*rows, strict=True):
                 yield total((rate(a), b, Negative(times(scale, c))))

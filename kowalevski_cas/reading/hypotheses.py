@@ -1,0 +1,85 @@
+"""On what a claim may stand: sets in force, what its sentence cites, what stands just before it."""
+
+from __future__ import annotations
+
+from kowalevski_cas.notation import Name
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, SETS, Known
+from kowalevski_cas.reading.phrases import right_behind
+from kowalevski_cas.reading.sets import SetOfEquations, sets_of
+from kowalevski_cas.reading.statements import SourceStatement
+
+EQUATIONS = ("integral", "identity")
+"""The kinds of claims that may hold on a part of the phase space only."""
+
+
+def hypotheses(item: SourceStatement, known: Known) -> list[SetOfEquations]:
+    """What may be given: sets in force, what the sentence cites, and both.
+
+    What stands just before is given too, if the words say so.
+    """
+    sets = tuple(known.sets(item))
+    cited = [one for one in known.cited(item) if _restricts(one, known)]
+    if cue("on it", _place_words(item)):
+        cited += just_before(item, known)
+    found = (sets, tuple(cited), (*sets, *cited))
+    return [*dict.fromkeys(tuple(dict.fromkeys(one)) for one in found if one)]
+
+
+def just_before(item: SourceStatement, known: Known) -> SetOfEquations:
+    """The set that was spoken of, or cited, last in the same paragraph; none of several."""
+    last: list[SourceStatement] = []
+    for one in known.roles:
+        if one.order < item.order and one.paragraph == item.paragraph:
+            last += [o for o in (one, *known.cited(one)) if _is_set(o, known)]
+    if not last:
+        return ()
+    display = [one for one in known.roles if one.typed is last[-1].typed and _is_set(one, known)]
+    sets = sets_of({*last, *display}, known.paper.source.text)
+    own = next(one for one in sets if last[-1] in one)
+    beside = [one for one in sets if one[0].sentence == own[0].sentence]
+    return own if len(beside) == 1 or not cue("on them", _place_words(item)) else ()
+
+
+def near(item: SourceStatement, known: Known) -> SetOfEquations:
+    """The point, or the set, near which what is linear holds: the last that gives what moves.
+
+    One sentence of the paragraph gives it, by constants: that of the statement, or one before it.
+    """
+    start = max(item.paragraph, item.section.start)
+    if not cue("linear", known.paper.prose.between(start, item.sentence[1])):
+        return ()
+    before = [
+        one
+        for one in known.items
+        if start <= one.typed.start and one.order < item.order and _is_value(one, known)
+    ]
+    return tuple(one for one in before if one.sentence == before[-1].sentence)
+
+
+def _is_value(one: SourceStatement, known: Known) -> bool:
+    """Whether a statement gives variables by constants."""
+    moving = [name for name in one.bare if known.moves(name)]
+    others = [member for member in one.members if member not in [*map(Name, moving)]]
+    return bool(moving) and not one.derives and not any(known.varying(m.names()) for m in others)
+
+
+def _place_words(item: SourceStatement) -> str:
+    """The words that may say where a statement holds: before it, and right behind it."""
+    return f"{item.before[-80:]} {right_behind(item)}"
+
+
+def _restricts(one: SourceStatement, known: Known) -> bool:
+    """Whether a statement holds on a part of the phase space only, so that it can be given."""
+    role = known.roles.get(one)
+    if role is None or not one.members or one.derives or not known.varying(one.names):
+        return False
+    if role.name == ASSUMPTION or role.kind in SETS:
+        return True
+    said = known.said.verb(one) == "claim"
+    return role.name == CLAIM and not role.names and (said or role.kind in EQUATIONS)
+
+
+def _is_set(one: SourceStatement, known: Known) -> bool:
+    role = known.roles.get(one)
+    return role is not None and (role.kind.startswith("set") or role.kind in SETS)

@@ -1,0 +1,90 @@
+"""Where what is claimed holds: in a domain, on a set, near a state; and how far words reach."""
+
+from kowalevski_cas.verify.outcome import Verdict
+from tests.reading.test_reading import TOP, reading, roles, verdicts
+
+SPECIES = (
+    r"""The model is \[ \dot x=x(y-1),\qquad \dot y=y(1-x) . \] We consider it for $x>0$, $y>0$; """
+)
+
+
+def role(text, tex):
+    return next(f.role for f in reading(text).formulas if f.item.printed.tex.strip() == tex)
+
+
+def test_a_set_may_bound_the_domain():
+    found = verdicts(SPECIES + r"the line $x=0$ is invariant.")
+    assert found["x=0"] is Verdict.PROVED
+    assert not verdicts(SPECIES + r"the line $x=1$ is invariant.")["x=1"].green
+
+
+def test_what_a_footnote_neglects_is_neglected_there_only():
+    note = r"\footnote{Kepler's law follows if terms of the second order are neglected.}"
+    text = TOP + rf"A first thing:{note} \[ \ddot p=a(b\,rp\,r+q\,c\,pq) . \]"
+    assert verdicts(text)[r"\ddot p=a(b\,rp\,r+q\,c\,pq)"].green
+
+
+def test_what_is_approximate_may_hold_exactly():
+    text = TOP + r"In the first approximation \[ \dot p=a\,qr,\qquad \dot q=2b\,rp . \]"
+    found = verdicts(text)
+    assert found[r"\dot p=a\,qr"].green
+    assert r"\dot q=2b\,rp" not in found
+
+
+def test_another_model_may_be_approximate():
+    text = (
+        TOP
+        + r"""\section{A pendulum} Small oscillations are governed by
+    \[ \ddot x=-kx . \] Its energy $\dot x^2+kx^2$ is constant."""
+    )
+    assert verdicts(text)[r"\dot x^2+kx^2"] is Verdict.PROVED
+
+
+def test_nothing_is_defined_by_what_rests_on_it():
+    text = r"""A pendulum obeys $\ddot x=-w^2\sin x$, where $w=\sqrt{g/l}$, so that
+    \[ \tfrac12\dot x^2-w^2\cos x=h . \] At the top $h=w^2$, and \[ \dot x^2=2h+2w^2\cos x . \]"""
+    assert verdicts(text)[r"\dot x^2=2h+2w^2\cos x"].green
+
+
+def test_a_set_that_is_claimed_twice_is_claimed():
+    text = (
+        TOP
+        + r"The axis $p=0,\ q=0$ is invariant. \section{Again} The axis $p=0,\ q=0$ is invariant."
+    )
+    assert [f.role.kind for f in reading(text).formulas].count("invariant") == 4
+
+
+def test_a_theorem_claims_its_integral_though_the_proof_claims_its_rate():
+    theorem = r"""\begin{theorem} There is the integral \[ F=bp^2-aq^2 . \] \end{theorem}
+    \begin{proof} Indeed $\dot F=0$. \end{proof}"""
+    assert role(TOP + theorem, "F=bp^2-aq^2").kind == "integral"
+
+
+def test_a_square_that_does_not_change_is_an_integral():
+    text = TOP + r"This means that \[ k^2=bp^2-aq^2 \] does not change."
+    assert role(text, "k^2=bp^2-aq^2").kind == "integral"
+
+
+def test_what_there_is_also_is_what_was_spoken_of():
+    text = TOP + r"The function $bp^2-aq^2$ is an integral, and there is also \[ F=cp^2-ar^2 . \]"
+    assert role(text, "F=cp^2-ar^2").kind == "integral"
+
+
+def test_what_is_put_together_is_not_supposed():
+    text = TOP + r"For reference we put together: \[ (p+q)^2=p^2+2pq+q^2 . \]"
+    assert roles(text)["(p+q)^2=p^2+2pq+q^2"] == "claim"
+
+
+def test_a_solution_of_several_equations_solves_that_of_its_highest_rate():
+    law = r"The equations are \[ \ddot x=2\dot y,\qquad \ddot y=-2\dot x . \] "
+    found = verdicts(law + r"A solution is \[ x=\sin 2t,\qquad y=\cos 2t . \]")
+    assert [one.green for one in found.values()] == [True, True]
+    found = verdicts(law + r"A solution is \[ x=\sin 2t,\qquad y=\sin 2t . \]")
+    assert not any(one.green for one in found.values())
+
+
+def test_the_imaginary_unit_needs_no_words():
+    text = r"""The equations are \[ \dot x=y,\qquad \dot y=-x . \] Put $w=x+iy$. Then
+    \[ \dot w=-iw,\qquad \dot w=iw . \]"""
+    found = verdicts(text)
+    assert found[r"\dot w=-iw"].green and not found[r"\dot w=iw"].green
