@@ -12,6 +12,7 @@ from typing import Any, Self
 
 from kowalevski_cas.library import MADE
 from kowalevski_cas.notation import Formula, defined_names, read, read_display, to_plain
+from kowalevski_cas.paper.applied import printed_arguments, without_arguments
 from kowalevski_cas.paper.claims import (
     Casimir,
     Claim,
@@ -24,6 +25,7 @@ from kowalevski_cas.paper.claims import (
     Involution,
     Jacobi,
 )
+from kowalevski_cas.paper.constraints import equations_on
 from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.relations import solve_for_constant
@@ -31,7 +33,6 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.answers import ClaimOfBothSigns, Function, SystemClaim, in_html
-from kowalevski_cas.system.constraints import equations_on
 from kowalevski_cas.system.equations import (
     components,
     constraints_in,
@@ -52,7 +53,6 @@ from kowalevski_cas.system.maps import (
     with_primes,
     without_steps,
 )
-from kowalevski_cas.system.matrices import at_parameters, without_parameters
 from kowalevski_cas.system.refused import check_constant, check_field, names_of
 from kowalevski_cas.system.signs import SIGNS, has_both_signs, with_signs
 from kowalevski_cas.system.solved import (
@@ -67,7 +67,7 @@ from kowalevski_cas.system.unknown import (
     Unknown,
     unknown_functions,
     with_jets,
-    without_arguments,
+    without_argument,
 )
 from kowalevski_cas.verify.finding import Finding
 from kowalevski_cas.verify.outcome import Verdict, in_latex
@@ -118,15 +118,15 @@ class Field:
         MADE.append(self.section)
         self.scene = Scene(name)  # of which nothing is known yet
         self._convention = False
-        self.spectral: dict[str, str] = {}
+        self.applied: dict[str, str] = {}
         self.functions: list[Unknown] = []
         self._barred = False
         tex = field if isinstance(field, str) else self._rows(field)
         self._barred = map and has_bars(tex)
         """Whether bars stand over images of a map."""
         tex = without_steps(tex) if self._barred else tex
-        self.spectral = at_parameters(tex)
-        """The parameters of matrices that move; a matrix is called by its name alone."""
+        self.applied = printed_arguments([tex], vectors or ())
+        """The arguments of names that are defined; they are called by their names alone."""
         self.functions = unknown_functions(tex)
         """The functions of which nothing is known; they are called by their names alone."""
         self._convention = has_permutation(tex)
@@ -381,7 +381,7 @@ class Field:
 
     def _tex(self, formula: Tex) -> str:
         if isinstance(formula, str):
-            plain = without_parameters(without_arguments(formula, self.functions), self.spectral)
+            plain = without_arguments(without_argument(formula, self.functions), self.applied)
             plain = with_primes(plain) if self._barred else plain
             return with_ranges(plain, self._names, self._convention)
         if not isinstance(formula, Function):
