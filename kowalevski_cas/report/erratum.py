@@ -54,12 +54,8 @@ def _corrections(findings: Findings) -> Iterator[Block]:
         yield Equations(meant)
         yield from _because(findings, first)
     for outcome in findings.false:
-        said: Text = (
-            *_place(findings.phrases, outcome),
-            ": ",
-            *findings.phrases.sentence(outcome.words),
-            " This is false.",
-        )
+        words = findings.phrases.sentence(outcome.words)
+        said: Text = (*_place(findings.phrases, outcome), ": ", *words, " This is false.")
         if outcome.correction is not None:
             said = (*said, " Read: ", *findings.phrases.words(outcome.correction.words))
             if outcome.correction.conditions:
