@@ -35,8 +35,10 @@ from kowalevski_cas.notation.open import OpenParser, independent, words_that_mov
 from kowalevski_cas.notation.symbol import name_of_rate
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
+from kowalevski_cas.paper.constraints import constraints, multipliers
 from kowalevski_cas.paper.exponents import half_power, linear_exponent
 from kowalevski_cas.paper.implied import implied_equations
+from kowalevski_cas.paper.matrix_equations import equations_of_entries, matrix_equations
 from kowalevski_cas.paper.names import BRACKET, head, is_bold, summation_indices
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.signs import is_inequality
@@ -45,9 +47,7 @@ from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.system.amplitudes import SQUARE, conjugate_equations, with_conjugates
-from kowalevski_cas.system.constraints import constraints, multipliers
 from kowalevski_cas.system.differentials import differentials, rates
-from kowalevski_cas.system.matrices import equations_of_entries, matrix_equations
 from kowalevski_cas.system.refused import (
     check_derivatives,
     check_ends,
@@ -356,7 +356,8 @@ def with_roots(scene: Scene, display: Display) -> Scene:
         sides = [side for side in formula.children() if not isinstance(side, Constant)]
         if named and len(sides) > len(named) + 1:
             raise ValueError(f"{place.tex} gives {min(named)} twice: leave one side out")
-    for formula in (node for one in waiting for node in one.nodes()):
+    inner_first = (node for formula in waiting for node in reversed([*formula.nodes()]))
+    for formula in inner_first:
         if isinstance(formula, Conjugate) and scene.unit is None:
             raise ValueError(
                 f"{to_latex(formula)} is a conjugate, and all is real: rename it, or print i^2=-1 "
