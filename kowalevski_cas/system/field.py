@@ -28,6 +28,7 @@ from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.relations import solve_for_constant
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.subscripts import derived_in_index, with_primes
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.answers import ClaimOfBothSigns, Function, SystemClaim, in_html
@@ -107,8 +108,11 @@ class Field:
         self.scene = Scene(name)  # of which nothing is known yet
         self._convention = False
         self.applied: dict[str, str] = {}
+        self._by_index = ""
         self.functions: list[Unknown] = []
         tex = field if isinstance(field, str) else self._rows(field)
+        self._by_index = derived_in_index([tex])
+        """The variable by which indices derive, if they do."""
         self.applied = printed_arguments([tex], vectors or ())
         """The arguments of names that are defined; they are called by their names alone."""
         self.functions = unknown_functions(tex)
@@ -363,7 +367,8 @@ class Field:
 
     def _tex(self, formula: Tex) -> str:
         if isinstance(formula, str):
-            plain = without_arguments(without_argument(formula, self.functions), self.applied)
+            plain = with_primes(formula, self._by_index)
+            plain = without_arguments(without_argument(plain, self.functions), self.applied)
             return with_ranges(plain, self._names, self._convention)
         if not isinstance(formula, Function):
             return latex_of(formula, self.symbols)
