@@ -38,7 +38,7 @@ def derived_in_index(texts: Iterable[str]) -> str:
     return "" if name in left else name
 
 
-def with_primes(tex: str, by: str) -> str:
+def with_derivatives(tex: str, by: str) -> str:
     """A formula with primes for the derivatives by a variable, as long as it was."""
 
     def primed(match: re.Match[str]) -> str:

@@ -16,7 +16,7 @@ from kowalevski_cas.notation.symbol import BOLD
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.paper.applied import printed_arguments, without_arguments
 from kowalevski_cas.paper.names import head
-from kowalevski_cas.paper.subscripts import derived_in_index, with_primes
+from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives
 from kowalevski_cas.paper.summation import without_sums
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.source.displays import TypedFormula
@@ -33,7 +33,7 @@ def by_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
     by = derived_in_index(texts)
     known = printed_arguments(texts, _lists(formulas))
     for formula in formulas:
-        tex = with_primes(formula.tex, by)
+        tex = with_derivatives(formula.tex, by)
         with suppress(ValueError):  # at other arguments it cannot be read
             tex = without_arguments(tex, known)
         yield formula if tex == formula.tex else replace(formula, tex=tex)
