@@ -28,6 +28,7 @@ from kowalevski_cas.notation.formula import (
     Power,
     Product,
     Quotient,
+    Radical,
     RealPart,
     Relation,
     Root,

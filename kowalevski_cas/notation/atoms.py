@@ -18,6 +18,7 @@ from kowalevski_cas.notation.formula import (
     Number,
     PoissonBracket,
     Quotient,
+    Radical,
     RealPart,
     Root,
     ScalarProduct,
@@ -141,13 +142,15 @@ class Atoms(Symbols):
         return (Unwritten(), token.start, token.end, ())
 
     def read_sqrt(self) -> Piece:
-        """A square root."""
-        start = self.take().start
-        if self.tokens[self.at].text == "[":
-            raise self.error("only square roots can be read")
+        """A square root, or one of another order that is a number."""
+        sign = self.take()
+        order = int(sign.text[6:-1] or 2)
+        if self.tokens[self.at].text == "[" or order < 2:
+            raise self.error(r"print the order of a root as a number above 1: \sqrt[3]{x}", sign)
         argument = self.number(self.argument())
         end = self.tokens[self.at - 1].end
-        return self.scripts((Root(argument[0]), start, end, (argument,)))
+        node = Root(argument[0]) if order == 2 else Radical(argument[0], order)
+        return self.scripts((node, sign.start, end, (argument,)))
 
     def read_list(self, pair: bool = False) -> tuple[Piece, ...]:
         """What stands between brackets, separated by commas; a pair may stand in braces."""

@@ -157,6 +157,13 @@ class Root(Unary):
 
 
 @node
+class Radical(Unary):
+    r"""A root of an order above two, as :math:`\sqrt[3]{x}`: of odd order it is real everywhere."""
+
+    order: int
+
+
+@node
 class Derivative(Unary):
     r"""A derivative along the motion.
 
