@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from contextlib import suppress
 
 from kowalevski_cas.notation import PoissonBracket
 from kowalevski_cas.notation.symbol import symbol
-from kowalevski_cas.paper.implied import canonical_pairs
+from kowalevski_cas.paper.implied import canonical_pairs, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.reading.known import CONVENTION, Known, StatementRole
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
+
+_CANONICAL = re.compile(r"\bcanonical|\bканоническ", re.IGNORECASE)
 
 
 def enter_conventions(parts: Parts) -> None:
@@ -68,4 +71,16 @@ def _conjugate(known: Known) -> list[tuple[str, str]]:
     found = (
         canonical_pairs([r.formula for r in law.rows if r.formula is not None]) for law in laws
     )
-    return next(filter(None, found), [])
+    return next(filter(None, found), []) or _named_so(known)
+
+
+def _named_so(known: Known) -> list[tuple[str, str]]:
+    """All variables of the law as coordinates and momenta by their letters, if words say so."""
+    words = known.paper.prose.between(known.paper.prose.start, len(known.paper.prose.text))
+    if not (known.laws and _CANONICAL.search(words)):
+        return []
+    with suppress(ValueError):
+        variables = known.laws[0].variables
+        pairs = conjugate_pairs(variables)
+        return pairs if {name for pair in pairs for name in pair} == {*variables} else []
+    return []

@@ -24,12 +24,13 @@ def vocabulary_of(formulas: Sequence[TypedFormula]) -> Vocabulary:
     guesses = [guess(formulas, capitals) for capitals in (VECTOR, MATRIX)]
     euler = all(is_exponential(tokens_of(one.tex)) for one in formulas if "e" in one.tex)
     other = {"d", "e"} if euler else {"d"}
-    listed = _lists(formulas)
+    listed, tables = _lists(formulas), _tables(formulas)
     guesses = [
         replace(
             one,
-            scalars=one.scalars - other - listed,
-            vectors=one.vectors | listed,
+            scalars=one.scalars - other - listed - tables,
+            vectors=(one.vectors | listed) - tables,
+            matrices=one.matrices | tables,
             times=one.times - listed,
             functions=one.functions - listed,
         )
@@ -50,6 +51,20 @@ def vocabulary_of(formulas: Sequence[TypedFormula]) -> Vocabulary:
         if readable(flipped) > readable(best):
             best = flipped
     return best
+
+
+_TABLE = re.compile(
+    r"(?<![\w}\\])(?P<name>[A-Za-z]|\\[A-Za-z]+)\s*=\s*"
+    r"\\begin\s*\{[pbv]?matrix\}(?P<first>(?:(?!\\\\|\\end).)*)",
+    re.DOTALL,
+)
+r"""A letter that is a matrix, with the first row of its entries."""
+
+
+def _tables(formulas: Sequence[TypedFormula]) -> frozenset[str]:
+    """The letters that are given as matrices of several columns."""
+    found = (match for formula in formulas for match in _TABLE.finditer(formula.tex))
+    return frozenset(match["name"] for match in found if "&" in match["first"])
 
 
 _LIST = re.compile(

@@ -103,7 +103,8 @@ class Known:
             self.units.append(item)
         if role.kind == "clock":
             self.clocks.append(item)
-        if item.formula is not None and (item.members or role.name == LAW):
+        used = item.members or role.name == LAW
+        if item.formula is not None and used and role.name != CONVENTION:
             for name in item.names:
                 self.seen.setdefault(name, item)
 

@@ -22,6 +22,7 @@ from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
 from kowalevski_cas.reading.comments import read_comments
 from kowalevski_cas.reading.conventions import enter_conventions
+from kowalevski_cas.reading.cyclic import enter_cyclic_names
 from kowalevski_cas.reading.doubts import doubt_of
 from kowalevski_cas.reading.grammar import wrong
 from kowalevski_cas.reading.in_words import claims_in_words
@@ -80,6 +81,7 @@ def read(source: Source, heard: Heard = lambda *_: None) -> Reading:
     """The derivation that a source is, by the rules of reading."""
     paper = read_statements(source)
     parts = Parts(paper, Names(vectors_of(paper)), read_comments(paper))
+    enter_cyclic_names(parts)
     for item in _in_order(paper):
         parts.cite(item)
         parts.suppose(item)
