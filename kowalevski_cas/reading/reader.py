@@ -26,7 +26,7 @@ from kowalevski_cas.reading.cyclic import enter_cyclic_names
 from kowalevski_cas.reading.doubts import doubt_of
 from kowalevski_cas.reading.grammar import wrong
 from kowalevski_cas.reading.in_words import claims_in_words
-from kowalevski_cas.reading.known import CLAIM, StatementRole
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, StatementRole
 from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.names import Names, vectors_of
 from kowalevski_cas.reading.obey import SAID, about, claim_id, said_rung, said_rungs
@@ -148,7 +148,9 @@ class _DerivationReader:
             role = StatementRole(CLAIM, "these words claim it", found.name)
             id = f"{found.name}-in-words-{number}"
             try:
-                on = self.stages[known].scene(found.about, known.supposed(first))
+                at = found.at or first
+                beside = [at] if self.parts.roles[at].name == ASSUMPTION else []
+                on = self.stages[known].scene(found.about, [*beside, *known.supposed(at)])
                 claim = found.kind(id, on.scene, words=found.says, **found.values)  # type: ignore[arg-type]
             except (ValueError, Meaningless) as error:
                 yield JudgedStatement(first, role, message=str(error), span=found.span)
