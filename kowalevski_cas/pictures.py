@@ -59,6 +59,7 @@ MARKS = (
     PlotMark(
         "#7a7a00", "*", (0, (8, 2, 2, 2))
     ),  # olive: the yellow of the palette, darkened for paper
+    PlotMark("#8b4a2b", "h", (0, (4, 1, 1, 1))),  # brown, which is none of theirs
 )
 """Marks in the order in which series take them."""
 

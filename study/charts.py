@@ -5,8 +5,6 @@ from __future__ import annotations
 from decimal import ROUND_CEILING, Context
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from kowalevski_cas.pictures import PlotMark, mark
 from kowalevski_cas.tools import title
 from study.step import Row
@@ -32,6 +30,7 @@ _NAMES = {
     "lsoda": "LSODA",
     "taylor": "Taylor series",
     "splitting": "splitting",
+    "giac": "Giac",
 }
 
 _MARKS = (
@@ -42,7 +41,8 @@ _MARKS = (
     ("python-flint", "taylor"),
     ("singular", "ball"),
     ("pari", "floating"),
-    ("radau",),
+    ("radau", "maxima"),
+    ("giac",),
 )
 """The methods with the first mark, with the second, …; those with the same one are in no chart
 together. What is not known has the last one."""
@@ -78,26 +78,6 @@ def curve(axes: Axes, row: Row, x: str, y: str, label: str = "", least: float = 
     known = [(a, max(b, least)) for a, b in zip(row[x], row[y], strict=True) if b is not None]
     name, style = label or display_name(row["method"]), line_style(look(row["method"]))
     axes.plot([a for a, _ in known], [b for _, b in known], label=name, **style)
-
-
-def label_ends(axes: Axes, room: float = 0.075) -> None:
-    """The names of lines beside their ends, in a column behind the last one.
-
-    ``room`` is what a name takes of the height.
-    """
-    low, high = axes.transScale.transform([(1.0, y) for y in axes.get_ylim()])[:, 1]
-    named = [line for line in axes.lines if not str(line.get_label()).startswith("_")]
-    data = [(line, np.asarray(line.get_xdata()), np.asarray(line.get_ydata())) for line in named]
-    ends = [(line, float(x[-1]), float(y[-1])) for line, x, y in data]
-    last, before = max((x for _, x, _ in ends), default=0.0), 1.0 + room
-    for line, x, y in sorted(ends, key=lambda end: -end[2]):
-        level = float(axes.transScale.transform((1.0, y))[1] - low) / float(high - low)
-        before = min(level, before - room)
-        leader = {"arrowstyle": "-", "lw": 0.4, "color": line.get_color(), "shrinkB": 2}
-        axes.annotate(
-            str(line.get_label()), (x, y), (last + 1, before), textcoords=("data", "axes fraction"),
-            va="center", size=6.5, color=line.get_color(), arrowprops=leader, annotation_clip=False,
-        )  # fmt: skip
 
 
 def legend_below(figure: Figure, axes: Axes, columns: int, **more: Any) -> None:

@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import os
 import platform
+import re
 from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from kowalevski_cas.cli.session import installed_versions
-from kowalevski_cas.export.witness import version
+from kowalevski_cas.export.witness import answer
 from kowalevski_cas.tools import TOOLS, MissingTool, Tool
 
 LIBRARIES = ("python-flint", "symengine", "sympy", "numpy", "scipy", "matplotlib", "heyoka")
+
+GIAC = Tool("Giac", (("giac",),), "xcas", "polynomials")
+"""A system that confirms no certificates, and is measured beside those that do."""
 
 
 @cache
@@ -24,17 +29,20 @@ def machine() -> dict[str, str]:
         "system": f"{platform.system()} {platform.machine()}",
         "Python": platform.python_version(),
     }
-    tools = {name: number for name, tool in TOOLS.items() if (number := _number(tool))}
+    every = {**TOOLS, "giac": GIAC}
+    tools = {name: number for name, tool in every.items() if (number := _number(tool))}
     return known | installed_versions(*LIBRARIES) | tools
 
 
 def _number(tool: Tool) -> str:
     """The number of a system's version; empty if it is not installed."""
     try:
-        words = version(tool).split()
+        with TemporaryDirectory() as folder:  # Giac leaves a protocol there
+            _, said = answer([*tool.call(), *tool.version], Path(folder))
     except MissingTool:
         return ""
-    return next((word for word in words if word[0].isdigit()), "")
+    number = re.search(r"(?<!\w)\d+\.\d[\w.]*", said)
+    return number[0] if number else ""
 
 
 def _processor() -> str:

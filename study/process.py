@@ -10,8 +10,10 @@ import os
 import re
 import resource
 import shutil
+import signal
 import subprocess
 import sys
+import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
@@ -27,16 +29,16 @@ MEBIBYTE = 2**20
 _MEMORY = ("MemoryError", "out of memory", "not enough memory", "stack overflows")
 """What programs say when there is no more memory."""
 
-_PATIENCE = 2.0
-"""How many seconds a program has to say all that is wrong."""
-
-_WAITING = 5
+_WAITING = 10
 """So many times as long as it may work a program is waited for: the machine has other work."""
 
 _LOOKS = 0.05
 """After so many seconds it is looked at again what a program has worked."""
 
-_STEP = re.compile(r"^step (\d+) (\S+)$")
+FAILS = "fails"
+"""What a program says that has come to something else."""
+
+_STEP = re.compile(r"^step (\d+)$")
 
 
 def limit_memory(mebibytes: int) -> None:
@@ -57,7 +59,7 @@ def kill_after(process: subprocess.Popen[str], seconds: float) -> Iterator[None]
 
     def watch() -> None:
         while not ended.wait(_LOOKS):
-            if _worked(process.pid) >= seconds or perf_counter() >= latest:
+            if (_worked(process.pid) or 0.0) >= seconds or perf_counter() >= latest:
                 process.kill()
 
     Thread(target=watch, daemon=True).start()
@@ -67,13 +69,15 @@ def kill_after(process: subprocess.Popen[str], seconds: float) -> Iterator[None]
         ended.set()
 
 
-def race(command: Sequence[str], folder: Path, seconds: float, mebibytes: int) -> Measured:
-    """Run a command that says ``step k seconds`` each time that it has come further.
+def race(
+    command: Sequence[str], folder: Path, seconds: float, mebibytes: int, most: int
+) -> Measured:
+    """Run a command that says ``step k`` each time that it has come further, up to ``most``.
 
     It may work for so many ``seconds``, by the clock of the processor.
 
-    The lists ``steps``, ``times`` (as the process tells them) and ``memory`` (the most
-    that it has had so far, in bytes, where the system tells it) have an entry for each
+    The lists ``steps``, ``times`` (what it has worked since it was started) and ``memory`` (the
+    most that it has had so far, in bytes; both where the system tells it) have an entry for each
     step that was reached; ``reason`` says what stopped it: a limit, or nothing.
     """
     found: dict[str, list[Any]] = {"steps": [], "times": [], "memory": []}
@@ -92,42 +96,44 @@ def race(command: Sequence[str], folder: Path, seconds: float, mebibytes: int) -
     with process:
         try:
             with kill_after(process, seconds):
-                wrong = _follow(process, found)
+                said = _follow(process, found)
                 code = process.wait()
         finally:
             process.kill()
     spent = perf_counter() - began
-    if any(word in line for word in _MEMORY for line in wrong):
+    if found["steps"][-1:] == [most] and not code:
+        verdict, reason = "reached", ""
+    elif any(word in line for word in _MEMORY for line in said):
         verdict, reason = "timeout", f"{mebibytes} MiB"
-    elif code and not wrong and spent >= seconds:
+    elif code == -signal.SIGKILL:
         verdict, reason = "timeout", f"{seconds:g} s"
     else:
-        reason = wrong[0][:100] if wrong else f"exit code {code}" if code else ""
-        verdict = "stopped" if reason else "reached"
+        verdict = "stopped"
+        last = said[-1][:100] if said else f"exit code {code}"
+        reason = FAILS if FAILS in said else last
     return {"seconds": spent, "verdict": verdict, "reason": reason, **found}
 
 
 def _follow(process: subprocess.Popen[str], found: dict[str, list[Any]]) -> list[str]:
-    """Keep what is reached; the lines from the first that is no step, which mean an error."""
+    """Keep what is reached; the lines that are no steps."""
     assert process.stdout
+    said = []
     for line in map(str.strip, process.stdout):
         if step := _STEP.match(line):
             found["steps"].append(int(step[1]))
-            found["times"].append(float(step[2]))
+            found["times"].append(_worked(process.pid))
             found["memory"].append(_peak(process.pid))
-        elif line and "Warning: " not in line:
-            with kill_after(process, _PATIENCE):
-                return [line, *process.stdout]
-    return []
+        elif line:
+            said.append(line)
+    return said
 
 
-def _worked(pid: int) -> float:
-    """The seconds that a process has worked; none where the system does not tell."""
+def _worked(pid: int) -> float | None:
+    """The seconds that a process has worked; ``None`` where the system does not tell."""
     try:
-        words = Path(f"/proc/{pid}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
-    except OSError:
-        return 0.0
-    return sum(map(int, words[11:13])) / os.sysconf("SC_CLK_TCK")
+        return time.clock_gettime((~pid << 3) | 2)  # the clock of that process, for Linux
+    except (AttributeError, OSError):
+        return None
 
 
 def _peak(pid: int) -> int | None:

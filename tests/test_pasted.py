@@ -24,6 +24,17 @@ COMMANDS = [re.sub(r" +# .*$", "", line) for line in LINES]
 ELSEWHERE = re.compile(
     r"pip install|make |dask |.* --scheduler tcp://HOST"  # a machine of its own, or several
 )
+WITHIN = [
+    (page.stem, " ".join(command.split()))
+    for page, text in zip(PAGES, TEXTS, strict=True)
+    for command in re.findall(r"`((?:\.venv/bin/)?kowalevski-cas [a-z]+ [^`]+)`", text)
+    if not re.search(r"\b(NAME|FILE|COMMAND)\b|--help|--watch|--arithmetic all", command)
+]
+"""The commands within sentences, which speak of the files that their page shows.
+
+One that watches does not end, and `verify --arithmetic all` is `make verify`.
+"""
+
 FOUND = {"audit": (0, 1, 3)}
 """The exit codes of commands that say what they found; of all others it is 0."""
 
@@ -59,9 +70,30 @@ def test_every_command_works_as_it_is_pasted(command, clone):
         pytest.skip("no Rocq here")
     if " completion " in command and find_spec("shtab") is None:
         pytest.skip("the extra completion is not installed")
+    runs(command, clone, clone)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("page", "command"), WITHIN)
+def test_every_command_within_a_sentence_works_beside_the_files_of_its_page(page, command, clone):
+    if " completion " in command and find_spec("shtab") is None:
+        pytest.skip("the extra completion is not installed")
+    if page == "README":
+        runs(command, clone, clone)
+        return
+    folder = clone / page
+    folder.mkdir(exist_ok=True)
+    (text,) = (text for path, text in zip(PAGES, TEXTS, strict=True) if path.stem == page)
+    for name, own in re.findall(r'^```\w+ title="(.*?)"\n(.*?)^```', text, re.M | re.S):
+        (folder / name).write_text(own, encoding="utf-8")
+    runs(command, folder, clone)
+
+
+def runs(command, folder, clone):
+    """A command in a folder, with the tool of the clone: it ends as it says, and says something."""
     path = f"{clone / '.venv' / 'bin'}:/usr/local/bin:/usr/bin:/bin"
     done = subprocess.run(
-        ["bash", "-c", command], cwd=clone, capture_output=True, text=True, timeout=600,
+        ["bash", "-c", command], cwd=folder, capture_output=True, text=True, timeout=600,
         env={"HOME": str(clone), "PATH": path, "PYTHONPATH": str(clone)},
     )  # fmt: skip
     name = command.split()[1]

@@ -58,7 +58,7 @@ section.states(
         r"\sqrt{\frac{-\Delta_3}{I_{21}I_1I_2I_3}}",
         r"\sqrt{\frac{-\Delta_3I_{21}}{I_1I_2I_3}}",
     ),
-    says=r"the third of these equations gives $\lambda$",
+    says=r"in case (i) the third equation of (2) gives $\lambda=-\sigma\lambda_3$",
 )
 section.states(
     Identity, eliminated_i, on=case_i, says=r"this value of $\lambda$ satisfies the equations"
@@ -70,11 +70,11 @@ section.states(
     says="the motion of case (i) satisfies Euler's equations",
     ids=("euler-i.1", "euler-i.2", "euler-i.3"),
 )
-section.claim(
+section.deny(
     Identity(
         "article-i",
         case_i,
-        r"the value of the article, $\sigma\lambda_3$, is that of the third of these equations",
+        r"the article's $\lambda=\sigma\lambda_3$ satisfies the third equation of (2)",
         printed=section.lemma(
             "article-i",
             r"\sigma\frac{B_{13}B_{21}}{B_{31}}\frac{I_1-I_2}{I_1I_2} = \sigma\lambda_3",
@@ -128,7 +128,7 @@ section.states(
         r"\sqrt{\frac{-\Delta_1}{I_{23}I_1I_2I_3}}",
         r"\sqrt{\frac{-\Delta_1I_{23}}{I_1I_2I_3}}",
     ),
-    says=r"the first of these equations gives $\lambda$",
+    says=r"in case (ii) the first equation of (3) gives $\lambda=-\sigma\lambda_1$",
 )
 section.states(
     Identity, eliminated_ii, on=case_ii, says=r"this value of $\lambda$ satisfies the equations"
@@ -140,11 +140,11 @@ section.states(
     says="the motion of case (ii) satisfies Euler's equations",
     ids=("euler-ii.1", "euler-ii.2", "euler-ii.3"),
 )
-section.claim(
+section.deny(
     Identity(
         "article-ii",
         case_ii,
-        r"the value of the article, $\sigma\lambda_1$, is that of the first of these equations",
+        r"the article's $\lambda=\sigma\lambda_1$ satisfies the first equation of (3)",
         printed=section.lemma(
             "article-ii",
             r"\sigma\frac{B_{23}B_{31}}{B_{13}}\frac{I_2-I_3}{I_2I_3} = \sigma\lambda_1",
@@ -236,7 +236,7 @@ section.states(
     Identity,
     lambda_iii,
     on=case_iii.adjoining(r"\sqrt{\frac{I_1\Delta_3}{I_{13}}\frac{I_3\Delta_1}{I_{31}}}"),
-    says=r"the second of these equations gives $\lambda$",
+    says=r"in case (iii) the second equation of (4) gives $\lambda$",
 )
 section.states(
     Identity,
@@ -245,13 +245,13 @@ section.states(
         r"\sqrt{\frac{I_3\Delta_1}{I_{31}}\frac{I_{13}}{I_1\Delta_3}}",
         r"\sqrt{-\frac{\Delta_1}{I_1I_3\Delta_3}}",
     ),
-    says="the first of these equations gives the same value",
+    says="the first equation of (4) gives the same value",
 )
 section.states(
     Identity,
     last_iii,
     on=case_iii.adjoining(r"\sqrt{-\frac{\Delta_1}{I_1I_3\Delta_3}}"),
-    says="the first of these equations gives the same value",
+    says="the first equation of (4) gives the same value",
 )
 section.states(
     Identity, eliminated_iii, on=case_iii, says=r"this value of $\lambda$ satisfies the equations"
@@ -267,7 +267,7 @@ section.identity(
     "common",
     r"\lambda_2 = \lambda_1 = \lambda_3",
     on=case_iii,
-    says=r"$\lambda_2$ is the common value of $\lambda_1$ and $\lambda_3$ in case (iii)",
+    says=r"in case (iii) $\lambda_2$ is the common value of $\lambda_1$ and $\lambda_3$",
 )
 
 # -- phases -------------------------------------------------------------------------

@@ -122,12 +122,15 @@ light = (
     .defining(by_amplitudes[3])
 )
 
-for printed, ours in ((angle_article, False), (angle_mended, True)):
+for printed, ours, words in (
+    (angle_article, False, r"the derivative of $\psi$ is $\dot\psi$ with $m_3$ of case (i)"),
+    (angle_mended, True, r"with $B_{31}/G$ for $B_{31}$ the derivative of $\psi$ is $\dot\psi$"),
+):
     section.claim(
         Identity(
             printed.id,
             light.called(f"case (i), {printed.id}").defining(printed),
-            "the derivative of the angle is the rate",
+            words,
             printed=rate_article[1],
             ours=ours,
         )
@@ -213,7 +216,7 @@ section.claim(
         positive.called("angle by the quaternion in case (i)")
         .adjoining(r"\sqrt\frac{I_2I_{31}}{I_3I_{21}}")
         .defining(plus, value_i, angles[1]),
-        "the angle in case (i)",
+        r"$\psi$ in case (i), by the quaternion about $\mathbf e_1$",
         printed=rates[1],
     )
 )
@@ -233,14 +236,21 @@ angles_iii = section.display(
 +2\arctan(\frac{B_{31}-G}{B_{13}}\tanh(\frac{\lambda t-\nu}{2}))""",
 )
 
-for number, of in enumerate((1, 1, 3), start=1):
+for number, (of, words) in enumerate(
+    (
+        (1, r"$\psi$ in case (iii), by the quaternion about $\mathbf e_1$"),
+        (1, r"$\psi$ in case (iii), by the quaternion about $\mathbf e_1$, simplified"),
+        (3, r"$\psi$ in case (iii), by the quaternion about $\mathbf e_3$"),
+    ),
+    start=1,
+):
     section.claim(
         Identity(
             f"angle-iii.{number}",
             separatrix.called(f"angle by the quaternion in case (iii), {number}")
             .naming(r"\lambda", both_plus[1])
             .defining(angles_iii[number]),
-            "the angle in case (iii)",
+            words,
             printed=rates[3 if of == 1 else 4],
         )
     )

@@ -70,6 +70,8 @@ class Derivatives(Atoms):
                 return super().factor()
             if token.text in self.names:
                 raise self.error("a derivative, or the name d? print a fraction, or a dot", token)
+        if token.text != "d" and self.tokens[self.at + 1].kind == "_":
+            return self.subscripted()
         if self.differential_begins():
             self.at += 1
             return Name("d"), token.start, token.end, ()
@@ -84,6 +86,27 @@ class Derivatives(Atoms):
         if len(by) != order:
             raise self.error("the orders above and below differ", token)
         return _derivative(piece, token.text, by, token.start, self.tokens[self.at - 1].end)
+
+    def subscripted(self) -> Piece:
+        r"""A partial derivative by an index, as :math:`\partial_pH` and :math:`\partial_{q_1}V`."""
+        start = self.tokens[self.at].start
+        self.at += 2
+        by: list[str] = []
+        if self.tokens[self.at].kind == "{":
+            self.at += 1
+            while self.tokens[self.at].kind != "}" and (found := self.differential(r"\partial")):
+                by += found
+            self.close("}")
+        elif self.tokens[self.at].text in self.vocabulary.ranks:
+            by = [self.take().text]
+        if not by:
+            raise self.unexpected()
+        by *= self.order()
+        piece = self.factor()
+        token = self.tokens[self.at]
+        if token.kind == "slash" or (self.starts() and token.text != r"\partial"):
+            raise self.error(f"how far does the derivative by {by[-1]} reach? set brackets")
+        return _derivative(piece, r"\partial", by, start, self.tokens[self.at - 1].end)
 
     def differential_begins(self) -> bool:
         """Whether the differential of a time begins here, as in a change of the time."""

@@ -25,6 +25,7 @@ from kowalevski_cas.notation.macros import (
     WORDS,
 )
 from kowalevski_cas.notation.tokens import DEEPEST, TOKEN, Token, after_group
+from kowalevski_cas.notation.words import CONSTANT, DESCRIPTION, with_constants, without_names
 
 LONGEST = 100_000
 
@@ -317,6 +318,11 @@ class _Scanner:
         if words in WORDS:
             self.argument()
             self.add(WORDS[words], words, start)
+        elif CONSTANT.fullmatch(words) and self.tokens:
+            self.tokens = with_constants(self.tokens, start, self.at)
+        elif DESCRIPTION.fullmatch(words):
+            self.tokens = without_names(self.tokens)
+            self.add("comma", words, start)
         elif words.isalnum() and (self.owed or (self.groups and self.groups[-1].argument)):
             self.argument()
             self.add("letter", words if len(words) == 1 else rf"\mathrm{{{words}}}", start)
@@ -325,7 +331,10 @@ class _Scanner:
         elif words:
             told = "mathematics inside of text cannot be read"
             if words.replace(" ", "").replace(".", "").isalpha():
-                told = f"the words “{words}” among formulas are not understood"
+                told = (
+                    f"the words “{words}” among formulas are not understood: print what they "
+                    "suppose as a formula"
+                )
             raise NotationError(told, self.tex, inside)
 
     def do_begin(self, start: int) -> None:

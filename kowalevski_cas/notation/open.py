@@ -8,6 +8,7 @@ from itertools import pairwise
 
 from kowalevski_cas.notation.cursor import Cursor, is_known, is_word
 from kowalevski_cas.notation.formula import Name
+from kowalevski_cas.notation.layout import statements
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.parser import Parser
 from kowalevski_cas.notation.symbol import symbol
@@ -88,12 +89,16 @@ def words_that_move(tex: str) -> list[str]:
 
 
 def bold_names(tex: str) -> list[str]:
-    r"""The names in bold type in a display.
+    r"""The names in bold type in a display, for all values of indices with ranges.
 
-    >>> bold_names(r"\dot{\bf r}={\bf r}\times\boldsymbol\omega_1")
-    ['\\mathbf{r}', '\\boldsymbol{\\omega}_1']
+    >>> bold_names(r"\dot{\bf r}_i={\bf r}_i\times\boldsymbol\omega, i=1,2")
+    ['\\mathbf{r}_1', '\\boldsymbol{\\omega}', '\\mathbf{r}_2']
     """
-    letters = Cursor(tex, scan(tex), Vocabulary()).letters()
+    letters = (
+        pair
+        for statement in statements(tex)
+        for pair in Cursor(tex, statement.tokens, Vocabulary()).letters()
+    )
     return [*dict.fromkeys(letter + index for letter, index in letters if symbol(letter).is_bold)]
 
 

@@ -43,9 +43,10 @@ class SumSign(NamedTuple):
                 break
             depth += _depths(tokens[begin])
             begin += 1
-        end = begin
-        while end < len(tokens) and (depth or tokens[end].kind not in _BEHIND):
+        end, barred = begin, False
+        while end < len(tokens) and (depth or barred or tokens[end].kind not in _BEHIND):
             depth += _depths(tokens[end])
+            barred ^= tokens[end].kind == "bar"
             if depth < 0:
                 break
             end += 1

@@ -187,11 +187,12 @@ def _letters(tokens: Sequence[Token]) -> list[str]:
 def _depths(tokens: Sequence[Token], index: bool = True) -> list[int]:
     """The number of brackets around each token, perhaps without those of indices and accents."""
     found, opened = list[int](), list[bool]()
-    before = ""
+    before, barred = "", False
     for token in tokens:
         if token.kind in ENDING and opened:
             opened.pop()
-        found.append(sum(opened))
+        barred ^= token.kind == "bar"
+        found.append(sum(opened) + barred)
         if token.kind in BEGINNING:
             opened.append(index or before not in ("_", "accent"))
         before = token.kind

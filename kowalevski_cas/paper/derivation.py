@@ -127,6 +127,11 @@ class Section:
             self.claims.append(claim)
             self.lines[claim.id] = _line()
 
+    def deny(self, *claims: Claim) -> None:
+        """Statements that the paper calls false, as those of another paper that it corrects."""
+        self.claim(*claims)
+        self.expected |= dict.fromkeys((claim.id for claim in claims), "refuted")
+
     def accept(self, printed: Printed, tex: str) -> None:
         """Read this in place of what is printed, in all that follows from it.
 

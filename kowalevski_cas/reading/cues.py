@@ -96,7 +96,9 @@ CUES: dict[str, str] = {
         levels? manifold relations? \bsets?\b surfaces? submanifold уровн\w+ многообрази\w+
         соотношени\w+ поверхност\w+ множеств\w+""",
     "constraint": r"""
-        constraints? connected\s+by subject\s+to связ(?:ь|и|ью|ями)\b стеснен\w+""",
+        constrain\w+
+        (?:lie|stay|move|remain)s?\s+on\s+the\s+(?:\w+\s+)?(?:sphere|surface|curve|line)
+        connected\s+by subject\s+to связ(?:ь|и|ью|ями)\b стеснен\w+""",
     "approximate": r"""
         terms?\s+of\s+(?:the\s+)?(?:first|second|higher|lowest)\s+order
         to\s+(?:the\s+)?first\s+order (?:first|linear|crude|rough)\s+approximation approximat\w+
@@ -141,6 +143,8 @@ CUES: dict[str, str] = {
         (?:\bif|\bwhen|\bfor|even|also)\b[^.;]*\bfunctions?\s+of\s+(?:the\s+)?time
         (?:\bif|\bwhen|even|also)\b[^.;]*\bdepends?\s+on\s+(?:the\s+)?time
         (?:\bесли|\bкогда|\bпри)\b[^.;]*(?:функци\w+\s+времени|завис\w+\s+от\s+времени)""",
+    "multiplier": r"""
+        \bmultipliers?\b множител\w+""",
     "system": r"""
         equations?\s+of\s+motion equations?\s+(?:are|read|take|have) \bsystem\b \bmodel\b
         now\s+consider reduced\s+(?:system|equations) in\s+polar\s+coordinates another\s+system

@@ -50,7 +50,7 @@ def doubt_of(
     beside = {one for other in candidates for one in other.on}
     if unclear or _is_constrained(rung, known) or _has_case(item, rung, beside, known):
         return Doubt.ALWAYS
-    given = any(one.given for one in candidates)
+    given = any({*one.given} - {*known.bound} for one in candidates)
     sure = not (given or rung.constants or cue("on it", item.words))
     sure = sure and not _has_level(item, rung, known) and not _has_constant(item, rung, known)
     sure = sure and _is_plain(rung, item, parts)

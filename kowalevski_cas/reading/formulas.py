@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 
-from kowalevski_cas.notation import Formula, NotationError, Vocabulary
+from kowalevski_cas.notation import Formula, NotationError, Vocabulary, defined_names
 from kowalevski_cas.notation.layout import StatementTokens
 from kowalevski_cas.notation.layout import statements as placed
 from kowalevski_cas.notation.open import OpenParser, is_exponential
 from kowalevski_cas.notation.symbol import BOLD
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
+from kowalevski_cas.paper.applied import printed_arguments, without_arguments
+from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.summation import without_sums
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.source.displays import TypedFormula
@@ -19,18 +22,29 @@ from kowalevski_cas.source.listing import guess
 from kowalevski_cas.source.tokens import tokens_of
 
 
+def by_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
+    """The formulas, with names that are defined without arguments by these names alone."""
+    texts = [formula.tex for formula in formulas]
+    known = printed_arguments(texts, _lists(formulas))
+    for formula in formulas:
+        tex = formula.tex
+        with suppress(ValueError):  # at other arguments it cannot be read
+            tex = without_arguments(tex, known)
+        yield formula if tex == formula.tex else replace(formula, tex=tex)
+
+
 def vocabulary_of(formulas: Sequence[TypedFormula]) -> Vocabulary:
     """The names of a paper; bold capitals are matrices or vectors, as more formulas can be read."""
     guesses = [guess(formulas, capitals) for capitals in (VECTOR, MATRIX)]
     euler = all(is_exponential(tokens_of(one.tex)) for one in formulas if "e" in one.tex)
     other = {"d", "e"} if euler else {"d"}
-    listed, tables = _lists(formulas), _tables(formulas)
+    listed, by_entries = _lists(formulas), _matrices(formulas)
     guesses = [
         replace(
             one,
-            scalars=one.scalars - other - listed - tables,
-            vectors=(one.vectors | listed) - tables,
-            matrices=one.matrices | tables,
+            scalars=one.scalars - other - listed - by_entries,
+            vectors=(one.vectors | listed) - by_entries,
+            matrices=one.matrices | by_entries,
             times=one.times - listed,
             functions=one.functions - listed,
         )
@@ -53,20 +67,6 @@ def vocabulary_of(formulas: Sequence[TypedFormula]) -> Vocabulary:
     return best
 
 
-_TABLE = re.compile(
-    r"(?<![\w}\\])(?P<name>[A-Za-z]|\\[A-Za-z]+)\s*=\s*"
-    r"\\begin\s*\{[pbv]?matrix\}(?P<first>(?:(?!\\\\|\\end).)*)",
-    re.DOTALL,
-)
-r"""A letter that is a matrix, with the first row of its entries."""
-
-
-def _tables(formulas: Sequence[TypedFormula]) -> frozenset[str]:
-    """The letters that are given as matrices of several columns."""
-    found = (match for formula in formulas for match in _TABLE.finditer(formula.tex))
-    return frozenset(match["name"] for match in found if "&" in match["first"])
-
-
 _LIST = re.compile(
     r"(?<![\w}\\])(?P<name>[A-Za-z]|\\[A-Za-z]+)\s*=\s*\(\s*"
     r"(?P<entries>(?:[A-Za-z]|\\[A-Za-z]+)(?:_\{?\w\}?)?"
@@ -87,6 +87,18 @@ def _lists(formulas: Sequence[TypedFormula]) -> frozenset[str]:
         for name in found | beside
         if any(re.search(rf"{re.escape(name)}_\{{?\w", t) for t in texts)
     )
+
+
+def _matrices(formulas: Sequence[TypedFormula]) -> frozenset[str]:
+    """The letters that are given by their entries, and by nothing else."""
+    found: dict[str, bool] = {}
+    for formula in formulas:
+        with suppress(NotationError, IndexError):
+            for heads in defined_names(formula.tex):
+                for name in heads.names:
+                    letter = head(name)[0]
+                    found[letter] = heads.matrix and found.get(letter, True)
+    return frozenset(name for name, is_matrix in found.items() if is_matrix)
 
 
 def read_formula(

@@ -34,6 +34,9 @@ LAW, DEFINITION, LEVEL, ASSUMPTION, CLAIM, NOTATION, OTHER, UNREAD, CONVENTION =
     "convention",
 )  # fmt: skip
 
+CONSTRAINT = "constraint"
+"""The kind of an assumption on which all motion is."""
+
 SETS = ("invariant", "rest")
 """The kinds of claims of which the equations define a set."""
 
@@ -62,6 +65,8 @@ class Known:
     clocks: list[SourceStatement] = field(default_factory=list)
     seen: dict[str, SourceStatement] = field(default_factory=dict)
     """The equations in which names have been used first."""
+    lost: dict[str, str] = field(default_factory=dict)
+    """The names that are to follow from what is printed, and why they do not."""
     elsewhere: frozenset[str] = frozenset()
     """What moves by the laws of other parts."""
     said: Said = field(default_factory=Said)
@@ -118,7 +123,7 @@ class Known:
 
     def law_of(self, item: SourceStatement) -> Law | None:
         """The law of which a statement is a part."""
-        return next((law for law in self.laws if item in law.items), None)
+        return next((law for law in self.laws if item in law.printed), None)
 
     def moves(self, name: str) -> bool:
         """Whether a name is a variable of a law, or a vector of such."""
@@ -184,6 +189,11 @@ class Known:
             taken |= names
         return found
 
+    @property
+    def bound(self) -> list[SourceStatement]:
+        """The constraints of the motion, with their derivatives."""
+        return [one for one in self.assumptions if self.roles[one].kind == CONSTRAINT]
+
     def supposed_elsewhere(self, item: SourceStatement) -> list[list[SourceStatement]]:
         """The assumptions about constants, by sentences, that are not in force at a later place."""
         found: dict[tuple[int, int], list[SourceStatement]] = {}
@@ -199,9 +209,10 @@ class Known:
 
         A later assumption about the same one name, as x > 0 after x = 0, takes the place of one.
         """
-        before = [one for one in self.assumptions if one.order < item.order]
+        bound = self.bound
+        before = [one for one in self.assumptions if one.order < item.order and one not in bound]
         last = {one.names: one for one in sorted(before, key=lambda one: one.order)}
-        return [
+        return [one for one in bound if one is not item] + [
             one
             for one in before
             if (
@@ -214,7 +225,7 @@ class Known:
 
     def reaches(self, one: SourceStatement, item: SourceStatement) -> bool:
         """Whether what is said at a statement is in force at another one."""
-        if self.roles[one].kind.startswith("set"):
+        if self.roles[one].kind.startswith("set") or self.roles[one].kind == CONSTRAINT:
             return False
         if self.roles[one].kind == "of the sentence":
             return one.sentence == item.sentence

@@ -244,9 +244,10 @@ class _Ladder:
         if relations[0] is not self.item:
             return
         kind, says = _OF_SETS[self.role.kind]
-        places = _places(relations)
+        bound = self.known.bound
+        places = _places((*relations, *bound))
         for assumptions in ways:
-            yield self.rung(kind, says, assumptions, (), relations, relations=places)
+            yield self.rung(kind, says, assumptions, bound, relations, relations=places)
 
     def _set(self) -> SetOfEquations:
         """The equations of the set that the statement defines, with others or alone."""
@@ -327,7 +328,7 @@ class _Ladder:
         claim = kind(self.id, found.scene, says, **attributes)  # type: ignore[arg-type]
         in_force = bool(on) and [*on] == self.known.sets(self.item)
         idle = None
-        if on and (self.item.derives or self.role.kind == "integral"):
+        if {*on} - {*self.known.bound} and (self.item.derives or self.role.kind == "integral"):
             idle = RestPoints(self.id, found.scene, "", relations=_places(on))
         return Rung(claim, (*found.assumptions, *on), found.constants, (*on,), in_force, idle)
 

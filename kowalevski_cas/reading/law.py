@@ -40,6 +40,11 @@ class Law:
         return tuple(dict.fromkeys((*(self.base.variables if self.base else ()), *own)))
 
     @cached_property
+    def printed(self) -> frozenset[SourceStatement]:
+        """Its equations as they are printed."""
+        return frozenset(item.implied_by or item for item in self.items)
+
+    @cached_property
     def rows(self) -> tuple[SourceStatement, ...]:
         """All its equations, with those that it is added to."""
         return (*(self.base.rows if self.base else ()), *self.items)

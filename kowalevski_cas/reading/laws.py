@@ -9,6 +9,7 @@ from kowalevski_cas.reading.changes import find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.matrix_rows import rows_of_matrices
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 from kowalevski_cas.reading.unprinted import implied_rows
@@ -55,7 +56,9 @@ class _LawFinder:
         """Whether any words may have a law among them."""
         rows = [item for item in paper.items if self._may_be_row(item)]
         rated = {name for row in rows for name in row.rates}
-        self.rows = [row for row in rows if not {*row.bare[:1]} - rated or self._told(row)]
+        rows = [row for row in rows if not {*row.bare[:1]} - rated or self._told(row)]
+        entries = rows_of_matrices(paper, rows)
+        self.rows = [one for row in rows for one in entries.get(row, [row])]
         self.defining = [item for item in paper.items if self._defines(item)]
 
     def _may_set_up(self, item: SourceStatement) -> bool:

@@ -59,8 +59,8 @@ class Parts:
         """The part of a statement: where it stands, or that of the only law that is cited."""
         here = self.part_at(item.typed.start)
         cited = {one for label in item.refs for one in self.paper.labels.get(label, ())}
-        found = {self.part_at(law.first.typed.start) for law in self.laws if cited & {*law.items}}
-        is_row = any(item in law.items for law in self.laws)
+        found = {self.part_at(law.first.typed.start) for law in self.laws if cited & law.printed}
+        is_row = any(item in law.printed for law in self.laws)
         return found.pop() if len(found) == 1 and not is_row else here
 
     def part_at(self, offset: int) -> int:

@@ -21,6 +21,7 @@ from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
 from kowalevski_cas.reading.comments import read_comments
+from kowalevski_cas.reading.constraints import enter_constraints
 from kowalevski_cas.reading.conventions import enter_conventions
 from kowalevski_cas.reading.cyclic import enter_cyclic_names
 from kowalevski_cas.reading.doubts import doubt_of
@@ -87,6 +88,7 @@ def read(source: Source, heard: Heard = lambda *_: None) -> Reading:
         parts.suppose(item)
         parts.enter(item, role_of(item, parts.of(item)))
     enter_conventions(parts)
+    enter_constraints(parts)
     return _DerivationReader(parts).reading(heard)
 
 
@@ -249,7 +251,8 @@ class _DerivationReader:
         for item, role in self.parts.roles.items():
             for name in role.names:
                 letter, arguments = head(name)
-                if arguments and letter != BRACKET and letter not in functions:
+                is_matrix = letter in words.matrices and item.printed.heads.matrix
+                if letter != BRACKET and letter not in functions and (arguments or is_matrix):
                     functions[letter] = name
                     places[name] = item.printed
         scalars = sorted({*scalars} - functions.keys())

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable
 
 from kowalevski_cas.notation import Name, Relation
+from kowalevski_cas.reading.constraints import constraint
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.definitions import (
     bracket,
@@ -49,7 +50,7 @@ def unread(item: SourceStatement, known: Known) -> StatementRole | None:
     """What cannot be read; what says over what an index runs is no statement."""
     if is_range(item.typed):
         return StatementRole(NOTATION, "says over what an index runs")
-    return StatementRole(UNREAD, item.trouble) if item.formula is None else None
+    return StatementRole(UNREAD, item.trouble) if item.trouble else None
 
 
 def expression(item: SourceStatement, known: Known) -> StatementRole | None:
@@ -94,8 +95,8 @@ def other(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 RULES: tuple[Rule, ...] = (
-    unread, expression, inequality, law, unit, bracket, unjudged, repeated, change, claimed_set,
-    solution, definition, square, assumption, value, approximate, rate, zero_set, integral,
-    identity, other,
+    unread, expression, inequality, law, constraint, unit, bracket, unjudged, repeated, change,
+    claimed_set, solution, definition, square, assumption, value, approximate, rate, zero_set,
+    integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

@@ -136,6 +136,8 @@ class Stage:
             elif by is not None:
                 definitions[name] = by
                 waiting += self._mentioned(by)
+            elif name in known.lost:
+                raise ValueError(known.lost[name])
             elif name in known.unreadable:
                 raise ValueError(f"{name} is defined by what cannot be read")
         return _Closure(law, frozenset(names), definitions)
@@ -164,7 +166,7 @@ class Stage:
         near = [law for law in fitting if lacking[law] == min(lacking.values())]
         smallest = [law for law in near if law.base not in near] or near
         cited = {*known.cited(at)}
-        named = [law for law in smallest if cited & {*law.rows}]
+        named = [law for law in smallest if cited & {*law.rows, *law.printed}]
         law = next(iter((named or smallest)[::-1]), None)
         for name in known.names.scalars(name for item in items for name in item.rates):
             if law is None or not (known.is_defined(name) or name in law.variables):

@@ -13,7 +13,7 @@ from kowalevski_cas.notation.symbol import name_of_rate
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.times import time_change
 from kowalevski_cas.reading.cues import cue, cues
-from kowalevski_cas.reading.formulas import read_formula, vocabulary_of
+from kowalevski_cas.reading.formulas import by_names, read_formula, vocabulary_of
 from kowalevski_cas.reading.index_ranges import period_in, with_ranges
 from kowalevski_cas.reading.numbers import numbers_of
 from kowalevski_cas.reading.text import MARK, Prose, TextSection, references
@@ -54,6 +54,8 @@ class SourceStatement:
     """The interval of the item of a list in which it stands."""
     earlier: tuple[str, ...] = ()
     """The sentences before its own, the last one first."""
+    implied_by: SourceStatement | None = None
+    """The printed statement that says it, if it is not printed itself."""
 
     @property
     def words(self) -> str:
@@ -199,7 +201,8 @@ class SourcePaper:
 
 def read_statements(source: Source) -> SourcePaper:
     """The statements of a source, read in the names that it uses."""
-    expanded, formulas = typed_formulas(source)
+    expanded, typed = typed_formulas(source)
+    formulas = [*by_names(typed)]
     prose = Prose(expanded.text, expanded.body, formulas)
     words = vocabulary_of(formulas)
     displays: list[tuple[Display, TypedFormula]] = []

@@ -44,7 +44,7 @@ def implied_rows(paper: SourcePaper) -> Iterator[SourceStatement]:
         named = item.bare[:1] and item.members[0].names() & {*HAMILTONIANS, *LAGRANGIANS}
         if not named or not cue("hamiltonian", item.words):
             continue
-        about = [item, *_below(item, paper), *_brackets(paper)]
+        about = [item, *definitions_below(item, paper), *_brackets(paper)]
         try:
             found = implied_equations([one.formula for one in about if one.formula is not None])
             yield from (
@@ -58,7 +58,7 @@ def implied_rows(paper: SourcePaper) -> Iterator[SourceStatement]:
             return
 
 
-def _below(item: SourceStatement, paper: SourcePaper) -> Iterator[SourceStatement]:
+def definitions_below(item: SourceStatement, paper: SourcePaper) -> Iterator[SourceStatement]:
     """What defines the names in a statement."""
     names, waiting = set[str](), [item]
     while waiting:

@@ -30,7 +30,7 @@ from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.passages import Passages
 from kowalevski_cas.report.places import PaperSection, labels, names
 from kowalevski_cas.report.results import main_results
-from kowalevski_cas.report.sentences import Phrases, group_alike, list_in_words, nonzero
+from kowalevski_cas.report.sentences import Phrases, group_alike, list_in_words, nonzero, supposed
 from kowalevski_cas.report.tally import tally, wrong_places
 from kowalevski_cas.report.trust import trust
 from kowalevski_cas.report.witnesses import Witness, arithmetics
@@ -64,9 +64,9 @@ class Contents:
         )
         files = {claim: f"{evidence}/{claim}.json" for claim in certified} if evidence else {}
         self.phrases = Phrases(run.vocabulary, names(sections), labels(sections), files)
-        self.passages = Passages(self.phrases, certified, programs, run)
         copied = any(section.copied for section in sections)
         self.findings = Findings(self.phrases, run.outcomes, copied, run.expected)
+        self.passages = Passages(self.findings, certified, programs)
 
     def document(self, figures: Sequence[FigureFile] = ()) -> Document:
         """The report, with the pictures of the derivation."""
@@ -169,7 +169,7 @@ class Contents:
             where = ", ".join(numbers)
             said += (
                 *("; " if said else "We assume ",),
-                *list_in_words([(nonzero(formula),) for formula in formulas]),
+                *supposed(formulas),
                 f" in section{'s' * (len(numbers) > 1)} {where}",
             )
         if said:

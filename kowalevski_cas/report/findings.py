@@ -70,9 +70,14 @@ class Findings:
 
     @cached_property
     def denied(self) -> tuple[Outcome, ...]:
-        """What is false as the derivation itself expects."""
+        """What is false as the derivation itself expects, or as its paper says."""
         found = (o for o in self.outcomes if o.verdict is Verdict.REFUTED)
         return tuple(o for o in found if self.expected.get(o.claim) == o.verdict)
+
+    @property
+    def denier(self) -> str:
+        """Who knew that it is false, in words."""
+        return "as the paper says" if self.copied else "as expected"
 
     @cached_property
     def lacking(self) -> tuple[Outcome, ...]:
@@ -108,7 +113,7 @@ class Findings:
         if self.denied:
             many = count_in_words(len(self.denied), "statement")
             verb = "is" if len(self.denied) == 1 else "are"
-            yield Heading((f"{capital(many)} that {verb} false, as expected",), "denied", 2)
+            yield Heading((f"{capital(many)} that {verb} false, {self.denier}",), "denied", 2)
             yield from map(self._falsehood, self.denied)
         if self.open:
             many = count_in_words(len(self.open), "open statement")

@@ -20,12 +20,13 @@ from kowalevski_cas.report.document import (
 )
 from kowalevski_cas.report.erratum import erratum_tex
 from kowalevski_cas.report.evidence import Evidence
+from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.places import ClaimGroup, PaperSection, ReportItem
-from kowalevski_cas.report.sentences import Phrases, capital, group_alike, list_in_words, nonzero
+from kowalevski_cas.report.sentences import capital, group_alike, list_in_words, supposed
 from kowalevski_cas.report.witnesses import Witness
 from kowalevski_cas.tools import title
-from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
+from kowalevski_cas.verify.outcome import Outcome, Verdict
 
 _ROLES: Final = {
     "vector field": "Equations of motion",
@@ -40,19 +41,18 @@ class Passages:
     """What is said about the parts of a paper, for those who read it from the beginning.
 
     Args:
-        phrases: the phrases in the paper's words.
+        findings: what is wrong, in the paper's words.
         certified: the digests of the certificates that the checker accepts, by claim.
         programs: which programs confirm which certificates.
-        run: what was decided.
     """
 
     def __init__(
-        self, phrases: Phrases, certified: Mapping[str, str], programs: Sequence[Witness], run: Run
+        self, findings: Findings, certified: Mapping[str, str], programs: Sequence[Witness]
     ) -> None:
-        self.phrases, self.certified, self.programs = phrases, certified, programs
-        self.expected = run.expected
+        self.phrases, self.findings = findings.phrases, findings
+        self.certified, self.programs = certified, programs
         self.resting: dict[str, list[str]] = {}
-        for outcome in run.outcomes:
+        for outcome in findings.outcomes:
             for claim in outcome.rests_on:
                 self.resting.setdefault(claim, []).append(outcome.claim)
 
@@ -62,8 +62,7 @@ class Passages:
         yield Heading(name, f"section.{anchor(section.number)}")
         granted = dict.fromkeys(f for outcome in section.outcomes for f in outcome.granted)
         if granted:
-            assumed = list_in_words([(nonzero(formula),) for formula in granted])
-            yield Paragraph(("We assume ", *assumed, " throughout this section."))
+            yield Paragraph(("We assume ", *supposed(granted), " throughout this section."))
         chosen = dict.fromkeys(f for outcome in section.outcomes for f in outcome.branches)
         if chosen:
             meant = list_in_words([(formula,) for formula in chosen])
@@ -127,9 +126,8 @@ class Passages:
             Verdict.CONDITIONAL,
         ):
             word = MARKS[outcome.verdict].word.capitalize()
-            known = self.expected.get(outcome.claim) == outcome.verdict
-            said = f"{word}, as expected." if known else f"{word}."
-            head = (*head, " ", Emphasis((said,), strong=True))
+            known = f", {self.findings.denier}" if outcome in self.findings.denied else ""
+            head = (*head, " ", Emphasis((f"{word}{known}.",), strong=True))
         place = f"claim.{anchor(outcome.claim)}"
         return self._claim(outcome.verdict, place, head, stated.number, shown, (outcome,))
 

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
+from typing import Final
 
+from kowalevski_cas.notation import Formula, to_plain
 from kowalevski_cas.report.document import Block, Judgement, Paragraph, Text
 from kowalevski_cas.report.sentences import Phrases, count_in_words, in_words, list_in_words
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 
 Slip = tuple[Outcome, ...]
+
+LONG: Final = 60
+"""The signs that conditions have at most where a reader has half a minute."""
 
 
 def main_results(
@@ -44,6 +49,8 @@ def _fate(verdicts: Sequence[Verdict]) -> str:
 def _statement(phrases: Phrases, outcome: Outcome) -> Judgement:
     """A statement with its sign, where it holds, and a link to its place."""
     where = phrases.where([one for one in outcome.conditions if not one.zeros])
+    if sum(len(to_plain(part)) for part in where if isinstance(part, Formula)) > LONG:
+        where = ("the denominators that are named there do not vanish",)
     excepted = [list_in_words([(zero,) for zero in one.zeros]) for one in outcome.conditions]
     unless = list_in_words([zeros for zeros in excepted if zeros], ", or ")
     valid = (*((", where ", *where) if where else ()), *((", unless ", *unless) if unless else ()))

@@ -7,7 +7,17 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 from typing import Final, TypeVar
 
-from kowalevski_cas.notation import Formula, Number, Relation, Vocabulary, equal, read_prose
+from kowalevski_cas.notation import (
+    Formula,
+    Negative,
+    Number,
+    Relation,
+    Root,
+    Sum,
+    Vocabulary,
+    equal,
+    read_prose,
+)
 from kowalevski_cas.report.document import Code, Inline, Link, Text, anchor
 from kowalevski_cas.report.places import ClaimName, PaperSection
 from kowalevski_cas.verify.outcome import Condition, Counterexample, PrintedPoint, Value
@@ -103,6 +113,33 @@ def capitalise(text: Text) -> Text:
 def nonzero(formula: Formula) -> Formula:
     """That a formula is not zero."""
     return Relation((formula, ZERO), (r"\ne",))
+
+
+def supposed(formulas: Iterable[Formula]) -> Text:
+    r"""That formulas do not vanish; of a root, which is not negative, that it is taken of more.
+
+    >>> from kowalevski_cas.notation import read, to_plain
+    >>> names = Vocabulary(scalars=frozenset({"x", "y", "z"}))
+    >>> said = supposed(read(tex, names) for tex in (r"\sqrt{x-y}", r"\sqrt{-z}", "z", "x"))
+    >>> "".join(part if isinstance(part, str) else to_plain(part) for part in said)
+    'x > y, z < 0 and x ≠ 0'
+    """
+    several = list(dict.fromkeys(formulas))
+    below = [formula.argument for formula in several if isinstance(formula, Root)]
+    signed = {f.argument if isinstance(f, Negative) else f for f in below}
+    said = [_positive(f.argument) if isinstance(f, Root) else nonzero(f) for f in several]
+    kept = [words for formula, words in zip(several, said, strict=True) if formula not in signed]
+    return list_in_words([(words,) for words in kept])
+
+
+def _positive(formula: Formula) -> Formula:
+    """That a formula is positive, as it is said of a difference or of what has a minus."""
+    match formula:
+        case Negative(argument):
+            return Relation((argument, ZERO), ("<",))
+        case Sum((first, Negative(second))):
+            return Relation((first, second), (">",))
+    return Relation((formula, ZERO), (">",))
 
 
 def _sentence(text: str, end: str) -> str:

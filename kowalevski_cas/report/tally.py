@@ -108,7 +108,7 @@ def _wrong(findings: Findings, outcomes: Sequence[Outcome]) -> list[tuple[int, s
         for verdict, what in _OPEN.items()
     ]
     by = f"spoiled by {count_in_words(len(slips), 'misprint')}"
-    refuted = (spoiled, by), (false, "false"), (denied, "false, as expected")
+    refuted = (spoiled, by), (false, "false"), (denied, f"false, {findings.denier}")
     return [one for one in (*refuted, *open_ones) if one[0]]
 
 

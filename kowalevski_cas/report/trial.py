@@ -99,18 +99,32 @@ class _Writer:
             self.wanted += programs
             tests.append((kind, programs))
             said.append(words)
+        roots = [
+            (name, self._square_of(name)) for name in setting.roots if self._is_principal(name)
+        ]
         order = steps(self.wanted)
         places = {program: k for k, program in enumerate(order)}
         data = {
             "values": values,
             "units": units,
             "pairs": setting.conjugates,
+            "roots": [[name, places[square]] for name, square in roots],
             "steps": [self._step_text(program, places) for program in order],
             "sides": [[places[one] for one in pair] for pair in pairs],
             "tests": [[kind, *(places[one] for one in found)] for kind, found in tests],
         }
         names = tuple((n, name_formula(n, self.vocabulary)) for n in values if n not in units)
         return TrialVersion(label, names, tuple(said), json.dumps(data, ensure_ascii=False))
+
+    def _is_principal(self, name: str) -> bool:
+        """Whether a name is a printed root, which is real and not negative."""
+        return name.startswith(r"\sqrt") and all(name not in p for p in self.goal.space.conjugates)
+
+    def _square_of(self, name: str) -> Program:
+        """What a name is a root of, as a step."""
+        step = self.goal.space.step(name)
+        assert isinstance(step, Adjoined)
+        return self._step(self.at.scalar(step.square))
 
     def _square(self, name: str) -> Formula | None:
         step = self.goal.space.step(name)
@@ -137,7 +151,7 @@ class _Writer:
             real: Text = (shown, " is real")
             words = real if name == other else ("the conjugate of ", shown, " is ", bar)
             yield "conjugate", [name_of(name), name_of(other)], words
-            if name.startswith(r"\sqrt") and name == other:
+            if self._is_principal(name):
                 yield "positive", [name_of(name)], (Relation((shown, ZERO), (r"\ge",)),)
         for element in (*at.granted, *at.norms, *self._divisors()):
             words = (nonzero(product_of(element, self.vocabulary)),)

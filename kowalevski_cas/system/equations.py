@@ -35,19 +35,19 @@ from kowalevski_cas.notation.open import OpenParser, independent, words_that_mov
 from kowalevski_cas.notation.symbol import name_of_rate
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
+from kowalevski_cas.paper.constraints import constraints, multipliers
 from kowalevski_cas.paper.exponents import half_power, linear_exponent
 from kowalevski_cas.paper.implied import implied_equations
+from kowalevski_cas.paper.matrix_equations import equations_of_entries, matrix_equations
 from kowalevski_cas.paper.names import BRACKET, head, is_bold, summation_indices
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.signs import is_inequality
-from kowalevski_cas.paper.summation import expand_sum
+from kowalevski_cas.paper.summation import expand_sum, without_sums
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.system.amplitudes import SQUARE, conjugate_equations, with_conjugates
-from kowalevski_cas.system.constraints import constraints, multipliers
 from kowalevski_cas.system.differentials import differentials, rates
-from kowalevski_cas.system.matrices import equations_of_entries, matrix_equations
 from kowalevski_cas.system.refused import (
     check_derivatives,
     check_ends,
@@ -136,7 +136,7 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
     laws = tuple(p for p, one in formulas.items() if _is_law(one) or _is_momentum(one, moving))
     moving = _without_momenta(formulas, laws, moving, vectors)
     others = [place for place in formulas if place not in laws]
-    heads_of = [head(one) for place in others for one in (*place.heads.names, *place.heads.squares)]
+    heads_of = [head(one) for place in others for one in place.heads.names or place.heads.squares]
     defined = {one for f, given in heads_of for one in (f, *given, *summation_indices(given))} - {
         *moving
     }
@@ -348,7 +348,8 @@ def with_roots(scene: Scene, display: Display) -> Scene:
     Raises ``ValueError`` if a name is defined there by two expressions, of which one would be lost,
     and for a bar, which would say nothing.
     """
-    waiting = [statement.formula for statement in read_display(display.tex, vocabulary((scene,)))]
+    printed = read_display(display.tex, vocabulary((scene,)))
+    waiting = [without_sums(statement.formula) for statement in printed]
     for place, formula in zip(display, waiting, strict=True):
         named = {*place.heads.names} & {*scene.definitions}
         sides = [side for side in formula.children() if not isinstance(side, Constant)]

@@ -12,6 +12,7 @@ from typing import Any, Self
 
 from kowalevski_cas.library import MADE
 from kowalevski_cas.notation import Formula, defined_names, read, read_display, to_plain
+from kowalevski_cas.paper.applied import printed_arguments, without_arguments
 from kowalevski_cas.paper.claims import (
     Casimir,
     Claim,
@@ -22,6 +23,7 @@ from kowalevski_cas.paper.claims import (
     Involution,
     Jacobi,
 )
+from kowalevski_cas.paper.constraints import equations_on
 from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.relations import solve_for_constant
@@ -29,7 +31,6 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.answers import ClaimOfBothSigns, Function, SystemClaim, in_html
-from kowalevski_cas.system.constraints import equations_on
 from kowalevski_cas.system.equations import (
     components,
     constraints_in,
@@ -43,7 +44,6 @@ from kowalevski_cas.system.equations import (
 )
 from kowalevski_cas.system.indices import has_permutation, with_ranges
 from kowalevski_cas.system.maps import Map, index_of_map, with_images
-from kowalevski_cas.system.matrices import at_parameters, without_parameters
 from kowalevski_cas.system.refused import check_constant, check_field, names_of
 from kowalevski_cas.system.signs import SIGNS, has_both_signs, with_signs
 from kowalevski_cas.system.solved import (
@@ -58,7 +58,7 @@ from kowalevski_cas.system.unknown import (
     Unknown,
     unknown_functions,
     with_jets,
-    without_arguments,
+    without_argument,
 )
 from kowalevski_cas.verify.finding import Finding
 from kowalevski_cas.verify.outcome import Verdict, in_latex
@@ -106,11 +106,11 @@ class Field:
         MADE.append(self.section)
         self.scene = Scene(name)  # of which nothing is known yet
         self._convention = False
-        self.spectral: dict[str, str] = {}
+        self.applied: dict[str, str] = {}
         self.functions: list[Unknown] = []
         tex = field if isinstance(field, str) else self._rows(field)
-        self.spectral = at_parameters(tex)
-        """The parameters of matrices that move; a matrix is called by its name alone."""
+        self.applied = printed_arguments([tex], vectors or ())
+        """The arguments of names that are defined; they are called by their names alone."""
         self.functions = unknown_functions(tex)
         """The functions of which nothing is known; they are called by their names alone."""
         self._convention = has_permutation(tex)
@@ -363,7 +363,7 @@ class Field:
 
     def _tex(self, formula: Tex) -> str:
         if isinstance(formula, str):
-            plain = without_parameters(without_arguments(formula, self.functions), self.spectral)
+            plain = without_arguments(without_argument(formula, self.functions), self.applied)
             return with_ranges(plain, self._names, self._convention)
         if not isinstance(formula, Function):
             return latex_of(formula, self.symbols)

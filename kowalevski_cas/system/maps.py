@@ -19,12 +19,12 @@ from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.symbol import Symbol, symbol
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.implied import canonical_brackets, conjugate_pairs
+from kowalevski_cas.paper.matrix_equations import solve_linear
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.equations import Names, read_rows, vocabulary_of, with_row
-from kowalevski_cas.system.matrices import solve_linear
 from kowalevski_cas.system.vectors import Vectors
 
 STEP = "+1"

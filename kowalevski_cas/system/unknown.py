@@ -93,7 +93,7 @@ def with_jets(scene: Scene, jets: Sequence[tuple[str, str, str]]) -> Scene:
     )
 
 
-def without_arguments(tex: str, functions: Collection[Unknown]) -> str:
+def without_argument(tex: str, functions: Collection[Unknown]) -> str:
     """A formula with these functions by their names alone.
 
     Raises ``ValueError`` for one at another argument.

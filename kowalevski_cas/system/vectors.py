@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from kowalevski_cas.notation import (
+    Constant,
     CrossProduct,
     Formula,
     Name,
@@ -14,8 +15,8 @@ from kowalevski_cas.notation import (
     Vector,
     Vocabulary,
     defined_names,
-    read,
 )
+from kowalevski_cas.notation.layout import statements
 from kowalevski_cas.notation.open import OpenParser, bold_names, matrices_by_use
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.texts import Display, Printed
@@ -47,7 +48,7 @@ def vectors_of(display: Display, known: Vectors, words: Vocabulary) -> dict[str,
             matrices |= new.intersection(place.heads.names)
     new -= matrices
     words = replace(words, vectors=words.vectors | new, matrices=words.matrices | matrices)
-    formulas = [read(place.tex, words, OpenParser) for place in display if _readable(place, words)]
+    formulas = [_read(place, words) for place in display if _readable(place, words)]
     found = {**known, **dict(_named_vectors(formulas, new))}
     nodes = [node for formula in formulas for node in formula.nodes()]
     names = {node.name for node in nodes if isinstance(node, Name)}
@@ -65,10 +66,16 @@ def vectors_of(display: Display, known: Vectors, words: Vocabulary) -> dict[str,
 def _readable(place: Printed, words: Vocabulary, vectors: Collection[str] = ()) -> bool:
     """Whether a statement can be read, if these names are vectors."""
     try:
-        read(place.tex, replace(words, vectors=words.vectors.union(vectors)), OpenParser)
+        _read(place, replace(words, vectors=words.vectors.union(vectors)))
     except NotationError:
         return False
     return True
+
+
+def _read(place: Printed, words: Vocabulary) -> Formula:
+    """A statement, for the values that its indices have."""
+    tokens = statements(place.display.tex)[place.number - 1].tokens
+    return OpenParser(place.display.tex, tokens, words).statement()[0]
 
 
 def _named_vectors(
@@ -77,7 +84,7 @@ def _named_vectors(
     """The vectors of which the components are named."""
     for formula in formulas:
         match formula:
-            case Relation((Name(name), Vector(entries)), _) if name in new and names_only(formula):
+            case Relation((Name(name), Vector(entries), *_)) if name in new and names_only(formula):
                 yield name, tuple(entry.name for entry in entries if isinstance(entry, Name))
 
 
@@ -105,11 +112,14 @@ def lengths(
 
 
 def names_only(formula: Formula) -> bool:
-    r"""Whether a statement only names the components of a vector: :math:`\mathbf r=(x,y,z)`."""
+    r"""Whether a statement only names the components of a vector, as :math:`\mathbf r=(x,y,z)`.
+
+    It may say that they are constant.
+    """
     match formula:
-        case Relation((Name(), Vector(entries)), ("=",)):
+        case Relation((Name(), Vector(entries)) | (Name(), Vector(entries), Constant())):
             names = {entry.name for entry in entries if isinstance(entry, Name)}
-            return len(names) == len(entries)
+            return len(names) == len(entries) and {*formula.signs} == {"="}
     return False
 
 

@@ -42,11 +42,28 @@ def printed_name(name: str, setting: Elaboration) -> Formula:
 
 
 def point(values: Mapping[str, Formula], setting: Elaboration) -> PrintedPoint:
-    """A point of a setting, with the values of exponential functions for those of their roots."""
-    shown = ((name, value) for name, value in values.items() if name not in setting.unprinted)
+    """A point of a setting, with the values of exponential functions for those of their roots.
+
+    That a printed root is not negative goes without saying.
+    """
+    known = {*values, *setting.scene.definitions}
+    found = {
+        printed_name(name, setting): value
+        for name, value in values.items()
+        if name not in setting.unprinted
+    }
     return PrintedPoint(
-        dict(_value(printed_name(name, setting), _one_root(v)) for name, v in shown)
+        dict(
+            _value(name, _one_root(value))
+            for name, value in found.items()
+            if not (isinstance(name, Root) and name.names() <= known and _is_positive(value))
+        )
     )
+
+
+def _is_positive(value: Formula) -> bool:
+    """Whether a number is written without a minus and without i."""
+    return not any(isinstance(node, Negative | Name) for node in value.nodes())
 
 
 def _value(name: Formula, value: Formula) -> tuple[Formula, Formula]:

@@ -18,15 +18,19 @@ from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Exists, Follows, Goal, Simple, simple
 from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.verify.as_printed import printed_formula
+from kowalevski_cas.verify.printed_functions import PrintedFunctions
 
 Divided = tuple[Elaboration, Formula]
 """What may not vanish, and the setting in which it stands."""
 
 
-def conditions_of(accepted: Accepted, legend: Mapping[Setting, Elaboration]) -> list[Divided]:
+def conditions_of(
+    accepted: Accepted, legend: Mapping[Setting, Elaboration], printed: Sequence[Formula]
+) -> list[Divided]:
     """What all that was accepted assumes to be non-zero, each factor once.
 
-    It is named in the words of the scenes that the ``legend`` tells.
+    It is named in the words of the scenes that the ``legend`` tells, and by the functions that are
+    ``printed``.
     """
     divisors: dict[Elaboration, set[int]] = {}
     stated: dict[Elaboration, list[Formula]] = {}
@@ -41,7 +45,8 @@ def conditions_of(accepted: Accepted, legend: Mapping[Setting, Elaboration]) -> 
         stated.setdefault(setting, []).extend(goal.formulas())
     found: dict[Formula, Elaboration] = {}
     for setting, indices in divisors.items():
-        for formula in _divisor_factors(sorted(indices), setting, stated[setting]):
+        functions = PrintedFunctions(setting, printed)
+        for formula in _divisor_factors(sorted(indices), functions, stated[setting]):
             found.setdefault(formula, setting)
     return [(setting, formula) for formula, setting in found.items()]
 
@@ -57,29 +62,29 @@ def may_vanish(goal: Simple, elements: Sequence[Element]) -> list[Element]:
 
 
 def _divisor_factors(
-    indices: Sequence[int], setting: Elaboration, stated: Sequence[Formula]
+    indices: Sequence[int], functions: PrintedFunctions, stated: Sequence[Formula]
 ) -> list[Formula]:
     """What may vanish of divisors of a setting, beyond what it takes for granted.
 
     A divisor is named as a denominator that is printed, in the scene or in what is ``stated``.
     """
+    setting = functions.setting
     divisors = setting.divisors
     left = [one for index in indices if (one := divisors.left(index)).factors]
     known = {shape for divisor in left if len(divisor.factors) == 1 for shape in divisor.factors}
     found: dict[Formula, None] = {}
     below = cache(lambda: {**divisors.printed, **divisors.below(stated)})
     for divisor in left:
-        if landmark := divisors.landmarks.get(shape_of(divisor.element)):
-            found[landmark] = None
+        landmark = divisors.landmarks.get(shape_of(divisor.element))
+        if named := landmark or functions.vanishing_with(divisor.element):
+            found[named] = None
             continue
         if len(divisor.factors) > 1:
             divisor = divisor.without(known)
             known |= divisor.factors.keys()
         if divisor.factors:
-            named = _printed_divisors(divisor, setting, below) or (
-                _positive(divisor.element, setting),
-            )
-            found |= dict.fromkeys(named)
+            several = _printed_divisors(divisor, functions, below)
+            found |= dict.fromkeys(several or (_positive(divisor.element, setting),))
     for pair in setting.conjugates:
         first, second = map(setting.texts.expression, pair)
         if first in found and second in found:
@@ -89,9 +94,10 @@ def _divisor_factors(
 
 
 def _printed_divisors(
-    divisor: Divisor, setting: Elaboration, below: Callable[[], dict[Formula, Divisor]]
+    divisor: Divisor, functions: PrintedFunctions, below: Callable[[], dict[Formula, Divisor]]
 ) -> tuple[Formula, ...]:
     """The printed denominators, one or several, that vanish together where the divisor does."""
+    setting = functions.setting
     wanted, granted = divisor.factors.keys(), setting.divisors.granted
     if len(divisor.element.parts[0]) < 2:
         return ()
@@ -100,13 +106,13 @@ def _printed_divisors(
     }
     for formula, (element, factors) in shares.items():
         if element.parts.keys() == {0} and factors.keys() - granted == wanted:
-            return (printed_formula(formula, setting),)
+            return (printed_formula(functions.put_in(formula), setting),)
     elements = (element for element, _ in shares.values())
     if set[Shape]().union(*(factors for _, factors in shares.values())) - granted != wanted:
         return ()
     if reduce(mul, elements).parts.keys() != {0}:
         return ()
-    return tuple(printed_formula(formula, setting) for formula in shares)
+    return tuple(printed_formula(functions.put_in(formula), setting) for formula in shares)
 
 
 def _positive(divisor: Element, setting: Elaboration) -> Formula:

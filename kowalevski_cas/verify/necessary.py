@@ -55,9 +55,9 @@ def _conditions_with_loci(
     statement: Statement, accepted: Accepted
 ) -> Iterator[tuple[Elaboration, Formula, Locus | None]]:
     """What may not vanish, each with the declared locus where it does, if there is one."""
-    for setting, formula in _independent_conditions(
-        statement, conditions_of(accepted, statement.legend)
-    ):
+    printed = statement.claim.formulas(statement.on.texts)
+    conditions = conditions_of(accepted, statement.legend, printed)
+    for setting, formula in _independent_conditions(statement, conditions):
         loci = setting.scene.loci
         own = (x for x in loci if setting.texts.expression(x.condition) == formula)
         yield setting, formula, next(own, None)

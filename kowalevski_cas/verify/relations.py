@@ -69,8 +69,8 @@ def supposes(scene: Scene, derivation: Derivation, texts: Texts) -> bool:
 def relations(statement: Statement) -> Iterator[ConstantRelation]:
     """The relations of constants by which all identities of a statement hold.
 
-    Each is linear in one constant, and has two terms at least: that a constant vanishes leaves
-    nothing of what it stands before.
+    Each is linear in one constant, and has two terms at least: that a constant vanishes, or what
+    is defined by constants, leaves nothing of what it stands before.
     """
     with suppress(NotationError, Meaningless, ZeroDivisionError):
         space = statement.on(statement.claim.scene)
@@ -80,8 +80,19 @@ def relations(statement: Statement) -> Iterator[ConstantRelation]:
             if type(goal) is Follows and goal.space is space and not goal.given
             for value in space.finder.differences(goal.conclusions[0])
         ]
+        named = _named_differences(space)
         for factor in _factors(space, [p for value in values for p in value.parts.values()]):
-            yield from _solve(space, factor, statement.claim.scene)
+            if not any(all(not divmod(part, factor)[1] for part in parts) for parts in named):
+                yield from _solve(space, factor, statement.claim.scene)
+
+
+def _named_differences(space: Elaboration) -> list[tuple[fmpq_mpoly, ...]]:
+    """The numerators of what the scene defines, as I_31 = I_3 − I_1, by the roots in them."""
+    found = []
+    for name in space.scene.definitions:
+        with suppress(NotationError, Meaningless, ZeroDivisionError):
+            found.append(tuple(space.finder.scalar(Name(name)).parts.values()))
+    return [parts for parts in found if parts]
 
 
 def _factors(space: Elaboration, polynomials: list[fmpq_mpoly]) -> Iterator[fmpq_mpoly]:

@@ -1,4 +1,4 @@
-"""How cost grows: the k-th derivatives of the relations (15), (16), in each arithmetic, by k."""
+"""How cost grows: the k-th derivatives of the relations (15), (16), by several programs."""
 
 from __future__ import annotations
 
@@ -9,10 +9,9 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
-from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.pictures import INK, new_figure
-from study.charts import curve, label_ends, seconds, size
-from study.growth.trace import LANGUAGES, program, record_steps
+from study.charts import curve, display_name, legend_below, seconds, size
+from study.growth.programs import LIBRARIES, PROGRAMS, write_program
 from study.process import race
 from study.step import Measured, Row, Task
 
@@ -31,68 +30,73 @@ QUICK_SECONDS, QUICK_MOST = 2.0, 3
 CAPTION = (
     "How cost grows: the $k$-th derivatives of the relations (15), in complex variables, and of "
     "(16), in real ones, are compared with those that the matrix of $F'=MF$ implies, "
-    f"$M_{{k+1}}=M_k'+M_kM$, for $k$ up to {MOST}. A cross is where a limit stopped a method: "
-    f"{SECONDS:g} s of the processor, as all times are, or {MEBIBYTES} MiB. python-flint "
-    "alone, Singular and PARI/GP are given the same operations on polynomials as a program, "
-    "without this one around them, which each of them reads line by line while its clock runs "
-    "(in Python most of the time for the first steps, and a tenth of that for the last). "
-    "Residues look at points, and prove nothing."
+    f"$M_{{k+1}}=M_k'+M_kM$, for $k$ up to {MOST}. The time is that of the processor for a whole "
+    "process: its start, what it reads, and all steps so far; what it needs before the first step "
+    f"stands at $k=0$. A cross is where a limit stopped a method: {SECONDS:g} s, or {MEBIBYTES} "
+    "MiB. FLINT and residues are this program, with fractions, roots and constants as printed; "
+    "every other is a program in the best words that were found for it, with polynomials that have "
+    "integers as coefficients, and variables in which there is no root: matrices and "
+    "derivatives of its own, recursive polynomials in PARI/GP, distributed ones in Giac, canonical "
+    "rational expressions in Maxima. Residues look at points, prove nothing, and reach "
+    f"{MOST} in both."
 )
+
+WORK = Path(__file__).with_name("work.py")
+
+OWN = ("flint", "modular")
+"""The arithmetics of this program."""
 
 
 def measure(quick: bool) -> Iterable[Task]:
     """Each method in each case, until a limit stops it."""
     limits = (QUICK_SECONDS, QUICK_MOST) if quick else (SECONDS, MOST)
     for case, claim in CASES.items():
-        for method in (*EXACT, "modular"):
+        for method in OWN:
             yield Task(method, case, partial(_own, method, claim, *limits))
-        for language in LANGUAGES:
-            yield Task(language, case, partial(_other, language, claim, *limits))
+        for program in (*LIBRARIES, *PROGRAMS):
+            yield Task(program, case, partial(_other, program, claim, *limits))
 
 
 def _own(method: str, claim: str, seconds: float, most: int) -> Measured:
-    command = [sys.executable, "-m", "study.growth", method, claim, str(most)]
-    return race(command, Path.cwd(), seconds, MEBIBYTES)
+    command = [sys.executable, str(WORK), method, claim, str(most)]
+    return race(command, Path.cwd(), seconds, MEBIBYTES, most)
 
 
-def _other(name: str, claim: str, seconds: float, most: int) -> Measured:
-    """A program that is given the work as a list, as far as FLINT comes in twice the time."""
-    language = LANGUAGES[name]
-    call = language.call()
+def _other(program: str, claim: str, seconds: float, most: int) -> Measured:
+    from study.growth.formulation import formulation  # SymPy has no part in what is measured
+
     with TemporaryDirectory() as folder:
-        file = Path(folder) / f"growth{language.suffix}"
-        text = program(language, *record_steps(claim, most, 2 * seconds))
-        file.write_text(text, encoding="utf-8")
-        return race([*call, file.name], Path(folder), seconds, MEBIBYTES)
+        command = write_program(program, formulation(claim), most, Path(folder))
+        return race(command, Path(folder), seconds, MEBIBYTES, most)
 
 
 def draw(rows: Sequence[Row]) -> Figure:
     """A column a case: above the time until the k-th identity is decided, below the memory."""
-    from matplotlib.ticker import FuncFormatter
+    from matplotlib.ticker import FuncFormatter, MaxNLocator
 
-    figure = new_figure(height=5.6)
+    figure = new_figure(height=6.0)
     panels = figure.subplots(2, len(CASES), sharex="col", sharey="row")
     words = {"times": ("time until $k$ is decided", seconds), "memory": ("most memory", size)}
     for line, (key, (label, units)) in zip(panels, words.items(), strict=True):
         line[0].set_ylabel(label)
         for axes, case in zip(line, CASES, strict=True):
-            # A clock of milliseconds says 0 before its first tick: that is no point of the chart.
-            axes.set_yscale("log", nonpositive="mask")
-            axes.set_xticks(range(0, MOST + 1, 4))
+            here = [row for row in rows if row["case"] == case and row.get("steps")]
+            axes.set_yscale("log")
             axes.yaxis.set_major_formatter(FuncFormatter(units))
-            for row in rows:
-                if row["case"] == case and row.get("steps"):
-                    curve(axes, row, "steps", key)
-                    axes.lines[-1].set(ms=3.5)
-                    if row["verdict"] != "reached":
-                        end = row["steps"][-1:], row[key][-1:]
-                        axes.plot(*end, color=INK, marker="x", ms=7, ls="none", mew=1.1)
+            axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+            for row in here:
+                own = f"this program, {display_name(row['method'])}"
+                curve(axes, row, "steps", key, own if row["method"] in OWN else "")
+                axes.lines[-1].set(ms=3.5)
+                if row["verdict"] != "reached":
+                    end = row["steps"][-1:], row[key][-1:]
+                    axes.plot(*end, color=INK, marker="x", ms=7, ls="none", mew=1.1)
+            # Points alone do not grow: what is seen of them is what the others have beside it.
+            ends = [row["steps"][-1] for row in here if row["method"] != "modular"]
+            axes.set_xlim(-0.3, max(ends, default=MOST) + 0.6)
     for axes, case, number in zip(panels[0], CASES, ("(15)", "(16)"), strict=True):
         axes.set_title(f"{case} variables: {number}", size=8.5)
     for axes in panels[1]:
         axes.set_xlabel("$k$, the order of the derivative")
-        left, right = axes.get_xlim()
-        axes.set_xlim(left, right + 0.45 * (right - left))
-    for axes in panels.flat:
-        label_ends(axes)
+    legend_below(figure, panels[0, 0], 3)
     return figure

@@ -3,21 +3,27 @@ r"""Growing work: the k-th derivatives of the relations of a set against powers 
 If :math:`F' = MF` then :math:`F^{(k)} = M_kF` with :math:`M_0 = 1` and
 :math:`M_{k+1} = M_k' + M_kM`. Both sides are computed, and compared, for k = 1, 2, …
 The matrix is the one that was found for the set.
+
+It is the program ``python work.py ARITHMETIC CLAIM STEPS`` too, which tells each step and loads
+nothing of what draws.
 """
 
 from __future__ import annotations
 
+import json
+import sys
 from collections.abc import Iterator
-from time import process_time
+from pathlib import Path
 
-from kowalevski_cas.algebra import Arithmetic, load
+from kowalevski_cas.algebra import POINTS, Arithmetic, load
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.codec import read_evidence, read_problem
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Found
 from kowalevski_cas.problem.goals import Exists, Follows
 from kowalevski_cas.problem.sampled import Sampled
-from study.paper import paper
+
+CERTIFICATES = Path(__file__).parents[2] / "derivations" / "kharlamov2002" / "certificates"
 
 Matrix = list[list[Element]]
 
@@ -53,17 +59,19 @@ class Growth:
         return total
 
 
-def growth(claim: str, polynomials: Arithmetic | None = None) -> Growth:
-    """The growing work for the set of a claim, at points if no exact arithmetic is given.
-
-    The set and its matrix are those of the certificate of the claim.
-    """
-    data = paper().certificates[claim].data
+def certified_set(claim: str) -> tuple[Exists, Found, Follows]:
+    """What the certificate of a claim says of a set: the goal, its matrix, and the set."""
+    data = json.loads((CERTIFICATES / f"{claim}.json").read_text(encoding="utf-8"))
     (goal,) = read_problem(data).goals
-    found = read_evidence(data["evidence"][0], goal)
-    assert isinstance(goal, Exists) and isinstance(found, Found)
-    there = goal.goals[-1]
-    assert isinstance(there, Follows)
+    assert isinstance(goal, Exists)
+    found, there = read_evidence(data["evidence"][0], goal), goal.goals[-1]
+    assert isinstance(found, Found) and isinstance(there, Follows)
+    return goal, found, there
+
+
+def growth(claim: str, polynomials: Arithmetic | None = None) -> Growth:
+    """The growing work for the set of a claim, at points if no exact arithmetic is given."""
+    goal, found, there = certified_set(claim)
     at = Evaluation(there.space, polynomials or load("flint")).adjoin_roots()
     at = at if polynomials else Sampled(at)
     entries = [at.scalar(found.values[name]) for name in goal.expressions]
@@ -73,14 +81,18 @@ def growth(claim: str, polynomials: Arithmetic | None = None) -> Growth:
     return Growth(at, functions, matrix)
 
 
-def steps(growth: Growth, most: int) -> Iterator[float]:
-    """The seconds of processor time from the start to each step; ends where the identity fails.
-
-    The vector field is derived before the clock starts.
-    """
+def steps(growth: Growth, most: int) -> Iterator[int]:
+    """The steps that are done, from 0, when the vector field is derived; none that fails."""
     growth.at.rates  # noqa: B018 (they are derived when they are first asked for)
-    start = process_time()
-    for _ in range(most):
+    yield 0
+    for k in range(1, most + 1):
         if not growth.step():
             return
-        yield process_time() - start
+        yield k
+
+
+if __name__ == "__main__":
+    arithmetic, claim, most = sys.argv[1:]
+    work = growth(claim, None if arithmetic in POINTS else load(arithmetic))
+    for k in steps(work, int(most)):
+        print("step", k, flush=True)

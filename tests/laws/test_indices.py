@@ -182,3 +182,25 @@ def test_a_zero_among_vectors_is_one(zero):
     assert body.integral(r"|\mathbf I\boldsymbol\omega+\mathbf k|^2").verdict.green
     assert body.integral(r"|\mathbf I\boldsymbol\omega-\mathbf k|^2").verdict == "refuted"
     assert body.integral(r"\boldsymbol\omega\cdot\mathbf I\boldsymbol\omega").verdict.green
+
+
+# -- vectors with indices --------------------------------------------------------------------------
+
+
+@FEW
+def test_vectors_have_indices_with_ranges(seed):
+    chance = random.Random(seed)
+    i, j = chance.choice(["ij", "kl", "ab"])
+    names = chance.choice([f"(x_{i},y_{i})", f"(x_{i},y_{i},z_{i})"])
+    power = chance.choice([1, 2])
+    force = rf"m_{j}|\mathbf r_{j}-\mathbf r_{i}|^{2 * power}(\mathbf r_{j}-\mathbf r_{i})"
+    rows = rf"\ddot{{\mathbf r}}_{i}=\sum_{{{j}\ne {i}}}{force},\quad {i}=1,2"
+    law = System(rf"{rows},\quad\mathbf r_{i}={names}")
+    assert len(law.scene.variables) == 2 * len(names.split(","))
+    assert law.integral(rf"\sum_{i} m_{i}\dot{{\mathbf r}}_{i}").verdict.green
+    assert law.integral(rf"\sum_{i}\dot{{\mathbf r}}_{i}").verdict == "refuted"
+    kinetic = rf"\frac12\sum_{i} m_{i}|\dot{{\mathbf r}}_{i}|^2"
+    potential = rf"\frac{{m_1m_2}}{{{2 * power + 2}}}|\mathbf r_1-\mathbf r_2|^{2 * power + 2}"
+    potential = potential.replace("|^4", "|^{4}").replace("|^6", "|^{6}")
+    assert law.integral(f"{kinetic}+{potential}").verdict.green
+    assert law.integral(f"{kinetic}-{potential}").verdict == "refuted"

@@ -12,7 +12,7 @@ from sympy import LeviCivita, Rational, Symbol, latex, sympify
 
 from kowalevski_cas import System
 from kowalevski_cas.algebra.present import formula_in
-from kowalevski_cas.notation import Name
+from kowalevski_cas.notation import Name, NotationError
 from kowalevski_cas.notation.sympy import to_sympy
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Texts
@@ -457,3 +457,40 @@ def test_rates_beside_the_sign_of_a_permutation_have_its_indices(seed):
     assert differ(other, meant, seed), tex
     with pytest.raises(ValueError, match="print l=1,2,3"):
         System(rf"{tex},\ \dot M_l=\{{M_l,H\}}")
+
+
+@FEW
+def test_a_partial_derivative_may_stand_in_an_index(seed):
+    chance = random.Random(seed)
+    (q, p), (r, s) = chance.sample([("q_1", "p_1"), ("x", "p_x"), (r"\theta", r"p_\theta"), ("Q", "P")], 2)  # fmt: skip
+    H = rf"{p}^2 {s}+{q}^3 {s}^2+{chance.randint(1, 4)} {r} {q} {p}"
+
+    def law(by):
+        rows = [rf"\dot{{{one}}}={by(sign, two)}" for one, sign, two in
+                ((q, "", p), (r, "", s), (p, "-", q), (s, "-", r))]  # fmt: skip
+        return System(",\\ ".join([f"H={H}", *rows]))
+
+    plain = law(lambda sign, x: rf"{sign}\frac{{\partial H}}{{\partial {x}}}")
+    index = law(lambda sign, x: rf"{sign}\partial_{{{x}}}H")
+    other = law(lambda sign, x: rf"-{sign}\partial_{{{x}}}H" if x == s else rf"{sign}\partial_{{{x}}}H")  # fmt: skip
+    assert field(index) == field(plain) != field(other)
+
+
+def test_the_order_of_a_partial_derivative_is_that_of_its_index():
+    system = System(r"\dot x=\partial_{yy}F+\partial_x\partial_yF-\partial_x^2F,\ \dot y=x,\ F=x^2y^3")  # fmt: skip
+    assert system.identity(r"\dot x=6x^2y+6xy^2-2y^3").verdict == "proved"
+    assert system.identity(r"\dot x=6x^2y+6xy^2+2y^3").verdict == "refuted"
+    with pytest.raises(NotationError, match="how far"):
+        System(r"\dot x=\partial_yFx,\ \dot y=x,\ F=xy^3")
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_what_is_defined_may_be_printed_at_its_arguments(seed):
+    chance = random.Random(seed)
+    V = rf"{chance.randint(2, 4)}q_1^2q_2+q_2^{chance.randint(3, 4)}"
+    alone = System(rf"H=\frac12(p_1^2+p_2^2)+V,\ V={V}")
+    applied = System(rf"H=\frac12(p_1^2+p_2^2)+V(q_1,q_2),\ V={V}")
+    assert field(alone) == field(applied)
+    assert applied.identity(rf"V(q_1, q_2)={V}").verdict == "proved"
+    with pytest.raises(ValueError, match="another argument"):
+        applied.identity(rf"V(q_2,q_1)={V}")

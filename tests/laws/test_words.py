@@ -115,3 +115,43 @@ def test_a_root_of_what_moves_is_no_constant_in_the_heading():
     special = System(r"\dot x=ry,\ \dot y=-rx").where("r^2=x^2+y^2")
     assert "constant" not in repr(special)
     assert special.integral("r").verdict.green
+
+
+# -- words behind formulas -------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "beside",
+    [
+        r"a\text{ constant}", r"a,b\text{ constants}", r"a,\ b\text{ are arbitrary constants}",
+        r"a\text{ the mass}", r"a\text{ is the mass},\ b\text{ denotes the stiffness of the spring}",
+        r"a\text{ and }b\text{ being the masses}", r"b\mbox{ a number}",
+    ],
+)  # fmt: skip
+def test_words_that_describe_constants_say_no_more(beside):
+    system = System(rf"a\ddot x=-bx,\quad {beside}")
+    assert {*system.scene.constants} == {"a", "b"}
+    assert system.integral(r"a\dot x^2+bx^2").verdict.green
+    assert system.integral(r"a\dot x^2-bx^2").verdict == "refuted"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "a positive constant", "the real number", "not constant", "if positive", "a unit vector",
+        "the only integral", "small", "an integer", "constant on the set", "the smaller or the larger",
+    ],
+)  # fmt: skip
+def test_words_that_suppose_something_are_refused_with_what_to_print(words):
+    with pytest.raises(ValueError, match="print what they suppose as a formula"):
+        System(rf"a\ddot x=-bx,\quad a\text{{ {words}}}")
+
+
+def test_what_is_said_to_be_constant_is_that():
+    system = System(
+        r"\dot{\mathbf x}=\mathbf k\times\mathbf x,\quad"
+        r"\mathbf k=(k_1,k_2,k_3)^{\mathsf T}\text{ constant},\quad c=k_1^2"
+    )
+    assert {*system.scene.constants} == {"k_1", "k_2", "k_3"}
+    assert system.integral(r"\mathbf k\cdot\mathbf x").verdict.green
+    assert system.integral(r"\mathbf k\cdot\mathbf k+cx_1").verdict == "refuted"

@@ -762,3 +762,20 @@ def test_a_letter_that_is_defined_with_its_argument_names_no_function(letter):
     )
     [outcome] = decide(section, claim)
     assert str(outcome.verdict) == "proved"
+
+
+@pytest.mark.parametrize(
+    ("printed", "conditions"),
+    [
+        (r"\frac{d}{dt}\tanh x=y\operatorname{sech}^2x", [r"\cosh(x)"]),
+        (r"\coth x\tanh x=1", [r"\cosh(x)", r"\sinh(x)"]),
+        (r"\frac{2+\tanh x}{2+\tanh x}=1", [r"\cosh(x)", r"2 + \tanh(x)"]),
+        (r"\tan(-x)=-\tan x", [r"\cos(x)"]),
+    ],
+)
+def test_conditions_are_named_by_functions_as_they_are_printed(printed, conditions):
+    section = Section("1", "")
+    scene = scene_of(section, r"\dot x=y,\quad\dot y=0", "x y", "")
+    claim = Identity("c", scene, "", printed=section.display("d", printed)[1])
+    [outcome] = decide(section, claim)
+    assert sorted(to_latex(one.expression) for one in outcome.conditions) == sorted(conditions)

@@ -10,17 +10,24 @@ from study.process import race
 
 
 def script(text, seconds=10.0, mebibytes=2048):
-    return race([sys.executable, "-c", text], Path.cwd(), seconds, mebibytes)
+    return race([sys.executable, "-c", text], Path.cwd(), seconds, mebibytes, 2)
 
 
 def test_steps_come_with_their_time_and_memory():
-    found = script("for k in (1, 2): print('step', k, 0.5 * k)")
-    assert (found["verdict"], found["steps"], found["times"]) == ("reached", [1, 2], [0.5, 1.0])
+    work = "end = time.process_time() + 0.1\nwhile time.process_time() < end: pass"
+    found = script(f"import time; print('step', 1, flush=True)\n{work}\nprint('step', 2)")
+    assert (found["verdict"], found["steps"]) == ("reached", [1, 2])
+    first, second = found["times"]
+    assert first is None or second > first
+
+
+def test_fewer_steps_are_no_success():
+    assert script("print('step', 1)")["verdict"] == "stopped"
 
 
 @pytest.mark.parametrize("idle", ["exec sleep 60", "while :; do :; done"])
 def test_time_is_a_limit(idle):
-    found = race(["sh", "-c", f"echo step 1 0; {idle}"], Path.cwd(), 0.3, 2048)
+    found = race(["sh", "-c", f"echo step 1; {idle}"], Path.cwd(), 0.3, 2048, 2)
     assert (found["verdict"], found["reason"], found["steps"]) == ("timeout", "0.3 s", [1])
 
 
@@ -47,5 +54,5 @@ def test_an_interruption_ends_the_process(monkeypatch):
     monkeypatch.setattr("subprocess.Popen", kept)
     monkeypatch.setattr("study.process.Thread", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        race(["sleep", "30"], Path.cwd(), 20, 1000)
+        race(["sleep", "30"], Path.cwd(), 20, 1000, 2)
     assert started[0].wait(5) < 0

@@ -201,3 +201,12 @@ def test_a_claim_that_cannot_be_read_fails_with_no_other():
     motion = System(r"\dot x=1")
     motion.identity("|x|=x")
     assert motion.identity("1=2").verdict == "refuted"
+
+
+def test_that_a_printed_difference_vanishes_is_no_repair():
+    """Where D = A - B is defined, A = B leaves nothing of what the paper says with it."""
+    stated = System(HEILES)
+    stated.define("D=A-B")
+    stated.where("C=1").integral(r"\dot x\dot y+Axy+\frac13x^3+xy^2+Dy^2")
+    (outcome,) = decided(stated).values()
+    assert outcome.correction is None or outcome.correction.words != "suppose $A = B$"

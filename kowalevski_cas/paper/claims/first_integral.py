@@ -51,10 +51,11 @@ class FirstIntegral(Claim):
         for same in zip(*chain, strict=True):
             yield from self._goals(on, space, same)
         if values and not there.transcendental.dependent:
-            given = level(printed[0], values[0], there)
+            same = level(printed[0], values[0], there)
+            given = (*same, *equations(on, there, self.given))
             # The first is refuted where no point has the value; the second asks for one that moves.
             yield Fails(there, (), given)
-            yield Follows(there, (tuple(vanishes(rate(part)) for part, _ in given),), given)
+            yield Follows(there, (tuple(vanishes(rate(part)) for part, _ in same),), given)
 
     def levels(self, on: Elaborations) -> Iterator[Goal]:
         """That the function has the value that is printed of it, if one is, at a real point."""
@@ -62,7 +63,8 @@ class FirstIntegral(Claim):
         printed = self.constants(on, space)
         if values := self._values(on, space, printed):
             there = self._with_names_of(values, on)
-            yield Fails(there, (), level(printed[0], values[0], there))
+            given = equations(on, there, self.given)
+            yield Fails(there, (), (*level(printed[0], values[0], there), *given))
 
     def _goals(
         self, on: Elaborations, space: Elaboration, same: tuple[Formula, ...]
@@ -105,7 +107,7 @@ class FirstIntegral(Claim):
         if not self.given:
             return ""
         goals = (goal for goal in replace(self, given=()).goals(on) if isinstance(goal, Follows))
-        sides = [pair for goal in goals for pair in goal.conclusions[0]]
+        sides = [pair for goal in goals for one in goal.conclusions for pair in one]
         whole = all(rest.is_zero for rest in on(self.scene).finder.differences(sides))
         return "it is constant along the motions off this set, too" if whole else ""
 

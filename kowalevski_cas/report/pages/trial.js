@@ -39,6 +39,10 @@ const inverse = a => {
   return product(other, inverse(product(a, other)));
 };
 const power = (a, n) => { let found = rational(1n); while (n--) found = product(found, a); return found; };
+const rootOf = a => {  // of a rational number that is not negative, nor too long to be factored
+  const [p, q] = a?.get(1n) ?? [0n, 1n];
+  if (a && a.size === (p ? 1 : 0) && p >= 0n && p * q < 10n ** 12n) return typed(`1/${q}√${p * q}`);
+};
 const isReal = a => [...a.keys()].every(m => m > 0n);
 const floorRoot = n => {
   let x = 1n << BigInt((n.toString(2).length >> 1) + 1);
@@ -89,7 +93,7 @@ const HOLDS = {
   nonzero: a => a.size > 0,
   positive: a => isReal(a) && !isNegative(a),
 };
-const judge = (version, values) => {
+const evaluated = (version, values) => {
   const known = [];
   const step = ([what, ...args]) => {  // undefined where something is divided by zero
     if (what === "number") { const [p, q] = args[0].split("/"); return rational(BigInt(p), BigInt(q ?? 1)); }
@@ -101,6 +105,10 @@ const judge = (version, values) => {
     return what === "sum" ? sum(...own) : product(...own);
   };
   for (const one of version.steps) known.push(step(one));
+  return known;
+};
+const judge = (version, values) => {
+  const known = evaluated(version, values);
   const fails = ([kind, ...args]) => {
     const own = args.map(k => known[k]);
     return own.includes(undefined) || !HOLDS[kind](...own);
@@ -134,6 +142,10 @@ for (const form of document.querySelectorAll("form.trial")) {
       `left side ${shown(said.sides[0])}, right side ${shown(said.sides[1])}: ` +
       (said.differ ? "they differ." : "equal at this point.");
   };
+  const put = (name, value) => {
+    const box = boxes(parts[at]).find(one => one.name === name);
+    if (box) box.value = shown(value).replaceAll(" ", "");
+  };
   const change = k => {  // to another version, at the same point if it is one there
     const before = at;
     parts.forEach((part, one) => { part.hidden = one !== k; });
@@ -153,14 +165,19 @@ for (const form of document.querySelectorAll("form.trial")) {
     const pair = versions[at].pairs.find(one => one.includes(target.name));
     const value = typed(target.value ?? "");
     if (pair && value) {  // the conjugate follows
-      const other = pair[pair[0] === target.name ? 1 : 0];
-      const box = boxes(parts[at]).find(one => one.name === other);
-      if (box) box.value = shown(conjugate(value)).replaceAll(" ", "");
+      put(pair[pair[0] === target.name ? 1 : 0], conjugate(value));
+    }
+    if (target.name) for (const [name, square] of versions[at].roots) {  // and so do roots
+      const root = rootOf(evaluated(versions[at], values(at))[square]);
+      if (root) put(name, root);
     }
     update();
   });
   form.addEventListener("submit", event => event.preventDefault());
   form.querySelector("button").addEventListener("click", () => { reset(at); update(); });
+  parts.forEach((part, k) => {
+    for (const box of boxes(part)) box.closest("label").hidden = versions[k].roots.some(([name]) => name === box.name);
+  });
   reset(0); change(0);
   form.hidden = false;
 }

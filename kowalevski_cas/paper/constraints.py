@@ -39,12 +39,12 @@ def constraints(
     Raises ``ValueError`` for one that may be either.
     """
     parts = {part for name in moving for part in vectors.get(name, ())} | {*moving}
-    orders = _orders(formulas.values())
-    laws = [f for f in formulas.values() if _orders([f])]
+    orders = orders_in(formulas.values())
+    laws = [f for f in formulas.values() if orders_in([f])]
     letters = {symbol(n).letter for f in laws for n in f.names() - parts} & {*MULTIPLIERS}
     found = []
     for place, formula in formulas.items() if letters else ():
-        low = all(order < orders[name] for name, order in _orders([formula]).items())
+        low = all(order < orders[name] for name, order in orders_in([formula]).items())
         if not low or not isinstance(formula, Relation) or {*formula.signs} != {"="}:
             continue
         first, last = formula.members[0], formula.members[-1]
@@ -135,7 +135,7 @@ def _partial(element: Element, name: str) -> Element:
     return along(element, {name: element.ring.one})
 
 
-def _orders(formulas: Iterable[Formula]) -> dict[str, int]:
+def orders_in(formulas: Iterable[Formula]) -> dict[str, int]:
     """The names that are derived by the time in formulas, and how often they are at most."""
     found: dict[str, int] = {}
     for formula in formulas:

@@ -7,7 +7,6 @@ parameter; where there are none, or several, the equation is refused.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from kowalevski_cas.algebra.derivation import along
@@ -15,53 +14,18 @@ from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Constant, Derivative, Formula, Name, Relation, to_latex
 from kowalevski_cas.notation.symbol import rate_name, symbol
+from kowalevski_cas.paper.applied import SPECTRAL
 from kowalevski_cas.paper.claims.forms import entries
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.matrices import as_matrices
-from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.texts import Display, Printed, Texts
+from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.problem.space import Equation
 
-SPECTRAL = (r"\lambda", r"\zeta", r"\mu", r"\xi")
-"""The letters of a parameter on which matrices depend, and which does not move."""
 DERIVED = 4
 """How often the equations are derived by the spectral parameter, for more of them."""
-
-
-def at_parameters(tex: str) -> dict[str, str]:
-    r"""The matrices that are derived by the time, with the parameter at which a display has them.
-
-    >>> at_parameters(r"\dot L=LA-AL, L(\lambda)=\begin{pmatrix}\lambda&x\\y&0\end{pmatrix}")
-    {'L': '\\lambda'}
-    """
-    places = (place for place in Display("field", tex, "") if place.heads.matrix)
-    heads = (head(name) for place in places for name in place.heads.names)
-    return {name: by[0] for name, by in heads if len(by) == 1 and symbol(by[0]).letter in SPECTRAL}
-
-
-def without_parameters(tex: str, known: Mapping[str, str]) -> str:
-    r"""A display with matrices by their names alone, as L for :math:`L(\lambda)`.
-
-    Raises ``ValueError`` for a matrix at anything else.
-    """
-    for name, by in known.items():
-        letter = rf"(?<![A-Za-z\\]){re.escape(name)}\s*(?:\\left\s*)?\("
-        own = letter + rf"\s*{re.escape(by)}\s*(?:\\right\s*)?\)"
-        tex = re.sub(own, lambda found: f"{{{known_name(found[0])}}}", tex)
-        if other := re.search(letter, tex):
-            what = tex[other.start() : other.start() + 12]
-            raise ValueError(
-                f"{name} is printed at {by}; at another argument, {what}…, is not known"
-            )
-    return tex
-
-
-def known_name(applied: str) -> str:
-    """The name before the bracket of its argument."""
-    return applied.split("(")[0].removesuffix(r"\left").strip()
 
 
 def matrix_equations(formulas: Mapping[Printed, Formula]) -> list[Printed]:

@@ -1,0 +1,84 @@
+r"""Names at the arguments on which they depend: :math:`L(\lambda)`, :math:`V(q_1,q_2)` beside V=….
+
+The name stands for a formula, and the arguments say again what is in it. At other arguments it
+would be something else, which is refused.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Mapping
+from contextlib import suppress
+
+from kowalevski_cas.notation import NotationError, defined_names
+from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.names import head
+
+SPECTRAL = (r"\lambda", r"\zeta", r"\mu", r"\xi")
+"""The letters of a parameter on which matrices depend, and which does not move."""
+
+_NAME = r"(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?"
+_LIST = rf"\s*(?:\\left\s*)?\(\s*(?P<by>{_NAME}(?:\s*,\s*{_NAME})*)\s*(?:\\right\s*)?\)"
+
+
+def printed_arguments(texts: Iterable[str], vectors: Collection[str] = ()) -> dict[str, str]:
+    r"""The names that displays define, with the arguments at which these have them.
+
+    Of vectors it would be a scalar product.
+
+    >>> printed_arguments([r"L(\lambda)=\begin{pmatrix}\lambda&x\\y&0\end{pmatrix}"])
+    {'L': '\\lambda'}
+    >>> printed_arguments([r"H=\frac12(p_1^2+p_2^2)+V(q_1,q_2), V=q_1^2q_2"])
+    {'V': 'q_1,q_2'}
+
+    What stands in brackets may be a factor, where it is not in the definition.
+
+    >>> printed_arguments(["a=b+c, y=a(x)"]), printed_arguments(["V=x^2+y, y=2V(x)"])
+    ({}, {'V': 'x'})
+    """
+    texts = [*texts]
+    found: dict[str, str] = {}
+    for tex in texts:
+        with suppress(NotationError, IndexError):
+            for place in defined_names(tex):
+                for name, by in map(head, place.names):
+                    if by and place.matrix and symbol(by[0]).letter in SPECTRAL and len(by) == 1:
+                        found[name] = by[0]
+                    elif not by and (listed := _arguments(name, texts, vectors)):
+                        found[name] = listed
+    return found
+
+
+def _arguments(name: str, texts: Iterable[str], vectors: Collection[str]) -> str:
+    """The one list of arguments of a name elsewhere; empty if they are not all in what it is."""
+    letter = rf"(?<![A-Za-z\\]){re.escape(name)}"
+    every = [match["by"] for tex in texts for match in re.finditer(letter + _LIST, tex)]
+    lists = {re.sub(r"\s+", "", by) for by in every}
+    if len(lists) != 1:
+        return ""
+    (listed,) = lists
+    own = rf"{letter}\s*=(?P<by>[^=]*)"
+    defining = " ".join(match["by"] for tex in texts for match in re.finditer(own, tex))
+    inside = all(
+        re.search(rf"(?<![A-Za-z\\]){re.escape(one)}(?![A-Za-z])", defining)
+        for one in listed.split(",")
+    )
+    return listed if inside and {*listed.split(",")}.isdisjoint(vectors) else ""
+
+
+def without_arguments(tex: str, known: Mapping[str, str]) -> str:
+    r"""A display with these names alone, as L for :math:`L(\lambda)`, as long as it was.
+
+    Raises ``ValueError`` for one at anything else.
+    """
+    for name, by in known.items():
+        letter = rf"(?<![A-Za-z\\])(?P<name>{re.escape(name)})\s*(?:\\left\s*)?\("
+        listed = r"\s*,\s*".join(map(re.escape, by.split(",")))
+        own = rf"{letter}\s*{listed}\s*(?:\\right\s*)?\)"
+        tex = re.sub(own, lambda found: f"{{{found['name']}}}".ljust(len(found[0])), tex)
+        if other := re.search(letter, tex):
+            what = tex[other.start() : other.start() + 12]
+            raise ValueError(
+                f"{name} is printed at {by}; at another argument, {what}…, is not known"
+            )
+    return tex

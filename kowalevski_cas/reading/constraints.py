@@ -1,0 +1,101 @@
+r"""Constraints of a paper, beside equations of motion in which multipliers stand.
+
+The motion is on them wherever the paper speaks of it; what they give the multipliers is derived.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kowalevski_cas.notation import Name
+from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.constraints import MULTIPLIERS, equations_on, multipliers, orders_in
+from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.known import ASSUMPTION, CONSTRAINT, DEFINITION, Known, StatementRole
+from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.parts import Parts
+from kowalevski_cas.reading.stage import Stage
+from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.unprinted import unprinted
+
+SAYS = "the constraints give it"
+
+
+def constraint(item: SourceStatement, known: Known) -> StatementRole | None:
+    """An equation among what moves, beside equations of motion with a multiplier."""
+    for law in known.laws:
+        if is_constraint(item, law, known):
+            return StatementRole(ASSUMPTION, "a constraint of the motion", CONSTRAINT)
+    return None
+
+
+def is_constraint(item: SourceStatement, law: Law, known: Known) -> bool:
+    """Whether a statement is one for a law: of lower order, where words or the display say so."""
+    if item in law.rows or not item.members or not [*_multipliers(law, known)]:
+        return False
+    first = item.members[0]
+    names = {*known.names.scalars(item.names)}
+    if (isinstance(first, Name) and not known.moves(first.name)) or not names & {*law.variables}:
+        return False
+    orders = orders_in(row.formula for row in law.rows if row.formula is not None)
+    if item.formula is None or any(o >= orders.get(n, 0) for n, o in _derived(item)):
+        return False
+    beside = any(row.typed is item.typed for row in law.rows)
+    return beside or bool(cue("constraint", f"{item.lead} {item.tail[:40]}"))
+
+
+def _derived(item: SourceStatement) -> Iterator[tuple[str, int]]:
+    assert item.formula is not None
+    yield from orders_in([item.formula]).items()
+
+
+def _multipliers(law: Law, known: Known) -> Iterator[str]:
+    """The names in a law that may be multipliers: nothing moves them, or gives them."""
+    for name in sorted(law.mentions):
+        if symbol(name).letter in MULTIPLIERS and name not in (*law.variables, *known.later):
+            yield name
+
+
+def enter_constraints(parts: Parts) -> None:
+    """Give the multipliers their values, and keep the derivatives of the constraints."""
+    for place, known in enumerate(parts.known):
+        suffix = f"-{place + 1}" if place else ""
+        for law in known.laws:
+            bound = [
+                one
+                for one in known.items
+                if parts.roles[one].kind == CONSTRAINT and is_constraint(one, law, known)
+            ]
+            called = any(cue("multiplier", item.words) for item in known.items)
+            if not bound and not called:
+                continue
+            try:
+                found = [*_implied(law, bound, known, suffix)]
+            except (ValueError, Meaningless) as error:
+                known.lost |= dict.fromkeys(_multipliers(law, known), str(error))
+                continue
+            for item, role in found:
+                parts.places[item] = place
+                parts.enter(item, role)
+
+
+def _implied(
+    law: Law, bound: list[SourceStatement], known: Known, suffix: str
+) -> Iterator[tuple[SourceStatement, StatementRole]]:
+    """What gives the multipliers of a law, and the derivatives of its constraints."""
+    names = [*_multipliers(law, known)]
+    if not bound:
+        raise ValueError(f"{', '.join(names)}: a multiplier, and no constraint is read")
+    stage, places = Stage(known), [one.printed for one in bound]
+    for number, tex in enumerate(multipliers(stage.scene(bound, law=law).scene, places), 1):
+        item = unprinted(known.paper, f"multiplier-{number}{suffix}", tex, law.first, SAYS)
+        role = StatementRole(DEFINITION, "follows from the constraints", "", item.bare[:1])
+        known.enter(item, role)
+        yield item, role
+    scene = Stage(known).scene([*bound, *law.items], law=law).scene
+    for one in bound:
+        for number, tex in enumerate([*equations_on(scene, (one.printed,))][1:], 1):
+            id = f"derivative-{number}-of-{one.printed.display.id}{one.printed.number}{suffix}"
+            item = unprinted(known.paper, id, tex, one, "the derivative of a constraint")
+            yield item, StatementRole(ASSUMPTION, "the derivative of a constraint", CONSTRAINT)

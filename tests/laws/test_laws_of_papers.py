@@ -1,0 +1,107 @@
+"""Laws of motion as papers print them: what follows of them is proved, and what does not is refuted."""
+
+import random
+
+import pytest
+from sympy import latex
+
+from tests.laws.test_constraints import CURVES, SURFACES, XYZ
+from tests.laws.test_prints import FEW
+from tests.reading.test_reading import roles, verdicts
+
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
+SAID = ("with the constraint", "subject to the constraint", "The point stays on the surface")
+
+
+@FEW
+def test_energy_is_constant_on_a_constraint(seed):
+    chance = random.Random(seed)
+    several = chance.random() < 0.5
+    names = XYZ if several else XYZ[:2]
+    f, printed = chance.choice(SURFACES if several else CURVES)
+    if "=xy" in printed or printed.startswith("y="):
+        printed = "y-x^2=0"
+    U = chance.choice([2 * names[-1], x_squared(names), names[0] * names[1]])
+
+    def paper(f):
+        rows = ",".join(
+            rf"m\ddot {n}={latex(-U.diff(n))}+\lambda\cdot({latex(f.diff(n))})" for n in names
+        )
+        squares = "+".join(rf"\dot {n}^2" for n in names)
+        return (
+            rf"The equations of motion are $${rows}$$ {chance.choice(SAID)} $${printed}.$$ "
+            rf"Then $\frac m2({squares})+({latex(U)})$ and $\frac m2({squares})+({latex(U)})+x$ "
+            r"are first integrals."
+        )
+
+    true, false = (v for tex, v in verdicts(paper(f)).items() if tex.startswith(r"\frac m2"))
+    assert true.green and false == "refuted", paper(f)
+    rough = verdicts(paper(f + 3 * names[0] * names[-1] + names[0]))
+    assert not any(v.green for tex, v in rough.items() if tex.startswith(r"\frac m2")), paper(f)
+
+
+def x_squared(names):
+    return names[0] ** 2 - 3 * names[1] ** 2
+
+
+def test_a_multiplier_without_a_constraint_is_no_constant():
+    text = (
+        r"The equations of motion are $$\ddot x=\lambda x,\quad \ddot y=\lambda y,$$ where "
+        r"$\lambda$ is a multiplier. The energy integral is $$\dot x^2+\dot y^2=h .$$"
+    )
+    assert not verdicts(text)
+    # Without these words it is a constant, and the equations are those of two oscillators.
+    text = text.replace("a multiplier", "a constant")
+    assert verdicts(text)[r"\dot x^2+\dot y^2=h"] == "refuted"
+
+
+TODA = r"""The equations of motion are \begin{equation}\label{lax} %s \end{equation} where
+$$L=\begin{pmatrix}b&a\\a&-b\end{pmatrix},\qquad B=\begin{pmatrix}0&a\\-a&0\end{pmatrix}.$$
+Then $\operatorname{tr}L^2$ and $%s$ are first integrals."""
+
+
+@pytest.mark.parametrize("law", [r"\dot L=[B,L]", r"\frac{dL}{dt}=BL-LB", r"\dot L=-[L,B]"])
+def test_the_entries_of_a_matrix_equation_move(law):
+    true, false = verdicts(TODA % (law, "a^2+b^2")), verdicts(TODA % (law, "a^2-b^2"))
+    assert [*true.values()] == ["proved", "proved"] and list(false.values())[1] == "refuted"
+    assert roles(TODA % (law, "a^2+b^2"))[law] == "law"
+
+
+def test_a_matrix_equation_that_no_rates_obey_is_not_read():
+    text = TODA % (r"\dot L=[B,L]+B", "a^2+b^2")
+    assert roles(text)[r"\dot L=[B,L]+B"] == "unread" and not verdicts(text)
+
+
+def test_a_matrix_equation_for_what_moves_already_is_claimed():
+    rates = r"The equations of motion are $$\dot a=-2ab,\qquad \dot b=%s .$$ They imply "
+    text = TODA.replace("The equations of motion are", "") % (r"\dot L=[B,L],", "a^2+b^2")
+    assert verdicts(rates % "2a^2" + text)[r"\dot L=[B,L]"] == "proved"
+    assert verdicts(rates % "3a^2" + text)[r"\dot L=[B,L]"] == "refuted"
+
+
+def test_a_spectral_parameter_stands_in_the_matrices_of_a_paper():
+    lax = TODA.replace("&a", r"&a+\lambda").replace(r"\\a", r"\\a-\lambda").replace("L=", "L(s)=")
+    lax = lax.replace("(s)", r"(\lambda)").replace("L^2", r"L(\lambda)^2")
+    second = r"B=\begin{pmatrix}0&1\\-1&0\end{pmatrix}"
+    text = lax.split("B=")[0] + second + lax.split(r"\end{pmatrix}")[-1]
+    found = verdicts(text % (r"\dot L(\lambda)=[B,L(\lambda)]", "a^2+b^2"))
+    assert [*found.values()] == ["proved", "proved"]
+    found = verdicts(text % (r"\dot L(\lambda)=[B,L(\lambda)]", "a^2-b^2"))
+    assert [*found.values()] == ["proved", "refuted"]
+
+
+CANONICAL = r"""The Hamiltonian is $$H=\frac12(p_1^2+p_2^2)+%s,$$ where $V=%s$. The equations of motion are
+$$\dot q_i=\partial_{p_i}H,\qquad \dot p_i=-\partial_{q_i}H .$$ The function $q_1p_2-q_2p_1$ is a first integral."""
+
+
+@pytest.mark.parametrize("V", ["V", "V(q_1,q_2)", r"V\left(q_1,q_2\right)"])
+def test_a_potential_has_its_arguments_beside_it(V):
+    (true,) = verdicts(CANONICAL % (V, "(q_1^2+q_2^2)^2")).values()
+    (false,) = verdicts(CANONICAL % (V, "(q_1^2+2q_2^2)^2")).values()
+    assert true == "proved" and false == "refuted"
+
+
+def test_a_potential_at_other_arguments_is_not_read():
+    text = CANONICAL % ("V(q_1,q_2)+V(q_2,q_1)", "q_1^2+q_2")
+    assert not verdicts(text)
