@@ -123,3 +123,15 @@ def test_states_of_rest_are_counted_for_the_constants_of_their_sentence():
     law = r"The equation is \[ \dot x=x^2-a . \] "
     found = reading(law + "For $a=1$ there are exactly two equilibria.").statements
     assert [[one.printed.tex for one in found.on] for found in found] == [["a=1"]]
+
+
+def test_what_stands_below_a_set_that_cannot_be_read_is_not_refuted():
+    unread = r"Below we consider the level \[ {\cal M}=\{p,q,r:\ p=0\} . \] "
+    claim = r"Put $F=bp^2-aq^2+r$. Then $\dot F=0$."
+    assert verdicts(TOP + claim)[r"\dot F=0"] is Verdict.REFUTED
+    assert verdicts(TOP + unread + claim)[r"\dot F=0"] is Verdict.UNDECIDED
+
+
+def test_a_name_that_is_defined_by_what_is_supposed_is_defined_once():
+    text = TOP + r"Let $c>0$. Put \[ F=(p^2+cr)^2 . \] With $w=p^2+cr$ we have $F=2w^2$."
+    assert role(text, "F=2w^2").kind == "identity"
