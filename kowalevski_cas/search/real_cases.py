@@ -11,7 +11,7 @@ from operator import add, mul
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.elimination import TooLarge
-from kowalevski_cas.algebra.factors import irreducible_factors
+from kowalevski_cas.algebra.factors import irreducible_factors, vanishes_with
 from kowalevski_cas.algebra.flat import Flat
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of
 from kowalevski_cas.algebra.ideals import reduce_groebner_basis
@@ -80,12 +80,16 @@ class RealCases:
         return None
 
     def _units(self, known: Sequence[Element]) -> list[Element]:
-        """What vanishes nowhere and speaks of what is known; without roots nothing does."""
+        """What vanishes nowhere and speaks of what is known; without roots nothing does.
+
+        That nothing is left may not rest on a norm, which vanishes where its element does not.
+        """
         used = {k for one in known for k, d in enumerate(self.flat.polynomial(one).degrees()) if d}
         return [
             one
             for one in self.granted
             if used & {k for k, d in enumerate(self.flat.polynomial(one).degrees()) if d}
+            and (self.conclusions or _divides_exactly(one))
         ]
 
     def _products(
@@ -164,7 +168,8 @@ class RealCases:
         for k in range(fresh, len(known)):
             weights = self._weights([*polynomials, *map(self.flat.polynomial, self.everything)])
             others = [p for j, p in enumerate(polynomials) if j != k]
-            relations = self._relations([*known, *self.everything])
+            squares = [self.flat.element(square) for _, square in weights]
+            relations = self._relations([*known, *self.everything, *squares])
             factors = [*self._multipliers(polynomials[k], [w for _, w in weights])]
             ways = product((1, -1), factors, ([], relations))
             below = self.flat.inverse_denominator(known[k]).inverse()
@@ -246,6 +251,13 @@ class RealCases:
 def _is_square(polynomial: fmpq_mpoly) -> bool:
     """Whether a polynomial is a square, up to a number."""
     return not any(exponent % 2 for _, exponent in polynomial.factor()[1])
+
+
+def _divides_exactly(element: Element) -> bool:
+    """Whether an element vanishes wherever the norm by which its inverse divides does."""
+    ring = element.ring
+    norms = (Element(ring, {0: ring.divisors[k]}, {}) for k in element.inverse().denominator)
+    return all(vanishes_with(element, norm) for norm in norms)
 
 
 def _zero_or(

@@ -355,7 +355,8 @@ def with_roots(scene: Scene, display: Display) -> Scene:
         sides = [side for side in formula.children() if not isinstance(side, Constant)]
         if named and len(sides) > len(named) + 1:
             raise ValueError(f"{place.tex} gives {min(named)} twice: leave one side out")
-    for formula in (node for one in waiting for node in one.nodes()):
+    inner_first = (node for formula in waiting for node in reversed([*formula.nodes()]))
+    for formula in inner_first:
         if isinstance(formula, Conjugate) and scene.unit is None:
             raise ValueError(
                 f"{to_latex(formula)} is a conjugate, and all is real: rename it, or print i^2=-1 "

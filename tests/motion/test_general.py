@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import assume, example, given, settings
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
@@ -65,7 +65,6 @@ def test_a_motion_is_the_same_in_another_unit_of_time(state, rate):
     assert all(abs(drift[name] - other[name]) < 1e-9 for name in drift)
 
 
-@settings(max_examples=10, deadline=None)
 @given(states, st.floats(-9, 0), st.floats(-9, 0), st.sampled_from(["DOP853", "LSODA", "Radau"]))
 def test_of_a_fast_top_each_field_is_followed_relative_to_its_size(state, weaker, less, method):
     """However small both are beside ω², and one beside the other; the drift says it as well."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Iterator
 from typing import Any
 
 FORMAT, VERSION = "kowalevski-cas certificate", 2
@@ -173,28 +174,29 @@ def exponent(tree: Json) -> int:
     return integer(tree, 0, LARGEST_EXPONENT)
 
 
-def names_in(tree: Json) -> set[str]:
-    """The names in a formula."""
-    found, waiting = set[str](), [tree]
+def parts_of(tree: Json) -> Iterator[Json]:
+    """All formulas of which a formula is made, and itself."""
+    waiting = [tree]
     while waiting:
-        tree = waiting.pop()
+        yield (tree := waiting.pop())
         if type(tree) is list:
             waiting += tree[1:]
-        elif type(tree) is str:
-            found.add(tree)
-    return found
+
+
+def names_in(tree: Json) -> set[str]:
+    """The names in a formula."""
+    return {part for part in parts_of(tree) if type(part) is str}
 
 
 def derives(tree: Json) -> bool:
     """Whether a derivative along the vector field stands in a formula."""
-    waiting = [tree]
-    while waiting:
-        tree = waiting.pop()
-        if type(tree) is list:
-            if tree[:1] == ["D"]:
-                return True
-            waiting += tree[1:]
-    return False
+    return any(type(part) is list and part[:1] == ["D"] for part in parts_of(tree))
+
+
+def squares_in(tree: Json) -> list[Json]:
+    """The formulas of which a formula takes a root by its sign."""
+    roots = (part for part in parts_of(tree) if type(part) is list and part[:1] == ["sqrt"])
+    return [square for root in roots for square in root[1:]]
 
 
 def factors(tree: Json) -> list[Json]:

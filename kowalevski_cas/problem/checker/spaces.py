@@ -21,7 +21,15 @@ from .reading import (
     record,
     say,
     say_all,
+    squares_in,
 )
+
+
+def _needs(tree: Json, steps: list[Json]) -> set[str]:
+    """The names in a condition, and those of the roots that it takes by the sign."""
+    squares = squares_in(tree)
+    roots = (step for step in steps if squares and step[0] == "root" and step[2] in squares)
+    return names_in(tree) | {label(step[1]) for step in roots}
 
 
 class Space(Formulas):
@@ -41,7 +49,7 @@ class Space(Formulas):
         self.granted: list[Element] = []  # what does not vanish where a change comes from
         steps = items(data.get("steps", []))
         self._generate(steps, pairs(data.get("conjugates", [])))
-        conditions = [(names_in(tree), tree) for tree in items(data.get("nonzero", []))]
+        conditions = [(_needs(tree, steps), tree) for tree in items(data.get("nonzero", []))]
         conditions = self._grant(conditions)
         late: dict[str, list[Json]] = {}  # what is defined by rates is known behind the field
         for step in steps:
