@@ -15,6 +15,8 @@ from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
 
+SPACE = 3
+_BASIS = re.compile(r"e_\{?([123])\}?")
 _CANONICAL = re.compile(r"\bcanonical|\bканоническ", re.IGNORECASE)
 
 
@@ -49,6 +51,13 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
                 name = re.sub(r"\W+", "-", letter).strip("-")
                 tex = f"{letter}=|{vector}|"
                 yield unprinted(paper, f"length-of-{name}{suffix}", tex), role
+    for vector in sorted(known.names.vectors):
+        number = _BASIS.fullmatch(symbol(vector).without_type.name)
+        free = not known.is_defined(vector) and not known.moves(vector)
+        if number is not None and free and len(known.names.vectors[vector]) == SPACE:
+            entries = ",".join("1" if k == int(number[1]) else "0" for k in range(1, SPACE + 1))
+            item = unprinted(paper, f"basis-{number[1]}{suffix}", f"{vector}=({entries})")
+            yield item, StatementRole(CONVENTION, "a vector of the basis", "basis", (vector,))
     for q, p in _conjugate(known):
         tex = rf"\{{{q},{p}\}}=1"
         item = unprinted(paper, re.sub(r"\W+", "-", f"bracket-of-{q}-{p}{suffix}"), tex)

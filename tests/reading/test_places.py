@@ -135,3 +135,11 @@ def test_what_stands_below_a_set_that_cannot_be_read_is_not_refuted():
 def test_a_name_that_is_defined_by_what_is_supposed_is_defined_once():
     text = TOP + r"Let $c>0$. Put \[ F=(p^2+cr)^2 . \] With $w=p^2+cr$ we have $F=2w^2$."
     assert role(text, "F=2w^2").kind == "identity"
+
+
+def test_vectors_e_with_a_number_are_those_of_the_basis():
+    text = r"""The equations of motion are \[ \dot{\boldsymbol x}=\boldsymbol x\times\boldsymbol e_3 \]
+    for $\boldsymbol x=(x_1,x_2,x_3)$. Then \[ \dot x_1=x_2,\qquad \dot x_1=x_3 . \]"""
+    found = verdicts(text)
+    assert found[r"\dot x_1=x_2"] is Verdict.PROVED
+    assert found[r"\dot x_1=x_3"] is not Verdict.PROVED
