@@ -127,7 +127,7 @@ def test_states_of_rest_are_counted_for_the_constants_of_their_sentence():
 
 def test_what_stands_below_a_set_that_cannot_be_read_is_not_refuted():
     unread = r"Below we consider the level \[ {\cal M}=\{p,q,r:\ p=0\} . \] "
-    claim = r"Put $F=bp^2-aq^2+r$. Then $\dot F=0$."
+    claim = r"Put $F=p^3q+3pr^2-q^5$. Then $\dot F=0$."  # near which nothing is true
     assert verdicts(TOP + claim)[r"\dot F=0"] is Verdict.REFUTED
     assert verdicts(TOP + unread + claim)[r"\dot F=0"] is Verdict.UNDECIDED
 
