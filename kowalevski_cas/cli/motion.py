@@ -174,6 +174,8 @@ def _follow(arguments: argparse.Namespace) -> Trajectory:
         raise CommandError(str(error)) from None
     also = tuple(name for name in ("frequencies", "attitude") if getattr(arguments, name))
     rows, *radii = found
+    if motion.point is not None and method == "closed" and not beside:
+        rows[times == 0] = motion.point  # to its last digit, however small ω is beside the fields
     return Trajectory(motion, times, rows, radii[0] if radii else None, also)
 
 

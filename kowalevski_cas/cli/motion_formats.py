@@ -119,8 +119,8 @@ def _power(values: np.ndarray[tuple[int, int], np.dtype[np.float64]]) -> int:
 
 
 def _decimal(value: float) -> str:
-    """A number of eight letters, with a blank before it."""
-    return f"{value:8.4f}" if abs(value) < 10 else f" {value:7.3g}"
+    """A number of eight letters, with a blank before it; there is no −0."""
+    return f"{round(value, 4) + 0.0:8.4f}" if abs(value) < 10 else f" {value:7.3g}"
 
 
 def as_csv(result: Trajectory) -> bytes:

@@ -52,7 +52,7 @@ class MathML(Printer):
         letter = escape(styled_letter(parts.letter, parts.font))
         text = f'<mi mathvariant="normal">{letter}</mi>' if upright else f"<mi>{letter}</mi>"
         for accent in reversed(parts.accents):
-            text = _over(text, _ACCENTS[accent])
+            text = _under(text) if accent == r"\underline" else _over(text, _ACCENTS[accent])
         while dots:
             text = _over(text, _DOTS[min(dots, 4)])
             dots -= min(dots, 4)
@@ -127,6 +127,10 @@ class MathML(Printer):
 def grow_bracket(bracket: str) -> str:
     """A bracket that grows with what stands beside it; below a power it is tall by itself."""
     return bracket.replace(_AS_IT_IS, ' minsize="2.4em"' if "<msup>" in bracket else "", 1)
+
+
+def _under(text: str) -> str:
+    return f'<munder accentunder="true">{_one(text)}<mo>_</mo></munder>'
 
 
 def _over(text: str, accent: str) -> str:

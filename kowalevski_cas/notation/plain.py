@@ -24,6 +24,7 @@ _LOW = str.maketrans("0123456789+-aehijklmnoprstuvxβγρφχ", "₀₁₂₃₄
 _HIGH = str.maketrans("0123456789+−in", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁱⁿ")
 _MARKS = {
     r"\hat": "\u0302", r"\tilde": "\u0303", r"\check": "\u030c", r"\vec": "\u20d7",
+    r"\underline": "\u0332",
     r"\dot": "\u0307", r"\ddot": "\u0308", r"\dddot": "\u20db",
 }  # fmt: skip
 _DOT, _BAR = "\u0307", "\u0304"

@@ -16,6 +16,7 @@ _FONTS = {
 }  # fmt: skip
 _ACCENTS = {
     r"\hat": "hat({})", r"\tilde": "tilde({})", r"\check": "caron({})", r"\vec": "arrow({})",
+    r"\underline": "underline({})",
     r"\dot": "dot({})", r"\ddot": "dot.double({})", r"\dddot": "dot.triple({})",
 }  # fmt: skip
 # Brackets that group and are not printed; they become round ones when all is printed, so that

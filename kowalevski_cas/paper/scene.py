@@ -286,6 +286,7 @@ class Scene:
 
     def _defining(self, by: tuple[Display | Printed, ...], again: bool) -> Scene:
         known = {*self.variables, *self.constants, *self.roots}
+        known |= {name for name, parts in self.vectors.items() if {*parts} <= known}
         definitions = dict(self.definitions)
         for place in statements(*by):
             heads = place.heads

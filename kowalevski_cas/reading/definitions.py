@@ -129,10 +129,10 @@ def _level(
 
 def repeated(item: SourceStatement, known: Known) -> StatementRole | None:
     """What has been said before, sign for sign, to name something."""
-    for one, role in known.roles.items():
-        claimed = role.name == CLAIM and not (role.names and item.typed.inline)
-        if role.name in NAMING and not claimed:
-            if one.formula == item.formula and one.order < item.order:
+    for one in known.paper.alike[item.formula]:
+        role = known.roles.get(one)
+        if role is not None and role.name in NAMING and one.order < item.order:
+            if role.name != CLAIM or (role.names and item.typed.inline):
                 return StatementRole(NOTATION, f"said before, at {one.printed.place}")
     return None
 
@@ -256,8 +256,8 @@ def _integral_that_defines(
         return None
     vanishing = integral_words(item)
     later = known.paper.items if item.theorem is None or not vanishing else ()
-    for one in later:
-        if item.order < one.order < item.order + 12 and (ZERO in one.members or not vanishing):
+    for one in later[item.order + 1 : item.order + 12]:
+        if ZERO in one.members or not vanishing:
             rated = [m.argument for m in one.members if isinstance(m, Derivative)]
             if any(isinstance(m, Name) and m.name in fresh for m in rated):
                 return None

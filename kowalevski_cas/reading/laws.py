@@ -59,7 +59,10 @@ class _LawFinder:
         rows = [row for row in rows if not {*row.bare[:1]} - rated or self._told(row)]
         entries = rows_of_matrices(paper, rows)
         self.rows = [one for row in rows for one in entries.get(row, [row])]
-        self.defining = [item for item in paper.items if self._defines(item)]
+        self.defining: dict[str, list[SourceStatement]] = {}
+        for item in paper.items:
+            if self._defines(item):
+                self.defining.setdefault(item.bare[0], []).append(item)
 
     def _may_set_up(self, item: SourceStatement) -> bool:
         """Whether a law may begin with a row: with a display, or as the words right before say."""
@@ -208,12 +211,11 @@ class _LawFinder:
 
     def is_defined(self, row: SourceStatement, since: int) -> bool:
         """Whether a name that a row derives is defined before, from an offset on, or beside it."""
-        before = (
-            one
-            for one in self.defining
-            if since <= one.typed.start < row.typed.start or one.sentence == row.sentence
+        return any(
+            since <= one.typed.start < row.typed.start or one.sentence == row.sentence
+            for name in row.rates
+            for one in self.defining.get(name, ())
         )
-        return any(one.bare[0] in row.rates for one in before)
 
     def undefined(self, since: int) -> list[SourceStatement]:
         """The rows for names that nothing defines before them, from an offset on."""

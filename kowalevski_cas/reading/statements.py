@@ -129,6 +129,14 @@ class SourcePaper:
     """By how much indices may be changed; 0 if they may not."""
 
     @cached_property
+    def alike(self) -> dict[Formula | None, list[SourceStatement]]:
+        """The statements by what they say, sign for sign."""
+        found: dict[Formula | None, list[SourceStatement]] = {}
+        for item in self.items:
+            found.setdefault(item.formula, []).append(item)
+        return found
+
+    @cached_property
     def approximate(self) -> frozenset[SourceStatement]:
         """The statements behind the words, in the same section, that they hold approximately."""
         return frozenset(one for one in self.items if any(self._approximating(one)))

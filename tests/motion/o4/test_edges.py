@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from kowalevski_cas.motion import Inadmissible, MethodError, MotionO4, load
 from kowalevski_cas.motion.methods import closed as closed_form
 from kowalevski_cas.motion.methods.integrators import initial_state
+from kowalevski_cas.motion.o4.closed import ClosedO4
 from kowalevski_cas.motion.units import unit_of
 from tests.motion.exact import apart, integrated
 from tests.motion.o4.levels import admissible
@@ -165,6 +166,17 @@ def test_any_integrator_starts_from_constants(known):
     assert abs(np.linalg.norm(alpha) - a) < 1e-15 * a
     assert abs(np.linalg.norm(beta) - b) < 1e-15 * a
     assert abs(alpha @ beta) < 1e-15 * a * a
+
+
+@settings(deadline=None)
+@given(edges())
+def test_near_an_edge_the_series_have_some_hundreds_of_terms_at_most(known):
+    try:
+        closed = ClosedO4(MotionO4.of(*known), 1.0)
+    except Inadmissible:
+        assume(False)
+        raise
+    assert all(len(orders) < 1000 for _, orders in closed._quadratures._series)
 
 
 def test_a_state_that_does_not_keep_the_integrals_is_not_given(monkeypatch):
