@@ -29,6 +29,7 @@ class MathML(Printer):
     d, partial_d, dots, const = (f"<mi>{text}</mi>" for text in ("d", "∂", "…", "const"))
     prime = "′"
     word_form, root_form = "<mi>{}</mi>", "<msqrt>{}</msqrt>"
+    radical_form = "<mroot><mrow>{1}</mrow><mn>{0}</mn></mroot>"
     change_forms = ('<mrow class="meant">{}</mrow>', '<mrow class="slip">{}</mrow>')
     comma, thin = "<mo>,</mo>", '<mspace width="0.17em"></mspace>'
     round, square, braces, bars = (

@@ -15,6 +15,7 @@ from kowalevski_cas.notation.formula import (
     Number,
     Partial,
     Quotient,
+    Radical,
     Root,
 )
 from kowalevski_cas.notation.printer import Printer
@@ -69,6 +70,9 @@ class PlainText(Printer):
         text = self(formula.argument)
         simple = isinstance(formula.argument, Name | Number)
         return f"√{text}" if simple else f"√({text})"
+
+    def radical(self, formula: Radical) -> str:
+        return str(formula.order).translate(_HIGH) + self.root(Root(formula.argument))
 
     def conjugate(self, formula: Conjugate) -> str:
         if isinstance(formula.argument, Name):

@@ -32,6 +32,7 @@ class Typst(Printer):
     dots, const, braces = "…", 'upright("const")', ("{", "}")
     bars, thin = ("abs⟮", "⟯"), "thin "
     word_form, fraction_form, root_form = 'op⟮"{}"⟯', "frac⟮{}, {}⟯", "sqrt⟮{}⟯"
+    radical_form = "root⟮{}, {}⟯"
     bar_form, sum_form = "overline⟮{}⟯", "sum_⟮{} = {}⟯^⟮{}⟯"
     change_forms = ("meant⟮{}⟯", "slip⟮{}⟯")
 

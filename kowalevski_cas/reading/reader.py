@@ -12,6 +12,7 @@ from typing import Protocol
 from kowalevski_cas.limits import tell
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation, Doubt, Section
+from kowalevski_cas.paper.differentials import differentials
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
@@ -267,9 +268,10 @@ class _DerivationReader:
         components = {part for own in vectors.values() for part in own}
         clocks = [one.other_time for known in self.parts.known for one in known.clocks]
         read = frozenset().union(*(item.names for item in self.paper.items))
+        ratios = {"d" for item in self.paper.items if item.formula and differentials(item.formula)}
         scalars = sorted(
             (words.scalars | components | read - words.functions)
-            - {"t", "d", *clocks, *vectors, *words.matrices}
+            - {"t", *({"d"} - ratios), *clocks, *vectors, *words.matrices}
         )
         functions: dict[str, str] = {}
         places: dict[str, Printed] = {}

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation, Vocabulary
-from kowalevski_cas.notation.symbol import name_of_rate
+from kowalevski_cas.notation.symbol import name_of_rate, symbol
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.times import time_change
 from kowalevski_cas.reading.cues import cue, cues
@@ -275,6 +275,14 @@ def _id(formula: TypedFormula, ids: Counter[str]) -> str:
     letters = letters.strip("-")[:LONGEST_ID].strip("-") or "formula"
     ids[letters] += 1
     return letters if ids[letters] == 1 else f"{letters}_{ids[letters]}"
+
+
+def is_closing(item: SourceStatement) -> bool:
+    """Whether a statement closes a chain: a link of it is another one, as :math:`u_6=u_1`."""
+    if not len(item.bare) == len(item.members) == 2:
+        return False
+    one, other = map(symbol, item.bare)
+    return one.head == other.head and one != other
 
 
 def derived_names(item: SourceStatement) -> set[str]:
