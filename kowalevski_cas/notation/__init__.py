@@ -35,6 +35,7 @@ from kowalevski_cas.notation.formula import (
     ScalarProduct,
     Sum,
     Summation,
+    Transposed,
     Unwritten,
     Vector,
     equal,

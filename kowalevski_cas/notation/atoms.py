@@ -35,7 +35,6 @@ _LONGEST_NUMBER = 1000
 _NORM = re.compile(r"(?:\\left\s*)?\\(?:\||l?Vert)")
 _DETERMINANT = r"\det"
 _SIGNS = frozenset({"sign", "relation"})
-_TRANSPOSED = frozenset({"T", r"\mathsf{T}", r"\mathrm{T}", r"\top", r"\intercal", "t"})
 _BEFORE_DOTS = _SIGNS | {"comma", "cell", "row", "open", "{", "begin", END}
 _BEHIND_DOTS = _SIGNS | {"comma", "cell", "row", "close", "}", "end", END}
 
@@ -75,12 +74,8 @@ class Atoms(Symbols):
 
     def column(self, piece: Piece) -> Piece:
         """A vector that is listed as a row, and said to be a column: it is the same vector."""
-        raised = [token.text for token in self.tokens[self.at : self.at + 4]]
-        braces = raised[1:2] == ["{"]
-        own = raised[1 + braces : 2 + braces]
-        if not isinstance(piece[0], Vector) or raised[:1] != ["^"] or not {*own} & _TRANSPOSED:
+        if not isinstance(piece[0], Vector) or not self.takes_transposed():
             return piece
-        self.at += 2 + 2 * braces
         return (piece[0], piece[1], self.tokens[self.at - 1].end, piece[3])
 
     def read_bar(self) -> Piece:

@@ -231,6 +231,10 @@ class Commutator(Binary):
     r"""The commutator :math:`[L,M]=LM-ML` of two matrices."""
 
 
+class Transposed(Unary):
+    r"""The transposed matrix, as :math:`R^T`."""
+
+
 class Modulus(Unary):
     r"""The absolute value of a number, or the length of a vector: :math:`|x|`."""
 

@@ -41,6 +41,7 @@ from kowalevski_cas.notation.formula import (
     ScalarProduct,
     Sum,
     Summation,
+    Transposed,
     Unwritten,
     Vector,
 )
@@ -213,6 +214,11 @@ class Printer(ABC):
     def power(self, formula: Power) -> str:
         text = self(formula.base) if is_base(formula.base) else self.enclose(formula.base)
         return self.superscript(text, self(formula.exponent))
+
+    def transposed(self, formula: Transposed) -> str:
+        base = formula.argument
+        text = self(base) if is_base(base) else self.enclose(base)
+        return self.superscript(text, self(Name("T")))
 
     def root(self, formula: Root) -> str:
         return self.root_form.format(self(formula.argument))

@@ -9,8 +9,8 @@ from kowalevski_cas.reading.changes import find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.law import Law
-from kowalevski_cas.reading.matrix_rows import rows_of_matrices
 from kowalevski_cas.reading.names import Names
+from kowalevski_cas.reading.said_rows import rows_of_differentials, rows_of_matrices
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 from kowalevski_cas.reading.unprinted import implied_rows
 
@@ -58,7 +58,8 @@ class _LawFinder:
         rated = {name for row in rows for name in row.rates}
         rows = [row for row in rows if not {*row.bare[:1]} - rated or self._told(row)]
         entries = rows_of_matrices(paper, rows)
-        self.rows = [one for row in rows for one in entries.get(row, [row])]
+        rows = [one for row in rows for one in entries.get(row, [row])]
+        self.rows = [*rows, *rows_of_differentials(paper)]
         self.defining: dict[str, list[SourceStatement]] = {}
         for item in paper.items:
             if self._defines(item):

@@ -12,6 +12,7 @@ from typing import Protocol
 from kowalevski_cas.limits import tell
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation, Doubt, Section
+from kowalevski_cas.paper.differentials import differentials
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
@@ -21,10 +22,11 @@ from kowalevski_cas.reading.choice import Choice, choose
 from kowalevski_cas.reading.comments import read_comments
 from kowalevski_cas.reading.constraints import enter_constraints
 from kowalevski_cas.reading.conventions import enter_conventions
+from kowalevski_cas.reading.cyclic import enter_cyclic_names
 from kowalevski_cas.reading.doubts import doubt_of
 from kowalevski_cas.reading.grammar import wrong
 from kowalevski_cas.reading.in_words import claims_in_words
-from kowalevski_cas.reading.known import CLAIM, StatementRole
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, StatementRole
 from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.names import Names, vectors_of
 from kowalevski_cas.reading.obey import SAID, about, claim_id, said_rung, said_rungs
@@ -87,6 +89,7 @@ def read(source: Source, heard: Heard = lambda *_: None, referee: Referee | None
     """The derivation that a source is, by the rules of reading."""
     paper = read_statements(source)
     parts = Parts(paper, Names(vectors_of(paper)), read_comments(paper))
+    enter_cyclic_names(parts)
     for item in _in_order(paper):
         parts.cite(item)
         parts.suppose(item)
@@ -156,7 +159,9 @@ class _DerivationReader:
             role = StatementRole(CLAIM, "these words claim it", found.name)
             id = f"{found.name}-in-words-{number}"
             try:
-                on = self.stages[known].scene(found.about, known.supposed(first))
+                at = found.at or first
+                beside = [at] if self.parts.roles[at].name == ASSUMPTION else []
+                on = self.stages[known].scene(found.about, [*beside, *known.supposed(at)])
                 claim = found.kind(id, on.scene, words=found.says, **found.values)  # type: ignore[arg-type]
             except (ValueError, Meaningless) as error:
                 yield JudgedStatement(first, role, message=str(error), span=found.span)
@@ -263,9 +268,10 @@ class _DerivationReader:
         components = {part for own in vectors.values() for part in own}
         clocks = [one.other_time for known in self.parts.known for one in known.clocks]
         read = frozenset().union(*(item.names for item in self.paper.items))
+        ratios = {"d" for item in self.paper.items if item.formula and differentials(item.formula)}
         scalars = sorted(
             (words.scalars | components | read - words.functions)
-            - {"t", "d", *clocks, *vectors, *words.matrices}
+            - {"t", *({"d"} - ratios), *clocks, *vectors, *words.matrices}
         )
         functions: dict[str, str] = {}
         places: dict[str, Printed] = {}

@@ -30,6 +30,7 @@ from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.relations import solve_for_constant
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.answers import ClaimOfBothSigns, Function, SystemClaim, in_html
@@ -119,9 +120,12 @@ class Field:
         self.scene = Scene(name)  # of which nothing is known yet
         self._convention = False
         self.applied: dict[str, str] = {}
+        self._by_index = ""
         self.functions: list[Unknown] = []
         self._barred = False
         tex = field if isinstance(field, str) else self._rows(field)
+        self._by_index = derived_in_index([tex])
+        """The variable by which indices derive, if they do."""
         self._barred = map and has_bars(tex)
         """Whether bars stand over images of a map."""
         tex = without_steps(tex) if self._barred else tex
@@ -381,7 +385,8 @@ class Field:
 
     def _tex(self, formula: Tex) -> str:
         if isinstance(formula, str):
-            plain = without_arguments(without_argument(formula, self.functions), self.applied)
+            plain = with_derivatives(formula, self._by_index)
+            plain = without_arguments(without_argument(plain, self.functions), self.applied)
             plain = with_primes(plain) if self._barred else plain
             return with_ranges(plain, self._names, self._convention)
         if not isinstance(formula, Function):
