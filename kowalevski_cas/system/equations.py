@@ -293,7 +293,8 @@ def with_parameters(scene: Scene, display: Display) -> Scene:
     components.
     """
     words = vocabulary((scene,))
-    scene = replace(scene, vectors=vectors_of(display, scene.vectors, words))
+    if (vectors := vectors_of(display, scene.vectors, words)) != scene.vectors:
+        scene = replace(scene, vectors=vectors)
     heads_of = [head(name) for place in display for name in place.heads.names]
     arguments = dict.fromkeys(one for name, listed in heads_of if name != BRACKET for one in listed)
     known = {name for name, _ in heads_of} | {*scene.names(), *scene.vectors, scene.time, "t"}
