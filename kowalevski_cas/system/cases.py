@@ -19,18 +19,18 @@ _OPPOSITE = {
 }  # fmt: skip
 
 
-class Case(NamedTuple):
+class EquationOfCase(NamedTuple):
     """An equation, and the inequality for which it is printed; none is for all that is left."""
 
     equation: str
     condition: str
 
 
-def cases_of(equation: Any) -> tuple[Case, ...]:
+def cases_of(equation: Any) -> tuple[EquationOfCase, ...]:
     r"""The equations of an equation by cases; none of anything else.
 
     >>> cases_of(r"|x|=\begin{cases}x,&x\ge0,\\-x,&\text{otherwise}\end{cases}")
-    (Case(equation='|x|=x', condition='x\\ge0'), Case(equation='|x|=-x', condition=''))
+    (EquationOfCase(equation='|x|=x', condition='x\\ge0'), EquationOfCase(equation='|x|=-x', condition=''))
 
     Raises ``ValueError`` for a condition that is no inequality with one sign.
     """
@@ -45,7 +45,7 @@ def cases_of(equation: Any) -> tuple[Case, ...]:
             raise ValueError(
                 rf"{row.strip()}: print one inequality behind &, or \text{{otherwise}}"
             )
-        cases.append(Case(f"{found['left']}={value.strip(' ,;')}", condition))
+        cases.append(EquationOfCase(f"{found['left']}={value.strip(' ,;')}", condition))
     return tuple(cases)
 
 

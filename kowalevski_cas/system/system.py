@@ -44,7 +44,7 @@ from kowalevski_cas.pool import HERE
 from kowalevski_cas.processes import each
 from kowalevski_cas.questions import collect, forecast, question
 from kowalevski_cas.system.answers import ClaimInParts, Function, SystemClaim, SystemClaims
-from kowalevski_cas.system.cases import Case, cases_of, opposite
+from kowalevski_cas.system.cases import EquationOfCase, cases_of, opposite
 from kowalevski_cas.system.field import Field, Tex, Texs, several
 from kowalevski_cas.system.signs import alternatives
 from kowalevski_cas.verify.finding import Finding
@@ -166,7 +166,7 @@ class System(Field):
         return self.states(PoissonMap, "symplectic", "the map preserves the bracket", expect)
 
     def _by_cases(
-        self, cases: tuple[Case, ...], given: tuple[Tex, ...], expect: str
+        self, cases: tuple[EquationOfCase, ...], given: tuple[Tex, ...], expect: str
     ) -> SystemClaim:
         """Each equation where its inequality holds; and the last one does where no other does."""
         claims, left = [], copy(self)
