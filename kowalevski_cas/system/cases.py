@@ -29,8 +29,8 @@ class EquationOfCase(NamedTuple):
 def cases_of(equation: Any) -> tuple[EquationOfCase, ...]:
     r"""The equations of an equation by cases; none of anything else.
 
-    >>> cases_of(r"|x|=\begin{cases}x,&x\ge0,\\-x,&\text{otherwise}\end{cases}")
-    (EquationOfCase(equation='|x|=x', condition='x\\ge0'), EquationOfCase(equation='|x|=-x', condition=''))
+    >>> [*map(tuple, cases_of(r"|x|=\begin{cases}x,&x\ge0,\\-x,&\text{otherwise}\end{cases}"))]
+    [('|x|=x', 'x\\ge0'), ('|x|=-x', '')]
 
     Raises ``ValueError`` for a condition that is no inequality with one sign.
     """
