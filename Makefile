@@ -73,9 +73,10 @@ witnesses: $(VENV)/.installed ## Let Singular, PARI/GP and Maxima confirm the ce
 study: $(VENV)/.installed ## Measure speed against accuracy, and where methods fail (QUICK=1: under a minute)
 	@$(PY) -m study $(if $(QUICK),--quick)
 
-benchmark: $(VENV)/.dev ## Measure the speed of proving, of reporting, and of searches
+benchmark: $(VENV)/.dev ## Measure the speed of proving, of reporting, of searches, and of audits
 	@$(PY) -m benchmarks
 	@$(PY) -m benchmarks.searches
+	@$(PY) -m benchmarks.papers
 
 clean: ## Remove the environment and everything generated, save the reports
 	@rm -rf $(VENV) $(VENV).lock build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis *.egg-info

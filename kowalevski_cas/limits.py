@@ -6,10 +6,12 @@ help, be it compiled code or an import, and whatever had been begun under the li
 
 from __future__ import annotations
 
+import os
 import pickle
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from math import inf
+from signal import SIGINT, signal
 from time import monotonic
 from typing import BinaryIO
 
@@ -40,12 +42,14 @@ class Watched:
 _here: Watched | None = None
 _until = inf
 """When the run ends that is begun in this process."""
+_ends: tuple[int, int] | None = None
+"""A pipe by which whoever waits hears of an end that comes before its time."""
 
 
 def begin(here: Watched) -> None:
     """Say that this process is watched from now on."""
-    global _here
-    _here = here
+    global _here, _ends
+    _here, _ends = here, None
 
 
 def is_watched() -> bool:
@@ -74,6 +78,38 @@ def run_limit(seconds: float | None) -> Iterator[None]:
         yield
     finally:
         _until = before
+
+
+@contextmanager
+def interruptible() -> Iterator[Callable[[], bool]]:
+    """An interruption ends the run of a block as its limit would; the second one is raised.
+
+    What is given says whether there was one. It is for the main thread.
+    """
+    global _until, _ends
+    before, was_interrupted = _until, False
+
+    def end(*_: object) -> None:
+        global _until
+        nonlocal was_interrupted
+        _until, was_interrupted = monotonic(), True
+        signal(SIGINT, handler)
+        os.write(writing, b".")
+
+    reading, writing = _ends = os.pipe()
+    handler = signal(SIGINT, end)
+    try:
+        yield lambda: was_interrupted
+    finally:
+        signal(SIGINT, handler)
+        _until, _ends = before, None
+        os.close(reading)
+        os.close(writing)
+
+
+def early_end() -> list[int]:
+    """What can be read from as soon as the run is ended before its time, if that can be."""
+    return [] if _ends is None else [_ends[0]]
 
 
 @contextmanager

@@ -23,7 +23,15 @@ from traceback import format_exc
 from typing import Generic, TypeVar
 
 from kowalevski_cas import forkserver
-from kowalevski_cas.limits import LENGTH, ProcessDied, Watched, begin, is_watched, run_end
+from kowalevski_cas.limits import (
+    LENGTH,
+    ProcessDied,
+    Watched,
+    begin,
+    early_end,
+    is_watched,
+    run_end,
+)
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -192,7 +200,7 @@ class _Process(Generic[Item, Result]):
     @property
     def deadline(self) -> float:
         """When the next of its limits ends."""
-        return min(self.limits.values(), default=inf)
+        return min(*self.limits.values(), self.until) if self.limits else inf
 
     def hear(self, heard: Callable[..., None]) -> None:
         """Read what it has told; it may have come to its end."""
@@ -257,9 +265,15 @@ class _Process(Generic[Item, Result]):
 def _listen(running: Sequence[_Process[Item, Result]], heard: Callable[..., None]) -> None:
     """Hear what is told next, or end what has come to a limit."""
     left = min(process.deadline for process in running) - monotonic()
+    ends = early_end()
     ready, _, _ = select(
-        [process.reading for process in running], [], [], min(max(left, 0), LONGEST)
+        [*ends, *(process.reading for process in running)], [], [], min(max(left, 0), LONGEST)
     )
+    if {*ends} & {*ready}:
+        os.read(ends[0], CHUNK)
+        for process in running:
+            process.until = run_end()
+        return
     for one in running:
         if one.reading in ready:
             one.hear(heard)
@@ -270,7 +284,8 @@ def _listen(running: Sequence[_Process[Item, Result]], heard: Callable[..., None
 def _serve(work: Callable[[Item], Result], asked: BufferedReader, here: Watched) -> None:
     """Work in this process on what is asked, tell the answers, and end when nobody asks."""
     begin(here)
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    for number in (signal.SIGTERM, signal.SIGINT):
+        signal.signal(number, signal.default_int_handler)
     try:
         while asked.peek(1):
             item, here.given_up = pickle.load(asked)

@@ -22,6 +22,7 @@ _NAMES = {
     "python-flint": "python-flint alone",
     "search": "the whole search",
     "blocks": "residues by blocks, lifted",
+    "rank": "python-flint, rank only",
     "cases": "one factor after another",
     "basis": "basis with cofactors",
     "closed": "closed form",
@@ -40,7 +41,7 @@ _MARKS = (
     ("modular", "lsoda"),
     ("python-flint", "taylor"),
     ("singular", "ball"),
-    ("pari", "floating"),
+    ("pari", "floating", "rank"),
     ("radau", "maxima"),
     ("giac",),
 )

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import subprocess
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 from itertools import count
-from time import perf_counter
+from math import prod
+from typing import Any
 
 from flint import (
     Ordering,
+    fmpq,
+    fmpq_mat,
     fmpq_mpoly,
     fmpq_mpoly_ctx,
     fmpz_mat,
@@ -33,13 +36,7 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pictures import new_figure
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.polynomial_fields import (
-    Exponents,
-    PolynomialField,
-    Terms,
-    derivative,
-    monomials,
-)
+from kowalevski_cas.problem.polynomial_fields import Exponents, PolynomialField, Terms, monomials
 from kowalevski_cas.processes import each
 from kowalevski_cas.search.branches import branches
 from kowalevski_cas.search.groebner import Basis
@@ -47,6 +44,7 @@ from kowalevski_cas.search.integrals import first_integrals
 from kowalevski_cas.search.parameters import DarbouxAnsatz, cofactor_monomials
 from kowalevski_cas.tools import TOOLS
 from study.charts import display_name, line_style, look, seconds
+from study.process import processor_seconds
 from study.published import PUBLISHED, Published
 from study.step import Measured, Row, Task
 
@@ -64,12 +62,15 @@ LEFT = [published for published in PUBLISHED if published.question == "integrals
 RIGHT = [published for published in PUBLISHED if published.question == "darboux"]
 
 CAPTION = (
-    f"The share of systems that a search finishes within a time, up to {SECONDS:g} s. On the "
-    f"left the polynomials without a derivative along {len(LEFT)} published fields, up to the "
-    "degree of the published integrals: the kernel of one matrix over the rational numbers, by "
-    "python-flint (of integers), SymPy and Singular (syzygies, with its start); modulo a prime of "
-    "61 bits as a whole, which is its rank only, and by blocks, lifted and checked: constants are "
-    "numbers there. In the middle the whole search of this program, for all values of constants. "
+    f"The share of systems that a search finishes within a time, up to {SECONDS:g} s; all times "
+    "are of the processor. On the left the polynomials without a derivative along "
+    f"{len(LEFT)} published fields, up to the degree of the published integrals, where constants "
+    "are replaced by numbers: the kernel of one matrix, by python-flint (of integers; its rank of "
+    "rational numbers), SymPy (sparse) and Singular (syzygies, with its start); modulo a prime of "
+    "61 bits as a whole, which is its rank only, and by blocks, lifted and checked. In the middle "
+    "constants are symbols: the same matrix over the field of fractions in them, which says what "
+    "is so for almost all values, by SymPy and Singular; and the whole search of this program, "
+    "which asks for which values there are more, and what are functions of others. "
     "On the right the equations for quadratic $F$ "
     f"with $F'=KF$ in {len(RIGHT)} published fields, where constants are unknown too: solved by "
     "cases, one factor after another, and by Gröbner bases of four programs, of which the one with "
@@ -79,11 +80,11 @@ CAPTION = (
 
 def measure(quick: bool) -> Iterator[Task]:
     """Each method on each system; methods take turns."""
-    for published, methods in ((LEFT, LINEAR), (RIGHT, POLYNOMIAL)):
+    for published, question, methods in QUESTIONS:
         for one in published:
             if one.name in QUICK or not quick:
                 for name, method in methods.items():
-                    yield Task(name, f"{one.question}: {one.name}", partial(_time, method, one))
+                    yield Task(name, f"{question}: {one.name}", partial(_time, method, one))
 
 
 def _time(method: Prepared, one: Published) -> Measured:
@@ -91,13 +92,13 @@ def _time(method: Prepared, one: Published) -> Measured:
     work = method(one)
 
     def run_method(_: int) -> Measured:
-        start = perf_counter()
+        start = processor_seconds()
         try:
             with time_limit(SECONDS):
                 size = work()
         except TimeoutError:
             return {"seconds": SECONDS, "verdict": "timeout", "reason": f"{SECONDS:g} s"}
-        return {"seconds": perf_counter() - start, "verdict": "finished", "size": size}
+        return {"seconds": processor_seconds() - start, "verdict": "finished", "size": size}
 
     (found,) = each(run_method, [0])
     return found
@@ -113,24 +114,41 @@ def _finder(one: Published, scene: Scene | None = None) -> Evaluation:
     return Elaborations(derivation.texts(None, scene))(scene).finder
 
 
-def _columns(one: Published) -> list[Terms]:
-    """The derivatives of all monomials up to the degree, with primes for the constants."""
+Coefficients = dict[Exponents, Terms]
+"""What is before the monomials of the variables: polynomials in the constants."""
+
+
+def _derivatives(one: Published) -> tuple[list[str], list[Coefficients]]:
+    """Names for the constants, and the derivatives of all monomials up to the degree."""
     field = PolynomialField(_finder(one))
-    primes = dict(zip(field.names[field.size :], (101, 103, 107, 109, 113, 127), strict=False))
-    rates: list[Terms] = []
-    for rate in field.rates:
-        rates.append({})
-        for exponents, value in rate.items():
-            for base, exponent in zip(primes.values(), exponents[field.size :], strict=True):
-                value *= base**exponent
-            own = exponents[: field.size]
-            rates[-1][own] = rates[-1].get(own, 0) + value
-    degrees = range(1, one.degree + 1)
-    every = (e for degree in degrees for e in monomials((1,) * field.size, degree))
-    return [derivative(exponents, rates, {}) for exponents in every]
+    constants = [f"c{k}" for k, _ in enumerate(field.names[field.size :])]
+    derivatives = []
+    for degree in range(1, one.degree + 1):
+        for exponents in monomials((1,) * field.size, degree):
+            found: Coefficients = {}
+            for powers, value in field.derivative((*exponents, *(0 for _ in constants))).items():
+                found.setdefault(powers[: field.size], {})[powers[field.size :]] = value
+            derivatives.append(found)
+    return constants, derivatives
 
 
-def _entries(columns: Sequence[Terms]) -> tuple[int, Iterator[tuple[int, int, Fraction]]]:
+def _columns(one: Published) -> list[Terms]:
+    """The derivatives, with primes for the constants."""
+    primes = (101, 103, 107, 109, 113, 127)
+
+    def number(terms: Terms) -> Fraction:
+        powers = ((zip(primes, e, strict=False), value) for e, value in terms.items())
+        return sum((v * prod(p**e for p, e in pairs) for pairs, v in powers), Fraction(0))
+
+    _, derivatives = _derivatives(one)
+    columns = [{e: number(terms) for e, terms in column.items()} for column in derivatives]
+    return [{e: value for e, value in column.items() if value} for column in columns]
+
+
+Entries = Iterator[tuple[int, int, Any]]
+
+
+def _entries(columns: Sequence[Mapping[Exponents, Any]]) -> tuple[int, Entries]:
     """The number of rows of a matrix, and its entries with their places."""
     rows: dict[Exponents, int] = {}
     for column in columns:
@@ -152,6 +170,14 @@ def _modulo_a_prime(columns: Sequence[Terms]) -> int:
     return len(columns) - int(matrix.rank())
 
 
+def _rank(columns: Sequence[Terms]) -> int:
+    height, places = _entries(columns)
+    matrix = fmpq_mat(height, len(columns))
+    for row, k, value in places:
+        matrix[row, k] = fmpq(value.numerator, value.denominator)
+    return len(columns) - int(matrix.rank())
+
+
 def _rational(columns: Sequence[Terms]) -> int:
     whole = [primitive(column) if column else column for column in columns]
     height, places = _entries(whole)
@@ -169,15 +195,52 @@ def _rational_by_sympy(columns: Sequence[Terms]) -> int:
     return int(DomainMatrix(rows, (height, len(columns)), QQ).nullspace().shape[0])
 
 
-def _syzygies(one: Published) -> Callable[[], int]:
+def _symbols_by_sympy(one: Published) -> Callable[[], int]:
+    """Over the field of fractions in the constants."""
+    constants, columns = _derivatives(one)
+    domain = QQ.frac_field(*symbols(constants)) if constants else QQ
+
+    def number(terms: Terms) -> Any:
+        if not constants:
+            return QQ.convert(sum(terms.values()))
+        return domain.convert(Poly(terms, *domain.symbols).as_expr())
+
+    def work() -> int:
+        height, places = _entries(columns)
+        rows: dict[int, dict[int, object]] = {}
+        for row, k, terms in places:
+            rows.setdefault(row, {})[k] = number(terms)
+        return int(DomainMatrix(rows, (height, len(columns)), domain).nullspace().shape[0])
+
+    return work
+
+
+def _symbols_by_singular(one: Published) -> Callable[[], int]:
+    """The relations over the field of fractions in the constants."""
+    constants, columns = _derivatives(one)
+
+    def number(terms: Terms) -> str:
+        pairs = ((value, zip(constants, e, strict=True)) for e, value in terms.items())
+        return "+".join("*".join([f"({v})", *(f"{c}^{e}" for c, e in p)]) for v, p in pairs)
+
+    return _syzygies([{e: number(t) for e, t in column.items()} for column in columns], constants)
+
+
+def _numbers_by_singular(one: Published) -> Callable[[], int]:
+    return _syzygies(_columns(one))
+
+
+def _syzygies(
+    columns: Sequence[Mapping[Exponents, object]], constants: Sequence[str] = ()
+) -> Callable[[], int]:
     """The relations of the columns, which are vectors of constants for Singular."""
-    columns = _columns(one)
     _, places = _entries(columns)
     vectors = [["0*gen(1)"] for _ in columns]
     for row, k, value in places:
         vectors[k].append(f"({value})*gen({row + 1})")
     module = ",".join("+".join(vector) for vector in vectors)
-    text = f"ring r=0,x,dp; module m={module}; size(syz(m)); quit;"
+    field = f"({','.join(('0', *constants))})"
+    text = f"ring r={field},x,dp; module m={module}; size(syz(m)); quit;"
     return partial(_number_by_singular, text)
 
 
@@ -198,13 +261,21 @@ def _search(one: Published) -> Callable[[], int]:
 
 
 LINEAR: dict[str, Prepared] = {
-    "search": _search,
     "blocks": partial(_kernel, _by_blocks),
     "modular": partial(_kernel, _modulo_a_prime),
+    "rank": partial(_kernel, _rank),
     "python-flint": partial(_kernel, _rational),
     "sympy": partial(_kernel, _rational_by_sympy),
-    "singular": _syzygies,
+    "singular": _numbers_by_singular,
 }
+"""For constants that are numbers."""
+
+SYMBOLIC: dict[str, Prepared] = {
+    "search": _search,
+    "sympy": _symbols_by_sympy,
+    "singular": _symbols_by_singular,
+}
+"""For constants that are symbols."""
 
 
 # -- polynomial equations ------------------------------------------------------------
@@ -281,6 +352,10 @@ POLYNOMIAL: dict[str, Prepared] = {
 }
 
 
+QUESTIONS = ((LEFT, "numbers", LINEAR), (LEFT, "symbols", SYMBOLIC), (RIGHT, "darboux", POLYNOMIAL))
+"""What is asked of which systems, and by which methods: a panel each."""
+
+
 # -- the chart -----------------------------------------------------------------------
 
 
@@ -289,9 +364,7 @@ def draw(rows: Sequence[Row]) -> Figure:
     figure = new_figure(height=4.6)
     panels = figure.subplots(1, 3, sharey=True)
     panels[1].sharex(panels[0])
-    numeric = [method for method in LINEAR if method != "search"]
-    sides = ((numeric, "integrals"), (["search"], "integrals"), ([*POLYNOMIAL], "darboux"))
-    for axes, (methods, question) in zip(panels, sides, strict=True):
+    for axes, (_, question, methods) in zip(panels, QUESTIONS, strict=True):
         here = [row for row in rows if row["case"].startswith(question)]
         for method in methods:
             own = [row for row in here if row["method"] == method]
@@ -302,8 +375,8 @@ def draw(rows: Sequence[Row]) -> Figure:
         axes.xaxis.set_major_formatter(FuncFormatter(seconds))
         axes.xaxis.set_minor_formatter(NullFormatter())
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2))
-    panels[0].set_title("integrals, constants\nthat are numbers", size=8.5)
-    panels[1].set_title("integrals for all values\nof constants", size=8.5)
+    panels[0].set_title("integrals, constants\nare numbers", size=8.5)
+    panels[1].set_title("integrals, constants\nare symbols", size=8.5)
     panels[2].set_title("$F'=KF$ for all values\nof constants", size=8.5)
     panels[0].set_ylabel("systems finished, %")
     return figure

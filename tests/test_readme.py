@@ -26,10 +26,12 @@ def test_its_pictures_are_of_this_version(tmp_path):
         assert ImageStat.Stat(differences).mean[0] < 1, f"{name} is old: make docs"
 
 
-def test_the_lines_of_python_follow_a_motion():
-    lines = re.search(r"^From Python:\n\n((?:    .*\n)+)", README, re.MULTILINE)[1]
+def test_the_lines_of_python_count_tori_and_follow_a_motion():
     names = {}
-    exec(re.sub("^    ", "", lines, flags=re.MULTILINE), names)
+    for lines in re.findall(r"From Python:\n\n((?:    .*\n)+)", README):
+        exec(re.sub("^    ", "", lines, flags=re.MULTILINE), names)
+    h, k, g = names["largest"].level
+    assert names["largest"].tori == 2 and (h, k > 0) == (3, True) and isinstance(g, float)
     assert names["states"].shape == (3, 9)
 
 

@@ -51,6 +51,7 @@ from kowalevski_cas.verify.run import (
 PATIENCE = 15.0
 """Seconds for what claims share, and for each that is corrected by itself."""
 NOT_JUDGED = "no goal states it yet"
+BESIDE_MISPRINT = "whether it holds with what the misprint should read was not decided in time"
 BY_MISPRINT = "it holds with the misprint on which it rests, and not with what that should read"
 
 
@@ -107,10 +108,19 @@ class ReadingSession:
 
     def _run(self, session: Session, causes: Causes, only: Sequence[str] = ()) -> Run:
         """The run of a session; what a wrong unit spoils is not corrected otherwise."""
-        (outcomes,) = decide_together([session], only, self._heard)
+        outcomes = self._decided(session, only)
         self._look_for_unit(session.interpretation, outcomes, causes)
         blame = self._blame(session, outcomes, causes, self._in_words)
         return session.result(correct_together(session, outcomes, blame))
+
+    def _decided(self, session: Session, only: Sequence[str]) -> list[Outcome]:
+        """The outcomes for claims; those of the paper as it is may be known since it was read."""
+        known = self.reading.outcomes if session is self._session else {}
+        claims = [claim.id for claim in session.chosen(only)]
+        missing = [id for id in claims if id not in known]
+        decided = decide_together([session], missing, self._heard)[0] if missing else []
+        found = {**known, **{outcome.claim: outcome for outcome in decided}}
+        return [found[id] for id in claims]
 
     def _blaming(self, outcome: Outcome) -> Outcome:
         """An outcome; what mends another formula makes that the cause, and corrects none of it."""
@@ -202,16 +212,18 @@ class ReadingSession:
         ]
         texts = self.interpretation.texts.reading(mended)
 
-        def holds(number: int) -> bool:
+        def verdict(number: int) -> Verdict:
             with suppress(TimeoutError), time_limit(PATIENCE):
-                return self.interpretation.holds(about[number], texts)
-            return False
+                true = self.interpretation.holds(about[number], texts)
+                return found[about[number].id].verdict if true else Verdict.UNDECIDED
+            return Verdict.TIMEOUT
 
-        for claim, true in zip(about, each(holds, range(len(about))), strict=True):
-            if not true:
+        for claim, now in zip(about, each(verdict, range(len(about))), strict=True):
+            if not now.green:
                 found[claim.id] = found[claim.id]._replace(
-                    verdict=Verdict.UNDECIDED, message=BY_MISPRINT, certificate=""
-                )
+                    verdict=now, certificate="",
+                    message=BY_MISPRINT if now is Verdict.UNDECIDED else BESIDE_MISPRINT,
+                )  # fmt: skip
 
     def _waits(self, outcome: Outcome) -> bool:
         """Whether a claim is false as it was read, or not decided, and nothing explains it."""

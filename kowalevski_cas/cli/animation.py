@@ -20,6 +20,7 @@ from kowalevski_cas.cli.motion import add_motion
 from kowalevski_cas.cli.pictures import choose_motion
 from kowalevski_cas.files import write
 from kowalevski_cas.motion import Inadmissible, MethodError, Motion
+from kowalevski_cas.motion.general import AnyMotion
 from kowalevski_cas.motion.pictures import animation
 from kowalevski_cas.motion.pictures.page import page
 
@@ -36,18 +37,25 @@ def run(arguments: argparse.Namespace) -> int:
     suffix = path.suffix.lower()
     if path.is_dir() or suffix not in (".gif", ".html"):
         raise CommandError(f"--output {path} does not end with .gif or .html")
-    if suffix == ".html":
-        if not isinstance(motion, Motion):
-            raise CommandError("the page is one of motions on N⁴, and this one is not")
-        write(path, page(motion))
-        print(path)
-        return AS_RECORDED
-    with TemporaryDirectory() as folder:
-        drawn = Path(folder) / "body.gif"
-        try:
-            animation.write(motion, drawn)
-        except (Inadmissible, MethodError) as error:
-            raise CommandError(str(error)) from None
-        write(path, drawn.read_bytes())
+    contents = _page if suffix == ".html" else _gif
+    try:
+        write(path, contents(motion))
+    except (Inadmissible, MethodError) as error:
+        raise CommandError(str(error)) from None
     print(path)
     return AS_RECORDED
+
+
+def _page(motion: AnyMotion) -> str:
+    """The page of a motion on N⁴."""
+    if not isinstance(motion, Motion):
+        raise CommandError("the page is one of motions on N⁴, and this one is not")
+    return page(motion)
+
+
+def _gif(motion: AnyMotion) -> bytes:
+    """The frames of an animation."""
+    with TemporaryDirectory() as folder:
+        drawn = Path(folder) / "body.gif"
+        animation.write(motion, drawn)
+        return drawn.read_bytes()

@@ -15,17 +15,20 @@ import sys
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict
 from pathlib import Path
+from typing import TypedDict
 
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.audit.audit import Audit, audit, derivation_of
 from kowalevski_cas.audit.audited import OPEN
 from kowalevski_cas.audit.reading import ReadingSession, audit_reading, is_read
+from kowalevski_cas.audit.referee import FirstReferee
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import (
     AS_RECORDED,
     DIFFERENT,
     DISAGREEMENT,
+    INTERRUPTED,
     NOTHING,
     UNDECIDED,
     USAGE,
@@ -35,7 +38,7 @@ from kowalevski_cas.cli.formats import OF_AUDITS, load_format
 from kowalevski_cas.cli.watch import watch
 from kowalevski_cas.files import write
 from kowalevski_cas.library import available
-from kowalevski_cas.limits import run_limit
+from kowalevski_cas.limits import interruptible, run_limit
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.reading import CLAIM, read
 from kowalevski_cas.schema import head
@@ -149,7 +152,11 @@ def _audited(arguments: argparse.Namespace, source: Source, certificates: dict[s
     alone = arguments.alone and arguments.derivation is None
     known = None if alone else fitting_derivation(source, arguments.derivation)
     if known is None:
-        outcomes, said, note, code = _render(arguments, _read(source, arguments, certificates))
+        with interruptible() as was_interrupted:
+            outcomes, said, note, code = _render(arguments, _read(source, arguments, certificates))
+        if was_interrupted():
+            note = "\n".join(filter(None, (note, "interrupted: the rest is not decided")))
+            code = INTERRUPTED
         texts = {name: text for one in outcomes for name, text in one.certificates.items()}
         certificates |= {n: Stored(Path(n), json.loads(t)) for n, t in texts.items() if t}
     else:
@@ -202,14 +209,28 @@ def _read(
     source: Source, arguments: argparse.Namespace, certificates: Mapping[str, Stored]
 ) -> Audit:
     """The audit of a source as its own derivation; processes share the work."""
-    explain = arguments.report is not None
+    settings = _Settings(
+        arithmetics=arithmetics(arguments.arithmetic),
+        explain=arguments.report is not None,
+        timeout=arguments.timeout,
+        certificates=certificates,
+    )
     with session.progress_bar() as heard:
-        reading = read(source, heard)
-        run = ReadingSession(
-            reading, arithmetics(arguments.arithmetic), explain, arguments.timeout, heard,
-            certificates,
-        )  # fmt: skip
-        return audit_reading(run)
+
+        def told(place: int) -> None:
+            heard.say(f"{source.path}:{source.line(place)}: this does not hold as it is read")
+
+        reading = read(source, heard, FirstReferee(told, **settings))
+        return audit_reading(ReadingSession(reading, heard=heard, **settings))
+
+
+class _Settings(TypedDict):
+    """How claims are decided."""
+
+    arithmetics: tuple[str, ...]
+    explain: bool
+    timeout: float
+    certificates: Mapping[str, Stored]
 
 
 def _write_page(found: Audit, folder: Path) -> str:

@@ -46,6 +46,7 @@ _MEANINGS = {
         UNDECIDED: "a claim is undecided, timed out, or is not judged",
         DISAGREEMENT: "the arithmetics disagree",
         NOTHING: "there are no equations of motion, or no claims",
+        INTERRUPTED: "interrupted: what was decided by then is printed",
     },
     "review": {
         AS_RECORDED: "nothing is false but what was known to be",

@@ -4,20 +4,24 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from decimal import Decimal
 from io import BytesIO
+from textwrap import fill
 
 import numpy as np
 
 from kowalevski_cas.motion.result import Trajectory
 from kowalevski_cas.schema import head
 
-SMALL = 1e-2
-"""Numbers below this one are small for four decimals."""
+SMALL, LARGE = 1e-2, 1e5
+"""Numbers below the first are small for four decimals, those from the second are large."""
 
 LEAST = -300
 """The least power of ten in units of which states are printed."""
+
+WIDTH = 80
+"""Letters in a line of a table."""
 
 TOLD = ("invariants", "critical_sets", "regime")
 """What is said of a motion besides its states."""
@@ -59,27 +63,45 @@ def _digits(value: float | str) -> str:
 def as_table(result: Trajectory) -> bytes:
     """For reading: the states to four decimals, then the constants, their drift and the regime.
 
-    Where the velocities or the fields are too small for four decimals, all of them are in units of
-    a power of ten.
+    Where the velocities or the fields are too small for four decimals, or too large, all of them
+    are in units of a power of ten.
     """
-    names = ("t", *(f"{letter}{k}" for letter in "ωαβ" for k in "₁₂₃"))
-    lines = ["".join(f"{name:>8}" for name in names)]
+    lines = [_head(f"{letter}{k}" for letter in "ωαβ" for k in "₁₂₃")]
     rows = np.array(result.rows).reshape(-1, 9)
     powers = [_power(rows[:, :3])] * 3 + [_power(rows[:, 3:])] * 6
-    for t, row in zip(
-        result.times.tolist(), (rows / 10.0 ** np.array(powers)).tolist(), strict=True
-    ):
-        lines.append(f"{t:>8.6g}" + "".join(map(_decimal, row)))
+    lines += _lines(result, (rows / 10.0 ** np.array(powers)).tolist())
     units = [f"{n} in units of 1e{k}" for n, k in (("ω", powers[0]), ("α, β", powers[-1])) if k]
     lines += [", ".join(units)] * bool(units)
+    if attitudes := _attitudes(result):
+        lines += ["", _head(f"q{k}" for k in "₀₁₂₃"), *_lines(result, attitudes)]
     constants = [f"{n} = {_digits(v)}" for n, v in result.motion.constants.items()]
-    lines += ["", ", ".join(constants)]
-    lines.append(f"The integrals drift by at most {max(map(abs, result.drift.values())):.2g}.")
+    told = [", ".join(constants)]
+    told.append(f"The integrals drift by at most {max(map(abs, result.drift.values())):.2g}.")
     if "frequencies" in result.also:
-        lines.append("; ".join(f"{n}: {_words(v)}" for n, v in result.frequencies.items()))
+        told.append("; ".join(f"{n}: {_words(v)}" for n, v in result.frequencies.items()))
     regime = {n: v for n, v in result.regime.items() if isinstance(v, str)}
-    lines.append(regime.pop("none", "; ".join(f"{n}: {v}" for n, v in regime.items())))
+    told.append(regime.pop("none", "; ".join(f"{n}: {v}" for n, v in regime.items())))
+    lines += ["", *map(_wrap, told)]
     return "\n".join([*lines, ""]).encode()
+
+
+def _head(names: Iterable[str]) -> str:
+    """The names above the columns of a table."""
+    return "".join(f"{name:>8}" for name in ("t", *names))
+
+
+def _lines(result: Trajectory, rows: list[list[float]]) -> list[str]:
+    """The times, each with a row of numbers."""
+    return [
+        f"{t:>8.6g}" + "".join(map(_decimal, row))
+        for t, row in zip(result.times.tolist(), rows, strict=True)
+    ]
+
+
+def _wrap(words: str) -> str:
+    """Words in lines that are no wider than a table; an equation stays in one."""
+    whole = words.replace(" = ", "\xa0=\xa0")
+    return fill(whole, WIDTH, break_on_hyphens=False).replace("\xa0", " ")
 
 
 def _words(value: object) -> str:
@@ -90,15 +112,15 @@ def _words(value: object) -> str:
 
 
 def _power(values: np.ndarray[tuple[int, int], np.dtype[np.float64]]) -> int:
-    """The power of ten in units of which values are printed, zero unless they are small."""
+    """The power of ten in units of which values are printed, zero if four decimals suit them."""
     largest = float(np.max(np.abs(values), initial=0.0))
-    small = 0 < largest < SMALL
-    return max(math.floor(math.log10(largest)), LEAST) if small else 0
+    suited = SMALL <= largest < LARGE or not largest
+    return 0 if suited else max(math.floor(math.log10(largest)), LEAST)
 
 
 def _decimal(value: float) -> str:
-    """A number of eight letters, with a blank before it."""
-    return f"{value:8.4f}" if abs(value) < 10 else f" {value:7.3g}"
+    """A number of eight letters, with a blank before it; there is no −0."""
+    return f"{round(value, 4) + 0.0:8.4f}" if abs(value) < 10 else f" {value:7.3g}"
 
 
 def as_csv(result: Trajectory) -> bytes:

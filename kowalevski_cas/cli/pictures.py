@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import sys
 from pathlib import Path
 
 from kowalevski_cas.cli import session
@@ -85,12 +86,24 @@ def _draw_all(motion: AnyMotion) -> list[str]:
 
 
 def choose_motion(arguments: argparse.Namespace) -> AnyMotion:
-    """The motion that the arguments describe, or the example."""
-    if any(getattr(arguments, name) is not None for name in (*CONSTANTS, "point")):
-        return motion_of(arguments)
-    a, b, m, ell = EXAMPLE
-    return Motion.of(a, b, m, ell=ell)
+    """The motion that the arguments describe, or the example; in a unit of time to draw it in."""
+    if not any(getattr(arguments, name) is not None for name in (*CONSTANTS, "point")):
+        a, b, m, ell = EXAMPLE
+        return Motion.of(a, b, m, ell=ell)
+    motion = motion_of(arguments)
+    if isinstance(motion, General) or abs(unit := motion.parameters.unit) <= FARTHEST:
+        return motion
+    motion = motion.in_unit(unit)
+    print(
+        f"drawn in a unit of time 2^{-unit} times as long, in which a = "
+        f"{motion.constants_in_unit['a']:.6g}",
+        file=sys.stderr,
+    )
+    return motion
 
+
+FARTHEST = 3
+"""The exponent of the farthest unit of time in which pictures are drawn, one in which a is 1."""
 
 LETTERS = {"l": r"\ell", "tau": r"\tau_3"}
 """Constants whose letter is not their name."""

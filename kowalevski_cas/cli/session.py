@@ -265,14 +265,21 @@ def remove_others(folder: Path, names: Iterable[str]) -> None:
             path.unlink()
 
 
-@contextmanager
-def progress_bar() -> Iterator[Callable[..., None]]:
-    """A progress bar on stderr, if that is a terminal; nothing otherwise.
+class Progress:
+    """What is heard of a run on a terminal; nothing elsewhere."""
 
-    It is moved by a name, how much is done of how much, and, if there are several, its number.
-    """
+    def __call__(self, name: str, done: int, total: int, number: int = 0) -> None:
+        """Move the bar with this number: how much is done of how much."""
+
+    def say(self, line: str) -> None:
+        """Print a line above the bars."""
+
+
+@contextmanager
+def progress_bar() -> Iterator[Progress]:
+    """A progress bar on stderr, if that is a terminal; nothing otherwise."""
     if not sys.stderr.isatty():
-        yield lambda *words: None
+        yield Progress()
         return
     from rich.console import Console
     from rich.markup import escape
@@ -280,16 +287,20 @@ def progress_bar() -> Iterator[Callable[..., None]]:
 
     tasks: dict[int, TaskID] = {}
 
-    def move(name: str, done: int, total: int, number: int = 0) -> None:
-        name = escape(printable(name))
-        if number not in tasks:
-            tasks[number] = bar.add_task(name)
-        bar.update(tasks[number], description=name, completed=done, total=total, refresh=True)
+    class Moving(Progress):
+        def __call__(self, name: str, done: int, total: int, number: int = 0) -> None:
+            name = escape(printable(name))
+            if number not in tasks:
+                tasks[number] = bar.add_task(name)
+            bar.update(tasks[number], description=name, completed=done, total=total, refresh=True)
+
+        def say(self, line: str) -> None:
+            bar.console.print(escape(printable(line)), highlight=False, soft_wrap=True)
 
     # Without a thread of its own: processes are forked meanwhile.
     stream = sys.stderr.stream if isinstance(sys.stderr, Output) else sys.stderr
     with Bar(console=Console(file=stream), transient=True, auto_refresh=False) as bar:
-        yield move
+        yield Moving()
 
 
 def versions() -> dict[str, str]:

@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from time import sleep
 
+from kowalevski_cas.cli.exits import INTERRUPTED
+
 PAUSE = 0.5
 """Seconds between two looks at the files."""
 
@@ -20,6 +22,8 @@ def watch(once: Callable[[], tuple[int, Iterable[Path]]]) -> int:
     try:
         while True:
             code, files = once()
+            if code == INTERRUPTED:
+                return code
             read = _times(files)
             print(f"{len(read)} files are watched; Ctrl-C ends it", file=sys.stderr, flush=True)
             while _times(read) == read:

@@ -7,6 +7,9 @@ from fractions import Fraction
 
 import numpy as np
 
+SHARES = [way * Fraction(1, 2**bits) for bits in (0, 10, 20, 30) for way in (1, -1)]
+"""The shares of a step that are tried one after the other: a whole one may lead out of a regime."""
+
 Function = Callable[[Sequence[Fraction]], float | None]
 """A number by some given ones, or None where there is none to compare."""
 
@@ -32,9 +35,9 @@ def vanishes(function: Function, given: Sequence[Fraction], steps: Sequence[Frac
     if here is None:
         return False
     for place, step in enumerate(steps):
-        for way in (1, -1):
-            there = function([x + (k == place) * way * step for k, x in enumerate(given)])
+        for share in SHARES:
+            there = function([x + (k == place) * share * step for k, x in enumerate(given)])
             if there is not None:
-                change += abs(there - here)
+                change += abs((there - here) / float(share))
                 break
     return abs(here) <= change

@@ -18,6 +18,7 @@ from kowalevski_cas.notation.formula import (
     Number,
     PoissonBracket,
     Quotient,
+    Radical,
     RealPart,
     Root,
     ScalarProduct,
@@ -34,7 +35,6 @@ _LONGEST_NUMBER = 1000
 _NORM = re.compile(r"(?:\\left\s*)?\\(?:\||l?Vert)")
 _DETERMINANT = r"\det"
 _SIGNS = frozenset({"sign", "relation"})
-_TRANSPOSED = frozenset({"T", r"\mathsf{T}", r"\mathrm{T}", r"\top", r"\intercal", "t"})
 _BEFORE_DOTS = _SIGNS | {"comma", "cell", "row", "open", "{", "begin", END}
 _BEHIND_DOTS = _SIGNS | {"comma", "cell", "row", "close", "}", "end", END}
 
@@ -74,12 +74,8 @@ class Atoms(Symbols):
 
     def column(self, piece: Piece) -> Piece:
         """A vector that is listed as a row, and said to be a column: it is the same vector."""
-        raised = [token.text for token in self.tokens[self.at : self.at + 4]]
-        braces = raised[1:2] == ["{"]
-        own = raised[1 + braces : 2 + braces]
-        if not isinstance(piece[0], Vector) or raised[:1] != ["^"] or not {*own} & _TRANSPOSED:
+        if not isinstance(piece[0], Vector) or not self.takes_transposed():
             return piece
-        self.at += 2 + 2 * braces
         return (piece[0], piece[1], self.tokens[self.at - 1].end, piece[3])
 
     def read_bar(self) -> Piece:
@@ -146,13 +142,15 @@ class Atoms(Symbols):
         return (Unwritten(), token.start, token.end, ())
 
     def read_sqrt(self) -> Piece:
-        """A square root."""
-        start = self.take().start
-        if self.tokens[self.at].text == "[":
-            raise self.error("only square roots can be read")
+        """A square root, or one of another order that is a number."""
+        sign = self.take()
+        order = int(sign.text[6:-1] or 2)
+        if self.tokens[self.at].text == "[" or order < 2:
+            raise self.error(r"print the order of a root as a number above 1: \sqrt[3]{x}", sign)
         argument = self.number(self.argument())
         end = self.tokens[self.at - 1].end
-        return self.scripts((Root(argument[0]), start, end, (argument,)))
+        node = Root(argument[0]) if order == 2 else Radical(argument[0], order)
+        return self.scripts((node, sign.start, end, (argument,)))
 
     def read_list(self, pair: bool = False) -> tuple[Piece, ...]:
         """What stands between brackets, separated by commas; a pair may stand in braces."""
@@ -212,7 +210,7 @@ class Atoms(Symbols):
                 raise self.unexpected()
             entries = self.read_list()
             node = Diagonal(tuple(entry[0] for entry in entries))
-            return (node, token.start, self.tokens[self.at - 1].end, entries)
+            return self.scripts((node, token.start, self.tokens[self.at - 1].end, entries))
         bracketed = self.tokens[self.at].kind == "open"
         argument = self.operand(token.text)
         if bracketed and self.tokens[self.at].kind in ("^", "prime"):

@@ -21,6 +21,7 @@ from kowalevski_cas.notation.formula import (
     ScalarProduct,
     Sum,
     Summation,
+    Transposed,
     Vector,
 )
 from kowalevski_cas.notation.symbol import symbol
@@ -39,7 +40,9 @@ _BASES = (
 def is_applied(left: Formula, right: Formula) -> bool:
     """Whether a factor begins with a bracket that looks like the argument of the one before it."""
     inner, raised = bare(right), False
-    while isinstance(inner, Power) or (isinstance(inner, Derivative) and inner.mark == "prime"):
+    while isinstance(inner, Power | Transposed) or (
+        isinstance(inner, Derivative) and inner.mark == "prime"
+    ):
         raised, inner = True, bare(inner.children()[0])
         if isinstance(inner, Name) and is_base(inner):
             return False

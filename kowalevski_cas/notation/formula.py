@@ -157,6 +157,13 @@ class Root(Unary):
 
 
 @node
+class Radical(Unary):
+    r"""A root of an order above two, as :math:`\sqrt[3]{x}`: of odd order it is real everywhere."""
+
+    order: int
+
+
+@node
 class Derivative(Unary):
     r"""A derivative along the motion.
 
@@ -222,6 +229,10 @@ class PoissonBracket(Binary):
 
 class Commutator(Binary):
     r"""The commutator :math:`[L,M]=LM-ML` of two matrices."""
+
+
+class Transposed(Unary):
+    r"""The transposed matrix, as :math:`R^T`."""
 
 
 class Modulus(Unary):

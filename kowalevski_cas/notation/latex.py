@@ -21,6 +21,7 @@ class Latex(Printer):
     bars = (r"\lvert ", r"\rvert")
     word_form, fraction_form = r"\operatorname{{{}}}", r"\frac{{{}}}{{{}}}"
     root_form, bar_form, sum_form = r"\sqrt{{{}}}", r"\overline{{{}}}", r"\sum_{{{}={}}}^{{{}}}"
+    radical_form = r"\sqrt[{}]{{{}}}"
     change_forms = (r"\Meant{{{}}}", r"\Slip{{{}}}")
 
     def name(self, formula: Name) -> str:

@@ -40,6 +40,7 @@ _LENGTH = re.compile(
 _GAP = re.compile(r"[\s~]|\\(?:[ ,;:!]|q?quad(?![A-Za-z]))")
 _ENVIRONMENT = re.compile(r"\s*\{\s*([A-Za-z]+)\*?\s*\}(?:\s*\[[a-z]\])?")
 _CLOSING = re.compile(r"(?:\s|\\right(?![A-Za-z]))*(?:\\\}|\.)")
+_ORDER = re.compile(r"\s*\[\s*(\d{1,2})\s*\]")
 SHIFTS = ("$", r"\(", r"\)", r"\[", r"\]", ".", ",", ";")
 _NULL = re.compile(r"\s*\.")
 _BAR = re.compile(r"\s*(?:\||\\\||\\[vV]ert(?![A-Za-z]))")
@@ -241,7 +242,7 @@ class _Scanner:
         elif action in ARGUMENTS:
             self.argument()
             self.owed += ARGUMENTS[action]
-            self.add(action, SPELLING.get(text, text), start)
+            self.add(action, SPELLING.get(text, text) + self.order(action), start)
         elif action in (
             "skip",
             "text",
@@ -262,6 +263,12 @@ class _Scanner:
                 self.argument()
             name = text[1:] if action in ("operator", "const") else SPELLING.get(text, text)
             self.add(action, name, start)
+
+    def order(self, action: str) -> str:
+        """The order of a root in brackets, behind the sign."""
+        found = _ORDER.match(self.tex, self.at) if action == "sqrt" else None
+        self.at = found.end() if found else self.at
+        return f"[{found[1]}]" if found else ""
 
     def do_size(self, start: int) -> None:
         """The size of a bracket, which prints nothing; but it tells which side a bar closes."""

@@ -40,7 +40,7 @@ ACTIONS: dict[str, str] = _table(
     text="text mbox hbox textrm textit textbf textup intertext shortintertext",
     font="""mathbf boldsymbol bm bs pmb mathrm operatorname operatorname* mathcal mathbb mathfrak
     mathsf mathit mathnormal mathscr mathbfit symbfit mathbfup symbf symup mathup symit""",
-    diacritic="hat widehat tilde widetilde vec overrightarrow check",
+    diacritic="hat widehat tilde widetilde vec overrightarrow check underline",
     switch="bf rm cal boldmath sf",
     over="over",
     stack="substack",
@@ -53,7 +53,7 @@ ACTIONS: dict[str, str] = _table(
     row="cr newline tabularnewline",
     frac="frac tfrac dfrac cfrac",
     sqrt="sqrt",
-    times="cdot times",
+    times="cdot times wedge",
     star="ast",
     dots="ldots dots cdots dotsb dotsc dotsm",
     prime="prime",
@@ -94,7 +94,7 @@ MARKS: dict[str, str] = {sign: sign for sign in "{}^_"} | {
 # Signs of Unicode, as TeX writes them.
 TYPED: dict[str, str] = {letter: macro for macro, letter in GREEK.items()} | {
     ":=": "=", "=:": "=", "−": "-", "′": "'",
-    "·": r"\cdot", "⋅": r"\cdot", "×": r"\times", "±": r"\pm", "∓": r"\mp",
+    "·": r"\cdot", "⋅": r"\cdot", "×": r"\times", "∧": r"\times", "±": r"\pm", "∓": r"\mp",
     "≠": r"\ne", "≡": r"\equiv", "≤": r"\le", "⩽": r"\le", "≥": r"\ge", "⩾": r"\ge",
     "≈": r"\approx", "≪": r"\ll", "≫": r"\gg", "∼": r"\sim", "≃": r"\simeq", "∝": r"\propto",
     "∈": r"\in", "→": r"\to", "∂": r"\partial", "…": r"\ldots", "⋯": r"\cdots",
@@ -108,6 +108,7 @@ SPELLING: dict[str, str] = {
     for spelling, names in {
         "=": "coloneqq eqqcolon coloneq eqcolon", r"\ne": "neq", r"\le": "leq leqslant leqq",
         "<": "lt", "*": "ast",
+        r"\times": "wedge",
         r"\ge": "geq geqslant geqq", ">": "gt", r"\to": "rightarrow longrightarrow",
         r"\boldsymbol": "bs bm pmb boldmath mathbfit symbfit",
         r"\mathrm": "rm operatorname operatorname* symup mathup",

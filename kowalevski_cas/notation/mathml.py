@@ -29,6 +29,7 @@ class MathML(Printer):
     d, partial_d, dots, const = (f"<mi>{text}</mi>" for text in ("d", "∂", "…", "const"))
     prime = "′"
     word_form, root_form = "<mi>{}</mi>", "<msqrt>{}</msqrt>"
+    radical_form = "<mroot><mrow>{1}</mrow><mn>{0}</mn></mroot>"
     change_forms = ('<mrow class="meant">{}</mrow>', '<mrow class="slip">{}</mrow>')
     comma, thin = "<mo>,</mo>", '<mspace width="0.17em"></mspace>'
     round, square, braces, bars = (
@@ -52,7 +53,7 @@ class MathML(Printer):
         letter = escape(styled_letter(parts.letter, parts.font))
         text = f'<mi mathvariant="normal">{letter}</mi>' if upright else f"<mi>{letter}</mi>"
         for accent in reversed(parts.accents):
-            text = _over(text, _ACCENTS[accent])
+            text = _under(text) if accent == r"\underline" else _over(text, _ACCENTS[accent])
         while dots:
             text = _over(text, _DOTS[min(dots, 4)])
             dots -= min(dots, 4)
@@ -127,6 +128,10 @@ class MathML(Printer):
 def grow_bracket(bracket: str) -> str:
     """A bracket that grows with what stands beside it; below a power it is tall by itself."""
     return bracket.replace(_AS_IT_IS, ' minsize="2.4em"' if "<msup>" in bracket else "", 1)
+
+
+def _under(text: str) -> str:
+    return f'<munder accentunder="true">{_one(text)}<mo>_</mo></munder>'
 
 
 def _over(text: str, accent: str) -> str:

@@ -39,7 +39,9 @@ class OpenParser(Parser):
         known = vocabulary.moving - vocabulary.vectors
         moving = vocabulary.moving if known else vocabulary.moving | scalars
         self.says_what_moves = bool(known) and not vocabulary.scalars <= known | vocabulary.times
-        super().__init__(tex, tokens, replace(vocabulary, scalars=scalars, moving=moving))
+        if scalars != vocabulary.scalars or moving != vocabulary.moving:
+            vocabulary = replace(vocabulary, scalars=scalars, moving=moving)
+        super().__init__(tex, tokens, vocabulary)
 
     lone_d = True
 

@@ -15,6 +15,7 @@ from kowalevski_cas.notation.formula import (
     Number,
     Partial,
     Quotient,
+    Radical,
     Root,
 )
 from kowalevski_cas.notation.printer import Printer
@@ -24,6 +25,7 @@ _LOW = str.maketrans("0123456789+-aehijklmnoprstuvxβγρφχ", "₀₁₂₃₄
 _HIGH = str.maketrans("0123456789+−in", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁱⁿ")
 _MARKS = {
     r"\hat": "\u0302", r"\tilde": "\u0303", r"\check": "\u030c", r"\vec": "\u20d7",
+    r"\underline": "\u0332",
     r"\dot": "\u0307", r"\ddot": "\u0308", r"\dddot": "\u20db",
 }  # fmt: skip
 _DOT, _BAR = "\u0307", "\u0304"
@@ -68,6 +70,9 @@ class PlainText(Printer):
         text = self(formula.argument)
         simple = isinstance(formula.argument, Name | Number)
         return f"√{text}" if simple else f"√({text})"
+
+    def radical(self, formula: Radical) -> str:
+        return str(formula.order).translate(_HIGH) + self.root(Root(formula.argument))
 
     def conjugate(self, formula: Conjugate) -> str:
         if isinstance(formula.argument, Name):

@@ -34,12 +34,14 @@ from kowalevski_cas.notation.formula import (
     Power,
     Product,
     Quotient,
+    Radical,
     RealPart,
     Relation,
     Root,
     ScalarProduct,
     Sum,
     Summation,
+    Transposed,
     Unwritten,
     Vector,
 )
@@ -67,6 +69,8 @@ class Printer(ABC):
     word_form: str
     fraction_form: str
     root_form: str
+    radical_form: str
+    """The sign of a root with its order, and what stands under it."""
     bar_form: str
     sum_form: str
     """The sign of a sum with the index, the first value, the last one."""
@@ -211,8 +215,17 @@ class Printer(ABC):
         text = self(formula.base) if is_base(formula.base) else self.enclose(formula.base)
         return self.superscript(text, self(formula.exponent))
 
+    def transposed(self, formula: Transposed) -> str:
+        base = formula.argument
+        text = self(base) if is_base(base) else self.enclose(base)
+        return self.superscript(text, self(Name("T")))
+
     def root(self, formula: Root) -> str:
         return self.root_form.format(self(formula.argument))
+
+    def radical(self, formula: Radical) -> str:
+        """A root of another order."""
+        return self.radical_form.format(formula.order, self(formula.argument))
 
     def conjugate(self, formula: Conjugate) -> str:
         return self.bar_form.format(self(formula.argument))

@@ -10,7 +10,7 @@ import re
 from dataclasses import dataclass, replace
 from functools import cache
 
-DIACRITICS = (r"\hat", r"\tilde", r"\check", r"\vec")
+DIACRITICS = (r"\hat", r"\tilde", r"\check", r"\vec", r"\underline")
 """Marks over a letter that make another name of it."""
 
 DOTS = (r"\dot", r"\ddot", r"\dddot")

@@ -17,13 +17,16 @@ from kowalevski_cas.notation.formula import (
     Partial,
     Power,
     Product,
+    Transposed,
 )
 from kowalevski_cas.notation.functions import LETTERS
 from kowalevski_cas.notation.macros import GREEK, INSTEAD
 from kowalevski_cas.notation.tokens import DEEPEST, Token
 from kowalevski_cas.notation.values import rank
-from kowalevski_cas.notation.vocabulary import VECTOR
+from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 
+TRANSPOSED = frozenset({"T", r"\mathsf{T}", r"\mathrm{T}", r"\top", r"\intercal", "t"})
+"""The marks of a transposed matrix."""
 _DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
 
 
@@ -35,6 +38,7 @@ class _Scripts:
         self.index = ""
         self.primes = self.primes_end = 0
         self.power: Piece | None = None
+        self.transposed = False
         self.timed = False
 
 
@@ -86,6 +90,12 @@ class Symbols(Cursor):
         if accents:
             piece = _with_accents(piece, accents, start, max(on.name_end, accents_end))
         piece = _with_primes(piece, on.primes, on.primes_end)
+        return self.with_scripts(piece, on)
+
+    def with_scripts(self, piece: Piece, on: _Scripts) -> Piece:
+        """A piece with the mark of a transposed matrix, or the power, that stands on it."""
+        if on.transposed:
+            return (Transposed(piece[0]), piece[1], self.tokens[self.at - 1].end, (piece,))
         return piece if on.power is None else self.with_power(piece, on.power)
 
     def scripts_on(self, token: Token) -> _Scripts:
@@ -102,6 +112,9 @@ class Symbols(Cursor):
                     raise self.error("a second index")
                 on.index = self.index()
                 on.name_end = self.tokens[self.at - 1].end
+            elif self.vocabulary.rank(token.text + on.index) == MATRIX and self.takes_transposed():
+                on.transposed = True
+                break
             elif on.power is not None:
                 raise self.error("two powers in a row; set brackets")
             elif kind == "prime":
@@ -215,6 +228,9 @@ class Symbols(Cursor):
             if kind == "prime":
                 self.at += 1
                 piece = _with_primes(piece, 1, self.tokens[self.at - 1].end)
+            elif rank(piece[0], self.vocabulary) == MATRIX and self.takes_transposed():
+                end = self.tokens[self.at - 1].end
+                piece = (Transposed(piece[0]), piece[1], end, (piece,))
             elif more := self.primes():
                 piece = _with_primes(piece, more, self.tokens[self.at - 1].end)
             else:
@@ -223,6 +239,16 @@ class Symbols(Cursor):
                     raise self.error("two powers in a row; set brackets")
                 return self.with_power(piece, power)
         return piece
+
+    def takes_transposed(self) -> bool:
+        """Whether the mark of a transposed matrix is raised here; it is behind then."""
+        raised = [token.text for token in self.tokens[self.at : self.at + 4]]
+        braces = raised[1:2] == ["{"]
+        mark = raised[1 + braces : 2 + braces]
+        if raised[0] != "^" or not {*mark} & TRANSPOSED or (braces and raised[3:] != ["}"]):
+            return False
+        self.at += 2 + 2 * braces
+        return True
 
     def number(self, piece: Piece) -> Piece:
         """The piece, which must be no vector."""

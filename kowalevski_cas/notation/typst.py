@@ -16,6 +16,7 @@ _FONTS = {
 }  # fmt: skip
 _ACCENTS = {
     r"\hat": "hat({})", r"\tilde": "tilde({})", r"\check": "caron({})", r"\vec": "arrow({})",
+    r"\underline": "underline({})",
     r"\dot": "dot({})", r"\ddot": "dot.double({})", r"\dddot": "dot.triple({})",
 }  # fmt: skip
 # Brackets that group and are not printed; they become round ones when all is printed, so that
@@ -31,6 +32,7 @@ class Typst(Printer):
     dots, const, braces = "…", 'upright("const")', ("{", "}")
     bars, thin = ("abs⟮", "⟯"), "thin "
     word_form, fraction_form, root_form = 'op⟮"{}"⟯', "frac⟮{}, {}⟯", "sqrt⟮{}⟯"
+    radical_form = "root⟮{}, {}⟯"
     bar_form, sum_form = "overline⟮{}⟯", "sum_⟮{} = {}⟯^⟮{}⟯"
     change_forms = ("meant⟮{}⟯", "slip⟮{}⟯")
 

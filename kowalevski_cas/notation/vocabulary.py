@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -61,10 +62,34 @@ class Vocabulary:
         return self.families.get(symbol(name).head, SCALAR) if found is None else found
 
     @cached_property
-    def names(self) -> dict[str, Name]:
+    def names(self) -> Mapping[str, Name]:
         """One node for every name that stands for a value, shared by all formulas."""
-        return {name: Name(name) for name in self.ranks}
+        return _Nodes(self.ranks)
 
     def __contains__(self, name: str) -> bool:
         """Whether the name is declared, as a value or as a function."""
         return name in self.ranks or name in self.functions
+
+
+class _Nodes(Mapping[str, Name]):
+    """The node of each of some names, made when it is asked for: a book has thousands of names."""
+
+    def __init__(self, names: Mapping[str, int]) -> None:
+        self._names = names
+        self._made: dict[str, Name] = {}
+
+    def __getitem__(self, name: str) -> Name:
+        if name not in self._made:
+            if name not in self._names:
+                raise KeyError(name)
+            self._made[name] = Name(name)
+        return self._made[name]
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._names
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._names)
+
+    def __len__(self) -> int:
+        return len(self._names)

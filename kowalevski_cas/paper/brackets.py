@@ -103,9 +103,11 @@ class Brackets:
         formula, arguments = setting.definition(name), head(name)[1]
         if not any(map(is_indexed, arguments)):
             moving = setting.scene.variables
-            if others := {*arguments} - {*moving, *map(rate_name, moving)}:
+            own = {*moving, *map(rate_name, moving)}
+            if others := {*arguments} - own - {*setting.scene.definitions}:
                 raise Meaningless(f"{min(others)} is no variable, and has no Poisson bracket")
-            yield (arguments[0], arguments[1]), setting.plain(formula)
+            first, second = (n if n in own else self._same(n) for n in arguments)
+            yield (first, second), setting.plain(formula)
             return
         known = {*setting.scene.names()}
         indexed = (n[:-1] for n in formula.names() if n.endswith(("_i", "_j", "_k")))
@@ -138,6 +140,13 @@ class Brackets:
         if unknown := {n for n in formula.names() - {*values} if _INDEXED.search(n)}:
             raise Meaningless(f"nothing says for what {min(unknown)} stands in the bracket")
         return self.setting.plain(substitute(formula, values))
+
+    def _same(self, coordinate: str) -> str:
+        """The variable that a coordinate is, as the one behind the last of a closed chain."""
+        variable, factor = self._variable(coordinate)
+        if factor != Number(1):
+            raise Meaningless(f"{coordinate} is no variable, and has no Poisson bracket")
+        return variable
 
     def _variable(self, coordinate: str) -> tuple[str, Formula]:
         """The variable of which a coordinate is a multiple, and the factor."""

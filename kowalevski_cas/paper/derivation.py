@@ -280,7 +280,7 @@ class Derivation:
 
     def section_of(self, claim: Claim) -> Section:
         """The section in which a claim stands."""
-        return next(section for section in self.sections if claim in section.claims)
+        return next(s for s in self.sections if any(one.id == claim.id for one in s.claims))
 
     def displays(self) -> Iterator[Display]:
         """All displays in the order of the paper."""

@@ -120,15 +120,18 @@ def _heads(formula: Formula) -> Iterator[str]:
             yield member.function
 
 
-def _coordinates(formulas: Iterable[Formula]) -> Iterator[str]:
-    """The coordinates of which brackets are printed."""
+def _coordinates(formulas: Sequence[Formula]) -> Iterator[str]:
+    """The coordinates of which brackets are printed, without those beyond the end of a chain."""
     found: dict[str, None] = {}
+    same: dict[str, str] = {}
     for formula in formulas:
         match formula:
             case Relation((PoissonBracket(Name(x), Name(y)), _), _):
                 each = [point for name in (x, y) for point in _indexed(name)]
                 found.update(dict.fromkeys(each))
-    yield from found
+            case Relation((Name(x), Name(y)), _):
+                same[x] = y
+    yield from (name for name in found if same.get(name) not in found)
 
 
 def _indexed(name: str) -> list[str]:

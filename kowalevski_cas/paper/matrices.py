@@ -18,6 +18,7 @@ from kowalevski_cas.notation import (
     Product,
     Quotient,
     Sum,
+    Transposed,
     Vector,
     to_latex,
     total,
@@ -72,8 +73,10 @@ def by_rows(formula: Formula, setting: Meaning) -> bool:
         return rank(formula, setting.texts.vocabulary) == MATRIX
     if isinstance(formula, Application) and is_matrix(formula, setting):
         return True
-    if isinstance(formula, Power) and isinstance(formula.exponent, Negative):
-        return is_matrix(formula.base, setting)
+    if isinstance(formula, Transposed) or (
+        isinstance(formula, Power) and isinstance(formula.exponent, Negative)
+    ):
+        return is_matrix(formula, setting)
     if isinstance(formula, Name) and is_matrix(formula, setting):
         place = setting.scene.definitions.get(formula.name)
         return place is not None and (
@@ -105,11 +108,13 @@ def as_matrices(
 
 
 def _multiply(formula: Formula, setting: Meaning, of: Callable[[Formula], Rows]) -> Rows:
-    """The entries of what is made of matrices by multiplication."""
+    """The entries of what is made of matrices by multiplication, or is transposed."""
     match formula:
         case Commutator(left, right):
             first, second = product(of(left), of(right)), product(of(right), of(left))
             return _sum(first, _each(second, Negative))
+        case Transposed(argument):
+            return tuple(zip(*of(argument), strict=True))
         case Power(base, Number(exponent)) if exponent:
             return reduce(product, [of(base)] * exponent)
         case Power(base, Negative(Number(exponent))) if exponent:

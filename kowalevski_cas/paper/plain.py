@@ -22,6 +22,7 @@ from kowalevski_cas.notation import (
     Power,
     Product,
     Quotient,
+    Radical,
     RealPart,
     Root,
     ScalarProduct,
@@ -45,6 +46,7 @@ from kowalevski_cas.paper.matrices import OF_MATRICES, by_rows, matrix_times_col
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.motion import marks
 from kowalevski_cas.paper.names import head
+from kowalevski_cas.paper.radicals import power_under
 from kowalevski_cas.paper.roots import root_of_number
 from kowalevski_cas.paper.summation import expand_sum
 from kowalevski_cas.paper.texts import Printed
@@ -101,18 +103,36 @@ class Plain:
                 return self(value_of(formula, self.setting) if known is None else known)
             case Power(base, exponent) if (part := fraction(exponent)) is not None:
                 return self._fractional(base, part)
-            case Root():
+            case Root() | Radical():
                 return self._root(formula)
             case Power(Name(base), exponent) if not is_whole(exponent):
                 return self._symbolic(base, exponent)
         return self._shorthand(formula) or formula.map_children(self)
 
-    def _root(self, root: Root) -> Formula:
-        """A square root: a power of the one in the place of its name, or what is printed for it."""
+    def _root(self, root: Root | Radical) -> Formula:
+        """A root: a power of the one in the place of its name, or what is printed for it."""
+        if isinstance(root, Radical):
+            return self._radical(root)
         if isinstance(root.argument, Name) and root.argument.name in self.setting.radicals:
             return self.setting.radicals.power(root.argument.name, Fraction(1, 2))
         value = self._value_in_print(root)
         return self._positive(Root(self(root.argument))) if value is None else value
+
+    def _radical(self, radical: Radical) -> Formula:
+        """A root of a power of a name with a root in its place; of a product, of its factors."""
+        odd, argument = radical.order % 2, radical.argument
+        if (power := power_under(radical)) is not None and power[0] in self.setting.radicals:
+            return self.setting.radicals.power(*power)
+        if power is not None and power[1].denominator == 1:
+            return Power(Name(power[0]), Number(int(power[1])))
+        if odd and isinstance(argument, Product | Quotient | Negative):
+            return self(argument.map_children(lambda part: Radical(part, radical.order)))
+        if odd and isinstance(argument, Number) and argument.value in (0, 1):
+            return argument
+        raise Meaningless(
+            f"{to_latex(radical)} is not known here: print roots of powers of variables or "
+            r"constants, as \sqrt[3]{x^2}, or a name for what stands under the root"
+        )
 
     def _fractional(self, base: Formula, exponent: Fraction) -> Formula:
         """A power with a fraction, of a name with a root in its place, or of a square root."""

@@ -167,7 +167,12 @@ class Scene:
         nonzero: tuple[str, ...] = (),
         loci: tuple[Locus, ...] = (),
     ) -> Scene:
-        """The scene with more of all these; raises ``ValueError`` for names that it has."""
+        """The scene with more of all these, which is itself if there are none.
+
+        Raises ``ValueError`` for names that it has.
+        """
+        if not any((vectors, variables, constants, powers, undefined, conjugates, nonzero, loci)):
+            return self
         for name in (*variables, *constants, *undefined):
             self._is_new(name, self.variables, self.constants, self.definitions, self.undefined)
         return replace(
@@ -286,6 +291,7 @@ class Scene:
 
     def _defining(self, by: tuple[Display | Printed, ...], again: bool) -> Scene:
         known = {*self.variables, *self.constants, *self.roots}
+        known |= {name for name, parts in self.vectors.items() if {*parts} <= known}
         definitions = dict(self.definitions)
         for place in statements(*by):
             heads = place.heads

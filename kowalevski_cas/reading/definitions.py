@@ -34,7 +34,7 @@ from kowalevski_cas.reading.phrases import (
     reach_of_constants,
     words_behind,
 )
-from kowalevski_cas.reading.statements import SourceStatement, derived_names
+from kowalevski_cas.reading.statements import SourceStatement, derived_names, is_closing
 
 ZERO = Number(0)
 
@@ -67,7 +67,7 @@ def bracket(item: SourceStatement, known: Known) -> StatementRole | None:
     if len(item.members) == 2 and isinstance(left := item.members[0], PoissonBracket):
         inner = left.children()
         names = [one.name for one in inner if isinstance(one, Name)]
-        letters = all(known.moves(name) or name.endswith(("_i", "_j")) for name in names)
+        letters = all(_is_coordinate(name, known) for name in names)
         if len(names) == 2 and letters and not any(map(known.is_defined, names)):
             heads = item.printed.heads.names
             if heads and heads[0] not in known.definitions:
@@ -75,6 +75,13 @@ def bracket(item: SourceStatement, known: Known) -> StatementRole | None:
                     DEFINITION, "first with this bracket of variables", "", heads[:1]
                 )
     return None
+
+
+def _is_coordinate(name: str, known: Known) -> bool:
+    """Whether a name moves, or is what moves: with any index, or beyond the end of a chain."""
+    closing = (one for one in known.later.get(name, ()) if is_closing(one))
+    moves = known.moves(name) or any(map(known.moves, (one.bare[1] for one in closing)))
+    return moves or name.endswith(("_i", "_j"))
 
 
 def definition(item: SourceStatement, known: Known) -> StatementRole | None:
@@ -129,10 +136,10 @@ def _level(
 
 def repeated(item: SourceStatement, known: Known) -> StatementRole | None:
     """What has been said before, sign for sign, to name something."""
-    for one, role in known.roles.items():
-        claimed = role.name == CLAIM and not (role.names and item.typed.inline)
-        if role.name in NAMING and not claimed:
-            if one.formula == item.formula and one.order < item.order:
+    for one in known.paper.alike[item.formula]:
+        role = known.roles.get(one)
+        if role is not None and role.name in NAMING and one.order < item.order:
+            if role.name != CLAIM or (role.names and item.typed.inline):
                 return StatementRole(NOTATION, f"said before, at {one.printed.place}")
     return None
 
@@ -256,8 +263,8 @@ def _integral_that_defines(
         return None
     vanishing = integral_words(item)
     later = known.paper.items if item.theorem is None or not vanishing else ()
-    for one in later:
-        if item.order < one.order < item.order + 12 and (ZERO in one.members or not vanishing):
+    for one in later[item.order + 1 : item.order + 12]:
+        if ZERO in one.members or not vanishing:
             rated = [m.argument for m in one.members if isinstance(m, Derivative)]
             if any(isinstance(m, Name) and m.name in fresh for m in rated):
                 return None

@@ -11,10 +11,12 @@ from kowalevski_cas.notation import Formula, NotationError, Vocabulary, defined_
 from kowalevski_cas.notation.layout import StatementTokens
 from kowalevski_cas.notation.layout import statements as placed
 from kowalevski_cas.notation.open import OpenParser, is_exponential
+from kowalevski_cas.notation.primed import primed_names
 from kowalevski_cas.notation.symbol import BOLD
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.paper.applied import printed_arguments, without_arguments
 from kowalevski_cas.paper.names import head
+from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives
 from kowalevski_cas.paper.summation import without_sums
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.source.displays import TypedFormula
@@ -23,18 +25,32 @@ from kowalevski_cas.source.tokens import tokens_of
 
 
 def by_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
-    """The formulas, with names that are defined without arguments by these names alone."""
+    """The formulas, with names that are defined without arguments by these names alone.
+
+    What is derived in an index has primes.
+    """
     texts = [formula.tex for formula in formulas]
+    by = derived_in_index(texts)
     known = printed_arguments(texts, _lists(formulas))
     for formula in formulas:
-        tex = formula.tex
+        tex = with_derivatives(formula.tex, by)
         with suppress(ValueError):  # at other arguments it cannot be read
             tex = without_arguments(tex, known)
         yield formula if tex == formula.tex else replace(formula, tex=tex)
 
 
 def vocabulary_of(formulas: Sequence[TypedFormula]) -> Vocabulary:
-    """The names of a paper; bold capitals are matrices or vectors, as more formulas can be read."""
+    """The names of a paper; those with primes are names where rates of some are printed."""
+    words = _letters(formulas)
+    found: set[str] = set()
+    for formula in formulas:
+        with suppress(NotationError, RecursionError):
+            found |= {*primed_names(formula.tex, words)}
+    return replace(words, scalars=words.scalars | found, moving=words.moving | found)
+
+
+def _letters(formulas: Sequence[TypedFormula]) -> Vocabulary:
+    """The letters of a paper; bold capitals are matrices or vectors, as more can be read."""
     guesses = [guess(formulas, capitals) for capitals in (VECTOR, MATRIX)]
     euler = all(is_exponential(tokens_of(one.tex)) for one in formulas if "e" in one.tex)
     other = {"d", "e"} if euler else {"d"}
@@ -68,7 +84,7 @@ def vocabulary_of(formulas: Sequence[TypedFormula]) -> Vocabulary:
 
 
 _LIST = re.compile(
-    r"(?<![\w}\\])(?P<name>[A-Za-z]|\\[A-Za-z]+)\s*=\s*\(\s*"
+    r"(?<!\\boldsymbol\s)(?<!\\mathbf\s)(?<!\\bm\s)(?<!\\vec\s)(?<![\w}\\])(?P<name>[A-Za-z]|\\[A-Za-z]+)\s*=\s*\(\s*"
     r"(?P<entries>(?:[A-Za-z]|\\[A-Za-z]+)(?:_\{?\w\}?)?"
     r"(?:\s*,\s*(?:[A-Za-z]|\\[A-Za-z]+)(?:_\{?\w\}?)?)+)\s*\)\s*[.,;]?\s*"
 )

@@ -9,8 +9,8 @@ from kowalevski_cas.reading.changes import find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.law import Law
-from kowalevski_cas.reading.matrix_rows import rows_of_matrices
 from kowalevski_cas.reading.names import Names
+from kowalevski_cas.reading.said_rows import rows_of_differentials, rows_of_matrices
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 from kowalevski_cas.reading.unprinted import implied_rows
 
@@ -58,8 +58,12 @@ class _LawFinder:
         rated = {name for row in rows for name in row.rates}
         rows = [row for row in rows if not {*row.bare[:1]} - rated or self._told(row)]
         entries = rows_of_matrices(paper, rows)
-        self.rows = [one for row in rows for one in entries.get(row, [row])]
-        self.defining = [item for item in paper.items if self._defines(item)]
+        rows = [one for row in rows for one in entries.get(row, [row])]
+        self.rows = [*rows, *rows_of_differentials(paper)]
+        self.defining: dict[str, list[SourceStatement]] = {}
+        for item in paper.items:
+            if self._defines(item):
+                self.defining.setdefault(item.bare[0], []).append(item)
 
     def _may_set_up(self, item: SourceStatement) -> bool:
         """Whether a law may begin with a row: with a display, or as the words right before say."""
@@ -208,12 +212,11 @@ class _LawFinder:
 
     def is_defined(self, row: SourceStatement, since: int) -> bool:
         """Whether a name that a row derives is defined before, from an offset on, or beside it."""
-        before = (
-            one
-            for one in self.defining
-            if since <= one.typed.start < row.typed.start or one.sentence == row.sentence
+        return any(
+            since <= one.typed.start < row.typed.start or one.sentence == row.sentence
+            for name in row.rates
+            for one in self.defining.get(name, ())
         )
-        return any(one.bare[0] in row.rates for one in before)
 
     def undefined(self, since: int) -> list[SourceStatement]:
         """The rows for names that nothing defines before them, from an offset on."""

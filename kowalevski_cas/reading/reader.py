@@ -4,29 +4,29 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
-from typing import NamedTuple
+from typing import Protocol
 
-from kowalevski_cas.limits import ProcessDied, tell, time_limit
-from kowalevski_cas.notation import NotationError
+from kowalevski_cas.limits import tell
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation, Doubt, Section
-from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.differentials import differentials
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
+from kowalevski_cas.reading.choice import Choice, choose
 from kowalevski_cas.reading.comments import read_comments
 from kowalevski_cas.reading.constraints import enter_constraints
 from kowalevski_cas.reading.conventions import enter_conventions
+from kowalevski_cas.reading.cyclic import enter_cyclic_names
 from kowalevski_cas.reading.doubts import doubt_of
 from kowalevski_cas.reading.grammar import wrong
 from kowalevski_cas.reading.in_words import claims_in_words
-from kowalevski_cas.reading.known import CLAIM, StatementRole
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, StatementRole
 from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.names import Names, vectors_of
 from kowalevski_cas.reading.obey import SAID, about, claim_id, said_rung, said_rungs
@@ -35,11 +35,9 @@ from kowalevski_cas.reading.roles import role_of
 from kowalevski_cas.reading.stage import Stage
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, read_statements
 from kowalevski_cas.source.text import Source
+from kowalevski_cas.verify.confirm import received
 from kowalevski_cas.verify.interpretation import Interpretation
-from kowalevski_cas.verify.statement import Statement
-
-SECONDS = 2.0
-"""For each claim that a statement may make."""
+from kowalevski_cas.verify.outcome import Outcome
 
 
 @dataclass(eq=False)
@@ -69,25 +67,36 @@ class Reading:
     parts: Parts = field(repr=False)
     statements: tuple[JudgedStatement, ...] = ()
     """The claims that comments state and that are no formula's."""
+    outcomes: dict[str, Outcome] = field(default_factory=dict, repr=False)
+    """What is said about claims that were decided as soon as they were read, by their ids."""
 
-
-IDLE = "nothing moves on the set on which it seems to be claimed: it would say nothing"
 
 Heard = Callable[[str, int, int], None]
 """Hears what is being read, how much is done, and of how much."""
 
 
-def read(source: Source, heard: Heard = lambda *_: None) -> Reading:
+class Referee(Protocol):
+    """Who decides each claim as soon as it is read: a long paper has its first findings soon."""
+
+    def begin(self, interpretation: Interpretation) -> Callable[[Claim], Outcome]:
+        """What decides a claim under an interpretation, in a process of its own."""
+
+    def receive(self, item: SourceStatement, outcome: Outcome) -> Outcome:
+        """The outcome for the claim of a statement, as it comes from that process."""
+
+
+def read(source: Source, heard: Heard = lambda *_: None, referee: Referee | None = None) -> Reading:
     """The derivation that a source is, by the rules of reading."""
     paper = read_statements(source)
     parts = Parts(paper, Names(vectors_of(paper)), read_comments(paper))
+    enter_cyclic_names(parts)
     for item in _in_order(paper):
         parts.cite(item)
         parts.suppose(item)
         parts.enter(item, role_of(item, parts.of(item)))
     enter_conventions(parts)
     enter_constraints(parts)
-    return _DerivationReader(parts).reading(heard)
+    return _DerivationReader(parts).reading(heard, referee)
 
 
 def _in_order(paper: SourcePaper) -> list[SourceStatement]:
@@ -102,8 +111,9 @@ class _DerivationReader:
         self.stages = {known: Stage(known) for known in parts.known}
         self.candidates: dict[SourceStatement, list[Rung]] = {}
         self.troubles: dict[SourceStatement, str] = {}
+        self.statements = Counter(item.printed.display.id for item in self.paper.items)
 
-    def reading(self, heard: Heard) -> Reading:
+    def reading(self, heard: Heard, referee: Referee | None) -> Reading:
         """The reading, in which each statement makes the first of its claims that holds."""
         for item, role in self.parts.roles.items():
             if role.name == CLAIM:
@@ -112,17 +122,18 @@ class _DerivationReader:
                     stage = self.stages[self.parts.of(item)]
                     found.extend(said_rungs(item, self._id(item), stage, self.parts.said))
                 self.candidates[item] = found
-        chosen = self._chosen(heard)
+        statements = (*self._statements(), *self._in_words())
+        outcomes: dict[str, Outcome] = {}
+        chosen = dict(self._chosen(heard, statements, referee, outcomes))
         formulas = tuple(
             self._formula(item, role, chosen.get(item))
             for item, role in sorted(self.parts.roles.items(), key=lambda pair: pair[0].order)
         )
-        statements = (*self._statements(), *self._in_words())
         claims = (f.claim for f in (*formulas, *statements) if f.claim is not None)
         judged = (*formulas, *statements)
         doubts = {one.claim.id: one.doubt for one in judged if one.claim and one.doubt}
         derivation = replace(self._derivation(claims), doubts=doubts)
-        return Reading(self.paper, derivation, formulas, self.parts, statements)
+        return Reading(self.paper, derivation, formulas, self.parts, statements, outcomes)
 
     def _statements(self) -> Iterator[JudgedStatement]:
         """The claims that comments state and that are no formula's."""
@@ -148,7 +159,9 @@ class _DerivationReader:
             role = StatementRole(CLAIM, "these words claim it", found.name)
             id = f"{found.name}-in-words-{number}"
             try:
-                on = self.stages[known].scene(found.about, known.supposed(first))
+                at = found.at or first
+                beside = [at] if self.parts.roles[at].name == ASSUMPTION else []
+                on = self.stages[known].scene(found.about, [*beside, *known.supposed(at)])
                 claim = found.kind(id, on.scene, words=found.says, **found.values)  # type: ignore[arg-type]
             except (ValueError, Meaningless) as error:
                 yield JudgedStatement(first, role, message=str(error), span=found.span)
@@ -166,20 +179,37 @@ class _DerivationReader:
         except (ValueError, Meaningless) as error:
             self.troubles[item] = str(error)
 
-    def _chosen(self, heard: Heard) -> dict[SourceStatement, Choice]:
-        """The claim of each statement, by its place in the ladder; processes share the work."""
-        waiting = [item for item, found in self.candidates.items() if found]
-        first = self._derivation(self.candidates[item][0].claim for item in waiting)
-        scenes = (rung.claim.scene for item in waiting for rung in self.candidates[item])
-        on = Interpretation(first, first.texts(None, *scenes)).on
+    def _chosen(
+        self,
+        heard: Heard,
+        statements: Sequence[JudgedStatement],
+        referee: Referee | None,
+        outcomes: dict[str, Outcome],
+    ) -> Iterator[tuple[SourceStatement, Choice]]:
+        """The claim of each statement, by its place in the ladder; processes share the work.
 
-        def choice(place: int) -> Choice:
+        A referee decides each of them at once.
+        """
+        waiting = [item for item, found in self.candidates.items() if found]
+        claims = [self.candidates[item][0].claim for item in waiting]
+        first = self._derivation((*claims, *(one.claim for one in statements if one.claim)))
+        scenes = (rung.claim.scene for item in waiting for rung in self.candidates[item])
+        interpretation = Interpretation(first, first.texts(None, *scenes))
+        decide = referee.begin(interpretation) if referee is not None else None
+
+        def choice(place: int) -> tuple[Choice, Outcome | None]:
             tell(waiting[place].printed.place, place, len(waiting))
             rungs = self.candidates[waiting[place]]
-            return chosen(rungs, on(rungs[0].claim))
+            choice = choose(rungs, interpretation.on(rungs[0].claim))
+            if decide is None or choice.place is None:
+                return choice, None
+            return choice, decide(rungs[choice.place].claim)
 
-        found = each(choice, range(len(waiting)), heard=lambda *words: heard(*words[:3]))
-        return dict(zip(waiting, found, strict=True))
+        found = each(received(choice), range(len(waiting)), heard=lambda *words: heard(*words[:3]))
+        for item, (choice_of, outcome) in zip(waiting, found, strict=True):
+            if referee is not None and outcome is not None:
+                outcomes[outcome.claim] = referee.receive(item, outcome)
+            yield item, choice_of
 
     def _formula(
         self, item: SourceStatement, role: StatementRole, choice: Choice | None
@@ -205,9 +235,8 @@ class _DerivationReader:
         return f"it holds with {' and '.join(said)}, which is not said to hold here"
 
     def _id(self, item: SourceStatement) -> str:
-        beside = [one for one in self.paper.items if one.typed is item.typed]
-        display = item.printed.display.id
-        return display if len(beside) == 1 else item.printed.place
+        alone = self.statements[item.printed.display.id] == 1
+        return item.printed.display.id if alone else item.printed.place
 
     def _derivation(self, claims: Iterable[Claim]) -> Derivation:
         """The displays and some claims, section by section."""
@@ -238,9 +267,10 @@ class _DerivationReader:
         components = {part for own in vectors.values() for part in own}
         clocks = [one.other_time for known in self.parts.known for one in known.clocks]
         read = frozenset().union(*(item.names for item in self.paper.items))
+        ratios = {"d" for item in self.paper.items if item.formula and differentials(item.formula)}
         scalars = sorted(
             (words.scalars | components | read - words.functions)
-            - {"t", "d", *clocks, *vectors, *words.matrices}
+            - {"t", *({"d"} - ratios), *clocks, *vectors, *words.matrices}
         )
         functions: dict[str, str] = {}
         places: dict[str, Printed] = {}
@@ -254,55 +284,6 @@ class _DerivationReader:
         scalars = sorted({*scalars} - functions.keys())
         scene = Scene("all names", vectors, (), tuple(scalars), definitions=places)
         return replace(scene, time=(*clocks, "t")[0])
-
-
-class Choice(NamedTuple):
-    """Which rung of a ladder is taken, if one is, and why none is."""
-
-    place: int | None
-    message: str = ""
-    elsewhere: int | None = None
-    """Which rung holds by what is supposed in other places, if no other one holds."""
-
-
-def chosen(found: list[Rung], on: Elaborations) -> Choice:
-    """The first claim that holds, or the one with what is in force, where none does."""
-    first: int | None = None
-    message = ""
-    only = found[0].idle is None and not found[0].is_stronger
-    alone = len(found) == 1 and only  # there is nothing to choose from
-    for place, rung in enumerate(found):
-        if rung.elsewhere and first is None:
-            break
-        true, trouble = _trial(rung, on, alone)
-        if true:
-            return Choice(first, "", place) if rung.elsewhere else Choice(place)
-        message = message or trouble
-        if trouble or rung.elsewhere or rung.is_stronger:
-            continue
-        if first is None or (rung.in_force and not found[first].in_force):
-            first = place
-        elif not rung.given and not found[first].given and {*rung.on} > {*found[first].on}:
-            first = place  # what is supposed there is not left aside where the claim fails
-    return Choice(first, "" if first is not None else message)
-
-
-def _trial(rung: Rung, on: Elaborations, alone: bool) -> tuple[bool, str]:
-    """Whether a claim holds, or is the only one and has a meaning; else perhaps why it has none."""
-    try:
-        with time_limit(SECONDS):
-            statement = Statement(rung.claim, on)
-            if (alone and statement.goals) or statement.holds():
-                idle = rung.idle is not None and Statement(rung.idle, on).holds()
-                return not idle, IDLE if idle else ""
-    except (NotationError, Meaningless, FormatError, ArithmeticError, RecursionError) as error:
-        said = str(getattr(error, "message", error))
-        for printed in rung.claim.places():
-            said = said.removeprefix(f"{printed.display.id}: ")
-        return False, said
-    except (TimeoutError, ProcessDied):
-        pass
-    return False, ""
 
 
 __all__ = ["JudgedStatement", "Reading", "read"]

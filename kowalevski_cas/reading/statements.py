@@ -9,12 +9,12 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation, Vocabulary
-from kowalevski_cas.notation.symbol import name_of_rate
+from kowalevski_cas.notation.symbol import name_of_rate, symbol
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.times import time_change
 from kowalevski_cas.reading.cues import cue, cues
 from kowalevski_cas.reading.formulas import by_names, read_formula, vocabulary_of
-from kowalevski_cas.reading.index_ranges import with_ranges
+from kowalevski_cas.reading.index_ranges import period_in, with_ranges
 from kowalevski_cas.reading.numbers import numbers_of
 from kowalevski_cas.reading.text import MARK, Prose, TextSection, references
 from kowalevski_cas.source.displays import TypedFormula
@@ -125,6 +125,16 @@ class SourcePaper:
     lines: dict[str, int] = field(repr=False)
     """The lines of the displays, by their ids."""
     expanded: Expanded = field(repr=False)
+    period: int = 0
+    """By how much indices may be changed; 0 if they may not."""
+
+    @cached_property
+    def alike(self) -> dict[Formula | None, list[SourceStatement]]:
+        """The statements by what they say, sign for sign."""
+        found: dict[Formula | None, list[SourceStatement]] = {}
+        for item in self.items:
+            found.setdefault(item.formula, []).append(item)
+        return found
 
     @cached_property
     def approximate(self) -> frozenset[SourceStatement]:
@@ -205,9 +215,10 @@ def read_statements(source: Source) -> SourcePaper:
     words = vocabulary_of(formulas)
     displays: list[tuple[Display, TypedFormula]] = []
     items: list[SourceStatement] = []
+    period = period_in(expanded.text[prose.start :])
     lines: dict[str, int] = {}
     ids: Counter[str] = Counter()
-    for formula, tex in zip(formulas, with_ranges(formulas), strict=True):
+    for formula, tex in zip(formulas, with_ranges(formulas, period), strict=True):
         path = prose.path(formula.start)
         if any(one.title == "thebibliography" for one in path):
             continue
@@ -236,7 +247,7 @@ def read_statements(source: Source) -> SourcePaper:
                     prose.entry(formula.start), around.earlier,
                 )
             )  # fmt: skip
-    return SourcePaper(source, prose, words, tuple(displays), tuple(items), lines, expanded)
+    return SourcePaper(source, prose, words, tuple(displays), tuple(items), lines, expanded, period)
 
 
 class _Around:
@@ -264,6 +275,14 @@ def _id(formula: TypedFormula, ids: Counter[str]) -> str:
     letters = letters.strip("-")[:LONGEST_ID].strip("-") or "formula"
     ids[letters] += 1
     return letters if ids[letters] == 1 else f"{letters}_{ids[letters]}"
+
+
+def is_closing(item: SourceStatement) -> bool:
+    """Whether a statement closes a chain: a link of it is another one, as :math:`u_6=u_1`."""
+    if not len(item.bare) == len(item.members) == 2:
+        return False
+    one, other = map(symbol, item.bare)
+    return one.head == other.head and one != other
 
 
 def derived_names(item: SourceStatement) -> set[str]:

@@ -10,7 +10,7 @@ from kowalevski_cas.paper.implied import HAMILTONIANS, LAGRANGIANS, implied_equa
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.texts import Display
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
+from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, is_closing
 from kowalevski_cas.source.displays import TypedFormula
 
 SOURCE = "the usual convention"
@@ -44,7 +44,12 @@ def implied_rows(paper: SourcePaper) -> Iterator[SourceStatement]:
         named = item.bare[:1] and item.members[0].names() & {*HAMILTONIANS, *LAGRANGIANS}
         if not named or not cue("hamiltonian", item.words):
             continue
-        about = [item, *definitions_below(item, paper), *_brackets(paper)]
+        about = [
+            item,
+            *definitions_below(item, paper),
+            *_brackets(paper),
+            *filter(is_closing, paper.items),
+        ]
         try:
             found = implied_equations([one.formula for one in about if one.formula is not None])
             yield from (
@@ -72,7 +77,8 @@ def definitions_below(item: SourceStatement, paper: SourcePaper) -> Iterator[Sou
 
 def _brackets(paper: SourcePaper) -> Iterator[SourceStatement]:
     """The brackets that a paper prints of names which it does not define."""
-    defined = {item.bare[0] for item in paper.items if item.bare}
+    first = (item.members[0] for item in paper.items if item.members and not is_closing(item))
+    defined = {member.name for member in first if isinstance(member, Name)}
     for item in paper.items:
         if item.members and isinstance(bracket := item.members[0], PoissonBracket):
             if bracket.names().isdisjoint(defined):

@@ -97,7 +97,7 @@ class Typesetter(ABC):
         inverse = self.printer.fraction(self.printer(Number(1)), self._join(piece.below))
         opened, closed = self.printer.round
         before = self.printer.side_by_side([inverse, self.opening_bracket(opened, tall=True)])
-        width = width_of(piece.below) + 0.9
+        width = width_of(piece.below) + 1.3
         return Piece(before, width, "open"), Piece(
             self.closing_bracket(closed, tall=True), 0.6, "close"
         )

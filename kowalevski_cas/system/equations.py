@@ -31,11 +31,14 @@ from kowalevski_cas.notation import (
     to_latex,
 )
 from kowalevski_cas.notation.cursor import is_word
+from kowalevski_cas.notation.functions import SIGN
 from kowalevski_cas.notation.open import OpenParser, independent, words_that_move
+from kowalevski_cas.notation.primed import primed_names
 from kowalevski_cas.notation.symbol import name_of_rate
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.constraints import constraints, multipliers
+from kowalevski_cas.paper.differentials import differentials, rates
 from kowalevski_cas.paper.exponents import half_power, linear_exponent
 from kowalevski_cas.paper.implied import implied_equations
 from kowalevski_cas.paper.matrix_equations import equations_of_entries, matrix_equations
@@ -47,7 +50,6 @@ from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.system.amplitudes import SQUARE, conjugate_equations, with_conjugates
-from kowalevski_cas.system.differentials import differentials, rates
 from kowalevski_cas.system.refused import (
     check_derivatives,
     check_ends,
@@ -198,28 +200,6 @@ def vocabulary_of(display: Display, vectors: Vectors, declared: Names) -> Vocabu
     return replace(words, scalars=scalars.union(primed_names(display.tex, words)))
 
 
-def primed_names(tex: str, words: Vocabulary) -> Iterator[str]:
-    r"""The names with primes, where rates of some are printed, as :math:`d\gamma'/dt`.
-
-    Then no prime is a derivative.
-    """
-    if "'" not in tex and r"\prime" not in tex:
-        return
-    found = read_display(tex, words, OpenParser)
-    chains = [_marks(node) for one in found for node in one.formula.nodes()]
-    if any("prime" in marks and {*marks} != {"prime"} for _, marks in chains):
-        yield from (name + "'" * marks.count("prime") for name, marks in chains if name)
-
-
-def _marks(formula: Formula) -> tuple[str, list[str]]:
-    """The name under derivatives, and how they are printed; empty for anything else."""
-    marks: list[str] = []
-    while isinstance(formula, Derivative):
-        marks.append(formula.mark)
-        formula = formula.argument
-    return (formula.name, marks) if isinstance(formula, Name) and marks else ("", [])
-
-
 def with_row(scene: Scene, place: Printed, formula: Formula) -> Scene:
     """A scene with what is defined or supposed beside the equations of motion."""
     if {*place.heads.names} - {*scene.variables, *scene.constants}:
@@ -313,7 +293,8 @@ def with_parameters(scene: Scene, display: Display) -> Scene:
     components.
     """
     words = vocabulary((scene,))
-    scene = replace(scene, vectors=vectors_of(display, scene.vectors, words))
+    if (vectors := vectors_of(display, scene.vectors, words)) != scene.vectors:
+        scene = replace(scene, vectors=vectors)
     heads_of = [head(name) for place in display for name in place.heads.names]
     arguments = dict.fromkeys(one for name, listed in heads_of if name != BRACKET for one in listed)
     known = {name for name, _ in heads_of} | {*scene.names(), *scene.vectors, scene.time, "t"}
@@ -377,6 +358,8 @@ def _root(formula: Formula) -> Root | None:
         case Root():
             return formula
         case Modulus(argument):
+            return Root(Power(argument, Number(2)))
+        case Application(function, (argument,)) if function == SIGN:
             return Root(Power(argument, Number(2)))
         case Power(base, exponent) if half_power(exponent) is not None:
             return Root(base)

@@ -20,6 +20,8 @@ from kowalevski_cas.paper.claims import (
     Identity,
     Implication,
     InvariantOfMap,
+    InvariantRelations,
+    InvariantSetOfMap,
     Involution,
     Jacobi,
 )
@@ -28,9 +30,10 @@ from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.relations import solve_for_constant
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
-from kowalevski_cas.system.answers import ClaimOfBothSigns, Function, SystemClaim, in_html
+from kowalevski_cas.system.answers import ClaimInParts, Function, SystemClaim, in_html
 from kowalevski_cas.system.equations import (
     components,
     constraints_in,
@@ -43,7 +46,15 @@ from kowalevski_cas.system.equations import (
     with_time,
 )
 from kowalevski_cas.system.indices import has_permutation, with_ranges
-from kowalevski_cas.system.maps import Map, index_of_map, with_images
+from kowalevski_cas.system.inverses import without_inverses
+from kowalevski_cas.system.maps import (
+    Map,
+    has_bars,
+    index_of_map,
+    with_images,
+    with_primes,
+    without_steps,
+)
 from kowalevski_cas.system.refused import check_constant, check_field, names_of
 from kowalevski_cas.system.signs import SIGNS, has_both_signs, with_signs
 from kowalevski_cas.system.solved import (
@@ -69,7 +80,10 @@ Tex = Any
 Texs = Any
 """A formula, or a tuple or a list of formulas."""
 
-OF_MAPS: dict[type[Claim], type[Claim]] = {FirstIntegral: InvariantOfMap}
+OF_MAPS: dict[type[Claim], type[Claim]] = {
+    FirstIntegral: InvariantOfMap,
+    InvariantRelations: InvariantSetOfMap,
+}
 """What is claimed of a map for what is claimed of a motion."""
 STATIC = (Identity, Implication, Jacobi, Casimir, Involution)
 """What is claimed of functions, whatever moves."""
@@ -107,8 +121,15 @@ class Field:
         self.scene = Scene(name)  # of which nothing is known yet
         self._convention = False
         self.applied: dict[str, str] = {}
+        self._by_index = ""
         self.functions: list[Unknown] = []
+        self._barred = False
         tex = field if isinstance(field, str) else self._rows(field)
+        self._by_index = derived_in_index([tex])
+        """The variable by which indices derive, if they do."""
+        self._barred = map and has_bars(tex)
+        """Whether bars stand over images of a map."""
+        tex = without_inverses(without_steps(tex) if self._barred else tex)
         self.applied = printed_arguments([tex], vectors or ())
         """The arguments of names that are defined; they are called by their names alone."""
         self.functions = unknown_functions(tex)
@@ -247,6 +268,14 @@ class Field:
         special._stand_on(scene)
         return special
 
+    def supposing(self, inequality: str) -> Self:
+        """The system where an inequality holds, also one of what moves: a claim is made there."""
+        there, place = copy(self), self._place("where", inequality, IN_WORDS)
+        scene = with_roots(self.scene, place.display).assuming(place)
+        there._stand_on(scene.called(f"{self.scene.name} where {inequality}"))
+        there.special = (*self.special, place.display)
+        return there
+
     def having(self, *constants: str) -> Self:
         r"""The system with more constants, as ``\rho``, which stand in no equation of motion.
 
@@ -279,7 +308,7 @@ class Field:
             ValueError: a formula is several, or there is no such verdict to expect.
         """
         if has_both_signs((printed, *attributes.values())):
-            return ClaimOfBothSigns(
+            return ClaimInParts(
                 tuple(
                     self.states(
                         kind, name, with_signs(says, signs), expect, with_signs(printed, signs),
@@ -311,7 +340,9 @@ class Field:
         if unknown or (kind not in STATIC and "images" not in own):
             raise ValueError(f"{kind.__name__} is not known of maps: {says}")
         images = {"images": self.images} if "images" in own else {}
-        return kind, says.replace("along every motion", "under the map"), {**attributes, **images}
+        for motion, map_ in (("along every motion", "under the map"), ("no motion", "no step")):
+            says = says.replace(motion, map_)
+        return kind, says, {**attributes, **images}
 
     def _bound(
         self, kind: type[Claim], says: str, attributes: dict[str, Any]
@@ -363,7 +394,9 @@ class Field:
 
     def _tex(self, formula: Tex) -> str:
         if isinstance(formula, str):
-            plain = without_arguments(without_argument(formula, self.functions), self.applied)
+            plain = with_derivatives(formula, self._by_index)
+            plain = without_arguments(without_argument(plain, self.functions), self.applied)
+            plain = with_primes(plain) if self._barred else plain
             return with_ranges(plain, self._names, self._convention)
         if not isinstance(formula, Function):
             return latex_of(formula, self.symbols)

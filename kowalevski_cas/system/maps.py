@@ -15,6 +15,7 @@ from itertools import chain
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.notation import Derivative, Formula, Name, Relation, Vocabulary, to_latex
 from kowalevski_cas.notation.cursor import Cursor
+from kowalevski_cas.notation.layout import split_display
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.symbol import Symbol, symbol
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -28,6 +29,15 @@ from kowalevski_cas.system.equations import Names, read_rows, vocabulary_of, wit
 from kowalevski_cas.system.vectors import Vectors
 
 STEP = "+1"
+_LETTER = r"(?:[A-Za-z]|\\[A-Za-z]+)"
+_BAR = re.compile(
+    rf"\\(?:overline|bar)(?![A-Za-z])\s*(?:\{{\s*(?P<braced>{_LETTER})\s*\}}|(?P<letter>{_LETTER}))"
+    r"(?P<index>_(?:\w|\{\w+\}))?"
+)
+_STEP = re.compile(
+    rf"(?:\\(?:overline|bar|underline)\s*)?\{{?(?P<letter>{_LETTER})\}}?\s*="
+    r"\s*(?P=letter)_(?:\w|\{\w(?:[-+]\d)?\})"
+)
 
 
 def index_of_map(tex: str) -> str:
@@ -77,7 +87,47 @@ def images_by_primes(formulas: Collection[Formula]) -> dict[str, str]:
     """The variables of a map that is printed with primes, with their images."""
     nodes = chain.from_iterable(formula.nodes() for formula in formulas)
     primed = (n.argument for n in nodes if isinstance(n, Derivative) and n.mark == "prime")
-    return {one.name: f"{one.name}'" for one in primed if isinstance(one, Name)}
+    images = {one.name: f"{one.name}'" for one in primed if isinstance(one, Name)}
+    names = dict.fromkeys(name for formula in formulas for name in sorted(formula.names()))
+    before = {name: name_under(name) for name in names if name_under(name) != name}
+    return images | before
+
+
+def name_under(name: str) -> str:
+    r"""The name above a line, as x for :math:`\underline x`; itself, if there is no line."""
+    parts = symbol(name)
+    kept = parts.accents[1:] if parts.accents[:1] == (r"\underline",) else parts.accents
+    return replace(parts, accents=kept).name
+
+
+def has_bars(tex: str) -> bool:
+    r"""Whether bars stand over letters of a map, and no primes behind them: over images.
+
+    >>> has_bars(r"\overline x=ax+\underline x"), has_bars(r"z'=z|z|^2\bar z")
+    (True, False)
+    """
+    return not re.search(r"'|\\prime", tex) and bool(_BAR.search(tex))
+
+
+def with_primes(tex: str) -> str:
+    r"""A map with primes for the bars over images, as in :math:`\overline x+x+\underline x=0`.
+
+    >>> with_primes(r"\overline x+x+\underline x=\frac a{\bar{q}_1}")
+    "x'+x+\\underline x=\\frac a{q_1'}"
+    """
+    return _BAR.sub(lambda bar: f"{bar['braced'] or bar['letter']}{bar['index'] or ''}'", tex)
+
+
+def without_steps(tex: str) -> str:
+    r"""A map without what only says how its steps are printed, as :math:`\overline x=x_{n+1}`.
+
+    >>> without_steps(r"\overline x+\underline x=ax, x=x_n, \overline x=x_{n+1}")
+    '\\overline x+\\underline x=ax, , '
+    """
+    for start, end in reversed(split_display(tex)):
+        if _STEP.fullmatch(tex[start:end].strip()):
+            tex = tex[:start] + tex[end:]
+    return tex
 
 
 class Map:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import defaultdict
 from typing import Final
 
 from kowalevski_cas.notation import Formula
@@ -40,6 +41,10 @@ class Interpretation:
         self.bases = {base.name: base for base in derivation.bases()}
         self._order = {claim.id: k for k, claim in enumerate(derivation.claims)}
         self._established = derivation.established
+        self._establishing = defaultdict[str, list[tuple[int, str]]](list)
+        """The claims that establish something at a display, by its id, with their order."""
+        for k, (place, id) in enumerate(self._established.items()):
+            self._establishing[place.display.id].append((k, id))
         self._read_elsewhere: dict[Printed, str] = {}
         """What is read as another derivation accepts it, by the claims there."""
         for name, base in self.bases.items():
@@ -98,6 +103,6 @@ class Interpretation:
         """The claims before this one about the displays that the paper cites for it."""
         shown = {*_CITED.findall(claim.sentence)}
         shown |= {id for place in claim.establishes() for id in place.display.cites}
-        ids = (id for place, id in self._established.items() if place.display.id in shown)
+        found = sorted(pair for id in shown for pair in self._establishing.get(id, ()))
         before = self._order[claim.id]
-        return tuple(dict.fromkeys(id for id in ids if self._order[id] < before))
+        return tuple(dict.fromkeys(id for _, id in found if self._order[id] < before))

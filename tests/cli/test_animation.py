@@ -8,7 +8,7 @@ import pytest
 from PIL import Image
 
 from kowalevski_cas.cli import main
-from kowalevski_cas.motion.pictures import animation
+from kowalevski_cas.motion.pictures import animation, page
 
 
 @pytest.fixture(autouse=True)
@@ -64,3 +64,18 @@ def test_any_motion_is_shown_but_for_parallel_fields(
     assert main([*parallel, str(tmp_path / "none.gif")]) == 2
     assert "parallel" in capsys.readouterr().err
     assert main([*point, str(tmp_path / "body.html")]) == 2
+
+
+def test_in_a_far_unit_of_time_the_page_is_that_of_a_near_one(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(page, "ACROSS", 2)
+    given = "animation --a 1e60 --b 4e59 --m 8e-61 --l 0.9 --output".split()
+    assert main([*given, str(tmp_path / "body.html")]) == 0
+    assert (
+        "drawn in a unit of time 2^-99 times as long, in which a = 2.489" in capsys.readouterr().err
+    )
+    assert '"a": 2.489' in (tmp_path / "body.html").read_text(encoding="utf-8")
+    single = "animation --a 1 --b 0 --m 1 --l 2 --output".split()
+    assert main([*single, str(tmp_path / "none.html")]) == 2
+    assert "parallel" in capsys.readouterr().err

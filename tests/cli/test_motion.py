@@ -20,6 +20,7 @@ pytestmark = pytest.mark.usefixtures("here")
 
 FIELDS = ["--a", "1", "--b", "0.4"]
 USUAL = [*FIELDS, "--m", "0.8", "--l", "0.9", "--until", "2", "--samples", "5"]
+HUGE = "--b 4e59 --m 8e-61 --l 0.9 --until 1e-29".split()
 
 
 @pytest.fixture
@@ -283,3 +284,18 @@ def test_a_method_that_comes_to_no_end_ends(cli, monkeypatch, method, until):
     assert code == 3 and out == ""
     assert f"{method} has not come to t = {float(until):g} within 0.2 s; --timeout" in err
     assert "Warning" not in err
+
+
+def test_no_line_of_a_table_is_wider_than_eighty_letters_and_all_that_is_asked_for_is_in_it(cli):
+    """Whatever the motion; the quaternions stand below the states."""
+    on_O4 = "--a 1.2 --b 0.7 --s 0.4 --tau=-0.5 --torus 2".split()
+    for given in ([*USUAL], on_O4, ["--point", *"123456789"], ["--a", "1e60", *HUGE]):
+        asked = ["--frequencies", "--attitude", "--format", "table", "--samples", "3"]
+        code, table, _ = cli(*given, *asked)
+        lines = table.splitlines()
+        assert code == 0 and max(map(len, lines)) == 80
+        head = next(k for k, line in enumerate(lines) if line.split()[1:] == "q₀ q₁ q₂ q₃".split())
+        turns = np.array([line.split()[1:] for line in lines[head + 1 : head + 4]], dtype=float)
+        np.testing.assert_allclose(np.linalg.norm(turns, axis=1), 1, atol=1e-3)
+        assert "frequencies: " in table or "none: " in table
+        assert not any(line.endswith(" =") for line in lines)

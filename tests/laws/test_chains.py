@@ -126,3 +126,17 @@ def test_an_amplitude_may_have_its_modulus_in_its_own_equation():
     law = System(r"i\dot\psi=|\psi|^2\psi")
     assert law.integral(r"|\psi|^2").verdict == law.integral(r"|\psi|").verdict == "proved"
     assert law.integral(r"\psi").verdict == law.integral(r"\psi^2").verdict == "refuted"
+
+
+@pytest.mark.parametrize("size", [3, 4, 5])
+def test_brackets_of_a_chain_are_closed_as_it_is(size):
+    tex = (
+        rf"\{{u_i,u_{{i+1}}\}}=u_iu_{{i+1}},\ u_{{i+{size}}}=u_i,\ i=1,\dots,{size},\ "
+        rf"H=\sum_{{i=1}}^{size}u_i"
+    )
+    chain = System(tex)
+    assert chain.integral(rf"\prod_{{i=1}}^{size}u_i").verdict == "proved"
+    assert chain.integral("u_1u_2").verdict == "refuted"
+    assert chain.identity(rf"\dot u_1=u_1(u_2-u_{size})").verdict == "proved"
+    assert chain.identity(rf"\dot u_1=u_1(u_2+u_{size})").verdict == "refuted"
+    assert chain.jacobi().verdict == "proved"

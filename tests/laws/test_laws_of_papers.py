@@ -105,3 +105,57 @@ def test_a_potential_has_its_arguments_beside_it(V):
 def test_a_potential_at_other_arguments_is_not_read():
     text = CANONICAL % ("V(q_1,q_2)+V(q_2,q_1)", "q_1^2+q_2")
     assert not verdicts(text)
+
+
+CLOSED = r"""The variables have the Poisson bracket $$\{u_i,u_{i+1}\}=u_iu_{i+1},\quad u_{i+%d}=u_i,\quad i=1,\dots,%d,$$
+and the Hamiltonian is $$H=\sum_{i=1}^{%d}u_i.$$ Then $\prod_{i=1}^{%d}u_i$ and $%s$ are first integrals."""
+
+
+@pytest.mark.parametrize("size", [3, 5])
+def test_a_chain_is_closed_in_its_brackets(size):
+    true, false = verdicts(CLOSED % (*[size] * 4, "u_1u_2")).values()
+    assert true == "proved" and false == "refuted"
+
+
+BODY = r"""The equations of motion are
+$$A{p}=(B-C)qr+z\gamma',\quad B{q}=(C-A)rp-z\gamma,\quad C{r}=(A-B)pq,$$
+$$%s=r\gamma'-q\gamma'',\quad %s=p\gamma''-r\gamma,\quad %s=q\gamma-p\gamma'.$$
+Then $\gamma^2+\gamma'^2+\gamma''^2$ and $Ap\gamma+Bq\gamma'%sCr\gamma''$ are first integrals."""
+
+
+@pytest.mark.parametrize("rate", [r"\dot{%s}", r"\frac{d%s}{dt}"])
+def test_primes_make_names_where_their_rates_are_printed(rate):
+    body = BODY
+    for letter in "pqr":
+        body = body.replace(f"{{{letter}}}", rate % letter)
+    for sign, verdict in (("+", "conditional"), ("-", "refuted")):
+        rates = (rate % rf"\gamma{primes}" for primes in ("", "'", "''"))
+        length, area = verdicts(body % (*rates, sign)).values()
+        assert length.green and area == verdict
+
+
+@pytest.mark.parametrize("behind", ["", "=dt"])
+def test_differentials_in_proportion_are_equations_of_motion(behind):
+    text = (
+        rf"The system $$\frac{{dx}}{{y}}=\frac{{dy}}{{-x}}=\frac{{dz}}{{1}}{behind}$$ "
+        r"has the first integrals $x^2+y^2$ and $x^2-y^2$."
+    )
+    found = verdicts(text)
+    assert [*found.values()] == ["proved", "refuted"]
+    assert "law" in roles(text).values()
+
+
+def test_what_an_index_derives_moves_by_it():
+    text = r"Travelling waves obey the equation of motion $$u_{xxx}+6uu_x-cu_x=0.$$ Then $%s$ is constant."
+    assert [*verdicts(text % "u_{xx}+3u^2-cu").values()] == ["proved"]
+    assert [*verdicts(text % "u_{xx}+2u^2-cu").values()] == ["refuted"]
+
+
+def test_a_bracket_of_three_letters_and_a_hamiltonian_are_a_law():
+    text = (
+        r"The Poisson brackets are $$\{M_1,M_2\}=M_3,\quad \{M_2,M_3\}=M_1,\quad \{M_3,M_1\}=M_2,$$ "
+        r"and the Hamiltonian is $$H=\frac12(aM_1^2+bM_2^2+cM_3^2).$$ "
+        r"Then $M_1^2+M_2^2+M_3^2$ and $M_1^2+M_2^2$ are first integrals."
+    )
+    true, false = verdicts(text).values()
+    assert true == "proved" and not false.green

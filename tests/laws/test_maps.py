@@ -111,10 +111,10 @@ def test_what_is_no_map_is_refused(tex, message):
         System(tex, map=True)
 
 
-@pytest.mark.parametrize("claim", ["darboux", "find_integrals", "invariant"])
+@pytest.mark.parametrize("claim", ["darboux", "find_integrals"])
 def test_what_is_known_of_motions_only_is_not_claimed_of_maps(claim):
     law = System(r"x_{n+1}=y_n,\ y_{n+1}=-x_n")
-    given = {"darboux": ("x_n", "1"), "find_integrals": (2,), "invariant": ("x_n=0",)}[claim]
+    given = {"darboux": ("x_n", "1"), "find_integrals": (2,)}[claim]
     with pytest.raises(ValueError, match="of maps"):
         getattr(law, claim)(*given)
 
@@ -141,3 +141,41 @@ def test_a_recurrence_of_higher_order_moves_all_names_between_its_ends(seed):
     cyclic = System(f"{at[order]}={at[0]}+{at[1]}-{at[1]}")
     assert cyclic.integral(product).verdict == "proved"
     assert cyclic.integral(f"{product}+{at[1]}").verdict == "refuted"
+
+
+@FEW
+def test_bars_over_and_under_letters_are_the_steps_of_a_map(seed):
+    chance = random.Random(seed)
+    a, b = chance.sample([-3, -2, 1, 2, 3], 2)
+    x = chance.choice(["x", "u", r"\phi "])
+    over = chance.choice([r"\overline {}", r"\bar{{{}}}"]).format(x.strip())
+    under = chance.choice([r"\underline {}", r"\underline{{{}}}"]).format(x.strip())
+    said = rf",\quad {x}={x}_n,\ {over}={x}_{{n+1}},\ {under}={x}_{{n-1}}"
+    law = System(
+        rf"{over}+{x}+{under}=\frac{{{a}}}{{{x}}}{b:+}" + chance.choice(["", said]), map=True
+    )
+    assert len(law.scene.variables) == 2
+    true = rf"{x}{under}({x}+{under}{-b:+}){-a:+}({x}+{under})"
+    assert law.integral(true).verdict.green, true
+    assert law.integral(rf"{x}{under}({x}+{under}{b:+}){-a:+}({x}+{under})").verdict == "refuted"
+    assert law.identity(rf"{over}=\frac{{{a}}}{{{x}}}{b:+}-{x}-{under}").verdict.green
+    assert law.identity(rf"{over}={under}").verdict == "refuted"
+    plain = System(
+        rf"x_{{n+1}}+x_n+x_{{n-1}}=\frac{{{a}}}{{x_n}}{b:+}", name="plain"
+    )  # the same without bars
+    assert plain.integral(rf"x_nx_{{n-1}}(x_n+x_{{n-1}}{-b:+}){-a:+}(x_n+x_{{n-1}})").verdict.green
+
+
+@FEW
+def test_a_set_is_invariant_under_a_map_where_its_images_are_in_it(seed):
+    chance = random.Random(seed)
+    x, y, x1, y1, told = names(chance)
+    c = chance.choice([-3, -2, 2, 3])
+    law = System(f"{x1}={x}+{c}{y},\\ {y1}={y}", map=told)
+    assert law.invariant(f"{y}=1").verdict == "proved"
+    assert law.invariant(f"{y}=0", f"{x}=5").verdict == "proved"
+    assert law.invariant(f"{x}=1").verdict == "refuted"
+    assert law.invariant(f"{y}=1", f"{x}=5").verdict == "refuted"
+    assert law.invariant(f"{y}^2=-1").verdict == "refuted"  # of no point all is true
+    assert law.invariant(f"{y}^2=4").verdict == "proved"
+    assert law.invariant(f"{x}{y}=0").verdict == "refuted"

@@ -124,3 +124,23 @@ def test_what_is_said_to_be_constant_is():
     assert system.scene.constants == ("k",)
     assert system.integral("p^2+k^2q^2").verdict == "proved"
     assert system.integral("p^2-k^2q^2").verdict == "refuted"
+
+
+@FEW
+def test_rows_and_columns_are_exchanged_in_a_transposed_matrix(seed):
+    chance = random.Random(seed)
+    R = Matrix(2, 2, lambda i, j: chance.choice([x, 2 * y, z, a, x * y, 3]))
+    S = Matrix([[x, y], [z, w]])
+    mark = chance.choice(["T", "{T}", r"{\mathsf T}", r"\top", r"{\rm T}"])
+    system = System(
+        rf"\dot S=SR,\ S={tex_of(S)},\ R={tex_of(R)}"
+    )  # fmt: skip
+    for true in (
+        rf"(SR)^{mark}=R^{mark}S^{mark}", rf"(S^{mark})^{mark}=S",
+        rf"\frac{{d}}{{dt}}S^{mark}=R^{mark}S^{mark}", rf"\det R^{mark}=\det R",
+    ):  # fmt: skip
+        assert system.identity(true).verdict.green, true
+    assert system.identity(rf"S^{mark}={tex_of(S.T)}").verdict == "proved"
+    assert system.identity(rf"S^{mark}=S").verdict == "refuted"
+    if S * R != (R.T * S.T):
+        assert system.identity(rf"(SR)^{mark}=R^{mark}S^{mark}+S").verdict == "refuted"

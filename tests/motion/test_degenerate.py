@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scipy.optimize import brentq
 
 from kowalevski_cas.motion import Inadmissible, Motion, Parameters, load, regime_of
-from kowalevski_cas.motion.regimes import all_regimes, ells
+from kowalevski_cas.motion.regimes import all_regimes, coincidences, ells
 from kowalevski_cas.motion.transverse import degenerate, difference, kind, kind_at
 
 INSIDE = [regime for regime in all_regimes() if next(degenerate(1, "0.4", "-0.4"))[0] == regime]
@@ -89,6 +89,20 @@ def test_beside_the_curve_they_are_hyperbolic(curve, digits):
                 assert kind(beside) == "hyperbolic"
 
 
+@given(shorter, slopes, st.integers(-20, 20))
+def test_where_ell_vanishes_the_energy_is_degenerate_to_the_last_digit(b, m, unit):
+    """The energy is the greatest one for such b and m: beyond its last digit there is no motion."""
+    fields = 2.0 ** (2 * unit)
+    known = Parameters.of(fields, b * fields, m / fields, 0)
+    assume(not {*coincidences(known)} - {"ℓ = 0"})
+    here = float(known.h)
+    told = []
+    for h in (here, f"{here:.17g}", np.nextafter(here, -np.inf), np.nextafter(here, np.inf)):
+        with suppress(Inadmissible):
+            told.append(kind(Parameters.at_energy(known.a, known.b, known.m, h)))
+    assert told and {*told} == {"degenerate"}
+
+
 ORIGINS = st.tuples(*[st.fractions(-9, 9, max_denominator=50)] * 2)
 
 
@@ -101,4 +115,14 @@ def test_states_on_the_curve_are_degenerate_in_any_unit_of_time(curve, origins, 
     moving = Motion(Parameters.of(fields, b * fields, m / fields, ell), origins)
     for follow in (closed, balls):
         (state,) = follow(moving, np.array([time * 2.0**-unit]))
+        assert kind_at(state.tolist()) == "degenerate"
+
+
+@given(shorter, slopes, ORIGINS, st.floats(-100, 100), st.integers(-20, 20))
+def test_states_where_ell_vanishes_are_degenerate_in_any_unit_of_time(b, m, origins, time, unit):
+    fields = 2.0 ** (2 * unit)
+    known = Parameters.of(fields, b * fields, m / fields, 0)
+    assume(not {*coincidences(known)} - {"ℓ = 0"})
+    for follow in (closed, balls):
+        (state,) = follow(Motion(known, origins), np.array([time * 2.0**-unit]))
         assert kind_at(state.tolist()) == "degenerate"

@@ -5,7 +5,7 @@ from itertools import product
 
 import numpy as np
 import pytest
-from hypothesis import example, given
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, Motion, Parameters, load
@@ -33,6 +33,30 @@ def test_close_to_a_separating_curve(words):
             assert "rest" in words  # beyond the boundary there is no motion
         else:
             assert relative(closed(near, T), balls(near, T)) < 1e-13
+
+
+@st.composite
+def edges(draw):
+    """A motion as near as 10⁻⁴⁰ to any separating curve, or far off, in fields towards a = b, b = 0."""
+    near = Fraction(10.0 ** draw(st.floats(-12, -0.3)))
+    b = draw(st.sampled_from([near, 1 - near, Fraction(2, 5)]))
+    sign, side, way = (draw(st.sampled_from([-1, 1])) for _ in "123")
+    m = sign * Fraction(10.0 ** draw(st.floats(-6, 4)))
+    ell = draw(st.sampled_from([2 * m * end + side for end in (1, -1, b, -b)] + [Fraction(0)]))
+    ell += way * Fraction(10.0 ** draw(st.floats(-40, 0)))
+    origins = draw(st.tuples(*[st.fractions(-6, 6, max_denominator=50)] * 2))
+    try:
+        return Motion(Parameters.of(1, b, m, ell), origins)
+    except Inadmissible:
+        assume(False)
+        raise
+
+
+@given(edges(), st.floats(0, 12))
+def test_towards_all_edges_at_once_it_agrees_with_balls_at_any_time(motion, late):
+    """To 1e-13 of the state's size, and of that of the fields, which are small where m is."""
+    times = np.array([0.0, 1.3, -(10.0**late)])
+    assert apart(closed(motion, times), balls(motion, times)) < 1e-13
 
 
 @pytest.mark.parametrize("words", ASYMPTOTIC)

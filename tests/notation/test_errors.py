@@ -64,7 +64,7 @@ def test_an_undeclared_name_is_shown_with_its_neighbours():
         (r"\sum_i a", "print where the sum begins and ends"),
         (r"a \over d", r"write \frac for this \over, or set braces"),
         (r"\partial a", "a derivative is expected here"),
-        (r"\sqrt[3]{a}", "only square roots can be read"),
+        (r"\sqrt[n]{a}", "print the order of a root as a number above 1"),
         ("a/2d", "does this stand under the slash? set brackets, or use \\frac"),
         (r"\frac{d}{d\tau} F a", r"how far does the derivative by \tau reach? set brackets"),
         (r"\frac{d^2F}{d\tau}", "the orders above and below differ"),

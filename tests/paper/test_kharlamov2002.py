@@ -151,3 +151,13 @@ def test_the_record_is_json_and_counts_what_it_holds(folder):
     data = json.loads((folder / "record.json").read_text(encoding="utf-8"))
     assert data["derivation"] == "kharlamov2002"
     assert list(data["claims"]) == list(RECORD)
+
+
+def test_what_is_refuted_stands_on_orthonormal_axes():
+    """Only the first claims leave the axes free, and of these none is wrong."""
+    derivation, record = load("kharlamov2002"), load_record(find("kharlamov2002"))
+    free = {"e_{11}", "e_{12}", "e_{21}", "e_{22}"}
+    scenes = {claim.id: {*claim.scene.names()} for claim in derivation.claims}
+    refuted = {claim for claim, entry in record.items() if entry["verdict"] == "refuted"}
+    assert free <= scenes["energy"] and len(refuted) == 10
+    assert all(free.isdisjoint(scenes[claim]) for claim in refuted)

@@ -58,7 +58,7 @@ def rotation():
     """Claims of the kinds that are about maps."""
     turn = System(r"x_{n+1}=y_n,\quad y_{n+1}=-x_n")
     turn.integral("x_n^2+y_n^2"), turn.measure("x_n^2+y_n^2+1"), turn.symplectic()
-    turn.integrable("x_n^2+y_n^2")
+    turn.integrable("x_n^2+y_n^2"), turn.invariant("x_n=0", "y_n=0")
     return replace(derivation(turn.section), name="rotation")
 
 

@@ -51,7 +51,7 @@ def test_expressions_are_read_once(texts):
     assert texts.expression("x+y") is texts.expression("x+y")
 
 
-@pytest.mark.parametrize("ask", [Texts.formula, Texts.relation, Texts.sides, Texts.time_scale])
+@pytest.mark.parametrize("ask", [Texts.formula, Texts.relation, Texts.sides])
 def test_an_inequality_is_never_read_as_an_equality(texts, ask):
     with pytest.raises(NotationError, match=r"rows.2: an equality is expected, not .ne") as caught:
         ask(texts.with_source(ROWS, r"x=y, y=x \ne 2x"), ROWS[2])

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from base64 import b64decode
 from collections import Counter
 from collections.abc import Iterator
+from io import BytesIO
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
+from PIL import Image
 
+from kowalevski_cas.notation import Vocabulary
+from kowalevski_cas.notation import read as parse
 from kowalevski_cas.report.document import Equations, Graph
 from kowalevski_cas.report.graph import Drawing
 from kowalevski_cas.report.html import render_html
@@ -73,6 +79,26 @@ def test_what_stands_in_boxes_is_neither_small_nor_huge(tmp_path: Path, pixels: 
             browser.show(page)
             browser.width(pixels)
             assert 9 <= browser.value(LETTERS) <= 14
+
+
+@pytest.mark.parametrize("letter", ["x", "M", r"\theta", r"\lambda", r"\beta"])
+def test_a_dot_stands_clear_of_its_letter(letter: str, tmp_path: Path) -> None:
+    page = tmp_path / "page.html"
+    words = Vocabulary(scalars=frozenset({letter}))
+    shown = Equations((parse(rf"\dot {letter}=0", words),), "")
+    page.write_text(render_html(document()._replace(blocks=(shown,))), encoding="utf-8")
+    with Browser(tmp_path / "user") as browser:
+        browser.show(page)
+        browser.width(800)
+        box = browser.value(
+            "(one => ({x: one.x, y: one.y - 4, width: one.width, height: one.height + 4}))"
+            "(document.querySelector('mover').getBoundingClientRect())"
+        )
+        taken = browser("Page.captureScreenshot", format="png", clip={**box, "scale": 4})
+    picture = Image.open(BytesIO(b64decode(taken["data"]))).convert("L")
+    width, height = picture.size
+    inked = [picture.crop((0, y, width, y + 1)).getextrema()[0] < 128 for y in range(height)]
+    assert sum(here and not above for above, here in pairwise([False, *inked])) == 2
 
 
 def test_every_link_ends_somewhere(browser: Browser) -> None:

@@ -4,7 +4,7 @@ import shutil
 
 import pytest
 
-from study.searches import LEFT, LINEAR, POLYNOMIAL, QUICK, RIGHT, measure
+from study.searches import LEFT, LINEAR, POLYNOMIAL, QUICK, RIGHT, SYMBOLIC, measure
 
 SYSTEMS = [one for one in (*LEFT, *RIGHT) if one.name in QUICK]
 
@@ -13,8 +13,10 @@ SYSTEMS = [one for one in (*LEFT, *RIGHT) if one.name in QUICK]
 def test_methods_agree(one):
     installed = ["singular"] if shutil.which("Singular") else []
     if one.question == "integrals":
-        names = [name for name in LINEAR if name not in ("search", "singular")]
+        names = [name for name in LINEAR if name != "singular"]
         sizes = {name: LINEAR[name](one)() for name in (*names, *installed)}
+        for name in ("sympy", *installed):
+            sizes[f"{name}, symbols"] = SYMBOLIC[name](one)()
     else:
         names = ["python-flint", "sympy", *installed]
         sizes = {name: POLYNOMIAL[name](one)() for name in names}

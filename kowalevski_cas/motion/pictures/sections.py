@@ -89,10 +89,14 @@ def _draw_tori(axes: Axes, fields: Fields, found: Sequence[Chamber]) -> None:
     wide = [chamber for chamber in found if chamber.depth >= SEEN]
     unknown = [chamber for chamber in wide if chamber.tori is None]
     followed = count_tori(fields, [chamber.level for chamber in unknown]) if unknown else []
-    counted = dict(zip(unknown, followed, strict=True))
+    # Motions are followed for a while only: what the walls exclude is no count.
+    left = {
+        chamber: chamber.numbers & {count} or chamber.numbers
+        for chamber, count in zip(unknown, followed, strict=True)
+    }
     for chamber in wide:
         axes.text(
-            *chamber.place, str(counted.get(chamber, chamber.tori)),
+            *chamber.place, _words(left.get(chamber, chamber.numbers)),
             size=8, weight="bold", ha="center", va="center", zorder=6,
             path_effects=[withStroke(linewidth=1.5, foreground=GREYS[1])],
         )  # fmt: skip

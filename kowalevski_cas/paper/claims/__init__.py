@@ -26,6 +26,7 @@ from kowalevski_cas.paper.claims.local_dimension import LocalDimension
 from kowalevski_cas.paper.claims.maps import (
     IntegrableMap,
     InvariantOfMap,
+    InvariantSetOfMap,
     MeasureOfMap,
     OfMap,
     PoissonMap,

@@ -124,9 +124,13 @@ class FirstIntegral(Claim):
 
     def _with_names_of(self, values: Sequence[Formula], on: Elaborations) -> Elaboration:
         """The setting in which all names of the values are constants."""
+        if not values:
+            return on(self.scene)
         names = frozenset[str]().union(*(value.names() for value in values))
         known = {*self.scene.names(), *self.scene.definitions, *self.scene.vectors}
-        return on(self.scene.having(constants=tuple(sorted(names - known))))
+        constants = (*self.scene.constants, *sorted(names - known))
+        # A space of its own, also with no new name: the function moves in one that knows no value.
+        return on(replace(self.scene, constants=constants))
 
     def _values(
         self, on: Elaborations, space: Elaboration, printed: list[Formula]

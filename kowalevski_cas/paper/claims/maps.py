@@ -7,8 +7,8 @@ the one name in the place of the other.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import combinations
+from collections.abc import Iterator, Sequence
+from itertools import combinations, pairwise
 
 from kowalevski_cas.notation import (
     Formula,
@@ -21,8 +21,9 @@ from kowalevski_cas.notation import (
     times,
 )
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import function, members, vanishes
+from kowalevski_cas.paper.claims.forms import equations, function, members, vanishes
 from kowalevski_cas.paper.claims.poisson import Jacobi, commutation, pfaffian
+from kowalevski_cas.paper.components import parts, sides
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.matrices import determinant
@@ -52,6 +53,32 @@ class InvariantOfMap(OfMap):
         own = _printed_function(on, space, self.own)
         yield identity(space, _invariance(space, own, self.images))
         yield Rank(space, (space.plain(own),), (), 1)
+
+
+class InvariantSetOfMap(OfMap):
+    """The image of each point at which the printed equations hold is one; there is a real one."""
+
+    relations: tuple[Printed, ...]
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        if not self.relations:
+            raise Meaningless("no equations are given")
+        space = on(self.scene)
+        given = equations(on, space, self.relations)
+        printed = (members(on.texts.relation(place)) for place in self.relations)
+        images = tuple(
+            (self._image(left, space), self._image(right, space))
+            for chain in printed
+            for left, right in pairwise(chain)
+        )
+        yield Fails(space, (), given)
+        yield Follows(space, (tuple(_components(images, space)),), given)
+
+    def _image(self, formula: Formula, space: Elaboration) -> Formula:
+        return _at_image(expand_definitions(space, formula), self.images)
+
+    def establishes(self) -> Iterator[Printed]:
+        yield from self.relations
 
 
 class MeasureOfMap(OfMap):
@@ -145,6 +172,13 @@ def expand_definitions(space: Elaboration, formula: Formula) -> Formula:
     if isinstance(formula, Name) and formula.name in space.scene.definitions:
         return expand_definitions(space, space.definition(formula.name))
     return formula.map_children(lambda child: expand_definitions(space, child))
+
+
+def _components(pairs: Sequence[Equation], space: Elaboration) -> Iterator[Equation]:
+    """The components of equations between vectors, and equations between scalars."""
+    for pair in pairs:
+        left, right = sides(pair, space)
+        yield from zip(parts(left, space), parts(right, space), strict=True)
 
 
 def _brackets(space: Elaboration, images: Images) -> Iterator[Equation]:

@@ -1,18 +1,23 @@
-r"""Matrix equations of motion of a paper, :math:`\dot L=[L,A]`, by the rates of the entries."""
+r"""Rates that a paper says otherwise: by matrices, :math:`\dot L=[L,A]`, and by differentials.
+
+A chain :math:`dx/P=dy/Q=dz/R` says how x, y, z move by a time that is not printed.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 from kowalevski_cas.notation import Formula, read
 from kowalevski_cas.notation.open import OpenParser
+from kowalevski_cas.paper.differentials import differentials, rates
 from kowalevski_cas.paper.matrix_equations import equations_of_entries
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 from kowalevski_cas.reading.unprinted import definitions_below
 
-SOURCE = "an entry of the matrix equation"
+SOURCE = "the equation that says it"
 
 
 def rows_of_matrices(
@@ -39,11 +44,19 @@ def rows_of_matrices(
             continue
         try:
             tex = [*equations_of_entries(_formulas([*together, *about]), "t")]
-            rates = [_row(paper, row, number, one) for number, one in enumerate(tex, 1)]
+            own_rates = [_row(paper, row, number, one) for number, one in enumerate(tex, 1)]
         except (ValueError, Meaningless) as error:
-            row.trouble, rates = str(error), []
-        found |= {one: rates if one is row else [] for one in together}
+            row.trouble, own_rates = str(error), []
+        found |= {one: own_rates if one is row else [] for one in together}
     return found
+
+
+def rows_of_differentials(paper: SourcePaper) -> Iterator[SourceStatement]:
+    """The rates for each chain of differentials."""
+    for item in paper.items:
+        if item.formula is not None and differentials(item.formula):
+            for number, tex in enumerate(rates(item.formula), 1):
+                yield _row(paper, item, number, tex)
 
 
 def _formulas(items: list[SourceStatement]) -> dict[Printed, Formula]:
@@ -53,7 +66,7 @@ def _formulas(items: list[SourceStatement]) -> dict[Printed, Formula]:
 def _row(paper: SourcePaper, by: SourceStatement, number: int, tex: str) -> SourceStatement:
     """An equation of motion that a row says, in its place."""
     display = Display(
-        f"{by.printed.display.id}-entry-{number}", tex, by.printed.display.section, source=SOURCE
+        f"{by.printed.display.id}-rate-{number}", tex, by.printed.display.section, source=SOURCE
     )
     formula = read(tex, paper.words, OpenParser)
     return replace(by, printed=display[1], formula=formula, implied_by=by)

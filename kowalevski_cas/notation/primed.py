@@ -1,0 +1,32 @@
+r"""Names with primes, as :math:`\gamma,\gamma',\gamma''` of the components of a vector."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kowalevski_cas.notation.formula import Derivative, Formula, Name
+from kowalevski_cas.notation.open import OpenParser
+from kowalevski_cas.notation.reader import read_display
+from kowalevski_cas.notation.vocabulary import Vocabulary
+
+
+def primed_names(tex: str, words: Vocabulary) -> Iterator[str]:
+    r"""The names with primes, where rates of some are printed, as :math:`d\gamma'/dt`.
+
+    Then no prime is a derivative.
+    """
+    if "'" not in tex and r"\prime" not in tex:
+        return
+    found = read_display(tex, words, OpenParser)
+    chains = [_marks(node) for one in found for node in one.formula.nodes()]
+    if any("prime" in marks and {*marks} != {"prime"} for _, marks in chains):
+        yield from (name + "'" * marks.count("prime") for name, marks in chains if name)
+
+
+def _marks(formula: Formula) -> tuple[str, list[str]]:
+    """The name under derivatives, and how they are printed; empty for anything else."""
+    marks: list[str] = []
+    while isinstance(formula, Derivative):
+        marks.append(formula.mark)
+        formula = formula.argument
+    return (formula.name, marks) if isinstance(formula, Name) and marks else ("", [])

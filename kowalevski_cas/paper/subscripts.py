@@ -1,0 +1,49 @@
+r"""Derivatives that are printed in an index, as :math:`u_{xxx}+6uu_x-cu_x=0` for a wave."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+_INDEXED = re.compile(
+    r"(?P<letter>\\[A-Za-z]+|[A-Za-z])_(?:\{(?P<low>(?P<by>[a-z])(?P=by)*)\}|(?P<one>[a-z]))"
+    r"(?![A-Za-z]*_)"
+)
+_LETTER = re.compile(r"\\(?:begin|end|label)\s*\{[^}]*\}|\\[A-Za-z]+|[A-Za-z]")
+_OTHER = re.compile(r"\\d*dot\b|'|\\prime|\\partial|\\frac\s*\{?\s*d\b|\bd[a-z]?\s*/\s*d")
+
+
+def derived_in_index(texts: Iterable[str]) -> str:
+    r"""The variable by which indices derive: the only one, of which nothing else is printed.
+
+    >>> derived_in_index([r"u_{xxx}+6uu_x-cu_x=0"]), derived_in_index([r"u_{xx}=6u^2+x"])
+    ('x', '')
+
+    Of a partial differential equation there are two.
+
+    >>> derived_in_index([r"u_t+6uu_x+u_{xxx}=0"]), derived_in_index([r"\ddot x=I_{xx}x"])
+    ('', '')
+    """
+    texts = [*texts]
+    if any(map(_OTHER.search, texts)):
+        return ""
+    found = [match for tex in texts for match in _INDEXED.finditer(tex)]
+    several = {(one["letter"], one["by"]) for one in found if one["by"] and len(one["low"]) > 1}
+    letters = {letter for letter, _ in several}
+    by = {one["by"] or one["one"] for one in found if one["letter"] in letters}
+    if len(by) != 1 or len(letters) != 1:
+        return ""
+    (name,) = by
+    left = (letter for tex in texts for letter in _LETTER.findall(_INDEXED.sub("", tex)))
+    return "" if name in left else name
+
+
+def with_derivatives(tex: str, by: str) -> str:
+    """A formula with primes for the derivatives by a variable, as long as it was."""
+
+    def primed(match: re.Match[str]) -> str:
+        low = match["low"] or match["one"]
+        own = by and {*low} == {by}
+        return f"{match['letter']}{chr(39) * len(low)}".ljust(len(match[0])) if own else match[0]
+
+    return _INDEXED.sub(primed, tex)
