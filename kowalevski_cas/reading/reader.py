@@ -15,17 +15,18 @@ from kowalevski_cas.paper.derivation import Derivation, Doubt, Section
 from kowalevski_cas.paper.differentials import differentials
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.processes import each
 from kowalevski_cas.reading.choice import Choice, choose
 from kowalevski_cas.reading.comments import read_comments
 from kowalevski_cas.reading.constraints import enter_constraints
 from kowalevski_cas.reading.conventions import enter_conventions
+from kowalevski_cas.reading.cyclic import enter_cyclic_names
 from kowalevski_cas.reading.doubts import doubt_of
 from kowalevski_cas.reading.grammar import wrong
 from kowalevski_cas.reading.in_words import claims_in_words
-from kowalevski_cas.reading.known import CLAIM, StatementRole
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, StatementRole
 from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.names import Names, vectors_of
 from kowalevski_cas.reading.obey import SAID, about, claim_id, said_rung, said_rungs
@@ -77,8 +78,8 @@ Heard = Callable[[str, int, int], None]
 class Referee(Protocol):
     """Who decides each claim as soon as it is read: a long paper has its first findings soon."""
 
-    def begin(self, derivation: Derivation, texts: Texts) -> Callable[[Claim], Outcome]:
-        """What decides a claim of a derivation, in a process of its own."""
+    def begin(self, interpretation: Interpretation) -> Callable[[Claim], Outcome]:
+        """What decides a claim under an interpretation, in a process of its own."""
 
     def receive(self, item: SourceStatement, outcome: Outcome) -> Outcome:
         """The outcome for the claim of a statement, as it comes from that process."""
@@ -88,6 +89,7 @@ def read(source: Source, heard: Heard = lambda *_: None, referee: Referee | None
     """The derivation that a source is, by the rules of reading."""
     paper = read_statements(source)
     parts = Parts(paper, Names(vectors_of(paper)), read_comments(paper))
+    enter_cyclic_names(parts)
     for item in _in_order(paper):
         parts.cite(item)
         parts.suppose(item)
@@ -157,7 +159,9 @@ class _DerivationReader:
             role = StatementRole(CLAIM, "these words claim it", found.name)
             id = f"{found.name}-in-words-{number}"
             try:
-                on = self.stages[known].scene(found.about, known.supposed(first))
+                at = found.at or first
+                beside = [at] if self.parts.roles[at].name == ASSUMPTION else []
+                on = self.stages[known].scene(found.about, [*beside, *known.supposed(at)])
                 claim = found.kind(id, on.scene, words=found.says, **found.values)  # type: ignore[arg-type]
             except (ValueError, Meaningless) as error:
                 yield JudgedStatement(first, role, message=str(error), span=found.span)
@@ -190,14 +194,13 @@ class _DerivationReader:
         claims = [self.candidates[item][0].claim for item in waiting]
         first = self._derivation((*claims, *(one.claim for one in statements if one.claim)))
         scenes = (rung.claim.scene for item in waiting for rung in self.candidates[item])
-        texts = first.texts(None, *scenes)
-        on = Interpretation(first, texts).on
-        decide = referee.begin(first, texts) if referee is not None else None
+        interpretation = Interpretation(first, first.texts(None, *scenes))
+        decide = referee.begin(interpretation) if referee is not None else None
 
         def choice(place: int) -> tuple[Choice, Outcome | None]:
             tell(waiting[place].printed.place, place, len(waiting))
             rungs = self.candidates[waiting[place]]
-            choice = choose(rungs, on(rungs[0].claim))
+            choice = choose(rungs, interpretation.on(rungs[0].claim))
             if decide is None or choice.place is None:
                 return choice, None
             return choice, decide(rungs[choice.place].claim)

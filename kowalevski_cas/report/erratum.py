@@ -54,15 +54,25 @@ def _corrections(findings: Findings) -> Iterator[Block]:
         yield Equations(meant)
         yield from _because(findings, first)
     for outcome in findings.false:
-        where = capitalise(findings.phrases.found([outcome.claim]))
-        said: Text = (*where, ": ", *findings.phrases.sentence(outcome.words), " This is false.")
+        words = findings.phrases.sentence(outcome.words)
+        said: Text = (*_place(findings.phrases, outcome), ": ", *words, " This is false.")
         if outcome.correction is not None:
             said = (*said, " Read: ", *findings.phrases.words(outcome.correction.words))
             if outcome.correction.conditions:
                 said = (*said, ", where ", *findings.phrases.where(outcome.correction.conditions))
             said = (*said, ".")
         yield Paragraph(said)
+        if outcome.source and not {*outcome.formulas} <= {*said}:
+            yield Equations(outcome.formulas, outcome.source)
         yield from _because(findings, outcome)
+
+
+def _place(phrases: Phrases, outcome: Outcome) -> Text:
+    """Where the paper says something: by its own numbers, and not by those of the report."""
+    name = phrases.names.get(outcome.claim)
+    if name is None or name.near or name.number.startswith("("):
+        return capitalise(phrases.found([outcome.claim]))
+    return (f"Section {outcome.section}",)
 
 
 def _because(findings: Findings, outcome: Outcome) -> Iterator[Block]:

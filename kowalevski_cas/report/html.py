@@ -43,7 +43,7 @@ _NARROW: Final = 19.0
 
 _FIRST: Final = re.compile('^<mo( form="prefix")?>')
 
-_STOP: Final = re.compile(r"(<math>(?:(?!</math>).)*</math>[.,;:)]+)")
+_STOP: Final = re.compile(r"(<math>(?:(?!</math>).)*</math>[.,;:)”]+)")
 
 
 def render_html(document: Document, beside: Path = Path()) -> str:

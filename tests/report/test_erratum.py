@@ -31,10 +31,11 @@ def test_each_misprint_stands_there_as_printed_and_as_meant() -> None:
 
 
 def test_what_is_false_is_said_with_the_nearest_truth() -> None:
-    false = claim("a", "1", "x=y", "all are equal", R, correction=correction("x=x", "some are", P))
+    false = claim("a", "1", "x=m", "all are equal", R, correction=correction("x=x", "some are", P))
     page = erratum(false)
     assert page is not None
-    assert "All are equal. This is false. Read: some are." in said(page.blocks)
+    assert "Section 1: All are equal. This is false. Read: some are." in said(page.blocks)
+    assert any(isinstance(block, Equations) for block in page.blocks)
 
 
 def test_it_stands_alone_and_can_be_set() -> None:
