@@ -197,7 +197,8 @@ def _verdict(score: Score, row: Entry, here: list[Entry], where: str) -> None:
 
 def _is_doubted(found: Entry) -> bool:
     """Whether a claim is yellow because it is false as it was read."""
-    return bool(found["verdict"] == Verdict.UNDECIDED and found["message"] == FALSE_AS_READ)
+    told = str(found["message"]).startswith(FALSE_AS_READ)
+    return found["verdict"] == Verdict.UNDECIDED and told
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

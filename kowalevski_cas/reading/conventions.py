@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from contextlib import suppress
 
 from kowalevski_cas.notation import PoissonBracket
 from kowalevski_cas.notation.symbol import symbol
-from kowalevski_cas.paper.implied import canonical_pairs
+from kowalevski_cas.paper.implied import canonical_pairs, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.reading.known import CONVENTION, Known, StatementRole
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
+
+SPACE = 3
+_BASIS = re.compile(r"e_\{?([123])\}?")
+_CANONICAL = re.compile(r"\bcanonical|\bканоническ", re.IGNORECASE)
 
 
 def enter_conventions(parts: Parts) -> None:
@@ -46,6 +51,13 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
                 name = re.sub(r"\W+", "-", letter).strip("-")
                 tex = f"{letter}=|{vector}|"
                 yield unprinted(paper, f"length-of-{name}{suffix}", tex), role
+    for vector in sorted(known.names.vectors):
+        number = _BASIS.fullmatch(symbol(vector).without_type.name)
+        free = not known.is_defined(vector) and not known.moves(vector)
+        if number is not None and free and len(known.names.vectors[vector]) == SPACE:
+            entries = ",".join("1" if k == int(number[1]) else "0" for k in range(1, SPACE + 1))
+            item = unprinted(paper, f"basis-{number[1]}{suffix}", f"{vector}=({entries})")
+            yield item, StatementRole(CONVENTION, "a vector of the basis", "basis", (vector,))
     for q, p in _conjugate(known):
         tex = rf"\{{{q},{p}\}}=1"
         item = unprinted(paper, re.sub(r"\W+", "-", f"bracket-of-{q}-{p}{suffix}"), tex)
@@ -68,4 +80,16 @@ def _conjugate(known: Known) -> list[tuple[str, str]]:
     found = (
         canonical_pairs([r.formula for r in law.rows if r.formula is not None]) for law in laws
     )
-    return next(filter(None, found), [])
+    return next(filter(None, found), []) or _named_so(known)
+
+
+def _named_so(known: Known) -> list[tuple[str, str]]:
+    """All variables of the law as coordinates and momenta by their letters, if words say so."""
+    words = known.paper.prose.between(known.paper.prose.start, len(known.paper.prose.text))
+    if not (known.laws and _CANONICAL.search(words)):
+        return []
+    with suppress(ValueError):
+        variables = known.laws[0].variables
+        pairs = conjugate_pairs(variables)
+        return pairs if {name for pair in pairs for name in pair} == {*variables} else []
+    return []

@@ -94,7 +94,7 @@ CUES: dict[str, str] = {
         на\s+(?:\w+\s+)?(?:множеств|многообрази|поверхност|уровн|сфер)\w+""",
     "level": r"""
         levels? manifold relations? \bsets?\b surfaces? submanifold уровн\w+ многообрази\w+
-        соотношени\w+ поверхност\w+ множеств\w+""",
+        соотношени\w+ поверхност\w+ множеств\w+ уровен\w+""",
     "constraint": r"""
         constrain\w+
         (?:lie|stay|move|remain)s?\s+on\s+the\s+(?:\w+\s+)?(?:sphere|surface|curve|line)

@@ -53,7 +53,8 @@ def doubt_of(
     given = any({*one.given} - {*known.bound} for one in candidates)
     sure = not (given or rung.constants or cue("on it", item.words))
     sure = sure and not _has_level(item, rung, known) and not _has_constant(item, rung, known)
-    sure = sure and _is_plain(rung, item, parts)
+    sure = sure and _is_plain(rung, item, parts) and not _is_below_unread(item, known)
+    sure = sure and not _has_basis(rung, known)
     sure = sure and not any(one.title == "abstract" for one in item.sections)
     return None if sure and (role.kind == "integral" or item.derives) else Doubt.UNLESS_MENDED
 
@@ -71,6 +72,12 @@ def _has_usual_bracket(item: SourceStatement, rung: Rung, known: Known) -> bool:
     nodes = item.formula.nodes() if item.formula is not None else ()
     bracketed = any(isinstance(node, PoissonBracket) for node in nodes)
     return bool(usual) and bracketed and Number(0) not in item.members
+
+
+def _has_basis(rung: Rung, known: Known) -> bool:
+    """Whether a claim stands on vectors of a basis of which the paper does not say so."""
+    basis = {one.printed for one, role in known.roles.items() if role.kind == "basis"}
+    return not basis.isdisjoint(rung.claim.scene.definitions.values())
 
 
 def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
@@ -119,6 +126,17 @@ def _is_constrained(rung: Rung, known: Known) -> bool:
         one.order < first and not one.typed.inline and one not in rung.on and one.members
         for one in known.assumptions
         if known.roles[one].kind.startswith("set")
+    )
+
+
+def _is_below_unread(item: SourceStatement, known: Known) -> bool:
+    """Whether something cannot be read in its section that may say where all of it holds."""
+    return any(
+        one.formula is None
+        and one.order < item.order
+        and one.section in item.sections[1:]
+        and any(cue(name, one.before) for name in ("suppose", "level", "restricted"))
+        for one in known.items
     )
 
 

@@ -58,7 +58,8 @@ def beside(reading: Reading) -> str:
 def comments(reading: Reading) -> Iterator[tuple[TypedFormula, list[str]]]:
     """The formulas of which something is inferred, each with the comments that say it."""
     said = reading.parts.said
-    for _, group in groupby(reading.formulas, key=lambda formula: id(formula.item.typed)):
+    printed = [formula for formula in reading.formulas if formula.item.typed.kind]
+    for _, group in groupby(printed, key=lambda formula: id(formula.item.typed)):
         formulas = [*group]
         typed = formulas[0].item.typed
         texts = ["" if said.of.get(f.item) else text_of(f, reading.paper) for f in formulas]

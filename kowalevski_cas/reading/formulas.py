@@ -84,7 +84,7 @@ def _letters(formulas: Sequence[TypedFormula]) -> Vocabulary:
 
 
 _LIST = re.compile(
-    r"(?<![\w}\\])(?P<name>[A-Za-z]|\\[A-Za-z]+)\s*=\s*\(\s*"
+    r"(?<!\\boldsymbol\s)(?<!\\mathbf\s)(?<!\\bm\s)(?<!\\vec\s)(?<![\w}\\])(?P<name>[A-Za-z]|\\[A-Za-z]+)\s*=\s*\(\s*"
     r"(?P<entries>(?:[A-Za-z]|\\[A-Za-z]+)(?:_\{?\w\}?)?"
     r"(?:\s*,\s*(?:[A-Za-z]|\\[A-Za-z]+)(?:_\{?\w\}?)?)+)\s*\)\s*[.,;]?\s*"
 )

@@ -79,6 +79,8 @@ class InWords(NamedTuple):
     name: str
     """How the words are called in which it is made."""
     says: str
+    at: SourceStatement | None = None
+    """The statement beside the words, if they are about what is printed further off."""
 
 
 def claims_in_words(parts: Parts) -> Iterator[InWords]:
@@ -220,4 +222,7 @@ def _counted(found: re.Match[str], start: int, parts: Parts) -> InWords | None:
     rows = known.laws[0].rows
     about = (*rows, *(one for one in before[-1:] if not known.varying(one.names)))
     says = f"there are exactly {found['number'].lower()} states of rest"
-    return InWords((at, start + found.end()), Equilibria, about, values, "number", says)
+    span = (at, start + found.end())
+    here = (one for one in known.items if one.section is known.paper.prose.path(at)[-1])
+    beside = next((one for one in here if one.typed.start > at), (*rows, *before)[-1])
+    return InWords(span, Equilibria, about, values, "number", says, beside)

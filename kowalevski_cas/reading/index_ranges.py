@@ -29,6 +29,13 @@ _NUMBERED = re.compile(r"([A-Za-z]|\\[A-Za-z]+)\s*_\s*\{?\s*([A-Za-z\d])(?![\w+-
 _SUM = re.compile(r"\\sum\s*_\s*\{\s*([a-z])\s*=\s*1\s*\}\s*\^\s*\{?\s*(\d)")
 _PAIR = re.compile(r"_\s*\{\s*([ijk])\s*,?\s*([ijk])\s*\}")
 _SHIFTED = re.compile(r"_\s*\{\s*([a-z])\s*[+-]")
+_NUMBERS = {"two": 2, "three": 3, "four": 4, "five": 5, "двум": 2, "трем": 3, "трём": 3}
+_PERIOD = re.compile(
+    r"\b(?:ind(?:ex|ices)|индекс\w*)\b[^.;]{0,60}?\b(?:modulo|mod|по\s+модулю)[\s~]*"
+    rf"\$?(?P<number>[2-9]|{'|'.join(_NUMBERS)})\b",
+    re.IGNORECASE,
+)
+"""Words that give indices a period."""
 _TENSOR = re.compile(r"\\(?:var)?epsilon\s*_|\\delta\s*_")
 
 
@@ -40,15 +47,30 @@ def is_range(formula: TypedFormula) -> bool:
     return _ALONE.fullmatch(formula.tex) is not None
 
 
-def with_ranges(formulas: Sequence[TypedFormula]) -> Iterator[str]:
+def period_in(words: str) -> int:
+    """By how much words say that indices may be changed; 0 if they do not.
+
+    >>> period_in("the indices are taken modulo three")
+    3
+    """
+    found = _PERIOD.search(words)
+    if found is None:
+        return 0
+    number = found["number"].lower()
+    return int(number) if number.isdigit() else _NUMBERS[number]
+
+
+def with_ranges(formulas: Sequence[TypedFormula], period: int = 0) -> Iterator[str]:
     """The TeX of each formula, with the ranges of its indices behind it that stand elsewhere.
 
-    An index that is shifted, as in a chain, may leave its range: nobody says what stands there.
+    An index that is shifted, as in a chain, may leave its range: nobody says what stands there,
+    unless indices have a period.
     """
     said = [_said(formula.tex) for formula in formulas]
     usual = _by_numbers([formula.tex for formula in formulas])
     pairs = {pair.groups() for formula in formulas for pair in _PAIR.finditer(formula.tex)}
-    shifted = {one[1] for formula in formulas for one in _SHIFTED.finditer(formula.tex)}
+    shifts = () if period else (_SHIFTED.findall(formula.tex) for formula in formulas)
+    shifted = {letter for found in shifts for letter in found}
     known: dict[str, Values] = {}
     for place, formula in enumerate(formulas):
         known |= said[place]

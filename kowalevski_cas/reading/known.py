@@ -108,7 +108,8 @@ class Known:
             self.units.append(item)
         if role.kind == "clock":
             self.clocks.append(item)
-        if item.formula is not None and (item.members or role.name == LAW):
+        used = item.members or role.name == LAW
+        if item.formula is not None and used and role.name != CONVENTION:
             for name in item.names:
                 self.seen.setdefault(name, item)
 
@@ -160,8 +161,9 @@ class Known:
         return found
 
     def is_explained(self, name: str) -> bool:
-        """Whether a law, a definition, or words say anything of a name."""
+        """Whether a law, a definition, a supposition, or words say anything of a name."""
         named = any(item.formula == Name(name) for item in self.items)
+        named = named or any(name in self.roles[one].names for one in self.assumptions)
         mentioned = any(name in law.mentions for law in self.laws)
         return named or mentioned or self.moves(name) or self.is_defined(name) or name in self.later
 

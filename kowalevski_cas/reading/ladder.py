@@ -75,6 +75,7 @@ class _Ladder:
         match self.role.kind:
             case "identity" | "constant":
                 yield from self.identities()
+                yield from self.along_solution()
             case "inequality":
                 yield from self.inequalities()
             case "integral":
@@ -87,7 +88,7 @@ class _Ladder:
                 yield from map(_stronger, self.identities())
                 yield from self.first_order()
             case "somewhere":
-                yield from map(_stronger, self.values())
+                yield from map(_stronger, (*self.values(), *self.along_solution()))
         yield from self.elsewhere()
 
     def elsewhere(self) -> Iterator[Rung]:
@@ -278,6 +279,25 @@ class _Ladder:
                 Definition, says, assumptions, (), (*names.values(), rows[0]),
                 law=still, printed=self.item.printed, equation=rows[0].printed,
             )  # fmt: skip
+
+    def along_solution(self) -> Iterator[Rung]:
+        """An equation with the constants of a solution, where the solution before it is put in."""
+        before = [
+            one
+            for one, role in self.known.roles.items()
+            if role.kind == "solution" and one.order < self.item.order
+            and one.section is self.item.section and one.bare
+        ]  # fmt: skip
+        solution = [one for one in before if one.sentence == before[-1].sentence]
+        law = self.stage.law(solution[0], solution) if solution else None
+        own = {name for one in solution for name in one.names - {*one.bare[:1], "t"}}
+        if law is None or not (own - law.mentions) & self.item.names:
+            return
+        along = Law((), law.names, change=tuple(solution))
+        says = "both sides are equal along the solution before"
+        for assumptions in self.suppositions():
+            rung = self.rung(Identity, says, assumptions, (), (self.item, *solution), along)
+            yield replace(rung, on=(*rung.on, *solution), given=tuple(solution))
 
     # -- approximations --------------------------------------------------------------
 

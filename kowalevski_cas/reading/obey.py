@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from kowalevski_cas.notation import NotationError, Number, read_display
 from kowalevski_cas.notation.symbol import symbol
-from kowalevski_cas.paper.claims import Claim, FirstIntegral, Identity, Implication
+from kowalevski_cas.paper.claims import Claim, FirstIntegral, Identity, Implication, Inequality
 from kowalevski_cas.reading.comments import Said, names_of
 from kowalevski_cas.reading.grammar import Directive, own_fields, wrong
 from kowalevski_cas.reading.known import (
@@ -150,17 +150,20 @@ def _defining(found: Directive, known: Known) -> Iterator[SourceStatement]:
 
 def _rung_on(item: SourceStatement, id: str, stage: Stage, on: tuple[SourceStatement, ...]) -> Rung:
     """A claim of a statement on those that a comment names."""
-    supposed = stage.scene([item, *on], on)
+    in_force = (one for one in stage.known.supposed(item) if one not in on)
+    supposed = stage.scene([item, *on], [*on, *in_force])
     given = tuple(one.printed for one in on if one not in supposed.assumptions)
     words, place = "this holds on what the author names", item.printed
     claim: Claim
-    if stage.known.roles[item].kind == "integral" and not item.derives:
+    if stage.known.roles[item].kind == "inequality":
+        claim = Inequality(id, supposed.scene, words, printed=place, given=given)
+    elif stage.known.roles[item].kind == "integral" and not item.derives:
         claim = FirstIntegral(id, supposed.scene, words, printed=place, given=given)
     elif given:
         claim = Implication(id, supposed.scene, words, printed=place, given=given)
     else:
         claim = Identity(id, supposed.scene, words, printed=place)
-    return Rung(claim, on, supposed.constants)
+    return Rung(claim, (*on, *(o for o in supposed.assumptions if o not in on)), supposed.constants)
 
 
 def claim_id(found: Directive, first: SourceStatement) -> str:

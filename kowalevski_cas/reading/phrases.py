@@ -186,6 +186,26 @@ def _joined_lead(item: SourceStatement) -> str:
     return words.rpartition("§")[2]
 
 
+_THEY_SOLVE = re.compile(
+    r"\b(?:is|are)\s+(?:a\s+|the\s+)?(?:points?|solutions?|roots?|zeros?)\s+"
+    r"(?:of|at|where|in)(?:\s+which)?[\s:~]*$"
+    r"|(?:явля\w+|суть|[-—–])\s*(?:точк\w+|решени\w+|корн\w+|нул\w+)"
+    r"(?:,?\s+в\s+которых|\s+(?:уравнени|систем)\w+)?[\s:~]*$"
+)
+"""How words end before the equations that something satisfies."""
+_THEY = re.compile(r"\s*(?:They|These|Это|Они)\b")
+
+
+def solved_by(item: SourceStatement, name: str) -> str:
+    """The words for what a display is the set of: in its sentence, or before, if “they” are."""
+    words = item.before
+    if item.typed.inline or not (found := _THEY_SOLVE.search(words)):
+        return ""
+    if _THEY.match(words):
+        return cue(name, item.earlier[0]) if item.earlier else ""
+    return cue(name, words[: found.start()])
+
+
 def is_number(members: Iterable[Formula]) -> bool:
     """Whether some members are numbers, at least one."""
     found = [*members]

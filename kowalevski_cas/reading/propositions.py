@@ -12,6 +12,7 @@ from kowalevski_cas.reading.phrases import (
     plain,
     reach,
     set_beside,
+    solved_by,
     words_of,
 )
 from kowalevski_cas.reading.statements import SourceStatement
@@ -70,6 +71,8 @@ def claimed_set(item: SourceStatement, known: Known) -> StatementRole | None:
     for words, kind in (("invariant", "invariant"), ("equilibrium", "rest")):
         if said := words_of(item, words):
             return StatementRole(CLAIM, f"“{said}” is said of the set", kind)
+    if said := solved_by(item, "equilibrium"):
+        return StatementRole(CLAIM, f"“{said}” are the solutions", "rest")
     return None
 
 

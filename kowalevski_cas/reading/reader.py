@@ -22,10 +22,11 @@ from kowalevski_cas.reading.choice import Choice, choose
 from kowalevski_cas.reading.comments import read_comments
 from kowalevski_cas.reading.constraints import enter_constraints
 from kowalevski_cas.reading.conventions import enter_conventions
+from kowalevski_cas.reading.cyclic import enter_cyclic_names
 from kowalevski_cas.reading.doubts import doubt_of
 from kowalevski_cas.reading.grammar import wrong
 from kowalevski_cas.reading.in_words import claims_in_words
-from kowalevski_cas.reading.known import CLAIM, StatementRole
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, StatementRole
 from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.names import Names, vectors_of
 from kowalevski_cas.reading.obey import SAID, about, claim_id, said_rung, said_rungs
@@ -88,6 +89,7 @@ def read(source: Source, heard: Heard = lambda *_: None, referee: Referee | None
     """The derivation that a source is, by the rules of reading."""
     paper = read_statements(source)
     parts = Parts(paper, Names(vectors_of(paper)), read_comments(paper))
+    enter_cyclic_names(parts)
     for item in _in_order(paper):
         parts.cite(item)
         parts.suppose(item)
@@ -157,7 +159,9 @@ class _DerivationReader:
             role = StatementRole(CLAIM, "these words claim it", found.name)
             id = f"{found.name}-in-words-{number}"
             try:
-                on = self.stages[known].scene(found.about, known.supposed(first))
+                at = found.at or first
+                beside = [at] if self.parts.roles[at].name == ASSUMPTION else []
+                on = self.stages[known].scene(found.about, [*beside, *known.supposed(at)])
                 claim = found.kind(id, on.scene, words=found.says, **found.values)  # type: ignore[arg-type]
             except (ValueError, Meaningless) as error:
                 yield JudgedStatement(first, role, message=str(error), span=found.span)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 
 from kowalevski_cas.notation import Name, Relation
@@ -32,6 +33,9 @@ from kowalevski_cas.reading.propositions import (
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.suppositions import assumption, inequality, value
 
+_BELONGING = re.compile(r"\b(?:of|in|for|by|with|on)[\s~]*(?:the\s+)?(?:\w+\s+)?$")
+"""How words end behind which something belongs to a name, and is spoken of itself."""
+
 Rule = Callable[[SourceStatement, Known], StatementRole | None]
 
 
@@ -54,7 +58,8 @@ def expression(item: SourceStatement, known: Known) -> StatementRole | None:
     if isinstance(item.formula, Relation):
         return None
     if isinstance(item.formula, Name):
-        said = cue("integral", item.tail[:40]) if VERB.match(item.tail) else ""
+        spoken_of = VERB.match(item.tail) and not _BELONGING.search(item.lead)
+        said = cue("integral", item.tail[:40]) if spoken_of else ""
         said = said or listed_words(item, "integral")
         if not (said and known.varies(item.formula.name)):
             return StatementRole(NOTATION, "a name")

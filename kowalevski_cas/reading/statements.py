@@ -14,7 +14,7 @@ from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.times import time_change
 from kowalevski_cas.reading.cues import cue, cues
 from kowalevski_cas.reading.formulas import by_names, read_formula, vocabulary_of
-from kowalevski_cas.reading.index_ranges import with_ranges
+from kowalevski_cas.reading.index_ranges import period_in, with_ranges
 from kowalevski_cas.reading.numbers import numbers_of
 from kowalevski_cas.reading.text import MARK, Prose, TextSection, references
 from kowalevski_cas.source.displays import TypedFormula
@@ -125,6 +125,8 @@ class SourcePaper:
     lines: dict[str, int] = field(repr=False)
     """The lines of the displays, by their ids."""
     expanded: Expanded = field(repr=False)
+    period: int = 0
+    """By how much indices may be changed; 0 if they may not."""
 
     @cached_property
     def alike(self) -> dict[Formula | None, list[SourceStatement]]:
@@ -213,9 +215,10 @@ def read_statements(source: Source) -> SourcePaper:
     words = vocabulary_of(formulas)
     displays: list[tuple[Display, TypedFormula]] = []
     items: list[SourceStatement] = []
+    period = period_in(expanded.text[prose.start :])
     lines: dict[str, int] = {}
     ids: Counter[str] = Counter()
-    for formula, tex in zip(formulas, with_ranges(formulas), strict=True):
+    for formula, tex in zip(formulas, with_ranges(formulas, period), strict=True):
         path = prose.path(formula.start)
         if any(one.title == "thebibliography" for one in path):
             continue
@@ -244,7 +247,7 @@ def read_statements(source: Source) -> SourcePaper:
                     prose.entry(formula.start), around.earlier,
                 )
             )  # fmt: skip
-    return SourcePaper(source, prose, words, tuple(displays), tuple(items), lines, expanded)
+    return SourcePaper(source, prose, words, tuple(displays), tuple(items), lines, expanded, period)
 
 
 class _Around:

@@ -4,7 +4,8 @@ What claims that fail together share is suspected: the law, a definition, an ass
 a relation of constants. An edit of it is a repair if it mends claims and breaks none. For several
 claims that edit is likeliest which mends most of them; of those that mend as many, one of a
 claim's own formula comes before a relation of constants, this before an edit of a definition, and
-that before one of the law. A claim that fails alone has its own formula corrected, if that can be.
+that before one of the law. A claim that fails alone has its own formula corrected, if that can be,
+and if the law does not print a rate twice.
 
 A run asks when all its claims are decided; who has a :class:`~.corrector.Corrector` asks for::
 
@@ -34,8 +35,8 @@ from kowalevski_cas.verify.corrector import Corrector
 from kowalevski_cas.verify.outcome import Correction, Verdict
 from kowalevski_cas.verify.relations import ConstantRelation
 from kowalevski_cas.verify.statement import Statement
-from kowalevski_cas.verify.suspects import Repair, Repairs, changes, likelihood
-from kowalevski_cas.verify.vacuous import says_something, stands_still
+from kowalevski_cas.verify.suspects import Repair, Repairs, Suspect, changes, likelihood
+from kowalevski_cas.verify.vacuous import count_equal_rates, says_something, stands_still
 
 MOST = 3
 """How many repairs are proposed."""
@@ -93,11 +94,26 @@ class Blame:
         """The corrections of one claim: of its own formula, or else of what it stands on."""
         printed = self.corrector.interpretation.statement(claim)
         own = tuple(self.corrector.near(printed, MOST, self.seconds / SHARE))
-        if own or self._is_expected(claim):
+        twice = self._equal_rates(claim)
+        if (own and not twice) or self._is_expected(claim):
             return own
         others = [other for other in self._failing if other is not claim]
         repairs = self._search([claim, *others], least=1, one=claim)
-        return self._proofs(repairs, least=1).get(claim.id, ())
+        if own:  # nobody prints a rate twice: a letter there was taken for another one
+            repairs = [
+                repair
+                for repair in repairs
+                if repair.suspect is Suspect.LAW and self._equal_rates(claim, repair) < twice
+            ]
+        return (*self._proofs(repairs, least=1).get(claim.id, ()), *own)[:MOST]
+
+    def _equal_rates(self, claim: Claim, repair: Repair | None = None) -> int:
+        """How many pairs of variables have the same rate, which is not zero, with a repair."""
+        on, scene = self._on(claim), claim.scene
+        if repair is not None:
+            edited = repair.of(claim, on.texts)
+            on, scene = on.under(edited.texts), edited.claim.scene
+        return count_equal_rates(on(scene)) if scene.field else 0
 
     # -- who fails ------------------------------------------------------------------
 

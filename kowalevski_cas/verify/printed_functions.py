@@ -20,8 +20,10 @@ class PrintedFunctions:
 
     def __init__(self, setting: Elaboration, printed: Iterable[Formula]) -> None:
         self.setting = setting
-        definitions = map(setting.texts.formula, setting.scene.definitions.values())
-        formulas = (*printed, *setting.printed_field, *definitions)
+        formulas = [*printed, *setting.printed_field]
+        for place in setting.scene.definitions.values():
+            with suppress(NotationError):  # what a change of the paper leaves without a meaning
+                formulas.append(setting.texts.formula(place))
         self.printed = dict.fromkeys(one for formula in formulas for one in applications(formula))
 
     @cached_property

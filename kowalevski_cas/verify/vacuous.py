@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import combinations
 
 from kowalevski_cas.algebra.ideals import vanish_on
 from kowalevski_cas.algebra.tower import Element
@@ -162,6 +163,12 @@ def stands_still(
     if any(now.rates[x].is_zero for x, rate in moving if x in now.rates and not rate.is_zero):
         return True
     return any(_still(name, now) and not _still(name, was) for name in names)
+
+
+def count_equal_rates(scene: Elaboration) -> int:
+    """How many pairs of variables have the same rate, which is not zero."""
+    rates = [rate for rate in scene.finder.rates.values() if not rate.is_zero]
+    return sum((one - other).is_zero for one, other in combinations(rates, 2))
 
 
 def _still(name: str, at: Evaluation) -> bool:

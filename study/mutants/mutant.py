@@ -81,7 +81,7 @@ def sample(audit: Audit, size: int, random: Random) -> list[Mutant]:
     while len(found) < size and idle < PATIENCE * len(places):
         known, idle = len(found), 0 if len(found) > known else idle + 1
         site = random.choice(places)
-        changes = list(_changes(site.tokens, site.at, site.typed.tex, letters))
+        changes = list(changes_at(site.tokens, site.at, site.typed.tex, letters))
         if changes:
             mutant = mutate(audit, site, random.choice(changes))
             if mutant is not None:
@@ -93,7 +93,7 @@ def every(audit: Audit) -> Iterator[Mutant]:
     """Every mutant of every token."""
     letters = letters_of(audit.session.interpretation.texts.vocabulary)
     for site in sites(audit):
-        for change in _changes(site.tokens, site.at, site.typed.tex, letters):
+        for change in changes_at(site.tokens, site.at, site.typed.tex, letters):
             mutant = mutate(audit, site, change)
             if mutant is not None:
                 yield mutant
@@ -143,7 +143,7 @@ def _difference(old: tuple[PrintedStatement, ...], new: tuple[PrintedStatement, 
     return next((k for k, (a, b) in enumerate(pairs, 1) if a.formula != b.formula), None)
 
 
-def _changes(tokens: list[Token], at: int, tex: str, letters: list[str]) -> Iterator[Change]:
+def changes_at(tokens: list[Token], at: int, tex: str, letters: list[str]) -> Iterator[Change]:
     """The kind of a change, the interval and what is typed there instead."""
     token = tokens[at]
     if token.kind == "sign":

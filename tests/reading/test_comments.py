@@ -247,3 +247,8 @@ def test_every_format_tells_what_is_open(tmp_path, capsys):
     for options in ([], ["--verbose"], ["--format", "json"], ["--format", "sarif"]):
         main(["audit", "--alone", *options, str(path)])
         assert capsys.readouterr().out
+
+
+def test_what_a_comment_supposes_is_drafted_no_second_time():
+    drafted = draft(read(paper(r"%kc: suppose ABC\ne 0"))).text
+    assert drafted.count("ABC") == 1 and "%kc: law" in drafted

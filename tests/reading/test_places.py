@@ -1,5 +1,7 @@
 """Where what is claimed holds: in a domain, on a set, near a state; and how far words reach."""
 
+import pytest
+
 from kowalevski_cas.verify.outcome import Verdict
 from tests.reading.test_reading import TOP, reading, roles, verdicts
 
@@ -88,3 +90,56 @@ def test_the_imaginary_unit_needs_no_words():
     \[ \dot w=-iw,\qquad \dot w=iw . \]"""
     found = verdicts(text)
     assert found[r"\dot w=-iw"].green and not found[r"\dot w=iw"].green
+
+
+def test_what_is_said_with_the_constants_of_a_solution_holds_along_it():
+    law = r"The equations are \[ \dot x=y,\qquad \dot y=-x . \] Let $E=x^2+y^2$. "
+    found = reading(law + r"It is solved by \[ x=c\sin t,\qquad y=c\cos t . \] Then $E=c^2$.")
+    assert found.formulas[-1].claim is not None
+    assert [one.printed.tex for one in found.formulas[-1].on] == [r"x=c\sin t", r"y=c\cos t"]
+    claims = r"\[ x=c\sin t,\qquad y=c\cos t . \] Then $E=c^2$ and $2E=c^2$, and $E+c=y^2+c$."
+    found = verdicts(law + "It is solved by " + claims)
+    assert found["E=c^2"].green and not found["2E=c^2"].green and not found["E+c=y^2+c"].green
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "We come to the equilibria. They are the solutions of",
+        "An equilibrium is a point at which",
+        "The states of rest are the points where",
+    ],
+)
+def test_equations_that_states_of_rest_satisfy_are_claimed_of_them(words):
+    law = r"The equations are \[ \ddot x=-x-xy,\qquad \ddot y=-y-x^2 . \] "
+    found = reading(law + words + r" \[ x(1+y)=0,\qquad y+x^2=0 . \]").formulas
+    assert [f.role.kind for f in found[-2:]] == ["rest", "rest"]
+    text = law + words
+    assert verdicts(text + r" \[ x(1+y)=0,\qquad y+x^2=0 . \]")["x(1+y)=0"].green
+    assert not verdicts(text + r" \[ x(1+y)=0,\qquad y+2=0 . \]")["x(1+y)=0"].green
+
+
+def test_states_of_rest_are_counted_for_the_constants_of_their_sentence():
+    law = r"The equation is \[ \dot x=x^2-a . \] "
+    found = reading(law + "For $a=1$ there are exactly two equilibria.").statements
+    assert [[one.printed.tex for one in found.on] for found in found] == [["a=1"]]
+
+
+def test_what_stands_below_a_set_that_cannot_be_read_is_not_refuted():
+    unread = r"Below we consider the level \[ {\cal M}=\{p,q,r:\ p=0\} . \] "
+    claim = r"Put $F=p^3q+3pr^2-q^5$. Then $\dot F=0$."  # near which nothing is true
+    assert verdicts(TOP + claim)[r"\dot F=0"] is Verdict.REFUTED
+    assert verdicts(TOP + unread + claim)[r"\dot F=0"] is Verdict.UNDECIDED
+
+
+def test_a_name_that_is_defined_by_what_is_supposed_is_defined_once():
+    text = TOP + r"Let $c>0$. Put \[ F=(p^2+cr)^2 . \] With $w=p^2+cr$ we have $F=2w^2$."
+    assert role(text, "F=2w^2").kind == "identity"
+
+
+def test_vectors_e_with_a_number_are_those_of_the_basis():
+    text = r"""The equations of motion are \[ \dot{\boldsymbol x}=\boldsymbol x\times\boldsymbol e_3 \]
+    for $\boldsymbol x=(x_1,x_2,x_3)$. Then \[ \dot x_1=x_2,\qquad \dot x_1=x_3 . \]"""
+    found = verdicts(text)
+    assert found[r"\dot x_1=x_2"] is Verdict.PROVED
+    assert found[r"\dot x_1=x_3"] is not Verdict.PROVED

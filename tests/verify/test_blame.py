@@ -210,3 +210,20 @@ def test_that_a_printed_difference_vanishes_is_no_repair():
     stated.where("C=1").integral(r"\dot x\dot y+Axy+\frac13x^3+xy^2+Dy^2")
     (outcome,) = decided(stated).values()
     assert outcome.correction is None or outcome.correction.words != "suppose $A = B$"
+
+
+NAHM = r"\dot x=%s,\ \dot y=zx,\ \dot z=xy"
+
+
+def test_a_rate_that_is_printed_twice_is_suspected_before_a_claim_that_fails_alone():
+    outcomes = decided(system(NAHM % "xz", ["x^2-y^2", "y^2-z^2"]))
+    assert mended(outcomes["x^2-y^2"]) == (r"\dot{x} = yz", "field.1")
+    assert outcomes["y^2-z^2"].verdict == "proved"
+    outcomes = decided(system(NAHM % "yz", ["x^2-y^3", "y^2-z^2"]))
+    assert mended(outcomes["x^2-y^3"])[0] == "x^2 - y^2"
+
+
+def test_two_variables_may_have_one_rate():
+    field = r"\dot x=u,\ \dot y=v,\ \dot u=v,\ \dot v=-u"
+    outcomes = decided(system(field, ["u-y", "v+x", "u^2-v^2"]))
+    assert mended(outcomes["u^2-v^2"])[0] == "u^2 + v^2"
