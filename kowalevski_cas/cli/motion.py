@@ -29,7 +29,7 @@ from kowalevski_cas.limits import time_limit
 from kowalevski_cas.motion import General, Motion, MotionO4, through
 from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.formulas import source
-from kowalevski_cas.motion.general import AnyMotion
+from kowalevski_cas.motion.general import AnyMotion, with_constants_of_O4
 from kowalevski_cas.motion.methods import METHODS, load
 from kowalevski_cas.motion.methods.ball import enclose
 from kowalevski_cas.motion.parameters import Inadmissible, MethodError, exact
@@ -211,7 +211,7 @@ def motion_of(arguments: argparse.Namespace) -> AnyMotion:
         raise CommandError(str(error)) from None
 
 
-def _by_constants(given: dict[str, Any]) -> Motion | MotionO4:
+def _by_constants(given: dict[str, Any]) -> AnyMotion:
     """The motion on O⁴ or on N⁴ with these constants."""
     third = any(name in given for name in ON_O4)
     needed = ("a", "b", *(("s", "tau") if third else ("m",)))
@@ -220,7 +220,7 @@ def _by_constants(given: dict[str, Any]) -> Motion | MotionO4:
         raise CommandError(f"{', '.join(missing)} missing; or give a state by --point")
     if third:
         _refuse([name for name in ON_N4 if name in given], "--s and --tau are those of O⁴")
-        return MotionO4.of(**given)
+        return with_constants_of_O4(**given)
     if ("l" in given) == ("h" in given):
         raise CommandError("one of --l and --h is needed" + ", not both" * ("l" in given))
     return Motion.of(**{"ell" if name == "l" else name: value for name, value in given.items()})

@@ -3,18 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
+from fractions import Fraction
+from itertools import product
 from math import hypot
-from typing import NoReturn
+from typing import Any, NoReturn
 
 import numpy as np
 
 from kowalevski_cas.motion import formulas, point
+from kowalevski_cas.motion.methods.ball import start_on_O4
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.motion import MotionO4
+from kowalevski_cas.motion.o4.parameters import Degenerate
 from kowalevski_cas.motion.o4.start import on_O4
-from kowalevski_cas.motion.parameters import Inadmissible, Real, usable
+from kowalevski_cas.motion.parameters import Inadmissible, Real, exact, usable
 from kowalevski_cas.motion.units import in_unit, unit_of, without_unit
+
+BESIDE = Fraction(1, 2**200)
+"""How near constants are to those at which two roots coincide: no float sees the difference."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +57,22 @@ class General:
         raise Inadmissible(
             f"there is no closed form, but integrators follow the motion: {self.why}"
         )
+
+
+def with_constants_of_O4(s: Real, tau: Real, **given: Any) -> MotionO4 | General:
+    """The motion on O⁴ by its constants, also where two roots coincide: there without closed form.
+
+    The state at t = 0 is the limit of those with constants beside, on either side where there are
+    motions. Arguments and errors are those of :meth:`~kowalevski_cas.motion.o4.motion.MotionO4.of`.
+    """
+    try:
+        return MotionO4.of(s=s, tau=tau, **given)
+    except Degenerate as error:
+        for by_s, by_tau in product((BESIDE, -BESIDE, Fraction(0)), repeat=2):
+            with suppress(Inadmissible):
+                near = MotionO4.of(s=exact(s) * (1 + by_s), tau=exact(tau) * (1 + by_tau), **given)
+                return General(tuple(start_on_O4(near).tolist()), str(error))
+        raise
 
 
 AnyMotion = Motion | MotionO4 | General

@@ -125,6 +125,15 @@ def test_near_two_edges_of_O4_an_integrator_follows_and_this_is_said(capfd):
     _printed(capfd, known, "two pairs of roots are so close")
 
 
+def test_where_two_roots_coincide_an_integrator_follows_and_the_regime_says_why(capfd):
+    known = ["--a", "1.2", "--b", "0.7", "--s", "1.2", "--tau=-0.5"]
+    found = json.loads(_printed(capfd, known))
+    assert found["regime"]["none"] == "-κ = -τ-r², or almost: the tori of O⁴ degenerate"
+    assert max(found["invariants"]["drift"].values()) < 1e-11
+    assert main(["motion", *known, "--method", "closed"]) == 2
+    assert "no closed form, but integrators follow" in capfd.readouterr().err
+
+
 def _printed(capfd, arguments, said=""):
     assert main(["motion", *arguments, "--until", "1", "--samples", "2"]) == 0
     out, err = capfd.readouterr()

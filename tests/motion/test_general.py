@@ -8,7 +8,7 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from kowalevski_cas.motion import General, Inadmissible, Motion, load, through
+from kowalevski_cas.motion import General, Inadmissible, MethodError, Motion, load, through
 from kowalevski_cas.motion.diagram import Fields
 from kowalevski_cas.motion.formulas import INTEGRALS, values_of_offer
 from kowalevski_cas.motion.frame import rotate
@@ -37,6 +37,7 @@ lengths = st.fractions(0, 2, max_denominator=50)
 @example(np.array([0, 0, 0, 1.0, 0, 0, 0, 1, 0]))  # r = 0
 @example(np.array([0, 0, 0, 1.0, 0, 0, 0, 1, 0.5]))  # m = 0
 @example(np.array([0, 0, 1.0, 1, 0, 0, 2, 0, 0]))  # parallel fields
+@example(np.array([1.0, 0, -0.1, 1e-236, -1e-12, 0, 1e-300, 0, 0]))  # one field is hardly a float
 def test_every_state_is_followed_and_the_integrals_are_kept(state):
     motion = through(state.tolist())
     found = dop853(motion, T)
@@ -139,3 +140,9 @@ def test_the_origins_are_times_at_the_first_roots(t1, t2):
 def test_fields_that_there_are_not_are_refused(a, b, c, words):
     with pytest.raises(Inadmissible, match=words):
         Motion.of(a, b, Fraction(1), ell=3, c=c)
+
+
+def test_a_field_that_is_lost_beside_the_velocities_is_said():
+    motion = through([0, -0.3, -5e164, 0, -1, 0, 0.1, 0, 0])
+    with pytest.raises(MethodError, match="so small beside ω²"):
+        dop853(motion, T / 5e164)

@@ -19,6 +19,9 @@ TOLERANCE = 1e-12
 """The tolerance, relative to the size of the state and of either field, unless another is asked
 for."""
 
+LEAST = -500
+"""The exponent of the least field that is followed to its own size: tolerances are floats."""
+
 
 def states(
     motion: AnyMotion, times: Array, tolerance: float = TOLERANCE, method: str = "DOP853"
@@ -67,10 +70,9 @@ def sizes(state: Array) -> Array:
 
     For a velocity that is 1; for a field, its own size, which it keeps: that of a fast top is tiny.
     """
-    alpha, beta = (np.max(np.abs(field)) for field in (state[3:6], state[6:]))
-    found: Array = np.repeat(
-        [1.0, *(np.ldexp(1.0, np.frexp(size)[1]) if size else 1.0 for size in (alpha, beta))], 3
-    )
+    fields = np.max(np.abs(state[3:].reshape(2, 3)), axis=1)  # of 0 the exponent is 0
+    exponents = np.maximum(np.frexp(fields)[1], LEAST)
+    found: Array = np.ldexp(1.0, np.repeat([0, *exponents], 3))
     return found
 
 
@@ -78,9 +80,12 @@ def both_ways(run: Callable[[Array, Array], Array], start: Array, times: Array) 
     """The states at times in any order, by ``run`` of a start and times on one way from 0.
 
     It gets a start of the size 1, so that its tolerances are relative, and the farthest time last.
+    Raises :class:`~kowalevski_cas.motion.parameters.MethodError` if a field is lost there.
     """
-    unit = unit_of(start)
-    start, times = in_unit(start, unit), np.ldexp(times, unit)
+    unit, given = unit_of(start), start
+    start, times = in_unit(given, unit), np.ldexp(times, unit)
+    if any(np.any(given[k : k + 3]) and not np.any(start[k : k + 3]) for k in (3, 6)):
+        raise MethodError("a field is so small beside ω² that no float holds it in its unit")
     found = np.empty((len(times), 9))
     for sign in (1.0, -1.0):
         chosen = np.flatnonzero(times >= 0 if sign > 0 else times < 0)

@@ -32,6 +32,10 @@ OPPOSITE = {x: y for pair in (MU, KAPPA) for x, y in (pair, pair[::-1])}
 """The roots −x beside x."""
 
 
+class Degenerate(Inadmissible):
+    """Constants of O⁴ at which two roots coincide: there are motions, without a closed form."""
+
+
 @dataclass(frozen=True)
 class ParametersO4(Lengths):
     """The constants of a motion on O⁴ in fields of lengths a > b > 0 at right angles."""
@@ -44,9 +48,10 @@ class ParametersO4(Lengths):
         if not 0 < self.b < self.a:
             raise Inadmissible(f"a = {float(self.a):g}, b = {float(self.b):g}; a > b > 0 is needed")
         refuse_extremes({"s/a": self.s / self.a, "τ/a²": self.tau / self.a**2})
-        for name, value in (("s", self.s), ("τ", self.tau), ("σ", self.sigma)):
+        refused = ((Inadmissible, "s", self.s), (Inadmissible, "τ", self.tau))
+        for error, name, value in (*refused, (Degenerate, "σ", self.sigma)):
             if value == 0:
-                raise Inadmissible(f"{name} = 0: the tori of O⁴ degenerate; {name} ≠ 0 is needed")
+                raise error(f"{name} = 0: the tori of O⁴ degenerate; {name} ≠ 0 is needed")
 
     @staticmethod
     def of(a: Real, b: Real, s: Real, tau: Real) -> ParametersO4:

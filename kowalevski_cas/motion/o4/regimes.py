@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise, product
 
-from kowalevski_cas.motion.o4.parameters import HIGH, KAPPA, LOW, MU, ParametersO4
+from kowalevski_cas.motion.o4.parameters import HIGH, KAPPA, LOW, MU, Degenerate, ParametersO4
 from kowalevski_cas.motion.parameters import Inadmissible
 from kowalevski_cas.motion.regimes import Arc, check_torus
 
@@ -101,14 +101,12 @@ def regime_of(constants: ParametersO4) -> RegimeO4:
     """The regime of given constants.
 
     Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible` if there is no real motion, and
-    where two roots coincide, but for rounding: there the tori degenerate.
+    :class:`~kowalevski_cas.motion.o4.parameters.Degenerate` where two roots coincide.
     """
     largest = max(abs(constants.root(name)) for name in constants.roots)
     for left, right in pairwise(constants.roots):
         if not constants.gap(right, left) > LEAST_GAP * largest:
-            raise Inadmissible(
-                f"{left} = {right}, or almost: the tori of O⁴ degenerate; another s or τ would do"
-            )
+            raise Degenerate(f"{left} = {right}, or almost: the tori of O⁴ degenerate")
     signs = (constants.s > 0, constants.tau > 0, constants.sigma > 0)
     for first, at_1 in _arcs(constants, 1):
         for second, at_2 in _arcs(constants, 2):

@@ -7,11 +7,16 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from kowalevski_cas.motion import Inadmissible, MethodError, MotionO4, load
+from kowalevski_cas.algebra.numbers import square_root
+from kowalevski_cas.motion import General, Inadmissible, MethodError, MotionO4, load
+from kowalevski_cas.motion.critical import residuals
+from kowalevski_cas.motion.formulas import values_of_offer
+from kowalevski_cas.motion.general import with_constants_of_O4
 from kowalevski_cas.motion.methods import closed as closed_form
 from kowalevski_cas.motion.methods.integrators import initial_state
 from kowalevski_cas.motion.o4.closed import ClosedO4
-from kowalevski_cas.motion.units import unit_of
+from kowalevski_cas.motion.units import numbers_in_unit, unit_of
+from kowalevski_cas.paper.closed_form import HyperellipticForm
 from tests.motion.exact import apart, integrated
 from tests.motion.o4.levels import admissible
 
@@ -177,6 +182,44 @@ def test_near_an_edge_the_series_have_some_hundreds_of_terms_at_most(known):
         assume(False)
         raise
     assert all(len(orders) < 1000 for _, orders in closed._quadratures._series)
+
+
+@settings(deadline=None)
+@given(
+    st.sampled_from(["s = a", "s = -a", "s = b", "s = -b", "σ = 0", "κ = 0"]),
+    st.integers(-60, 60).filter(bool),
+    st.integers(-60, 90).filter(bool),
+    st.tuples(*[st.fractions(-6, 6, max_denominator=50)] * 2),
+    st.integers(-100, 100),
+)
+def test_where_two_roots_coincide_integrators_start_from_constants_too(edge, s, tau, angles, power):
+    """In any unit of time: the state has these constants, and is on O⁴."""
+    s, tau, unit = Fraction(s, 20), Fraction(tau, 17), Fraction(2) ** power
+    if edge.startswith("s"):
+        s = (A if edge[-1] == "a" else B) * (-1 if "-" in edge else 1)
+    elif edge == "σ = 0":
+        tau = (A - B) ** 2 if tau > 0 else (A + B) ** 2
+    else:  # on a rational point of 4s²τ = −σ
+        square = -(tau - (A - B) ** 2) * (tau - (A + B) ** 2) / (4 * tau)
+        assume(square > 0)
+        s = square_root(square)
+        assume(s is not None)
+    given = {"a": A * unit**2, "b": B * unit**2, "angles": angles}
+    try:
+        motion = with_constants_of_O4(s * unit**2, tau * unit**4, **given)
+    except Inadmissible:
+        assume(False)
+        raise
+    assert isinstance(motion, General) and "degenerate" in motion.why
+    state = numbers_in_unit(list(map(Fraction, motion.point)), power)
+    row = np.array([state], dtype=float)
+    assert residuals(row)["O4"][0] < 1e-13
+    p, r = (float(square) ** 0.5 for square in (A**2 + B**2, A**2 - B**2))
+    h, k, g = values_of_offer("integrals", HyperellipticForm)(float(s), float(tau), p, r)
+    size = float(np.max(np.abs(row))) + 1
+    H, K, *_, G = np.array(values_of_offer("integrals")(*row[0]))[:6]
+    for value, expected, weight in ((H, h, 2), (K, k, 4), (G, g, 6)):
+        assert abs(value - expected) < 1e-13 * size**weight
 
 
 def test_a_state_that_does_not_keep_the_integrals_is_not_given(monkeypatch):
