@@ -233,7 +233,10 @@ AT_AMPLITUDE = {
 }
 """Derivatives of incomplete integrals at the amplitude of x, as E of am(x, k) and k."""
 
-_OTHERS = ("log", "max", "min", "det", "tr Tr")
+SIGN = r"\mathrm{sign}"
+"""The sign of what is not zero."""
+
+_OTHERS = ("log", "max", "min", "det", "tr Tr", "sign sgn sg")
 _MACROS = frozenset(
     """sin cos tan cot sec csc sinh cosh tanh coth arcsin arccos arctan exp ln log max min
     det""".split()

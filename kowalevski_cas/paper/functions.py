@@ -2,8 +2,8 @@ r"""The functions that a paper defines, as :math:`\varphi(s)=4ms^2`, at their ar
 
 from __future__ import annotations
 
-from kowalevski_cas.notation import Application, Formula, Name, substitute
-from kowalevski_cas.notation.functions import DERIVATIVE_OF
+from kowalevski_cas.notation import Application, Formula, Modulus, Name, Quotient, substitute
+from kowalevski_cas.notation.functions import DERIVATIVE_OF, SIGN
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.names import head
 from kowalevski_cas.problem.space import Meaningless
@@ -26,6 +26,8 @@ def value_of(formula: Application, setting: Meaning) -> Formula:
             if not all(isinstance(argument, Name) for argument in own):
                 raise Meaningless(f"{name} is used with other velocities: define it anew")
             return substitute(body, values)
+    if formula.function == SIGN and len(formula.arguments) == 1:
+        return Quotient(formula.arguments[0], Modulus(formula.arguments[0]))
     what = f"the function {formula.function} has no meaning here"
     if formula.function in DERIVATIVE_OF:
         what += ": only its derivative is known, in a first integral or where it is derived"

@@ -20,7 +20,7 @@ from kowalevski_cas.notation import (
     rank,
     to_latex,
 )
-from kowalevski_cas.notation.functions import FAMILY_OF
+from kowalevski_cas.notation.functions import FAMILY_OF, SIGN
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.exponents import half_power
@@ -306,8 +306,14 @@ class Stage:
                     yield to_latex(node)
                 case Power(base, exponent) if half_power(exponent) is not None:
                     yield to_latex(Root(base))
-                case Modulus(argument) if rank(argument, self.known.paper.words) == VECTOR:
+                case Modulus(argument) if self._is_real(argument):
                     yield to_latex(Root(Power(argument, Number(2))))
+                case Application(function, (argument,)) if function == SIGN:
+                    yield to_latex(Root(Power(argument, Number(2))))
+
+    def _is_real(self, formula: Formula) -> bool:
+        """Whether an absolute value is a root of a square: of a vector, or where all is real."""
+        return rank(formula, self.known.paper.words) == VECTOR or not self.known.units
 
 
 def with_assumption(scene: Scene, item: SourceStatement, known: Known) -> Scene:

@@ -113,8 +113,8 @@ class SystemClaim(HasFormulas):
         return f"{mark.format(own.verdict)}: {'; '.join(filter(None, found))}"
 
 
-class ClaimOfBothSigns(SystemClaim):
-    """A claim for the upper signs of a print, and one for the lower: it is as true as the worse."""
+class ClaimInParts(SystemClaim):
+    """Claims that are one print, as for both signs: it is as true as the worst of them."""
 
     def __init__(self, parts: tuple[SystemClaim, ...]) -> None:
         first = parts[0]

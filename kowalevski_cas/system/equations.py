@@ -31,6 +31,7 @@ from kowalevski_cas.notation import (
     to_latex,
 )
 from kowalevski_cas.notation.cursor import is_word
+from kowalevski_cas.notation.functions import SIGN
 from kowalevski_cas.notation.open import OpenParser, independent, words_that_move
 from kowalevski_cas.notation.primed import primed_names
 from kowalevski_cas.notation.symbol import name_of_rate
@@ -357,6 +358,8 @@ def _root(formula: Formula) -> Root | None:
         case Root():
             return formula
         case Modulus(argument):
+            return Root(Power(argument, Number(2)))
+        case Application(function, (argument,)) if function == SIGN:
             return Root(Power(argument, Number(2)))
         case Power(base, exponent) if half_power(exponent) is not None:
             return Root(base)

@@ -33,7 +33,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
-from kowalevski_cas.system.answers import ClaimOfBothSigns, Function, SystemClaim, in_html
+from kowalevski_cas.system.answers import ClaimInParts, Function, SystemClaim, in_html
 from kowalevski_cas.system.equations import (
     components,
     constraints_in,
@@ -46,6 +46,7 @@ from kowalevski_cas.system.equations import (
     with_time,
 )
 from kowalevski_cas.system.indices import has_permutation, with_ranges
+from kowalevski_cas.system.inverses import without_inverses
 from kowalevski_cas.system.maps import (
     Map,
     has_bars,
@@ -128,7 +129,7 @@ class Field:
         """The variable by which indices derive, if they do."""
         self._barred = map and has_bars(tex)
         """Whether bars stand over images of a map."""
-        tex = without_steps(tex) if self._barred else tex
+        tex = without_inverses(without_steps(tex) if self._barred else tex)
         self.applied = printed_arguments([tex], vectors or ())
         """The arguments of names that are defined; they are called by their names alone."""
         self.functions = unknown_functions(tex)
@@ -267,6 +268,14 @@ class Field:
         special._stand_on(scene)
         return special
 
+    def supposing(self, inequality: str) -> Self:
+        """The system where an inequality holds, also one of what moves: a claim is made there."""
+        there, place = copy(self), self._place("where", inequality, IN_WORDS)
+        scene = with_roots(self.scene, place.display).assuming(place)
+        there._stand_on(scene.called(f"{self.scene.name} where {inequality}"))
+        there.special = (*self.special, place.display)
+        return there
+
     def having(self, *constants: str) -> Self:
         r"""The system with more constants, as ``\rho``, which stand in no equation of motion.
 
@@ -299,7 +308,7 @@ class Field:
             ValueError: a formula is several, or there is no such verdict to expect.
         """
         if has_both_signs((printed, *attributes.values())):
-            return ClaimOfBothSigns(
+            return ClaimInParts(
                 tuple(
                     self.states(
                         kind, name, with_signs(says, signs), expect, with_signs(printed, signs),

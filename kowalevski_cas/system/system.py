@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
+from copy import copy
 from dataclasses import replace
 from typing import Any
 
@@ -42,7 +43,8 @@ from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.pool import HERE
 from kowalevski_cas.processes import each
 from kowalevski_cas.questions import collect, forecast, question
-from kowalevski_cas.system.answers import Function, SystemClaim, SystemClaims
+from kowalevski_cas.system.answers import ClaimInParts, Function, SystemClaim, SystemClaims
+from kowalevski_cas.system.cases import EquationOfCase, cases_of, opposite
 from kowalevski_cas.system.field import Field, Tex, Texs, several
 from kowalevski_cas.system.signs import alternatives
 from kowalevski_cas.verify.finding import Finding
@@ -76,7 +78,10 @@ class System(Field):
         r"""Both sides are equal; derivatives are along the motion.
 
         With :math:`\pm` on one side they are for one of the signs, at each point; else for both.
+        By cases each is claimed where its inequality holds, and that together they cover all.
         """
+        if cases := cases_of(equation):
+            return self._by_cases(cases, (), expect)
         if either := alternatives(equation):
             return self._either(either, (), expect)
         says = "both sides are the same function"
@@ -85,6 +90,8 @@ class System(Field):
     def implication(self, equation: Tex, given: Texs, expect: str = "") -> SystemClaim:
         r"""An equation holds wherever the given ones do; with :math:`\pm` as in an identity."""
         given = several(given)
+        if cases := cases_of(equation):
+            return self._by_cases(cases, given, expect)
         if either := alternatives(equation):
             return self._either(either, given, expect)
         says = f"this holds wherever {self._list(given)}"
@@ -157,6 +164,24 @@ class System(Field):
     def symplectic(self, expect: str = "") -> SystemClaim:
         """A map preserves the Poisson bracket, the canonical one if none is printed."""
         return self.states(PoissonMap, "symplectic", "the map preserves the bracket", expect)
+
+    def _by_cases(
+        self, cases: tuple[EquationOfCase, ...], given: tuple[Tex, ...], expect: str
+    ) -> SystemClaim:
+        """Each equation where its inequality holds; and the last one does where no other does."""
+        claims, left = [], copy(self)
+        for equation, condition in cases:
+            case = self.supposing(condition) if condition else left
+            claims.append(
+                case.implication(equation, given, expect)
+                if given
+                else case.identity(equation, expect)
+            )
+            if (equation, condition) == cases[-1]:
+                claims += [left.inequality(condition, given, expect)] if condition else []
+            elif condition:
+                left = left.supposing(opposite(condition))
+        return ClaimInParts(tuple(claims))
 
     def _either(
         self, equations: tuple[str, ...], given: tuple[Tex, ...], expect: str

@@ -56,3 +56,12 @@ def test_a_claim_of_both_signs_is_as_true_as_the_worse():
 def test_no_system_is_supposed_to_have_both():
     with pytest.raises(ValueError, match="one of the signs is expected"):
         oscillator().having("a", "b").where(r"a=\pm b")
+
+
+@pytest.mark.parametrize("depth", [3, 5, 7])
+def test_a_root_in_roots_is_a_root(depth):
+    """The checker knows their names, too."""
+    inner = "1+x^2"
+    for _ in range(depth - 1):
+        inner = rf"1+\sqrt{{{inner}}}"
+    assert oscillator().identity(rf"\sqrt{{{inner}}}^2={inner}").verdict == "proved"

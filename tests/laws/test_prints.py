@@ -273,6 +273,24 @@ def test_the_moment_of_a_body_is_its_tensor_times_its_velocity(seed):
 
 
 @FEW
+def test_a_matrix_may_be_given_by_its_inverse(seed):
+    chance = random.Random(seed)
+    inverse = chance.choice(
+        [r"\operatorname{diag}(a,b,c)", r"\begin{pmatrix}a&0&0\\0&b&0\\0&0&c\end{pmatrix}"]
+    )
+    tensor = chance.choice([r"\mathbf J", "J", r"\mathbf{I}"])
+    by = rf"\mathbf M={tensor}\boldsymbol\omega"
+    body = System(
+        rf"\dot{{\mathbf M}}=\mathbf M\times\boldsymbol\omega,\ {by},\ {tensor}^{{-1}}={inverse}"
+    )
+    energy = r"aM_1^2+bM_2^2+cM_3^2"
+    assert body.integral(energy).verdict.green
+    assert body.integral(energy.replace("+c", "-c")).verdict == "refuted"
+    assert body.identity(r"M_1=\frac{\omega_1}{a}").verdict.green
+    assert body.identity(r"M_1=a\omega_1").verdict == "refuted"
+
+
+@FEW
 def test_a_momentum_is_a_multiple_of_a_velocity(seed):
     chance = random.Random(seed)
     p, q, m = chance.choice([("p", "q", "m"), ("y", "x", "a"), ("L", r"\varphi", "I")])

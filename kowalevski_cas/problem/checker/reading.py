@@ -18,7 +18,7 @@ Json = Any
 
 _WORD = r"[\w\\^*()\[\]+\-/.,' ]"
 _GROUP = rf"\{{{_WORD}+\}}"
-for _ in range(3):  # groups may stand in groups, as in the root of a fraction
+for _ in range(8):  # groups may stand in groups, as in the root of a fraction
     _GROUP = rf"\{{(?:{_WORD}|{_GROUP})+\}}"
 NAME = re.compile(
     rf"(?:[A-Za-z]|\\(?=[A-Za-z]))(?:[\w']|\\(?=[A-Za-z])|\^(?=[A-Za-z*{{\\])|(?<=\^)\*|{_GROUP})*",

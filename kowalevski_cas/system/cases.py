@@ -1,0 +1,58 @@
+r"""Equations by cases, :math:`|x|=x` for :math:`x\ge0` and :math:`-x` for :math:`x<0`."""
+
+from __future__ import annotations
+
+import re
+from typing import Any, NamedTuple
+
+_CASES = re.compile(
+    r"(?P<left>.*?)=\s*\\begin\{cases\}(?P<rows>.*?)\\end\{cases\}[\s.,;]*", re.DOTALL
+)
+_WORDS = re.compile(
+    r"\\(?:text|mbox|mathrm|hbox)\s*\{\s*(?:if|for|when|where|если|при)?\s*\}|\\q?quad"
+)
+_OTHERWISE = re.compile(r"\\(?:text|mbox|mathrm|hbox)\s*\{\s*(?:otherwise|else|иначе)\s*\}")
+_SIGN = re.compile(r"\\(?:leqslant|geqslant|leq|geq|le|ge|lt|gt)(?![A-Za-z])|<|>")
+_OPPOSITE = {
+    "<": r"\ge ", r"\lt": r"\ge ", ">": r"\le ", r"\gt": r"\le ", r"\le": ">", r"\leq": ">",
+    r"\leqslant": ">", r"\ge": "<", r"\geq": "<", r"\geqslant": "<",
+}  # fmt: skip
+
+
+class EquationOfCase(NamedTuple):
+    """An equation, and the inequality for which it is printed; none is for all that is left."""
+
+    equation: str
+    condition: str
+
+
+def cases_of(equation: Any) -> tuple[EquationOfCase, ...]:
+    r"""The equations of an equation by cases; none of anything else.
+
+    >>> [*map(tuple, cases_of(r"|x|=\begin{cases}x,&x\ge0,\\-x,&\text{otherwise}\end{cases}"))]
+    [('|x|=x', 'x\\ge0'), ('|x|=-x', '')]
+
+    Raises ``ValueError`` for a condition that is no inequality with one sign.
+    """
+    found = _CASES.fullmatch(equation) if isinstance(equation, str) else None
+    if found is None:
+        return ()
+    cases = []
+    for row in filter(str.strip, re.split(r"\\\\", found["rows"])):
+        value, _, condition = row.partition("&")
+        condition = _WORDS.sub("", _OTHERWISE.sub("", condition)).strip(" ,.;\n~")
+        if len(_SIGN.findall(condition)) != (not _OTHERWISE.search(row)):
+            raise ValueError(
+                rf"{row.strip()}: print one inequality behind &, or \text{{otherwise}}"
+            )
+        cases.append(EquationOfCase(f"{found['left']}={value.strip(' ,;')}", condition))
+    return tuple(cases)
+
+
+def opposite(condition: str) -> str:
+    r"""The inequality that holds where another one does not.
+
+    >>> opposite(r"x\ge0"), opposite("x<y")
+    ('x<0', 'x\\ge y')
+    """
+    return _SIGN.sub(lambda sign: _OPPOSITE[sign[0]], condition)

@@ -1,0 +1,72 @@
+"""Equations by cases, and signs: each case is a claim, and together they cover everything."""
+
+import random
+
+import pytest
+
+from kowalevski_cas import System
+from tests.laws.test_prints import FEW
+from tests.reading.test_reading import verdicts
+
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
+
+def oscillator():
+    return System(r"\dot x=y,\ \dot y=-x")
+
+
+def by_cases(left, *rows):
+    body = r"\\".join(f"{value},&{condition}" for value, condition in rows)
+    return rf"{left}=\begin{{cases}}{body}\end{{cases}}"
+
+
+@FEW
+def test_each_case_holds_and_they_cover_everything(seed):
+    chance = random.Random(seed)
+    k, c = chance.randint(1, 3), chance.randint(-2, 2)
+    f = rf"{k}x{c:+}" if chance.random() < 0.5 else rf"{k}x{c:+}y"
+    above, below = chance.choice([(r"\ge", "<"), (">", r"\le"), (r"\geq", r"\leqslant")])
+    ends = chance.choice([f"{f}{below} 0", r"\text{otherwise}", rf"\text{{if }}0{above}{f}"])
+    system, first = oscillator(), (f, rf"{f}{above} 0")
+    if "0" + above in ends and above == ">":
+        ends = r"\text{else}"  # else nobody says what is where f vanishes
+    assert system.identity(by_cases(f"|{f}|", first, (f"-({f})", ends))).verdict == "proved"
+    wrong = by_cases(f"|{f}|", first, (f"-({f})+1", ends))
+    assert system.identity(wrong).verdict == "refuted"
+    assert (
+        system.identity(by_cases(f"|{f}|", (f"-({f})", first[1]), (f, ends))).verdict == "refuted"
+    )
+
+
+@pytest.mark.parametrize("condition", ["x<0", r"x<-1", r"x\le-1"])
+def test_cases_that_leave_something_out_are_no_equation(condition):
+    claim = oscillator().identity(by_cases("|x|", ("x", "x>0"), ("-x", condition)))
+    assert claim.verdict == "refuted"  # at zero, or between
+
+
+def test_cases_on_a_set_cover_the_set():
+    system = oscillator()
+    cases = by_cases("y", ("2x", r"x\ge0"), ("-2x", "x<0"))
+    assert system.implication(cases, given="y=2|x|").verdict == "proved"
+    assert system.implication(cases, given="y=3|x|").verdict == "refuted"
+    with pytest.raises(ValueError, match="one inequality"):
+        system.identity(by_cases("|x|", ("x", "0<x<1"), ("-x", "x<0")))
+
+
+@pytest.mark.parametrize("sign", [r"\operatorname{sign}", r"\mathrm{sgn}\,", r"\operatorname{sgn}"])
+def test_a_sign_is_that_of_what_does_not_vanish(sign):
+    system = oscillator()
+    for true in (rf"|x|=x{sign}(x)", rf"({sign} x)^2=1", rf"{sign}(xy)={sign}(x){sign}(y)"):
+        assert system.identity(true).verdict == "conditional", true
+    for false in (rf"|x|=y{sign}(x)", rf"{sign} x=1", rf"{sign}(xy)=-{sign}(x){sign}(y)"):
+        assert system.identity(false).verdict == "refuted", false
+    assert system.identity(rf"\frac{{d}}{{dt}}|x|=y{sign}(x)").verdict == "conditional"
+
+
+def test_absolute_values_and_signs_are_read_in_papers():
+    text = (
+        r"The equations of motion are $$\dot x=y,\qquad \dot y=-\operatorname{sgn}(x).$$ "
+        r"The energy integral is $$\frac12y^2+%s|x|=h.$$"
+    )
+    (true,), (false,) = (verdicts(text % k).values() for k in ("", "2"))
+    assert true == "conditional" and false == "refuted"
