@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from kowalevski_cas.paper.claims import Claim
-from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.verify.certificate import Stored
 from kowalevski_cas.verify.confirm import receive
+from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.verify.run import Session
 
@@ -32,9 +31,10 @@ class FirstReferee:
         self._told, self._timeout = told, timeout
         self._settings = arithmetics, explain, certificates, timeout
 
-    def begin(self, derivation: Derivation, texts: Texts) -> Callable[[Claim], Outcome]:
-        """What decides a claim of a derivation."""
-        session = Session(derivation, *self._settings, texts)
+    def begin(self, interpretation: Interpretation) -> Callable[[Claim], Outcome]:
+        """What decides a claim, with the scenes as far as they were elaborated to choose it."""
+        derivation, texts = interpretation.derivation, interpretation.texts
+        session = Session(derivation, *self._settings, texts).under(interpretation)
         session.decider.arithmetics.load()
         return session.outcome
 

@@ -210,7 +210,7 @@ class Atoms(Symbols):
                 raise self.unexpected()
             entries = self.read_list()
             node = Diagonal(tuple(entry[0] for entry in entries))
-            return (node, token.start, self.tokens[self.at - 1].end, entries)
+            return self.scripts((node, token.start, self.tokens[self.at - 1].end, entries))
         bracketed = self.tokens[self.at].kind == "open"
         argument = self.operand(token.text)
         if bracketed and self.tokens[self.at].kind in ("^", "prime"):

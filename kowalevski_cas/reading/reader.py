@@ -15,7 +15,7 @@ from kowalevski_cas.paper.derivation import Derivation, Doubt, Section
 from kowalevski_cas.paper.differentials import differentials
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.processes import each
 from kowalevski_cas.reading.choice import Choice, choose
@@ -78,8 +78,8 @@ Heard = Callable[[str, int, int], None]
 class Referee(Protocol):
     """Who decides each claim as soon as it is read: a long paper has its first findings soon."""
 
-    def begin(self, derivation: Derivation, texts: Texts) -> Callable[[Claim], Outcome]:
-        """What decides a claim of a derivation, in a process of its own."""
+    def begin(self, interpretation: Interpretation) -> Callable[[Claim], Outcome]:
+        """What decides a claim under an interpretation, in a process of its own."""
 
     def receive(self, item: SourceStatement, outcome: Outcome) -> Outcome:
         """The outcome for the claim of a statement, as it comes from that process."""
@@ -194,14 +194,13 @@ class _DerivationReader:
         claims = [self.candidates[item][0].claim for item in waiting]
         first = self._derivation((*claims, *(one.claim for one in statements if one.claim)))
         scenes = (rung.claim.scene for item in waiting for rung in self.candidates[item])
-        texts = first.texts(None, *scenes)
-        on = Interpretation(first, texts).on
-        decide = referee.begin(first, texts) if referee is not None else None
+        interpretation = Interpretation(first, first.texts(None, *scenes))
+        decide = referee.begin(interpretation) if referee is not None else None
 
         def choice(place: int) -> tuple[Choice, Outcome | None]:
             tell(waiting[place].printed.place, place, len(waiting))
             rungs = self.candidates[waiting[place]]
-            choice = choose(rungs, on(rungs[0].claim))
+            choice = choose(rungs, interpretation.on(rungs[0].claim))
             if decide is None or choice.place is None:
                 return choice, None
             return choice, decide(rungs[choice.place].claim)

@@ -46,6 +46,7 @@ from kowalevski_cas.system.equations import (
     with_time,
 )
 from kowalevski_cas.system.indices import has_permutation, with_ranges
+from kowalevski_cas.system.inverses import without_inverses
 from kowalevski_cas.system.maps import (
     Map,
     has_bars,
@@ -128,7 +129,7 @@ class Field:
         """The variable by which indices derive, if they do."""
         self._barred = map and has_bars(tex)
         """Whether bars stand over images of a map."""
-        tex = without_steps(tex) if self._barred else tex
+        tex = without_inverses(without_steps(tex) if self._barred else tex)
         self.applied = printed_arguments([tex], vectors or ())
         """The arguments of names that are defined; they are called by their names alone."""
         self.functions = unknown_functions(tex)

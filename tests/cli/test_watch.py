@@ -8,6 +8,7 @@ from kowalevski_cas.cli import audit, main
 from kowalevski_cas.cli import watch as watching
 from kowalevski_cas.limits import run_limit, time_limit
 from kowalevski_cas.processes import each
+from kowalevski_cas.verify.statement import Statement
 
 PAPER = r"""\documentclass{article}\begin{document}
 The equations are $$\dot x=y,\qquad \dot y=-x.$$
@@ -85,3 +86,33 @@ def test_what_is_cut_off_is_timeout_and_no_success(paper, capsys):
     found = json.loads(capsys.readouterr().out)
     assert [f["verdict"] for f in found["formulas"]][2:] == ["timeout", "timeout"]
     assert code == 3
+
+
+def test_what_has_not_changed_is_not_searched_for_again(tmp_path, monkeypatch, capsys):
+    """A claim that is changed is, with its words none is, and with the law all that rest on it."""
+    path, log = tmp_path / "paper.tex", tmp_path / "log"
+    law = r"$$\dot x=y,\qquad \dot y=-x,\qquad \dot z=z.$$"
+    claims = [r"x^2+y^2", r"(x^2+y^2)^2", r"5x^2+5y^2"]
+    texts = [law, *(f"A first integral is $$F_{k}={claim}.$$" for k, claim in enumerate(claims))]
+    path.write_text("\n".join(texts))
+
+    def search(statement):
+        with log.open("a") as file:
+            file.write(f"{statement.claim.id}\n")
+        return search_of(statement)
+
+    def pause(_):
+        searched.append(sorted(log.read_text().split()) if log.exists() else [])
+        log.unlink(missing_ok=True)
+        if len(searched) > len(changes):
+            raise KeyboardInterrupt
+        place, old, new = changes[len(searched) - 1]
+        texts[place] = texts[place].replace(old, new)
+        path.write_text("\n".join(texts))
+
+    search_of, searched = Statement.search, []
+    changes = [(1, "x^2+y^2", "2x^2+2y^2"), (2, "A first", "One more"), (0, "z=z", "z=2z")]
+    monkeypatch.setattr(Statement, "search", search)
+    monkeypatch.setattr(watching, "sleep", pause)
+    assert main(["audit", str(path), "--alone", "--watch"]) == 0
+    assert [len({*ids}) for ids in searched] == [3, 1, 0, 3]  # all rest on the law
