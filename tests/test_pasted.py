@@ -24,12 +24,17 @@ COMMANDS = [re.sub(r" +# .*$", "", line) for line in LINES]
 ELSEWHERE = re.compile(
     r"pip install|make |dask |.* --scheduler tcp://HOST"  # a machine of its own, or several
 )
-WITHIN = [
-    (page.stem, " ".join(command.split()))
+WITHIN = {
+    page.stem: commands
     for page, text in zip(PAGES, TEXTS, strict=True)
-    for command in re.findall(r"`((?:\.venv/bin/)?kowalevski-cas [a-z]+ [^`]+)`", text)
-    if not re.search(r"\b(NAME|FILE|COMMAND)\b|--help|--watch|--arithmetic all", command)
-]
+    if (
+        commands := [
+            " ".join(command.split())
+            for command in re.findall(r"`((?:\.venv/bin/)?kowalevski-cas [a-z]+ [^`]+)`", text)
+            if not re.search(r"\b(NAME|FILE|COMMAND)\b|--help|--watch|--arithmetic all", command)
+        ]
+    )
+}
 """The commands within sentences, which speak of the files that their page shows.
 
 One that watches does not end, and `verify --arithmetic all` is `make verify`.
@@ -74,19 +79,18 @@ def test_every_command_works_as_it_is_pasted(command, clone):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("page", "command"), WITHIN)
-def test_every_command_within_a_sentence_works_beside_the_files_of_its_page(page, command, clone):
-    if " completion " in command and find_spec("shtab") is None:
-        pytest.skip("the extra completion is not installed")
-    if page == "README":
-        runs(command, clone, clone)
-        return
-    folder = clone / page
+@pytest.mark.parametrize("page", WITHIN)
+def test_the_commands_within_sentences_work_in_their_order_beside_the_files_of_their_page(
+    page, clone
+):
+    folder = clone if page == "README" else clone / page
     folder.mkdir(exist_ok=True)
     (text,) = (text for path, text in zip(PAGES, TEXTS, strict=True) if path.stem == page)
     for name, own in re.findall(r'^```\w+ title="(.*?)"\n(.*?)^```', text, re.M | re.S):
         (folder / name).write_text(own, encoding="utf-8")
-    runs(command, folder, clone)
+    for command in WITHIN[page]:
+        if " completion " not in command or find_spec("shtab") is not None:
+            runs(command, folder, clone)
 
 
 def runs(command, folder, clone):

@@ -13,7 +13,10 @@ derivation = Derivation(
     title="On an Article by Celledoni et al.",
     author="Pascal Leroy",
     source="documentation/Celledoni.tex in https://github.com/mockingbirdnest/Principia",
-    edition="the file of commit 9ffb8b0c4e75, which last changed in 270a10aaab9e",
+    edition=(
+        "the file of commit 9ffb8b0c4e75, which last changed in 270a10aaab9e "
+        "(SHA-256 8e1f13fb004031b9 …)"
+    ),
     sections=(setting.section, cases.section, rotation.section, quaternion.section),
     main=("lambda-i", "lambda-ii", "common", "angle.1", "angle-iii.2", "angle-iii.3"),
 )

@@ -53,7 +53,7 @@ class Typesetter(ABC):
         """The same display for several widths."""
         rows = [pieces(formula, self.printer) for formula in formulas]
         # Estimates are good to a few per cent.
-        return [self._display(rows, 0.97 * room) for room in rooms]
+        return [self._display(rows, 0.96 * room) for room in rooms]
 
     def _display(self, rows: Sequence[tuple[Piece, ...]], room: float) -> str:
         if sum(map(width_of, rows)) + _GAP * (len(rows) - 1) <= room:

@@ -191,3 +191,31 @@ def test_a_trial_is_part_of_the_page_and_not_of_paper() -> None:
 def test_what_compares_no_two_sides_is_not_tried(name: str) -> None:
     text = (HANDWRITTEN / f"{name}.json").read_text(encoding="utf-8")
     assert trial_of(outcome(name, text), WORDS) is None
+
+
+TYPE = """(([name, value]) => {
+  const part = document.querySelector('form.trial fieldset:not([hidden])');
+  const box = [...part.querySelectorAll('input')].find(one => one.name === name);
+  box.value = value;
+  box.dispatchEvent(new Event('input', {bubbles: true}));
+  const roots = [...part.querySelectorAll('input')].filter(one => one.name.startsWith('\\\\sqrt'));
+  return [part.querySelector('output').className,
+          part.querySelectorAll('.broken li:not([hidden])').length,
+          roots.length > 0 && roots.every(one => one.closest('label').hidden)];
+})(%s)"""
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(PROGRAM is None, reason="there is no Chromium")
+def test_roots_follow_the_numbers_below_them(tmp_path: Path) -> None:
+    """Nobody types them; where one has no real value, the page says so and judges nothing."""
+    text = (find("leroy2020") / FOLDER / "article-i.json").read_text(encoding="utf-8")
+    trial = trial_of(outcome("article-i", text), load("leroy2020").texts().vocabulary)
+    assert trial is not None
+    file = tmp_path / "page.html"
+    file.write_text(render_html(page(trial)), encoding="utf-8")
+    with Browser(tmp_path / "user") as browser:
+        browser.show(file)
+        assert browser.value(TYPE % json.dumps(["I_3", "4"])) == ["refuted", 0, True]
+        said, broken, _ = browser.value(TYPE % json.dumps(["I_3", "1/2"]))
+        assert said == "" and broken
