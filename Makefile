@@ -74,7 +74,7 @@ study: $(VENV)/.installed ## Measure speed against accuracy, and where methods f
 	@$(PY) -m study $(if $(QUICK),--quick)
 
 benchmark: $(VENV)/.dev ## Measure the speed of proving, of reporting, of searches, and of audits
-	@$(PY) -m benchmarks
+	@$(PY) -m benchmarks.proving
 	@$(PY) -m benchmarks.searches
 	@$(PY) -m benchmarks.papers
 

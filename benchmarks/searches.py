@@ -1,36 +1,15 @@
-"""How long searches take, and how much memory, against the committed rows of ``searches.json``.
+"""How long searches take, and how much memory, against the rows of ``searches.json``.
 
-Each search is a process of its own, whose work is counted in CPU seconds and, so that machines can
-be compared, in multiples of a fixed calculation of FLINT that is timed in the same run. A row that
-takes half as much again as the committed one is told as a warning, in the words of GitHub's log.
 With ``--write`` the rows are committed anew.
 """
 
 from __future__ import annotations
 
-import json
-import os
-import sys
 import tempfile
-from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from random import Random
-from statistics import median
-from subprocess import DEVNULL, Popen
 
-ROWS = Path(__file__).with_suffix(".json")
-
-ROUNDS = 3
-
-SLOWER = 1.5
-
-CALCULATION = (
-    "from random import Random; from flint import nmod_mat; random = Random(1); "
-    "nmod_mat(1000, 1000, [random.getrandbits(60) for _ in range(10**6)], 2**61 - 1).rref()"
-)
-
-Row = dict[str, float]
+from benchmarks.rows import compare, measure_rows
 
 
 def cycle(size: int) -> str:
@@ -92,60 +71,14 @@ SEARCHES = (
 )
 
 
-@dataclass(frozen=True)
-class Measured:
-    """CPU seconds of a process and those that it began, and the memory of the largest, in MB."""
-
-    seconds: float
-    memory: float
-
-
-def measure(words: Sequence[str], folder: str) -> Measured:
-    """Run Python with these words in a folder."""
-    process = Popen([sys.executable, *words], cwd=folder, stdout=DEVNULL, stderr=DEVNULL)
-    _, status, usage = os.wait4(process.pid, 0)
-    process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode not in (0, 3):  # 3: nothing was found, or it was left open
-        raise SystemExit(f"{' '.join(words)}: exit code {process.returncode}")
-    return Measured(usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1000)
-
-
-def rows() -> dict[str, Row]:
-    """The searches by their command lines, with medians of what they take."""
+def main() -> None:
+    """Measure, and compare."""
     with tempfile.TemporaryDirectory() as folder:
         for name, motion in SYSTEMS.items():
             text = f'from kowalevski_cas import System\n\nsystem = System(r"{motion}")\n'
             (Path(folder) / f"{name}.py").write_text(text, encoding="utf-8")
-        found: dict[str, list[Measured]] = {search: [] for search in SEARCHES}
-        floor = []
-        for _ in range(ROUNDS):
-            floor.append(measure(["-c", CALCULATION], folder).seconds)
-            for search, values in found.items():
-                words = ("-m", "kowalevski_cas", "find", *search.split(), "--jobs", "1")
-                values.append(measure([*words, "--timeout", "600"], folder))
-    return {
-        f"kowalevski-cas find {search}": {
-            "seconds": round(seconds := median(one.seconds for one in values), 2),
-            "ratio": round(seconds / median(floor), 2),
-            "MB": round(max(one.memory for one in values)),
-        }
-        for search, values in found.items()
-    }
-
-
-def main() -> None:
-    """Measure, print a table, and say what became slower."""
-    known = json.loads(ROWS.read_text(encoding="utf-8")) if ROWS.exists() else {}
-    found = rows()
-    print(f"{'':62}{'CPU':>9}{'ratio':>8}{'was':>8}{'memory':>10}")
-    for search, row in found.items():
-        was = known.get(search, {}).get("ratio")
-        shown = f"{row['seconds']:7.2f} s{row['ratio']:8.2f}{was or '':>8}{row['MB']:7.0f} MB"
-        print(f"{search:62}{shown}")
-        if was and row["ratio"] > SLOWER * was:
-            print(f"::warning::{search} takes {row['ratio'] / was:.1f} times what it took")
-    if "--write" in sys.argv[1:]:
-        ROWS.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
+        commands = [f"kowalevski-cas find {one} --jobs 1 --timeout 600" for one in SEARCHES]
+        compare(measure_rows(commands, folder), Path(__file__).with_suffix(".json"))
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from math import inf
 from signal import SIGINT, signal
+from threading import current_thread, main_thread
 from time import monotonic
 from typing import BinaryIO
 
@@ -84,9 +85,12 @@ def run_limit(seconds: float | None) -> Iterator[None]:
 def interruptible() -> Iterator[Callable[[], bool]]:
     """An interruption ends the run of a block as its limit would; the second one is raised.
 
-    What is given says whether there was one. It is for the main thread.
+    What is given says whether there was one. Other threads than the main one hear of none.
     """
     global _until, _ends
+    if current_thread() is not main_thread():
+        yield lambda: False
+        return
     before, was_interrupted = _until, False
 
     def end(*_: object) -> None:

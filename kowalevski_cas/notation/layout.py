@@ -12,6 +12,7 @@ from functools import cache
 from typing import NamedTuple
 
 from kowalevski_cas.notation.errors import NotationError
+from kowalevski_cas.notation.formula import EQUALITIES
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.ranges import each_value, without_ranges
 from kowalevski_cas.notation.tensors import SPACE, permuted
@@ -166,7 +167,17 @@ def _runs(tokens: list[Token], tex: str) -> list[_Run]:
             run.tokens.pop()
         if run is not runs[0] and _is_condition(run):
             run.before, run.relation, run.tokens = "comma", True, run.tokens[1:-1]
-    return [run for run in runs if run.tokens]
+    found = [run for run in runs if run.tokens]
+    return [run for run in found if not _says_by_what(run.tokens)] or found
+
+
+def _says_by_what(tokens: list[Token]) -> bool:
+    r"""Whether it is said by what a prime or a dot derives, as :math:`{}'=d/d\tau`."""
+    texts = [token.text for token in tokens if token.kind not in "{}"]
+    if len(texts) < 5:
+        return False
+    quotient = texts[2:-1] in ([r"\frac", "d", "d"], ["d", "/", "d"])
+    return tokens[0].kind in ("prime", "accent") and texts[1] in EQUALITIES and quotient
 
 
 def _is_condition(run: _Run) -> bool:

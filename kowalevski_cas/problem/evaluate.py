@@ -16,6 +16,7 @@ from kowalevski_cas.notation import Formula, Name, Negative, Number, to_latex
 from kowalevski_cas.problem.fold import Fold, Value
 from kowalevski_cas.problem.space import (
     Adjoined,
+    Equation,
     EquationOfMotion,
     Let,
     Meaningless,
@@ -48,6 +49,7 @@ class Evaluation(Fold):
         self.ring: Ring = Ring(polynomials(self.names)) if ring is None else ring
         self._others = others
         self._values: dict[tuple[str, bool], Value] = {}
+        self._pairs: dict[Equation, list[tuple[Element, Element]]] = {}
         self._open: set[tuple[str, bool]] = set()
         self._rates: Field | None = None
         self._directions: dict[str, Field] = {}
@@ -73,10 +75,17 @@ class Evaluation(Fold):
         """The same evaluation, in which some more names have values."""
         bound = copy(self)
         bound._values = {**self._values, **{(n, False): v for n, v in values.items()}}
-        bound._open = set()
+        bound._pairs, bound._open = {}, set()
         bound.bound = self.bound | values.keys()
         bound.letters = {} if self.letters.keys() & values.keys() else self.letters
         return bound
+
+    def pairs(self, equations: Sequence[Equation]) -> list[tuple[Element, Element]]:
+        """The values of both sides, component by component; those of an equation are kept."""
+        for equation in equations:
+            if equation not in self._pairs:
+                self._pairs[equation] = super().pairs([equation])
+        return [pair for equation in equations for pair in self._pairs[equation]]
 
     # -- names -------------------------------------------------------------------
 
@@ -166,7 +175,7 @@ class Evaluation(Fold):
     def moving(self, rates: Field, rows: Sequence[EquationOfMotion]) -> Evaluation:
         """The same evaluation, in which these are the rates, with those that rows give."""
         bound = copy(self)
-        bound._values = dict(self._values)
+        bound._values, bound._pairs = dict(self._values), {}
         bound._rates = dict(rates)
         for row in rows:
             bound._rates.update(bound._row(row.names, row.factor, row.force))

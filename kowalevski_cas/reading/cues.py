@@ -97,7 +97,8 @@ CUES: dict[str, str] = {
         соотношени\w+ поверхност\w+ множеств\w+ уровен\w+""",
     "constraint": r"""
         constrain\w+
-        (?:lie|stay|move|remain)s?\s+on\s+the\s+(?:\w+\s+)?(?:sphere|surface|curve|line)
+        (?:lie|stay|move|remain|slide)s?\s+(?:\w+\s+){0,2}on\s+(?:the|an?)\s+(?:\w+\s+){0,4}(?:sphere|surface|curve|line|paraboloid|ellipsoid|cylinder|cone)\b
+        (?:движ|скольз)\w+\s+(?:\w+\s+){0,2}по\s+(?:\w+\s+){0,2}(?:сфер|поверхност|крив|параболоид|эллипсоид|цилиндр|конус)\w*
         connected\s+by subject\s+to связ(?:ь|и|ью|ями)\b стеснен\w+""",
     "approximate": r"""
         terms?\s+of\s+(?:the\s+)?(?:first|second|higher|lowest)\s+order

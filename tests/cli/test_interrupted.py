@@ -3,6 +3,7 @@
 import json
 import os
 import signal
+from threading import Thread
 
 import pytest
 
@@ -65,6 +66,14 @@ def test_what_is_decided_before_an_interruption_is_what_it_is_without_one(
     assert "timeout" in known or at > 1
     for one, other in zip(known, whole, strict=True):
         assert one in (other, "timeout") or (one, other) == ("undecided", "refuted")
+
+
+def test_in_another_thread_nothing_is_interrupted(paper, capsys):
+    codes = []
+    thread = Thread(target=lambda: codes.append(main(["audit", str(paper), "--alone"])))
+    thread.start()
+    thread.join()
+    assert codes == [1] and "interrupted" not in capsys.readouterr().err
 
 
 def test_the_second_interruption_ends_it_at_once(paper, monkeypatch, capsys):

@@ -272,6 +272,23 @@ def test_the_moment_of_a_body_is_its_tensor_times_its_velocity(seed):
     assert not torque or wrong.integral(square).verdict == "refuted"
 
 
+@pytest.mark.parametrize(
+    ("mark", "by"),
+    [
+        ("{}'", r"\frac{d}{ds}"), ("'", r"d/d\tau"), (r"\left({}'", r"\frac{d}{d\varphi}\right)"),
+        ("'", r"\frac{d}{dt}"), (r"\dot{\ }", r"\frac{d}{dt}"),
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("sign", ["=", r"\equiv "])
+def test_it_may_be_said_by_what_a_prime_or_a_dot_derives(mark, by, sign):
+    dot = "dot" in mark
+    rate, second = (r"\dot u", r"\ddot u") if dot else ("u'", "u''")
+    law = System(rf"2{second}-hu=0,\qquad {mark}{sign}{by}")
+    assert law.scene.time in by
+    assert law.integral(f"2({rate})^2-hu^2").verdict == "proved"
+    assert law.integral(f"2({rate})^2+hu^2").verdict == "refuted"
+
+
 @FEW
 def test_a_matrix_may_be_given_by_its_inverse(seed):
     chance = random.Random(seed)

@@ -143,3 +143,19 @@ def test_vectors_e_with_a_number_are_those_of_the_basis():
     found = verdicts(text)
     assert found[r"\dot x_1=x_2"] is Verdict.PROVED
     assert found[r"\dot x_1=x_3"] is not Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "A point moves without friction on the inner side of the paraboloid",
+        "A bead slides on a smooth surface",
+        "Точка движется без трения по внутренней стороне параболоида",
+    ],
+)
+def test_what_a_point_moves_on_is_a_constraint(words):
+    law = r"\[ \ddot x=\lambda x,\qquad \ddot y=\lambda y,\qquad \ddot z=-g-\lambda p . \]"
+    text = (
+        rf"{words} \[ x^2+y^2=2pz . \] The equations are {law} Then $x\dot y-y\dot x$ is constant."
+    )
+    assert role(text, "x^2+y^2=2pz").kind == "constraint"

@@ -1,0 +1,22 @@
+"""What became slower is told, and fails nothing."""
+
+import json
+
+import pytest
+
+from benchmarks.rows import compare
+
+
+@pytest.mark.parametrize(("ratio", "told"), [(1.4, False), (1.6, True)])
+def test_half_as_much_again_as_the_committed_row_is_a_warning(ratio, told, tmp_path, capsys):
+    file = tmp_path / "rows.json"
+    row = {"seconds": 5.0, "ratio": 1.0, "MB": 40}
+    file.write_text(json.dumps({"kowalevski-cas check": row}))
+    compare({"kowalevski-cas check": {**row, "ratio": ratio}}, file)
+    warned = "::warning::kowalevski-cas check takes 1.6 times" in capsys.readouterr().out
+    assert warned == told
+
+
+def test_what_has_no_row_is_only_shown(tmp_path, capsys):
+    compare({"kowalevski-cas check": {"seconds": 5.0, "ratio": 1.0, "MB": 40}}, tmp_path / "none")
+    assert "::warning" not in capsys.readouterr().out
