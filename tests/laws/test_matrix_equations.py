@@ -131,7 +131,7 @@ def test_rows_and_columns_are_exchanged_in_a_transposed_matrix(seed):
     chance = random.Random(seed)
     R = Matrix(2, 2, lambda i, j: chance.choice([x, 2 * y, z, a, x * y, 3]))
     S = Matrix([[x, y], [z, w]])
-    mark = chance.choice(["T", "{T}", r"{\mathsf T}", r"\top", r"{\rm T}"])
+    mark = chance.choice(["T", "{T}", r"{\mathsf T}", r"{\top}", r"{\rm T}"])
     system = System(
         rf"\dot S=SR,\ S={tex_of(S)},\ R={tex_of(R)}"
     )  # fmt: skip
