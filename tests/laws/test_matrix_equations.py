@@ -103,7 +103,7 @@ def test_a_matrix_is_taken_at_its_own_parameter_only():
 @pytest.mark.parametrize(
     ("tex", "message"),
     [
-        (r"\dot X=[X^2,N]", "declare the matrices"),
+        (r"\dot X=[X^2,N]", "entries of the matrices"),
         (
             r"\dot L=[L,A],\ L=\begin{pmatrix}p&kq\\kq&-p\end{pmatrix},\ "
             r"A=\begin{pmatrix}0&k\\-k&0\end{pmatrix}",
