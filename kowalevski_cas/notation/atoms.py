@@ -170,7 +170,7 @@ class Atoms(Symbols):
         if len(items) > 1 and opening.text in ("[", r"\{") and not paired:
             message = "a list in these brackets cannot be read; use round ones"
             if opening.text == "[":
-                message += ", or declare the matrices of a commutator"
+                message += ", or print the entries of the matrices of a commutator"
             raise self.error(message, opening)
         self.at += 1
         return tuple(items)
@@ -197,7 +197,10 @@ class Atoms(Symbols):
             if ranks == [VECTOR, VECTOR]:
                 return (ScalarProduct(nodes[0], nodes[1]), start, end, items)
             if ranks[0] != ranks[1]:
-                raise self.error("a pair of a vector and something else", opening)
+                raise self.error(
+                    "a pair of a vector and something else: print both in bold, with components",
+                    opening,
+                )
         if opening.text not in ("(", r"\lgroup"):
             raise self.error("declare the vectors of this product, or use round brackets", opening)
         return (Vector(nodes), start, end, items)

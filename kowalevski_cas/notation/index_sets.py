@@ -10,8 +10,10 @@ from itertools import pairwise
 
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.tokens import Token
+from kowalevski_cas.notation.words import without_names
 
 _INTEGERS = (r"\mathbf{Z}", r"\mathbb{Z}")
+_REALS = frozenset({r"\mathbf{R}", r"\mathbb{R}"})
 
 
 def without_sets(tokens: Sequence[Token], tex: str) -> list[Token]:
@@ -25,7 +27,9 @@ def without_sets(tokens: Sequence[Token], tex: str) -> list[Token]:
     found, chains = list[Token](), list[Token]()
     behind = 0
     for k, token in enumerate(tokens):
-        if token.text == r"\in" and k and tokens[k - 1].kind == "letter":
+        if _is_real(tokens, k) and (kept := without_names([*found, *tokens[behind:k]])):
+            found, behind = kept, k + 2
+        elif token.text == r"\in" and k and tokens[k - 1].kind == "letter":
             values, end, period = _set_at(tokens, k + 1, tex)
             if values:
                 found += [*tokens[behind:k], Token("relation", "=", token.start, token.end)]
@@ -33,6 +37,13 @@ def without_sets(tokens: Sequence[Token], tex: str) -> list[Token]:
                 chains += _closed_chains(tokens, tokens[k - 1], period)
                 behind = end
     return [*found, *tokens[behind:], *chains]
+
+
+def _is_real(tokens: Sequence[Token], k: int) -> bool:
+    r"""Whether it is said here that names are real numbers, :math:`a,b\in\mathbf R`, as all are."""
+    texts = [token.text for token in tokens[k : k + 3]]
+    real = len(texts) > 1 and texts[0] == r"\in" and texts[1] in _REALS
+    return real and texts[2:] not in (["^"], ["_"])
 
 
 def _set_at(tokens: Sequence[Token], at: int, tex: str) -> tuple[list[Token], int, int]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from kowalevski_cas.notation import (
     Application,
     Constant,
@@ -208,7 +210,8 @@ def _is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
         first is None
         or (known.roles[first].name in (LAW, DEFINITION) and first.sentence == item.sentence)
         or (known.roles[first].name == LAW and _gives(function, item, known))
-        or (bool(cue("where", item.lead)) and _is_near(known.seen[function], item))
+        or (bool(cue("where", item.lead)) and _is_near(first, item))
+        or _is_explained(function, first, item)
         or (known.roles[first].name == LAW and function in derived_names(first))
         or (new and not item.typed.inline)
     )
@@ -227,6 +230,16 @@ def _gives(name: str, item: SourceStatement, known: Known) -> bool:
     alone = name in (getattr(first, "name", ""), getattr(first, "function", ""))
     moving = known.varying(item.names - {name})
     return alone and bool(moving) and not item.typed.inline and not item.derives
+
+
+_FOR = re.compile(r"\W*(?:for|with|для)\W*", re.IGNORECASE)
+"""All that stands before what says what a name was, as in “the rate vanishes for F=x²”."""
+
+
+def _is_explained(name: str, first: SourceStatement, item: SourceStatement) -> bool:
+    """Whether it is said behind the claim of a rate of which function that is."""
+    behind = first.sentence == item.sentence and _FOR.fullmatch(item.lead) is not None
+    return behind and name in first.rates
 
 
 def _is_near(one: SourceStatement, item: SourceStatement) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -177,12 +178,14 @@ class Known:
         """The assumptions about constants that are in force at a statement, the latest first.
 
         They hold to the end of their section, or of their theorem with its proof; a later one
-        about the same constants takes the place of an earlier one.
+        about the same constants takes the place of an earlier one. One may stand right behind it.
         """
         found: list[SourceStatement] = []
         taken: set[str] = set()
         for one in sorted(self.assumptions, key=lambda one: -one.order):
-            if one.order >= item.order or not self.reaches(one, item):
+            if one.order >= item.order and not _is_right_behind(one, item):
+                continue
+            if not self.reaches(one, item):
                 continue
             names = {*self.roles[one].names}
             if not names & taken:
@@ -249,6 +252,15 @@ class Known:
     def varying(self, names: Iterable[str]) -> list[str]:
         """The names that move, or stand for something that does."""
         return [name for name in names if self.varies(name)]
+
+
+_FOR = re.compile(r"\W*(?:only\s+)?(?:for|if|when|при|если)\W*", re.IGNORECASE)
+
+
+def _is_right_behind(one: SourceStatement, item: SourceStatement) -> bool:
+    """Whether a supposition is joined to a statement by a word alone, as in “x=y for a=1”."""
+    next_to = one.order == item.order + 1 and one.sentence == item.sentence
+    return next_to and _FOR.fullmatch(one.lead) is not None
 
 
 def _within(one: SourceStatement, item: SourceStatement) -> bool:

@@ -208,7 +208,7 @@ def with_row(scene: Scene, place: Printed, formula: Formula) -> Scene:
         return supposing
     if len(place.heads.squares) == 1:
         return scene.adjoining(place)
-    what = "is no equation of motion, and defines no name"
+    what = "is no equation of motion, and defines no name: print a name alone on one side"
     raise ValueError(f"{place.tex} {what}; what is supposed is printed with \\ne")
 
 

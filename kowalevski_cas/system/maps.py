@@ -26,6 +26,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.equations import Names, read_rows, vocabulary_of, with_row
+from kowalevski_cas.system.refused import check_unit
 from kowalevski_cas.system.vectors import Vectors
 
 STEP = "+1"
@@ -180,6 +181,7 @@ class Map:
             scene = with_row(scene, place, self.formulas[place])
         for one, place in self.rows.items():
             scene = scene.naming(one, place)
+        check_unit(scene.constants)
         return scene
 
     def solutions(self, vectors: Vectors) -> Iterator[str]:

@@ -159,3 +159,17 @@ def test_a_bracket_of_three_letters_and_a_hamiltonian_are_a_law():
     )
     true, false = verdicts(text).values()
     assert true == "proved" and not false.green
+
+
+def test_of_which_function_the_rate_vanishes_may_be_said_behind():
+    law = r"The equations of motion are $$\dot x=y,\qquad \dot y=-ax .$$ "
+    text = law + r"Then $\dot F=0$ for $F=ax^2+%sy^2$."
+    assert verdicts(text % "")[r"\dot F=0"] == "proved"
+    assert verdicts(text % "2")[r"\dot F=0"] == "refuted"
+    # A constant of the law is none of these.
+    special = law + r"Then $\frac{d}{dt}(x^2+y^2)=0$ for $a=1$."
+    assert [*verdicts(special).values()] == ["proved"]
+    assert roles(special)["a=1"] == "assumption"
+    # What is supposed for another claim of the sentence proves nothing of this one.
+    other = law + r"Then $\frac{d}{dt}(x^2+y^2)=0$ holds, and for $a=1$ we have $\dot y=-x$."
+    assert [*verdicts(other).values()] == ["refuted", "proved"]

@@ -18,7 +18,7 @@ OVER = (
     "%s", r"\hat{%s}", r"\tilde %s", r"\widehat{\mathrm{%s}}", r"\mathcal{%s}", r"\check{\mathsf{%s}}",
 )  # fmt: skip
 ARGUMENTS = ("x", r"\,x", "(x)", r"\left(x\right)", "{x}", "^2x", "^2(x+y)", "2x", r"\frac{x}{2}")
-UNKNOWN = ("sgn", "erf", "Ai", "sinc", "Ra", "abc", "lg", "grad", "sl")
+UNKNOWN = ("erf", "Ai", "sinc", "Ra", "abc", "lg", "grad", "sl")
 KNOWN = sorted(
     {word[8:-1] for word in (*FUNCTIONS, *SPELLING) if word.startswith(r"\mathrm{")}
     | {word[1:] for word in FUNCTIONS if not word.startswith(r"\mathrm")}
@@ -155,3 +155,24 @@ def test_what_is_said_to_be_constant_is_that():
     assert {*system.scene.constants} == {"k_1", "k_2", "k_3"}
     assert system.integral(r"\mathbf k\cdot\mathbf x").verdict.green
     assert system.integral(r"\mathbf k\cdot\mathbf k+cx_1").verdict == "refuted"
+
+
+@pytest.mark.parametrize("reals", [r"\mathbf R", r"\mathbb{R}", "{\\bf R}"])
+@pytest.mark.parametrize("names", ["a,b", "a", r"b,\ a", "a_1"])
+def test_what_is_said_to_be_real_is_that_anyway(names, reals):
+    system = System(rf"a\ddot x=-bx,\quad {names}\in{reals}")
+    assert {*system.scene.constants} == {"a", "b"}
+    assert system.integral(r"a\dot x^2+bx^2").verdict.green
+    assert system.integral(r"a\dot x^2-bx^2").verdict == "refuted"
+
+
+@pytest.mark.parametrize("set_", [r"\mathbf R^2", r"\mathbf R_+", r"\mathbf C", r"\mathbf N"])
+def test_other_sets_suppose_something_and_are_refused(set_):
+    with pytest.raises(ValueError, match=r"print|components|\\in"):
+        System(rf"a\ddot x=-bx,\quad a\in{set_}")
+
+
+@pytest.mark.parametrize("tex", [r"x'=iy,\ y'=x", r"z'=e^{i(\alpha+\beta|z|^2)}z"])
+def test_an_i_in_a_map_may_be_the_imaginary_unit(tex):
+    with pytest.raises(ValueError, match=r"print i\^2=-1"):
+        System(tex, map=True)
