@@ -100,7 +100,7 @@ def _breaks(pieces: Sequence[Piece]) -> Iterator[_Break]:
                 yield _Break(place, depth, -5.0)
             elif piece.kind == "sign" and before in {"ord", "close"}:
                 yield _Break(place, depth, 60.0 * depth)
-            elif before in {"ord", "close"} and piece.inner and piece.width > 4:
+            elif before in {"ord", "close"} and piece.kind == "ord" and piece.width > 4:
                 yield _Break(place, depth + 2, 180.0 * (depth + 1))
         if piece.kind == "open":
             depth += 1

@@ -103,7 +103,7 @@ def test_a_matrix_is_taken_at_its_own_parameter_only():
 @pytest.mark.parametrize(
     ("tex", "message"),
     [
-        (r"\dot X=[X^2,N]", "declare the matrices"),
+        (r"\dot X=[X^2,N]", "entries of the matrices"),
         (
             r"\dot L=[L,A],\ L=\begin{pmatrix}p&kq\\kq&-p\end{pmatrix},\ "
             r"A=\begin{pmatrix}0&k\\-k&0\end{pmatrix}",
@@ -131,7 +131,7 @@ def test_rows_and_columns_are_exchanged_in_a_transposed_matrix(seed):
     chance = random.Random(seed)
     R = Matrix(2, 2, lambda i, j: chance.choice([x, 2 * y, z, a, x * y, 3]))
     S = Matrix([[x, y], [z, w]])
-    mark = chance.choice(["T", "{T}", r"{\mathsf T}", r"\top", r"{\rm T}"])
+    mark = chance.choice(["T", "{T}", r"{\mathsf T}", r"{\top}", r"{\rm T}"])
     system = System(
         rf"\dot S=SR,\ S={tex_of(S)},\ R={tex_of(R)}"
     )  # fmt: skip
