@@ -29,8 +29,8 @@ HEAD = """\
 Sections 22.6, 22.7, 22.8, 22.13, 4.21 and 4.35 of the
 [Digital Library of Mathematical Functions](https://dlmf.nist.gov) are identities of Jacobi's, of
 trigonometric and of hyperbolic functions. In `derivations/dlmf22` and `derivations/dlmf4` each is
-restated as a formula with its number, and proved with a certificate: of the functions it is
-known what their rates are, their relations, and their values at one point, and nothing else. A row
+restated as a formula with its number, and proved with a certificate: of the functions only their
+derivatives, the relations between them and their values at one point are used. A row
 with ± is proved with either sign; one with a root is read as the sentence beside it says, with
 either sign of the root. Rows 22.8.23, 22.8.25 and 22.8.27 rest on values at parts of the quarter
 period K, which are printed beside them; the other rows with K, or with a sum of arguments, are

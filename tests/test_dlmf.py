@@ -12,6 +12,7 @@ from kowalevski_cas.notation import Application, Constant, NotationError, Relati
 from kowalevski_cas.paper.claims.claim import Neighbour
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.verify.confirm import Disagreement
 from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement
 from tests.sample import sampled
@@ -173,7 +174,7 @@ def verdict(name, neighbour):
     try:
         statement = Statement(neighbour.claim, session.on(neighbour.claim, neighbour.texts))
         return str(session.decider.outcome(statement, 0.0).verdict)
-    except (Meaningless, NotationError, Unproved, StopIteration, TimeoutError):
+    except (Meaningless, NotationError, Unproved, Disagreement, StopIteration, TimeoutError):
         return "error"  # nothing is proved, of a claim that is none of the derivation
 
 

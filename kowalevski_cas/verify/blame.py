@@ -28,6 +28,7 @@ from kowalevski_cas.notation import Derivative, Edit, Name, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour, OfMap
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.scene import Change
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.corrections import passes, statement_of
@@ -113,7 +114,8 @@ class Blame:
         if repair is not None:
             edited = repair.of(claim, on.texts)
             on, scene = on.under(edited.texts), edited.claim.scene
-        return count_equal_rates(on(scene)) if scene.field else 0
+        moved = scene.field and not isinstance(scene.field, Change)
+        return count_equal_rates(on(scene)) if moved else 0
 
     # -- who fails ------------------------------------------------------------------
 
