@@ -39,8 +39,8 @@ holds where the denominators do not vanish.
 
 Every line that LaCASt prints has been compared with the rows as they stand here: they are the same
 formulas. LaCASt does not print 22.8.20, 22.8.23, 22.8.25 and 4.21.1_5. The print of 22.8.23 and
-22.8.25 was not at hand, only the words beside them: that 22.8.22 is what 22.8.23 rests on, and that
-what stands in 22.8.25 is independent of the arguments. What is proved under these two numbers has
+22.8.25 was not at hand, only the words beside them: that 22.8.23 rests on 22.8.22, and that the
+value in 22.8.25 does not depend on the arguments. What is proved under these two numbers has
 not been compared with their print.
 
 Beside each row stands in how many of its lines it is proved by Maple and by Mathematica, and in
