@@ -132,7 +132,7 @@ def audited(audit: Audit) -> str:
 
 @dataclass
 class AuditText:
-    """An audit in words; ``evidence`` says whether counterexamples are shown."""
+    """An audit in words; ``evidence`` says whether counterexamples are shown beside corrections."""
 
     audit: Audit
     evidence: bool = False
@@ -225,7 +225,7 @@ class AuditText:
             shown.append(Paragraph(("Or: ", *self.phrases.words(one.words), ".")))
             valid = self.phrases.valid(one.conditions)
             shown.append(Equations(one.formulas, verdict=one.verdict, label=valid))
-        if against is not None and self.evidence:
+        if against is not None and (self.evidence or correction is None):
             shown.append(Paragraph(self.phrases.values(against)))
         yield from plain.lines(shown, 2)
 
@@ -248,10 +248,10 @@ class AuditText:
         """How many there are of each verdict."""
         audit = self.audit
         claims = Counter(str(outcome.verdict) for outcome in audit.outcomes.values())
-        yield f"{plain.many(len(audit.formulas), 'formula')}: {_count(audit.counts)}"
-        claimed = plain.many(len(audit.outcomes), "claim")
+        yield _count(len(audit.formulas), "formula", audit.counts)
+        claimed = _count(len(audit.outcomes), "claim", claims)
         checked = plain.many(len(audit.certificates), "certificate")
-        yield f"{claimed}: {_count(claims)}; {checked} checked; {audit.seconds:.2f} s"
+        yield f"{claimed}; {checked} checked; {audit.seconds:.2f} s"
 
 
 def _slip(formula: Audited) -> object:
@@ -261,5 +261,6 @@ def _slip(formula: Audited) -> object:
     return formula.correction.words, formula.place.display.id
 
 
-def _count(counts: Mapping[str, int]) -> str:
-    return ", ".join(f"{count} {verdict}" for verdict, count in sorted(counts.items()))
+def _count(number: int, noun: str, counts: Mapping[str, int]) -> str:
+    said = ", ".join(f"{count} {verdict}" for verdict, count in sorted(counts.items()))
+    return f"{plain.many(number, noun)}: {said}" if said else plain.many(number, noun)
