@@ -104,8 +104,10 @@ def relations(vectors: Sequence[Vector]) -> list[Relation]:
     """
     found: list[Relation] = []
     for block in _blocks(vectors):
-        own = _Elimination([vectors[k] for k in block]).relations()
-        found += ({block[k]: v for k, v in relation.items()} for relation in _by_last(own))
+        block_relations = _Elimination([vectors[k] for k in block]).relations()
+        found += (
+            {block[k]: v for k, v in relation.items()} for relation in _by_last(block_relations)
+        )
     return sorted(found, key=max)
 
 
@@ -137,11 +139,11 @@ def _by_last(found: Iterable[Relation]) -> list[Relation]:
                 _subtract(relation, relation[end], [*other.items()])
         end = max(relation)
         scale = pow(relation[end], -1, PRIME)
-        own = {k: value * scale % PRIME for k, value in relation.items()}
+        scaled = {k: value * scale % PRIME for k, value in relation.items()}
         for other in ends.values():
             if end in other:
-                _subtract(other, other[end], [*own.items()])
-        ends[end] = own
+                _subtract(other, other[end], [*scaled.items()])
+        ends[end] = scaled
     return [*ends.values()]
 
 
@@ -185,11 +187,11 @@ class _Elimination:
     def _eliminate_place(self, place: Any, rarest: list[tuple[int, Any]]) -> int:
         """Eliminate a place from all vectors but one, which leaves; the steps that this takes."""
         left, having = self.left, self.having
-        own = min(having[place], key=lambda k: (len(left[k]), k))
-        row = left.pop(own)
+        shortest = min(having[place], key=lambda k: (len(left[k]), k))
+        row = left.pop(shortest)
         self.entries -= len(row)
         for other in row:
-            having[other].discard(own)
+            having[other].discard(shortest)
         scale, others = pow(row.pop(place), -1, PRIME), sorted(having.pop(place))
         entries = [(other, value * scale % PRIME) for other, value in row.items()]
         for k in others:
@@ -211,7 +213,7 @@ class _Elimination:
                 heappush(rarest, (len(having[other]), other))
             else:
                 del having[other]
-        self.pivots.append((own, scale))
+        self.pivots.append((shortest, scale))
         return len(others) * (1 + len(entries))
 
     def rank(self) -> int:

@@ -26,8 +26,10 @@ def reduce_groebner_basis(polynomials: Sequence[fmpq_mpoly]) -> list[fmpq_mpoly]
     context = polynomials[0].context()
     whole = fmpz_mpoly_ctx.get(context.names(), context.ordering())
     given = (primitive(terms_of(polynomial)) for polynomial in polynomials if polynomial)
-    own = [whole.from_dict({e: int(value) for e, value in terms.items()}) for terms in given]
-    answer: Any = fmpz_mpoly_vec(own, whole).buchberger_naive(LIMITS)  # its type leaves limits out
+    generators = [whole.from_dict({e: int(value) for e, value in terms.items()}) for terms in given]
+    answer: Any = fmpz_mpoly_vec(generators, whole).buchberger_naive(
+        LIMITS
+    )  # its type leaves limits out
     found, complete = answer
     if not complete:
         raise TooLarge("a Gröbner basis has over {} elements, {} terms or {} bits".format(*LIMITS))

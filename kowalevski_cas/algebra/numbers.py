@@ -94,9 +94,9 @@ class Substitution:
         self.roots: dict[int, Element] = {} if roots is None else roots
         """The values of the roots, by their places in the ring."""
         for bit, name in enumerate(ring.roots if roots is None else ()):
-            own = values.get(name)
+            given = values.get(name)
             radicand = ring.radicands[bit]
-            self.roots[bit] = root_in(numbers, self(radicand)) if own is None else own
+            self.roots[bit] = root_in(numbers, self(radicand)) if given is None else given
 
     def __call__(self, element: Element) -> Element:
         """The value of an element; raises ``ZeroDivisionError`` on a zero of its denominator."""

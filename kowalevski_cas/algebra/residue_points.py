@@ -112,10 +112,10 @@ def _linear(
     equation: Program, name: str, curve: Mapping[str, Any], signs: Mapping[str, int], prime: int
 ) -> Rational:
     """The solution of an equation that is linear in one unknown, as a function of T."""
-    zero, one = (
+    at_zero, at_one = (
         valuation({**curve, name: nmod(value, prime)}, signs, prime)(equation) for value in (0, 1)
     )
-    solution: Rational = -1 * zero * (1 / (one + -1 * zero))
+    solution: Rational = -1 * at_zero * (1 / (at_one + -1 * at_zero))
     return solution
 
 

@@ -28,10 +28,10 @@ class Series:
         if level > self.level:
             total: Series = other + self
             return total
-        own = self.coefficients
+        ours = self.coefficients
         if level < self.level:
-            return Series(level=self.level, coefficients=[own[0] + other, *own[1:]])
-        return Series(self.level, [a + b for a, b in zip(own, other.coefficients, strict=False)])
+            return Series(level=self.level, coefficients=[ours[0] + other, *ours[1:]])
+        return Series(self.level, [a + b for a, b in zip(ours, other.coefficients, strict=False)])
 
     __radd__ = __add__
 
@@ -40,16 +40,16 @@ class Series:
         if level > self.level:
             outer: Series = other * self
             return outer
-        own = self.coefficients
+        ours = self.coefficients
         if level < self.level:
-            return Series(self.level, [a * other for a in own])
+            return Series(self.level, [a * other for a in ours])
         theirs = other.coefficients
-        size = min(len(own), len(theirs))
+        size = min(len(ours), len(theirs))
         product = []
         for k in range(size):
-            total = own[0] * theirs[k]
+            total = ours[0] * theirs[k]
             for j in range(1, k + 1):
-                total = total + own[j] * theirs[k - j]
+                total = total + ours[j] * theirs[k - j]
             product.append(total)
         return Series(self.level, product)
 
@@ -57,24 +57,24 @@ class Series:
 
     def inverse(self) -> Series:
         """One over the series; raises ``ZeroDivisionError`` if the constant term is zero."""
-        own = self.coefficients
-        first = inverse(own[0])
+        ours = self.coefficients
+        first = inverse(ours[0])
         found = [first]
-        for k in range(1, len(own)):
-            total = own[1] * found[k - 1]
+        for k in range(1, len(ours)):
+            total = ours[1] * found[k - 1]
             for j in range(2, k + 1):
-                total = total + own[j] * found[k - j]
+                total = total + ours[j] * found[k - j]
             found.append(-1 * (total * first))
         return Series(self.level, found)
 
     def root(self, first: Coefficient) -> Series:
         """The square root with this constant term."""
-        own = self.coefficients
+        ours = self.coefficients
         found = [first]
-        if len(own) > 1:
+        if len(ours) > 1:
             half = inverse(first + first)
-            for k in range(1, len(own)):
-                total = own[k]
+            for k in range(1, len(ours)):
+                total = ours[k]
                 for j in range(1, k):
                     total = total + -1 * (found[j] * found[k - j])
                 found.append(total * half)

@@ -176,7 +176,7 @@ def audit(source: Source, base: AuditBase) -> Audit:
     prose = Prose(expanded.text, expanded.body, typed)
     stated = sentences(prose, source, expanded, [*quotations.intervals().values()])
     known = [place.typed for place in places if place.typed is not None]
-    uncovered = [one for *_, one in stated]
+    uncovered = [passage for *_, passage in stated]
     uncovered += uncovered_formulas(typed, known, source, expanded)
     return Audit(
         source, expanded, places, found, session, notes, quotations.regions(),

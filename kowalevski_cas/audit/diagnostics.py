@@ -25,7 +25,7 @@ def diagnostics(audit: Audit) -> list[Diagnostic]:
         for statement in audit.statements
         if not statement.verdict.green
     ]
-    return [*_with_fingerprints(one for one in found if one is not None)]
+    return [*_with_fingerprints(diagnostic for diagnostic in found if diagnostic is not None)]
 
 
 def _of_formula(
@@ -56,10 +56,10 @@ def _of_statement(audit: Audit, outcome: Outcome) -> tuple[Diagnostic, str]:
 def _with_fingerprints(found: Iterable[tuple[Diagnostic, str]]) -> Iterator[Diagnostic]:
     """The diagnostics with fingerprints; of several that are alike each has its own."""
     seen = Counter[tuple[str, str]]()
-    for one, about in found:
-        seen[one.rule, about] += 1
-        text = "\n".join((one.rule, about, str(seen[one.rule, about])))
-        yield one._replace(fingerprint=sha256(text.encode()).hexdigest()[:32])
+    for diagnostic, about in found:
+        seen[diagnostic.rule, about] += 1
+        text = "\n".join((diagnostic.rule, about, str(seen[diagnostic.rule, about])))
+        yield diagnostic._replace(fingerprint=sha256(text.encode()).hexdigest()[:32])
 
 
 def _fixes(audit: Audit) -> dict[int, tuple[Replacement, ...]]:

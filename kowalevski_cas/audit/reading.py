@@ -102,8 +102,10 @@ class ReadingSession:
         self._mend(found)
         self._doubt(found)
         return {
-            id: one._replace(verdict=Verdict.UNDECIDED) if one.verdict is Verdict.ERROR else one
-            for id, one in found.items()
+            id: outcome._replace(verdict=Verdict.UNDECIDED)
+            if outcome.verdict is Verdict.ERROR
+            else outcome
+            for id, outcome in found.items()
         }
 
     def _run(self, session: Session, causes: Causes, only: Sequence[str] = ()) -> Run:
@@ -268,7 +270,7 @@ def uncovered(reading: Reading) -> list[Uncovered]:
     kinds = {(f.item.sentence, f.role.kind) for f in judged if f.span is None}
     covered = [*said.skipped(paper.prose), *(f.span for f in judged if f.span is not None)]
     stated = sentences(paper.prose, paper.source, paper.expanded, covered)
-    return [one for span, kind, one in stated if (span, kind) not in kinds]
+    return [passage for span, kind, passage in stated if (span, kind) not in kinds]
 
 
 def _as_read(audited: Audited, formula: JudgedStatement | None) -> None:

@@ -49,13 +49,13 @@ class Restoration:
 
     def restored(self, claim: Claim, on: Elaborations) -> Correction | None:
         """What the derivation has for a claim, if the author has changed that and it is true."""
-        own = tuple(place for place in claim.establishes() if place in self._changed)
+        places = tuple(place for place in claim.establishes() if place in self._changed)
         known = self._base.outcomes[claim.id]
         good: Outcome | Correction | None = known if known.verdict.green else known.correction
-        if not own:
+        if not places:
             return None
-        self._causes.places[claim.id] = own
-        if good is None or not self._is_as_in_base(claim, self._without(own)):
+        self._causes.places[claim.id] = places
+        if good is None or not self._is_as_in_base(claim, self._without(places)):
             return None
         with suppress(NotationError, Meaningless):
             for neighbour in claim.neighbours(on.texts):
@@ -70,10 +70,10 @@ class Restoration:
 
     def blames_changes(self, claim: Claim) -> bool:
         """Whether changes elsewhere are what makes a claim come out otherwise than in the base."""
-        own = set(claim.establishes())
+        established = set(claim.establishes())
         suspects: dict[Display, list[Printed]] = {}
         for printed in sorted(claim.reads() & self._changed, key=lambda p: p.place):
-            if printed not in own:
+            if printed not in established:
                 suspects.setdefault(printed.display, []).append(printed)
         if not suspects:
             return False
@@ -94,7 +94,7 @@ class Restoration:
         kept = {printed.display for printed in self._changed} - gone
         typed = self._decider.interpretation.texts.sources
         before = self._base.decider.interpretation.texts
-        return with_sources(before, {one: typed[one.id] for one in kept})
+        return with_sources(before, {place: typed[place.id] for place in kept})
 
     def _is_as_in_base(self, claim: Claim, texts: Texts) -> bool:
         """Whether a claim is as true as in the base, with its correction where that has one."""

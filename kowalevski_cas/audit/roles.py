@@ -51,15 +51,15 @@ class Roles:
             if isinstance(scene.field, Change):
                 self.at(scene.field.time.place).defines.add(scene.time)
         for claim in derivation.claims:
-            own = set(claim.establishes())
-            for printed in own:
+            established = set(claim.establishes())
+            for printed in established:
                 role = self.at(printed.place)
                 role.roles.add("claim")
                 role.claims[claim.id] = None
                 if printed == claim.printed:
                     role.own[claim.id] = None
             for printed in claim.places():
-                if printed not in own:
+                if printed not in established:
                     self.at(printed.place).roles.add("condition")
 
     def at(self, place: str) -> PlaceRoles:

@@ -180,7 +180,9 @@ def _needed(error: ModuleNotFoundError) -> str:
 def whole_parser() -> argparse.ArgumentParser:
     """A parser that knows all commands with their arguments, as far as what they need is there."""
     parser = _overview()
-    (commands,) = (one for one in parser._actions if isinstance(one, argparse._SubParsersAction))
+    (commands,) = (
+        action for action in parser._actions if isinstance(action, argparse._SubParsersAction)
+    )
     for name, command in commands.choices.items():
         command.formatter_class, command.epilog = _HELP, exit_codes(name)
         command.description = _docstring(module := f"{__name__}.{name}")

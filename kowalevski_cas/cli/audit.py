@@ -157,7 +157,7 @@ def _audited(arguments: argparse.Namespace, source: Source, certificates: dict[s
         if was_interrupted():
             note = "\n".join(filter(None, (note, "interrupted: the rest is not decided")))
             code = INTERRUPTED
-        texts = {name: text for one in outcomes for name, text in one.certificates.items()}
+        texts = {name: text for outcome in outcomes for name, text in outcome.certificates.items()}
         certificates |= {n: Stored(Path(n), json.loads(t)) for n, t in texts.items() if t}
     else:
         derivation = known

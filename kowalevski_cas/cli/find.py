@@ -76,18 +76,20 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command, and those of each question."""
     questions = parser.add_subparsers(title="questions", metavar="QUESTION", required=True)
     for name, summary in QUESTIONS.items():
-        one = questions.add_parser(name, help=summary, description=question(name).__doc__)
-        one.set_defaults(question=name)
-        one.add_argument("derivation", metavar="DERIVATION", help="name in the library, or folder")
-        one.add_argument("--scene", metavar="NAME", help="the scene, by its name")
+        subcommand = questions.add_parser(name, help=summary, description=question(name).__doc__)
+        subcommand.set_defaults(question=name)
+        subcommand.add_argument(
+            "derivation", metavar="DERIVATION", help="name in the library, or folder"
+        )
+        subcommand.add_argument("--scene", metavar="NAME", help="the scene, by its name")
         for key, options in ARGUMENTS[name].items():
-            one.add_argument(key, **options)
-        session.add_format(one, ("pretty", "verbose", "json"), "formula")
-        one.add_argument(
+            subcommand.add_argument(key, **options)
+        session.add_format(subcommand, ("pretty", "verbose", "json"), "formula")
+        subcommand.add_argument(
             "--write", action="store_true", help="append what is proved of the motion to the file"
         )
-        session.add_timeout(one, 60.0, "for the search, and for each claim")
-        session.add_pool(one)
+        session.add_timeout(subcommand, 60.0, "for the search, and for each claim")
+        session.add_pool(subcommand)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -122,8 +124,8 @@ def run(arguments: argparse.Namespace) -> int:
             )
             said += f", where {where}" if where else ""
             print(f"{outcome.verdict}  {said}{':  ' if shown else ''}{shown}")
-            for one in finding.computed:
-                print(f"computed  {_shorten(plain.words(one, run.vocabulary), verbose)}")
+            for sentence in finding.computed:
+                print(f"computed  {_shorten(plain.words(sentence, run.vocabulary), verbose)}")
         checked = plain.many(len(run.certificates), "certificate")
         print(f"{len(outcomes)} found; {checked} checked")
         if not findings and not unfinished:
@@ -185,7 +187,7 @@ def _scene(derivation: Derivation, name: str | None) -> Scene:
             scenes.setdefault(scene.name, scene)
     if name is None:
         for scene in scenes.values():
-            if all(_specialises(one, scene) for one in scenes.values()):
+            if all(_specialises(other, scene) for other in scenes.values()):
                 if others := [*filter(scene.name.__ne__, scenes)]:
                     said = f"asked of “{scene.name}”; --scene takes: {'; '.join(others)}"
                     print(f"kowalevski-cas find: {said}", file=sys.stderr)

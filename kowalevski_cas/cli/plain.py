@@ -74,14 +74,14 @@ def text(found: Text) -> str:
     return "".join(map(_inline, found))
 
 
-def _inline(one: Inline) -> str:
-    match one:
+def _inline(inline: Inline) -> str:
+    match inline:
         case str():
-            return one
+            return inline
         case Code(source):
             return source
         case Formula():
-            shown = to_plain(one)
+            shown = to_plain(inline)
             return shown.replace(" ", "\xa0") if len(shown) <= SHORT else shown
         case Sign(verdict):
             return MARKS[verdict].sign

@@ -43,9 +43,9 @@ def run(arguments: argparse.Namespace) -> int:
     except (OSError, ValueError, AttributeError, RecursionError) as error:
         raise CommandError(f"{path}: {error}") from None
 
-    def certify(one: Posed) -> str:
+    def certify(posed: Posed) -> str:
         with time_limit(arguments.timeout):
-            return _certificate(one)
+            return _certificate(posed)
 
     try:
         (found,) = session.map_in_processes(certify, [posed])

@@ -39,8 +39,8 @@ def runs_with_steps(chosen: Sequence[tuple[Path, Derivation]], timeout: float) -
     runs = session.runs(chosen, EXACT, explain=True, timeout=timeout)
     versions = session.versions()
     return [
-        ComparedRun(*one, texts, run._replace(versions=versions))
-        for one, (run, texts) in zip(chosen, runs, strict=True)
+        ComparedRun(*selected, texts, run._replace(versions=versions))
+        for selected, (run, texts) in zip(chosen, runs, strict=True)
     ]
 
 
@@ -68,5 +68,5 @@ def check_certificates(found: ComparedRun) -> tuple[Checked, dict[str, str]]:
     """What the checker says of certificates, and the digests of those about this run's claims."""
     record, run = session.readable_record(found.folder), found.run
     checked = check_committed(found.folder, found.derivation, record, statements(run))
-    own = {outcome.claim: outcome.digest for outcome in run.outcomes}
-    return checked, dict(own.items() & checked.digests.items())
+    current = {outcome.claim: outcome.digest for outcome in run.outcomes}
+    return checked, dict(current.items() & checked.digests.items())

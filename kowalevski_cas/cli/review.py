@@ -82,7 +82,7 @@ class Review(NamedTuple):
         """The exit code that the paper asks for."""
         if self.answer.document is None:
             return USAGE
-        if any(one.level == ERROR for one in self.new):
+        if any(diagnostic.level == ERROR for diagnostic in self.new):
             return DIFFERENT
         return UNDECIDED if strict and self.new else AS_RECORDED
 
@@ -96,7 +96,7 @@ def run(arguments: argparse.Namespace) -> int:
     reviews = [_review(path, arguments.timeout, known) for path in chosen]
     for review in reviews:
         print(_text(review, arguments.format), end="")
-    found = [one for review in reviews for one in review.new]
+    found = [diagnostic for review in reviews for diagnostic in review.new]
     if arguments.sarif is not None:
         write(arguments.sarif, log(found))
     if arguments.badge is not None:
@@ -126,8 +126,8 @@ def _review(path: Path, seconds: float, known: set[tuple[str, str]]) -> Review:
     words = ("audit", "--format=json", f"--timeout={seconds}", "--", str(path))
     answer = asyncio.run(run_command(*words))
     document = answer.document or {"diagnostics": []}
-    found = [from_json(one) for one in document["diagnostics"]]
-    new = [one for one in found if _key(one) not in known]
+    found = [from_json(entry) for entry in document["diagnostics"]]
+    new = [diagnostic for diagnostic in found if _key(diagnostic) not in known]
     return Review(path, answer, new, len(found) - len(new))
 
 
@@ -146,13 +146,13 @@ def _text(review: Review, format: str) -> str:
     return summary + "".join(map(_line, review.new))
 
 
-def _line(one: Diagnostic) -> str:
-    place = ":".join(str(part) for part in one.region[:3] if part)
-    return f"  {place}: {one.level}: {one.id}: {one.message}\n"
+def _line(diagnostic: Diagnostic) -> str:
+    place = ":".join(str(part) for part in diagnostic.region[:3] if part)
+    return f"  {place}: {diagnostic.level}: {diagnostic.id}: {diagnostic.message}\n"
 
 
-def _key(one: Diagnostic) -> tuple[str, str]:
-    return Path(one.region.path).as_posix(), one.fingerprint
+def _key(diagnostic: Diagnostic) -> tuple[str, str]:
+    return Path(diagnostic.region.path).as_posix(), diagnostic.fingerprint
 
 
 def _read_baseline(path: Path | None) -> set[tuple[str, str]]:
@@ -163,7 +163,7 @@ def _read_baseline(path: Path | None) -> set[tuple[str, str]]:
         value: Mapping[str, Any] = json.loads(path.read_text(encoding="utf-8"))
         if (value["format"], value["version"]) != tuple(head("baseline").values()):
             raise ValueError("another format or version")
-        return {(one["file"], one["fingerprint"]) for one in value["known"]}
+        return {(entry["file"], entry["fingerprint"]) for entry in value["known"]}
     except OSError as error:
         raise CommandError(f"{path}: {error.strerror}; --update writes it") from None
     except (ValueError, TypeError, KeyError) as error:
@@ -173,7 +173,11 @@ def _read_baseline(path: Path | None) -> set[tuple[str, str]]:
 def _baseline(found: Sequence[Diagnostic]) -> str:
     """A baseline in which all that is found is known, in an order that does not change."""
     known = sorted(
-        {"file": _key(one)[0], "fingerprint": one.fingerprint, "message": one.message}.items()
-        for one in found
+        {
+            "file": _key(diagnostic)[0],
+            "fingerprint": diagnostic.fingerprint,
+            "message": diagnostic.message,
+        }.items()
+        for diagnostic in found
     )
     return json.dumps({**head("baseline"), "known": [*map(dict, known)]}, indent=1) + "\n"

@@ -307,8 +307,8 @@ def versions() -> dict[str, str]:
     """The versions of the programs and libraries that take part."""
     import platform
 
-    own = {"kowalevski_cas": __version__, "Python": platform.python_version()}
-    return own | installed_versions("python-flint", "symengine", "sympy")
+    installed = {"kowalevski_cas": __version__, "Python": platform.python_version()}
+    return installed | installed_versions("python-flint", "symengine", "sympy")
 
 
 def installed_versions(*libraries: str) -> dict[str, str]:

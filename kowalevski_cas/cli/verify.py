@@ -135,13 +135,15 @@ def _watch(arguments: argparse.Namespace) -> int:
 def _save_times(names: Sequence[str]) -> dict[Path, int]:
     """When the files of derivations were saved, and those that they read."""
     sources = [source(find(name)) for name in names or available()]
-    own = {
+    evidence = {
         file
         for source in sources
         if source.name == "__init__.py"
         for file in source.parent.glob("*.py")
     }
-    return {file: file.stat().st_mtime_ns for file in {*sources, *own, *READ} if file.is_file()}
+    return {
+        file: file.stat().st_mtime_ns for file in {*sources, *evidence, *READ} if file.is_file()
+    }
 
 
 def _verify(arguments: argparse.Namespace) -> int:

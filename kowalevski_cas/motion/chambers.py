@@ -107,7 +107,7 @@ class Strips:
 
     def chambers(self) -> list[Chamber]:
         """The chambers, the largest first."""
-        found = [self._chamber(*one) for one in self._options().items()]
+        found = [self._chamber(*option) for option in self._options().items()]
         large = (chamber for chamber in found if chamber.depth > LEAST)
         return sorted(large, key=lambda chamber: -chamber.depth)
 
@@ -116,8 +116,8 @@ class Strips:
         around: dict[int | None, set[tuple[str, int, bool]]] = {}
         for wall, *sides in self._sides():
             for side in sides:
-                one = (wall.name, wall.tori, wall.elliptic)
-                around.setdefault(side, set()).add(one)
+                sort = (wall.name, wall.tori, wall.elliptic)
+                around.setdefault(side, set()).add(sort)
         return sorted(
             (tuple(sorted(numbers)), *sorted(around[number]))
             for number, numbers in self._options().items()

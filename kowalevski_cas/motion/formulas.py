@@ -27,9 +27,9 @@ def source(kind: type = ClosedForm) -> Derivation:
     """The derivation that offers the formulas of a kind; raises ``LibraryError`` if none does."""
     for name in available():
         derivation = _loaded(name)
-        for one in (derivation, *derivation.rests_on):
-            if kind in one.offers:
-                return one
+        for source in (derivation, *derivation.rests_on):
+            if kind in source.offers:
+                return source
     raise LibraryError(f"no derivation in the library offers motions: {kind.__name__}")
 
 

@@ -90,13 +90,15 @@ def turn_rates(motion: Motion | MotionO4) -> Array:
     """
     if isinstance(motion, MotionO4):
         series = [DifferentialSeries(uniformize(motion.parameters, arc)) for arc in motion.arcs]
-        means = matrix([one.means() for one in series], motion.orientations)
+        means = matrix([integral.means() for integral in series], motion.orientations)
         rates = means.solve(arb_mat([[0], [-1]])).entries()
         return np.array([float(rate) for rate in rates]) / (4 * np.pi)
     oscillations = motion.oscillations()
     if any(oscillation.kind != "elliptic" for oscillation in oscillations):
         raise Inadmissible("a variable rests, or tends to rest: the motion fills no torus")
-    return np.array([float(one.rate / (4 * one.quarter)) for one in oscillations])
+    return np.array(
+        [float(oscillation.rate / (4 * oscillation.quarter)) for oscillation in oscillations]
+    )
 
 
 class _Torus:

@@ -35,8 +35,8 @@ def jacobi(oscillation: Oscillation, origin: arb, largest: float) -> Callable[[A
 
 
 def _rest(t: Array) -> Quadruple:
-    one = np.ones_like(t)
-    return np.zeros_like(t), one, one, one
+    ones = np.ones_like(t)
+    return np.zeros_like(t), ones, ones, ones
 
 
 class _Elementary:

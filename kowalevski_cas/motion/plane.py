@@ -35,8 +35,8 @@ def regime_at(parameters: Parameters, m: Array, ell: Array) -> Integers:
 
 def line(parameters: Parameters, m: Array, root: str) -> tuple[Array, Array]:
     """A root as a linear expression in ℓ, for each m; those of φ are proportional to 1/m."""
-    one = Parameters.of(parameters.a, parameters.b, 1, 0)
-    slope, constant = (float(value) for value in coordinates(one, root))
+    unit = Parameters.of(parameters.a, parameters.b, 1, 0)
+    slope, constant = (float(value) for value in coordinates(unit, root))
     with np.errstate(divide="ignore"):
         scale = 1 / m if root in PHI else np.ones_like(m)
     return slope * scale, constant * scale

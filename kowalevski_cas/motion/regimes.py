@@ -219,11 +219,13 @@ def _orders(sign: int) -> Iterator[tuple[str, ...]]:
 def _arcs(order: tuple[str, ...], length: str, sign: int) -> Iterator[Arc]:
     """The arcs between neighbouring roots on which both radicands of a variable are positive."""
     ends = (f"-{length}", length)
-    own = [root for root in order if root in (*ends, *PHI)]
+    boundary = [root for root in order if root in (*ends, *PHI)]
     outer = 1 if length == "a" else -1  # the sign of S² outside its roots, and of −f²/m
     for k in range(4):
-        roots = (own[k], own[(k + 1) % 4], own[(k + 2) % 4], own[(k + 3) % 4])
-        between = {pair: sum(own.index(root) <= k for root in pair) == 1 for pair in (ends, PHI)}
+        roots = (boundary[k], boundary[(k + 1) % 4], boundary[(k + 2) % 4], boundary[(k + 3) % 4])
+        between = {
+            pair: sum(boundary.index(root) <= k for root in pair) == 1 for pair in (ends, PHI)
+        }
         field = -outer if between[ends] else outer
         phi = -1 if between[PHI] else 1
         if field > 0 and -outer * sign * phi > 0:

@@ -47,8 +47,8 @@ class Formula:
 
     def __init_subclass__(cls) -> None:
         kinds = {"Formula": False, "tuple[Formula, ...]": True}
-        own = get_annotations(cls).items()
-        cls._below += tuple((name, kinds[kind]) for name, kind in own if kind in kinds)
+        annotations = get_annotations(cls).items()
+        cls._below += tuple((name, kinds[kind]) for name, kind in annotations if kind in kinds)
         cls.method = re.sub(r"(?<!^)(?=[A-Z])", "_", cls.__name__).lower()
 
     def __reduce__(self) -> tuple[type[Formula], tuple[object, ...], dict[str, str]]:

@@ -72,8 +72,8 @@ def statements(tex: str) -> tuple[StatementTokens, ...]:
     known = {**dict.fromkeys(set[str]().union(*map(permuted, printed)), SPACE), **ranges}
     found = [
         statement
-        for own in printed
-        for statement in each_value(own, known if _is_rate(own) else ranges, tex)
+        for formula in printed
+        for statement in each_value(formula, known if _is_rate(formula) else ranges, tex)
     ]
     groups = _groups(tex)
     return tuple(

@@ -68,12 +68,12 @@ def each_value(tokens: list[Token], ranges: Ranges, tex: str) -> Iterator[list[T
     tokens = add_sums(indexed_sums(tokens, ranges), ranges, tex)
     if not (tokens[0].text == r"\{" and permuted(tokens).isdisjoint(ranges)):
         ranges = {**dict.fromkeys(sorted(permuted(tokens)), SPACE), **ranges}
-    own = {n: v for n, v in ranges.items() if v and _is_index(outside_sums(tokens), n)}
-    if own and (period := _PERIOD.fullmatch("".join(token.text for token in tokens))):
+    index_ranges = {n: v for n, v in ranges.items() if v and _is_index(outside_sums(tokens), n)}
+    if index_ranges and (period := _PERIOD.fullmatch("".join(token.text for token in tokens))):
         length = int(period[3] or period[4])
-        own = {n: range(max(0, v[0] - length), v[-1] + 1) for n, v in own.items()}
-    for values in product(*own.values()):
-        yield _substitute(tokens, dict(zip(own, values, strict=True)), ranges, tex)
+        index_ranges = {n: range(max(0, v[0] - length), v[-1] + 1) for n, v in index_ranges.items()}
+    for values in product(*index_ranges.values()):
+        yield _substitute(tokens, dict(zip(index_ranges, values, strict=True)), ranges, tex)
 
 
 def index_letters(tokens: Sequence[Token]) -> set[str]:
@@ -157,13 +157,13 @@ def _expand_sum(sum_: SumSign, at: Mapping[str, int], ranges: Ranges, tex: str) 
         return
     start = sum_.head[0].start
     signed = [without_tensors(sum_.body, {**outer, **values}) for values in terms]
-    own = [pair for pair in zip(terms, signed, strict=True) if pair[1][0]]
+    summed = [pair for pair in zip(terms, signed, strict=True) if pair[1][0]]
     yield Token("open", "(", start, start)
-    for number, (values, (factor, body)) in enumerate(own):
+    for number, (values, (factor, body)) in enumerate(summed):
         sign = "-" if factor < 0 else "+"
         yield from [Token("sign", sign, start, start)] if number or factor < 0 else []
         yield from _substitute(body, {**outer, **values}, ranges, tex)
-    yield from [] if own else [Token("number", "0", start, start)]
+    yield from [] if summed else [Token("number", "0", start, start)]
     end = sum_.body[-1].end if sum_.body else start
     yield Token("close", ")", end, end)
 

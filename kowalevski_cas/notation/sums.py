@@ -81,8 +81,8 @@ class SumSign(NamedTuple):
         inner = (
             SumSign.at(self.body, k) for k, token in enumerate(self.body) if token.kind in SIGNS
         )
-        own = len(self._below) == 1 and self._below[0][1:2] == ["="]
-        return own and all(part.is_plain for part in inner)
+        plain = len(self._below) == 1 and self._below[0][1:2] == ["="]
+        return plain and all(part.is_plain for part in inner)
 
     @property
     def is_crowded(self) -> bool:

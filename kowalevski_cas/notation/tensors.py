@@ -87,7 +87,9 @@ def repeated(tokens: Sequence[Token]) -> Iterator[tuple[list[Token], str]]:
         places = [*zip(_letters(term), _depths(term, index=False), strict=True)]
         counts = Counter(letter for letter, _ in places if letter)
         inner = {letter for letter, depth in places if depth}
-        yield from ((term, one) for one, n in counts.items() if n == 2 and one not in inner)
+        yield from (
+            (term, letter) for letter, n in counts.items() if n == 2 and letter not in inner
+        )
 
 
 def without_tensors(tokens: Sequence[Token], at: Values) -> tuple[int, list[Token]]:

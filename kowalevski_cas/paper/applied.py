@@ -57,11 +57,11 @@ def _arguments(name: str, texts: Iterable[str], vectors: Collection[str]) -> str
     if len(lists) != 1:
         return ""
     (listed,) = lists
-    own = rf"{letter}\s*=(?P<by>[^=]*)"
-    defining = " ".join(match["by"] for tex in texts for match in re.finditer(own, tex))
+    definition = rf"{letter}\s*=(?P<by>[^=]*)"
+    defining = " ".join(match["by"] for tex in texts for match in re.finditer(definition, tex))
     inside = all(
-        re.search(rf"(?<![A-Za-z\\]){re.escape(one)}(?![A-Za-z])", defining)
-        for one in listed.split(",")
+        re.search(rf"(?<![A-Za-z\\]){re.escape(argument)}(?![A-Za-z])", defining)
+        for argument in listed.split(",")
     )
     return listed if inside and {*listed.split(",")}.isdisjoint(vectors) else ""
 
@@ -74,8 +74,8 @@ def without_arguments(tex: str, known: Mapping[str, str]) -> str:
     for name, by in known.items():
         letter = rf"(?<![A-Za-z\\])(?P<name>{re.escape(name)})\s*(?:\\left\s*)?\("
         listed = r"\s*,\s*".join(map(re.escape, by.split(",")))
-        own = rf"{letter}\s*{listed}\s*(?:\\right\s*)?\)"
-        tex = re.sub(own, lambda found: f"{{{found['name']}}}".ljust(len(found[0])), tex)
+        call = rf"{letter}\s*{listed}\s*(?:\\right\s*)?\)"
+        tex = re.sub(call, lambda found: f"{{{found['name']}}}".ljust(len(found[0])), tex)
         if other := re.search(letter, tex):
             what = tex[other.start() : other.start() + 12]
             raise ValueError(

@@ -103,10 +103,10 @@ class Brackets:
         formula, arguments = setting.definition(name), head(name)[1]
         if not any(map(is_indexed, arguments)):
             moving = setting.scene.variables
-            own = {*moving, *map(rate_name, moving)}
-            if others := {*arguments} - own - {*setting.scene.definitions}:
+            coordinates = {*moving, *map(rate_name, moving)}
+            if others := {*arguments} - coordinates - {*setting.scene.definitions}:
                 raise Meaningless(f"{min(others)} is no variable, and has no Poisson bracket")
-            first, second = (n if n in own else self._same(n) for n in arguments)
+            first, second = (n if n in coordinates else self._same(n) for n in arguments)
             yield (first, second), setting.plain(formula)
             return
         known = {*setting.scene.names()}

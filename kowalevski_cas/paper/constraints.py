@@ -53,8 +53,8 @@ def constraints(
             continue
         if squares and (not isinstance(last, Power) or MULTIPLIERS[0] not in letters):
             continue
-        others = (one for other, one in formulas.items() if other is not place)
-        if squares and any(one.names() & squares for one in others):
+        others = (formula for other, formula in formulas.items() if other is not place)
+        if squares and any(other.names() & squares for other in others):
             name = min(squares)
             raise ValueError(
                 f"{place.tex}: a constraint, or a name? print {name}^2=… for a name; if it is a "
@@ -84,7 +84,7 @@ def multipliers(scene: Scene, places: Sequence[Printed]) -> Iterator[str]:
         )
     ring = space.finder.ring
     derived = [_until(function, names, space) for function in functions]
-    matrix = [[_partial(one, name) for name in names] for one in derived]
+    matrix = [[_partial(constraint, name) for name in names] for constraint in derived]
     right = []
     for one, row in zip(derived, matrix, strict=True):
         rest = one

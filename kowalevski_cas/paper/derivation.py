@@ -106,11 +106,11 @@ class Section:
                 f"{display.id}: {len(places)} statements, {len(ids)} ids, {len(words)} words"
             )
         for id, place, word in zip(ids, places, words, strict=True):
-            own: dict[str, Any] = {
+            kept: dict[str, Any] = {
                 name: value[place.number] if isinstance(value, Display) else value
                 for name, value in attributes.items()
             }
-            self.claim(kind(id, on, word, printed=place, **own))
+            self.claim(kind(id, on, word, printed=place, **kept))
         return printed
 
     def claim(self, *claims: Claim) -> None:
@@ -280,7 +280,7 @@ class Derivation:
 
     def section_of(self, claim: Claim) -> Section:
         """The section in which a claim stands."""
-        return next(s for s in self.sections if any(one.id == claim.id for one in s.claims))
+        return next(s for s in self.sections if any(stated.id == claim.id for stated in s.claims))
 
     def displays(self) -> Iterator[Display]:
         """All displays in the order of the paper."""

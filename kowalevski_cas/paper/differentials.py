@@ -20,7 +20,7 @@ def differentials(formula: Formula) -> dict[str, Formula]:
 def rates(formula: Formula) -> Iterator[str]:
     """The equations of motion that a chain of differentials says, by t if it has no time."""
     found = differentials(formula)
-    time = next((one for one in TIMES if one in found), "t")
+    time = next((name for name in TIMES if name in found), "t")
     scale = found.pop(time, ONE)
     for name, below in found.items():
         rate = below if scale == ONE else Quotient(below, scale)

@@ -114,25 +114,33 @@ class Elaboration(Moving):
                 primes |= dict.fromkeys(rf"\sqrt{{{p}}}" for p in number[1]) if number else {}
                 names += [] if number else [name]
         yield from (*primes, *names, *self.transcendental.roots)
-        yield from (root_of(one.difference) for one in self.supposed if one.sign != r"\ne")
+        yield from (
+            root_of(comparison.difference)
+            for comparison in self.supposed
+            if comparison.sign != r"\ne"
+        )
         if self.supposed:  # a printed root is not negative, nor is the root of it imaginary
-            own = [name for name in names if name.startswith(r"\sqrt")]
-            signs = {rf"\sqrt{{{name}}}": name for name in own}
+            printed_roots = [name for name in names if name.startswith(r"\sqrt")]
+            signs = {rf"\sqrt{{{name}}}": name for name in printed_roots}
             yield from (sign for sign, name in signs.items() if name not in signs)
 
     def _supposed(self) -> Iterator[Comparison]:
         """What the inequalities of the scene say; not what numbers say of each other."""
         for printed in self.scene.signs:
-            for one in comparisons(self.texts.comparison(printed)):
-                if one.sign == "=" or one.number is False:
+            for comparison in comparisons(self.texts.comparison(printed)):
+                if comparison.sign == "=" or comparison.number is False:
                     raise Meaningless(f"{printed.tex} is no inequality that can be supposed")
-                if one.number is None:
-                    yield one
+                if comparison.number is None:
+                    yield comparison
 
     @cached_property
     def unprinted(self) -> frozenset[str]:
         """The roots that say what is not negative, and that no scene declares."""
-        supposed = {root_of(one.difference) for one in self.supposed if one.sign != r"\ne"}
+        supposed = {
+            root_of(comparison.difference)
+            for comparison in self.supposed
+            if comparison.sign != r"\ne"
+        }
         signs = {rf"\sqrt{{{name}}}" for name in self.roots}
         return frozenset((supposed - {*self.scene.roots}) | signs)
 
@@ -142,11 +150,11 @@ class Elaboration(Moving):
         known = {*self.roots}
         signs = ((name, rf"\sqrt{{{name}}}") for name in self.roots)
         groups: list[tuple[str, ...]] = [two for two in signs if two[1] in known]
-        for one in self.supposed:
+        for comparison in self.supposed:
             reach = Reach(self)
-            reach.formula(self.formula(one.difference))
-            if one.sign != r"\ne":
-                reach.name(root_of(one.difference))
+            reach.formula(self.formula(comparison.difference))
+            if comparison.sign != r"\ne":
+                reach.name(root_of(comparison.difference))
             groups.append(tuple(sorted(reach.names)))
         return (*super().together, *groups)
 
@@ -183,7 +191,11 @@ class Elaboration(Moving):
         """What the scene takes for granted not to vanish."""
         roots = (Name(self.radicals.root(name)) for name in self.radicals.orders)
         granted = (Name(n) if n in self.roots else self.formula(n) for n in self.scene.nonzero)
-        strict = (self.formula(one.difference) for one in self.supposed if one.sign != r"\le")
+        strict = (
+            self.formula(comparison.difference)
+            for comparison in self.supposed
+            if comparison.sign != r"\le"
+        )
         said = (one for one in (*granted, *strict) if not self._is_given_by_number(one))
         return (*said, *self.transcendental.nonzero, *roots)
 

@@ -55,8 +55,8 @@ class Kind(NamedTuple):
 
     def formula(self, tex: str, values: Mapping[str, Formula]) -> Formula:
         """A formula of the family in other names."""
-        own = dict(zip(self.family.parameters, self.parameters, strict=True))
-        return substitute(template(tex), {**own, **values})
+        bound = dict(zip(self.family.parameters, self.parameters, strict=True))
+        return substitute(template(tex), {**bound, **values})
 
     def names(self, argument: Formula, integrals: bool = False) -> dict[str, str]:
         """The names of the generators at an argument, perhaps with those of their integrals."""

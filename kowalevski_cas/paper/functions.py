@@ -20,10 +20,10 @@ def value_of(formula: Application, setting: Meaning) -> Formula:
             body = setting.definition(name)
             if any(isinstance(n, Application) and n.function == function for n in body.nodes()):
                 raise Meaningless(f"{name} is defined by itself", function)
-            own = [setting.texts.expression(argument) for argument in arguments]
-            if [*formula.arguments] == own:
+            expressions = [setting.texts.expression(argument) for argument in arguments]
+            if [*formula.arguments] == expressions:
                 return body
-            if not all(isinstance(argument, Name) for argument in own):
+            if not all(isinstance(argument, Name) for argument in expressions):
                 raise Meaningless(f"{name} is used with other velocities: define it anew")
             return substitute(body, values)
     if formula.function == SIGN and len(formula.arguments) == 1:

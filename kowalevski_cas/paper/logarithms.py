@@ -97,9 +97,13 @@ def derivative_of(formula: Formula, by: Callable[[Formula], Formula], space: Mea
         case Quotient(above, below) if _is_constant(below, space):
             return Quotient(of(above), below)
         case Product(factors):
-            own = [factor for factor in factors if not has_logarithm(factor)]
-            if len(own) == len(factors) - 1 and all(_is_constant(factor, space) for factor in own):
-                return Product(tuple(factor if factor in own else of(factor) for factor in factors))
+            others = [factor for factor in factors if not has_logarithm(factor)]
+            if len(others) == len(factors) - 1 and all(
+                _is_constant(factor, space) for factor in others
+            ):
+                return Product(
+                    tuple(factor if factor in others else of(factor) for factor in factors)
+                )
     what = "a logarithm, or an arc, is read with a constant factor only"
     raise Meaningless(f"{to_latex(formula)}: {what}")
 

@@ -55,7 +55,9 @@ def equations_of_entries(formulas: Mapping[Printed, Formula], time: str) -> Iter
     nodes = (node for place in laws for node in formulas[place].nodes())
     derived = {node.argument for node in nodes if isinstance(node, Derivative)}
     printed = (formulas[p] for p in defining if derived & {*map(Name, p.heads.names)})
-    names = dict.fromkeys(n.name for one in printed for n in one.nodes() if isinstance(n, Name))
+    names = dict.fromkeys(
+        n.name for formula in printed for n in formula.nodes() if isinstance(n, Name)
+    )
     fixed = {name for formula in formulas.values() for name in _constants(formula)}
     unknown = [n for n in names if n not in defined | fixed and symbol(n).letter not in SPECTRAL]
     rates = [*map(rate_name, unknown)]
@@ -99,7 +101,7 @@ def _derivatives(
     for name in parameters:
         found = functions
         for _ in range(DERIVED):
-            found = [space.finder.partial(one, name) for one in found]
+            found = [space.finder.partial(power, name) for power in found]
             yield from found
 
 

@@ -338,10 +338,10 @@ class Moving(Meaning):
             if not isinstance(left, Name):
                 raise Meaningless(f"the formula at {printed.place} gives no variable")
             new[left.name] = self.source.plain(right)
-        own = (*self.scene.variables, *self.scene.definitions)
+        old_names = (*self.scene.variables, *self.scene.definitions)
         formulas = [
-            *((n, f) for n, f in new.items() if n in own),
-            *((n, Name(n)) for n in own if n in self.source.variables and n not in new),
+            *((n, f) for n, f in new.items() if n in old_names),
+            *((n, Name(n)) for n in old_names if n in self.source.variables and n not in new),
         ]
         check_time(self.source, change.time)
         time = Quotient(Number(1), self.source.plain(self.texts.time_change(change.time).rate))

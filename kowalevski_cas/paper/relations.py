@@ -34,13 +34,16 @@ def solve_for_constant(relation: str, scene: Scene) -> tuple[str, tuple[str, ...
         for name in () if more else scene.constants:
             slope = at.partial(whole, name)
             square = at.partial(slope, name) * at.ring.number(Fraction(1, 2))
-            own = at.ring.generator(name)
+            generator = at.ring.generator(name)
             if rational(slope):
-                return f"{name}={to_latex(formula_of(own - whole / slope, words))}", printed
-            if rational(square) and (slope - own * square * at.ring.number(2)).is_zero:
-                found = f"{name}^2={to_latex(formula_of(own**2 - whole / square, words))}"
+                return f"{name}={to_latex(formula_of(generator - whole / slope, words))}", printed
+            if rational(square) and (slope - generator * square * at.ring.number(2)).is_zero:
+                found = f"{name}^2={to_latex(formula_of(generator**2 - whole / square, words))}"
             elif not slope.is_zero and square.is_zero and not found:
-                rest, below = to_latex(formula_in(slope * own - whole)), to_latex(formula_in(slope))
+                rest, below = (
+                    to_latex(formula_in(slope * generator - whole)),
+                    to_latex(formula_in(slope)),
+                )
                 found = rf"{name}=\frac{{{rest}}}{{{below}}}"  # also where it cancels
         return found, printed
     return "", ()

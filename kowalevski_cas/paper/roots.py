@@ -61,9 +61,9 @@ def solve_for_root(setting: Meaning, name: str, printed: Printed) -> Adjoined:
     """
     setting.places[name] = (printed,)
     members = [m for m in setting.texts.relation(printed).members if not isinstance(m, Constant)]
-    own = Power(Name(name), Number(2))
-    if len(members) == 2 and own in members:
-        other = members[members[0] == own]
+    squared = Power(Name(name), Number(2))
+    if len(members) == 2 and squared in members:
+        other = members[members[0] == squared]
         if name not in other.names():
             return Adjoined(name, setting.plain(other))
     at = setting.free([name])

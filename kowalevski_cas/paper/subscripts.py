@@ -28,9 +28,11 @@ def derived_in_index(texts: Iterable[str]) -> str:
     if any(map(_OTHER.search, texts)):
         return ""
     found = [match for tex in texts for match in _INDEXED.finditer(tex)]
-    several = {(one["letter"], one["by"]) for one in found if one["by"] and len(one["low"]) > 1}
+    several = {
+        (match["letter"], match["by"]) for match in found if match["by"] and len(match["low"]) > 1
+    }
     letters = {letter for letter, _ in several}
-    by = {one["by"] or one["one"] for one in found if one["letter"] in letters}
+    by = {match["by"] or match["one"] for match in found if match["letter"] in letters}
     if len(by) != 1 or len(letters) != 1:
         return ""
     (name,) = by

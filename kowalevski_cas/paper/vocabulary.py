@@ -27,5 +27,5 @@ def vocabulary(scenes: tuple[Scene, ...]) -> Vocabulary:
             head(n)[0] for s in scenes for n in s.definitions if head(n)[1] and n[:2] != BRACKET
         ).union(FUNCTIONS),
         times=times,
-        moving=frozenset(moving.union(n for n, own in parts if not moving.isdisjoint(own))),
+        moving=frozenset(moving.union(n for n, names in parts if not moving.isdisjoint(names))),
     )

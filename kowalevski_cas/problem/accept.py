@@ -215,14 +215,14 @@ class Judge(Examiner):
             *(f.names() for inner in goal.goals for f in inner.formulas())
         ):
             raise Unproved("a bound name is not used")
-        for one, inner in zip(goal.goals, evidence.evidence, strict=True):
-            at = self.of(one.space)
-            mine = {n for f in one.formulas() for n in f.names() if n in goal.bound}
+        for inner_goal, inner in zip(goal.goals, evidence.evidence, strict=True):
+            at = self.of(inner_goal.space)
+            mine = {n for f in inner_goal.formulas() for n in f.names() if n in goal.bound}
             values = {n: at.scalar(f) for n, f in evidence.values.items() if n in mine}
             for name in mine & set(goal.numbers):
                 if rational(values[name]) is None:
                     raise Unproved(f"{name} is no number")
-            self._simple(one, inner, True, at.binding(values), values)
+            self._simple(inner_goal, inner, True, at.binding(values), values)
 
     def _never(self, goal: Exists, evidence: Regardless) -> None:
         inner = goal.goals[evidence.goal]

@@ -271,11 +271,11 @@ def _one_from_json(kind: Any, data: Tree, spaces: list[Space]) -> Any:
     first, *others = (part for part in get_args(kind) if part is not NoneType)
     if not others:
         return _value_from_json(first, data, spaces)
-    own = _GOALS[data["goal"]]
-    if not issubclass(own, get_args(kind)):
+    goal_type = _GOALS[data["goal"]]
+    if not issubclass(goal_type, get_args(kind)):
         raise FormatError(f"a goal of the kind {data['goal']} cannot stand here")
     return _object_from_json(
-        own, {key: value for key, value in data.items() if key != "goal"}, spaces
+        goal_type, {key: value for key, value in data.items() if key != "goal"}, spaces
     )
 
 

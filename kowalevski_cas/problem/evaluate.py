@@ -45,7 +45,7 @@ class Evaluation(Fold):
         self.setting = setting
         self.polynomials = polynomials
         self.names = generators(setting)
-        own = ring is None
+        fresh = ring is None
         self.ring: Ring = Ring(polynomials(self.names)) if ring is None else ring
         self._others = others
         self._values: dict[tuple[str, bool], Value] = {}
@@ -60,8 +60,8 @@ class Evaluation(Fold):
         """What is known of points, by their values."""
         self.roots: dict[str, Element] = {}
         """Radicands, by the names of their roots."""
-        given = {n: self.ring.generator(n) for n in self.names} if own else dict(values or {})
-        self.letters = {name: place for place, name in enumerate(self.names)} if own else {}
+        given = {n: self.ring.generator(n) for n in self.names} if fresh else dict(values or {})
+        self.letters = {name: place for place, name in enumerate(self.names)} if fresh else {}
         for name, value in given.items():
             self._values[name, False] = value
 
@@ -128,14 +128,14 @@ class Evaluation(Fold):
         for pair in self.setting.conjugates:
             if name in pair:
                 return self.scalar(Name(pair[pair[0] == name]))
-        own = self.scalar(Name(name))
+        value = self.scalar(Name(name))
         step = self.setting.step(name)
         if isinstance(step, Adjoined):
             if step.square == Negative(Number(1)):
-                return -own
+                return -value
             if not (self.scalar(step.square, True) - self.scalar(step.square)).is_zero:
                 raise Meaningless(f"nothing says what the conjugate of {name} is", name)
-        return own
+        return value
 
     def knows(self, formula: Formula) -> bool:
         """Whether a formula has a value."""

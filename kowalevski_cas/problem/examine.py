@@ -162,7 +162,7 @@ def is_not_negative(formula: Formula, setting: Setting) -> bool:
         case Power(base, Number(exponent)):
             return exponent % 2 == 0 or is_not_negative(base, setting)
         case Sum() | Product() | Quotient():
-            return all(is_not_negative(one, setting) for one in formula.children())
+            return all(is_not_negative(child, setting) for child in formula.children())
     return False
 
 

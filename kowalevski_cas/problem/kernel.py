@@ -99,10 +99,10 @@ def _missing(goal: Kernel, at: Evaluation, values: Sequence[int | None]) -> int:
 def check_further(goal: Kernel, formula: Formula, at: Evaluation, place: PointEvaluation) -> None:
     """Check that a polynomial belongs to the kernel and is independent of what is known there."""
     ansatz = KernelAtPoint(goal, at, _values(at, place))
-    degree, own = ansatz.solution(formula, ansatz.factor)
+    degree, further = ansatz.solution(formula, ansatz.factor)
     if degree > goal.degree:
         raise Misplaced("its degree is too large")
-    vectors = [*ansatz.known(), own]
+    vectors = [*ansatz.known(), further]
     if rank(vectors) != len(vectors):
         raise Misplaced("it may depend on what is known")
 

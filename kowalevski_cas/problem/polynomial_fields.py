@@ -98,10 +98,10 @@ class PolynomialField:
         found = []
         for factors in product(range(-2, 3), repeat=min(len(self.weights), 4)):
             columns = zip(*self.weights, strict=True)
-            own = tuple(sum(map(mul, factors, column)) for column in columns)
-            if all(weight > 0 for weight in own):
-                found.append(own)
-        return min(found, key=lambda own: (sum(own), own), default=None)
+            weights = tuple(sum(map(mul, factors, column)) for column in columns)
+            if all(weight > 0 for weight in weights):
+                found.append(weights)
+        return min(found, key=lambda weights: (sum(weights), weights), default=None)
 
     def _gradings(self, width: int) -> list[Exponents]:
         """The weights of the first names, and of one over the time."""

@@ -110,10 +110,12 @@ Weighted = tuple[int, Residues]
 
 def products(left: Weighted, integrals: Sequence[Weighted], degree: int) -> Iterator[Residues]:
     """A polynomial times all products of powers of integrals, up to a degree."""
-    own, terms = left
-    if not terms or own > degree:
+    degree_here, terms = left
+    if not terms or degree_here > degree:
         return
     yield terms
     for k, (more, integral) in enumerate(integrals):
-        if own + more <= degree:
-            yield from products((own + more, product_of(terms, integral)), integrals[k:], degree)
+        if degree_here + more <= degree:
+            yield from products(
+                (degree_here + more, product_of(terms, integral)), integrals[k:], degree
+            )

@@ -38,8 +38,8 @@ class NameDefinition:
 
     def formulas(self) -> Iterator[Formula]:
         """The formulas in it."""
-        for own in fields(self):
-            value = getattr(self, own.name)
+        for part in fields(self):
+            value = getattr(self, part.name)
             yield from (
                 formula for formula in (value, *_parts(value)) if isinstance(formula, Formula)
             )
@@ -52,7 +52,7 @@ class NameDefinition:
     @cached_property
     def trees(self) -> list[Tree]:
         """What it has, as it stands in a certificate."""
-        values = (getattr(self, own.name) for own in fields(self))
+        values = (getattr(self, part.name) for part in fields(self))
         return [
             encode(value)
             if isinstance(value, Formula)
@@ -199,7 +199,7 @@ class Space(Setting):
     def together(self) -> tuple[tuple[str, ...], ...]:
         """The roots with the names in their squares, of which they say that these are real."""
         steps = (step for step in self.steps if isinstance(step, Adjoined))
-        return tuple((one.name, *sorted(one.square.names())) for one in steps)
+        return tuple((step.name, *sorted(step.square.names())) for step in steps)
 
     @cached_property
     def _by_name(self) -> dict[str, Step]:

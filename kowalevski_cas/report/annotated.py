@@ -115,13 +115,13 @@ class _Annotated:
         """What a source that is its own derivation takes for granted, and what rests on each."""
         if self.audit.reading is None:
             return
-        used = [one for one in assumptions_of(self.audit) if one.claims]
+        used = [assumption for assumption in assumptions_of(self.audit) if assumption.claims]
         if used:
             yield Heading(("What is assumed",), "assumed", 2)
-        for one in used:
+        for assumption in used:
             phrases = self.contents.phrases
-            words = phrases.words(f"{one.words}; on it rest ")
-            yield Paragraph((*words, *phrases.links(one.claims), "."))
+            words = phrases.words(f"{assumption.words}; on it rest ")
+            yield Paragraph((*words, *phrases.links(assumption.claims), "."))
 
     # -- formulas -------------------------------------------------------------------
 

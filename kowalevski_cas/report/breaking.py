@@ -39,7 +39,7 @@ def break_lines(pieces: Sequence[Piece], room: float, apart: Apart, *, first: bo
         loose = _loosen(pieces, room, part, apart)
         cost, cuts = _cuts(loose, room, first)
         found.append((cost + price, -part, cuts, loose))
-    _, _, cuts, loose = min(found, key=lambda one: one[:2])
+    _, _, cuts, loose = min(found, key=lambda option: option[:2])
     return [
         Line((), tuple(loose[a.place : b.place]), _indent(a, first) if a.place else 0)
         for a, b in pairwise(cuts)

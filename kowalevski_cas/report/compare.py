@@ -92,12 +92,12 @@ def _add_powers(powers: Counter[Formula], formula: Formula, exponent: int) -> No
 
 def _product_of_powers(powers: Counter[Formula]) -> Formula | None:
     """The product, unless it is long, or one."""
-    for root in [one for one in powers if isinstance(one, Root)]:
+    for root in [factor for factor in powers if isinstance(factor, Root)]:
         half, powers[root] = divmod(powers[root], 2)
         _add_powers(powers, root.argument, half)
     negative = powers.pop(_MINUS, 0) % 2
     above, below = (
-        [power(one, sign * many) for one, many in powers.items() if sign * many > 0]
+        [power(factor, sign * many) for factor, many in powers.items() if sign * many > 0]
         for sign in (1, -1)
     )
     factors = [*above, *below]

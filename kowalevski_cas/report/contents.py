@@ -165,7 +165,7 @@ class Contents:
             for section in self.sections
         ]
         said: Text = ()
-        for numbers, (formulas, *_) in group_alike([one for one in assumed if one[1]]):
+        for numbers, (formulas, *_) in group_alike([pair for pair in assumed if pair[1]]):
             where = ", ".join(numbers)
             said += (
                 *("; " if said else "We assume ",),
@@ -188,21 +188,22 @@ class Contents:
                 "or equation that it uses, has this denominator.",
             )  # fmt: skip
         names = self.phrases.names.values()
-        own = next((name.number for name in names if not name.number.startswith("(")), "")
-        if own and any(name.number.startswith("(") for name in names):
-            valid = (*valid, f" A number such as {own} is this report's, (1) is the paper's.")
+        ours = next((name.number for name in names if not name.number.startswith("(")), "")
+        if ours and any(name.number.startswith("(") for name in names):
+            valid = (*valid, f" A number such as {ours} is this report's, (1) is the paper's.")
         if valid or present != [Verdict.PROVED]:
             yield Paragraph((*means, ".", *valid), "note")
 
     def _confirmations(self) -> Text:
         run = self.run
         deciding = arithmetics(run.outcomes)
-        own = list_in_words([(witness.name,) for witness in deciding])
+        programs = list_in_words([(witness.name,) for witness in deciding])
         each = ", each by itself" if len(deciding) > 1 else ""
         text: Text = (
-            *own, f" decided every statement{each}: as an identity of polynomials, or by a point "
+            *programs,
+            f" decided every statement{each}: as an identity of polynomials, or by a point "
             "with exact coordinates. Floating-point numbers are not used.",
-        )  # fmt: skip
+        )
         if self.certified:
             known = sum(outcome.claim in self.certified for outcome in run.outcomes)
             many = f"{known} of {len(run.outcomes)} have certificates"

@@ -79,7 +79,7 @@ def _name(phrases: Phrases, outcome: Outcome) -> str:
     several = phrases.names[outcome.claim].several > 1
     said = [to_plain(f) for f in outcome.formulas if isinstance(f, Relation)]
     words = print_prose(read_prose(outcome.words, phrases.vocabulary), str, to_plain)
-    first = [f"{one}, …" for one in said[:1]]
+    first = [f"{word}, …" for word in said[:1]]
     for text in (*([] if several else [", ".join(said)]), *first, words):
         if _TYPED.fullmatch(text) and len(text) <= _SHORT:
             return text

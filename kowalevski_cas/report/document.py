@@ -238,9 +238,9 @@ def _lead(blocks: Iterable[Block]) -> Iterator[Block]:
 def _together(claim: Judgement) -> Judgement:
     """A claim of which the last formula stays with what is said of it."""
     row = *claim.blocks, *claim.folded
-    for k, (one, behind) in enumerate(pairwise(row)):
-        if isinstance(one, Equations) and isinstance(behind, Paragraph):
-            row = *row[:k], one._replace(leads=True), *row[k + 1 :]
+    for k, (before, behind) in enumerate(pairwise(row)):
+        if isinstance(before, Equations) and isinstance(behind, Paragraph):
+            row = *row[:k], before._replace(leads=True), *row[k + 1 :]
             break
     many = len(claim.blocks)
     return claim._replace(blocks=row[:many], folded=row[many:])

@@ -37,8 +37,8 @@ def _without_links(text: Text) -> Text:
     """The text without links, which would lead to the report."""
     return tuple(
         part
-        for one in text
-        for part in (_without_links(one.text) if isinstance(one, Link) else (one,))
+        for inline in text
+        for part in (_without_links(inline.text) if isinstance(inline, Link) else (inline,))
     )
 
 

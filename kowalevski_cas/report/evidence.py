@@ -58,7 +58,12 @@ class Evidence:
 
     def _missing_hypotheses(self) -> Iterator[Block]:
         """Hypotheses that are missing, those for the same reason together."""
-        having = [(row.claim, one) for row in self.rows for one in row.conditions if one.witness]
+        having = [
+            (row.claim, condition)
+            for row in self.rows
+            for condition in row.conditions
+            if condition.witness
+        ]
         for claims, (condition, *_) in group_alike(having):
             head = Emphasis(("A hypothesis is missing:",))
             needed = (head, " ", *self.phrases.where((condition,)), ". ")
@@ -134,8 +139,8 @@ class Evidence:
 def _informative(formulas: Iterable[Formula]) -> tuple[Formula, ...]:
     """The formulas without equations that say nothing, as 1 = 1, or what another one says."""
     told: dict[object, Formula] = {}
-    for one in formulas:
-        said = frozenset(one.members) if isinstance(one, Relation) else {one}
-        if len(said) > 1 or not isinstance(one, Relation):
-            told.setdefault(frozenset(said), one)
+    for formula in formulas:
+        said = frozenset(formula.members) if isinstance(formula, Relation) else {formula}
+        if len(said) > 1 or not isinstance(formula, Relation):
+            told.setdefault(frozenset(said), formula)
     return tuple(told.values())

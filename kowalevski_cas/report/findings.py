@@ -130,7 +130,7 @@ class Findings:
             yield Heading((capital(many),), "hypotheses", 2)
             for expression, needing in self.missing.items():
                 reasons = group_alike(needing, lambda condition: condition.words)
-                said = tuple(self._reason(claims, one) for claims, (one, *_) in reasons)
+                said = tuple(self._reason(claims, condition) for claims, (condition, *_) in reasons)
                 head: Text = ("We need ", nonzero(expression), ".")
                 yield Judgement(Verdict.CONDITIONAL, "", head, blocks=said)
 
@@ -212,7 +212,11 @@ def _says_else(outcome: Outcome, other: Correction) -> bool:
     assert correction is not None
     if correction.accepted:
         return False
-    edits = [one.edit for one in (correction, other) if one.edit and not one.blamed]
+    edits = [
+        candidate.edit
+        for candidate in (correction, other)
+        if candidate.edit and not candidate.blamed
+    ]
     same_left = len(edits) == 2 and not any(edit.path[:1] == (0,) for edit in edits)
     return not (same_left and denied is not None and not denied.words)
 

@@ -33,5 +33,5 @@ def project_address() -> str:
         said = metadata("kowalevski-cas").get_all("Project-URL") or []
     except PackageNotFoundError:
         return ""
-    addresses: dict[str, str] = dict(one.split(", ", 1) for one in said)
+    addresses: dict[str, str] = dict(line.split(", ", 1) for line in said)
     return addresses.get("Repository", "")

@@ -78,4 +78,4 @@ class Paragraphs:
 
 def says(text: Sequence[Inline]) -> bool:
     """Whether there is more in a text than spaces."""
-    return any(not isinstance(one, str) or one.strip() for one in text)
+    return any(not isinstance(inline, str) or inline.strip() for inline in text)

@@ -81,8 +81,8 @@ class Passages:
             formulas = tuple(formula for row in item.rows for formula in row.formulas)
             label = (item.label,) if item.label else ()
             yield Equations(formulas, item.rows[0].source, label=label, anchor=item.anchor)
-        for one in item.stated:
-            yield self._several(one) if len(one.rows) > 1 else self._alone(one)
+        for group in item.stated:
+            yield self._several(group) if len(group.rows) > 1 else self._alone(group)
 
     def _several(self, stated: ClaimGroup) -> Judgement:
         """The formulas of a display, all or some of which are claimed."""
@@ -150,9 +150,11 @@ class Passages:
 
     def _records(self, outcomes: Sequence[Outcome]) -> Iterator[Paragraph]:
         """Who confirms claims, what they rest on, and what rests on them, each once."""
-        own = {outcome.claim for outcome in outcomes}
-        carried = dict.fromkeys(one for o in outcomes for one in self.resting.get(o.claim, ()))
-        if others := [claim for claim in carried if claim not in own]:
+        here = {outcome.claim for outcome in outcomes}
+        carried = dict.fromkeys(
+            reason for o in outcomes for reason in self.resting.get(o.claim, ())
+        )
+        if others := [claim for claim in carried if claim not in here]:
             yield Paragraph(("What rests on it: ", *self.phrases.links(others), "."), "record")
         facts = [(outcome.claim, self._record(outcome)) for outcome in outcomes]
         for claims, (said, *_) in group_alike(facts):

@@ -80,7 +80,7 @@ class ReportItem(NamedTuple):
     @property
     def outcomes(self) -> tuple[Outcome, ...]:
         """The claims about the display and about its rows."""
-        return tuple(outcome for one in self.stated for outcome in one.outcomes)
+        return tuple(outcome for group in self.stated for outcome in group.outcomes)
 
     @property
     def anchor(self) -> str:
@@ -131,16 +131,16 @@ def sections(run: Run, derivation: paper.Derivation, texts: Texts) -> tuple[Pape
 
 def number_items(section: str, items: Sequence[ReportItem]) -> tuple[ReportItem, ...]:
     """The items of a section, with a number for all that is stated."""
-    own, before, found = count(1), "", []
+    numbers, before, found = count(1), "", []
     for item, after in zip_longest(items, items[1:]):
         stated = []
-        for k, one in enumerate(item.stated):
+        for k, group in enumerate(item.stated):
             if item.label and not k:
-                stated.append(one._replace(number=item.label))
+                stated.append(group._replace(number=item.label))
                 continue
             near = f"before {after.label}" if after and after.label else before
-            number = f"{section}.{next(own)}"
-            stated.append(one._replace(number=number, near=near if item.display else ""))
+            number = f"{section}.{next(numbers)}"
+            stated.append(group._replace(number=number, near=near if item.display else ""))
         found.append(item._replace(stated=tuple(stated)))
         before = f"after {item.label}" if item.label else before
     return tuple(found)
@@ -148,13 +148,13 @@ def number_items(section: str, items: Sequence[ReportItem]) -> tuple[ReportItem,
 
 def names(sections: Sequence[PaperSection]) -> dict[str, ClaimName]:
     """What the claims are called."""
-    stated = [one for section in sections for item in section.items for one in item.stated]
+    stated = [group for section in sections for item in section.items for group in item.stated]
     return {
         row.outcome.claim: ClaimName(
-            one.number, one.near, place if len(one.rows) > 1 else 0, len(one.outcomes)
+            group.number, group.near, place if len(group.rows) > 1 else 0, len(group.outcomes)
         )
-        for one in stated
-        for place, row in enumerate(one.rows, 1)
+        for group in stated
+        for place, row in enumerate(group.rows, 1)
         if row.outcome
     }
 

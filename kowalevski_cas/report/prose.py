@@ -275,7 +275,9 @@ class _Article(Paragraphs):
 def _arguments(node: Any) -> list[Any]:
     """The arguments of a macro that are there."""
     found = getattr(node, "nodeargd", None)
-    return [one for one in (found.argnlist if found else None) or () if one is not None]
+    return [
+        argument for argument in (found.argnlist if found else None) or () if argument is not None
+    ]
 
 
 def _verbatim(arguments: Sequence[Any]) -> str:

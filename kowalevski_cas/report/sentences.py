@@ -205,8 +205,8 @@ class Phrases:
         """The names of several claims, with links to those that the report treats."""
         together: dict[str, list[str]] = {}
         for claim in claims:
-            own = self.names.get(claim)
-            together.setdefault(own.number if own else claim, []).append(claim)
+            name = self.names.get(claim)
+            together.setdefault(name.number if name else claim, []).append(claim)
         return list_in_words(
             [
                 (Link(f"claim.{anchor(ones[0])}", self.name(ones)),)

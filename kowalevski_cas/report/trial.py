@@ -43,7 +43,7 @@ def trial_of(outcome: Outcome, vocabulary: Vocabulary) -> Trial | None:
     texts = [("as printed", data)]
     if correction is not None and correction.certificate:
         texts.append(("as corrected", json.loads(correction.certificate)))
-    found = [(label, stated) for label, one in texts if (stated := _statement(one, index))]
+    found = [(label, stated) for label, formula in texts if (stated := _statement(formula, index))]
     if not found or found[0][0] != texts[0][0]:
         return None
     versions = tuple(_Writer(stated, vocabulary).version(label) for label, stated in found)
@@ -110,8 +110,8 @@ class _Writer:
             "pairs": setting.conjugates,
             "roots": [[name, places[square]] for name, square in roots],
             "steps": [self._step_text(program, places) for program in order],
-            "sides": [[places[one] for one in pair] for pair in pairs],
-            "tests": [[kind, *(places[one] for one in found)] for kind, found in tests],
+            "sides": [[places[value] for value in pair] for pair in pairs],
+            "tests": [[kind, *(places[value] for value in found)] for kind, found in tests],
         }
         names = tuple((n, name_formula(n, self.vocabulary)) for n in values if n not in units)
         return TrialVersion(label, names, tuple(said), json.dumps(data, ensure_ascii=False))
@@ -159,14 +159,14 @@ class _Writer:
 
     def _relation(self, name: str) -> Iterator[tuple[str, list[Program], Text]]:
         """The equations that a root or a power obeys."""
-        step, own = self.goal.space.step(name), self.programs.generator(name)
+        step, generator = self.goal.space.step(name), self.programs.generator(name)
         if isinstance(step, Adjoined) and step.square != MINUS_ONE:
             equation = step.printed or (Power(Name(name), Number(2)), step.square)
             square = self._step(self.at.scalar(step.square))
-            yield "equal", [own**2, square], (Relation(equation, ("=",)),)
+            yield "equal", [generator**2, square], (Relation(equation, ("=",)),)
         elif isinstance(step, Raised):
             for formula, value in (
-                (Name(name), own),
+                (Name(name), generator),
                 (step.base, self._step(self.at.scalar(step.base))),
             ):
                 yield "equal", [value, self.programs.one], (Relation((formula, Number(1)), ("=",)),)

@@ -56,13 +56,13 @@ class Writer(ABC):
         """A run of words, formulas, signs and links."""
         return "".join(map(self.inline, text))
 
-    def inline(self, one: Inline) -> str:
+    def inline(self, element: Inline) -> str:
         """A piece of a text."""
-        match one:
+        match element:
             case str():
-                return self.escape(one)
+                return self.escape(element)
             case Formula():
-                return self.formula(one)
+                return self.formula(element)
             case Code(text):
                 return self.code(text)
             case Sign(verdict):
@@ -70,7 +70,7 @@ class Writer(ABC):
             case Link(target, (str(name),), True) if "://" not in target:
                 return self.code(name)  # a file, which does not go with a page that is sent on
             case Link():
-                return self.link(one)
+                return self.link(element)
             case Emphasis(text, strong):
                 return self.emphases[strong].format(self.text(text))
 

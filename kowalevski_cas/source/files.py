@@ -98,12 +98,12 @@ class _Reader:
             if match["use"]:
                 names = match["styles"].split(",")
                 suffixes = (_SUFFIX.get(match["use"], ".sty"),)
-            for name in (one.strip() for one in names):
+            for name in (part.strip() for part in names):
                 if found := self.find(name, suffixes, self.size + match.start() - at, match):
                     self.add(file, at, match.end(), style)
                     at = match.end()
                     if found in above:
-                        chain = " reads ".join(str(one) for one in (*above, found))
+                        chain = " reads ".join(str(file) for file in (*above, found))
                         raise SourceError(f"{self.where()}: {chain}, without an end")
                     inner = decode(str(found), _bytes(found), self.declared)
                     self.read(inner, style or bool(match["use"]), (*above, found))

@@ -40,8 +40,8 @@ class Groups:
         elif text in ("$", "$$"):
             self.output.emit(token)
             # Two dollars in a row close one inline formula and open the next.
-            for one in [*text] if "$" in self.meanings.kinds else [text]:
-                self._dollar(one)
+            for piece in [*text] if "$" in self.meanings.kinds else [text]:
+                self._dollar(piece)
         else:
             self.output.emit(token)
 
@@ -54,7 +54,7 @@ class Groups:
 
     def close(self, kind: str) -> None:
         """A group ends, and with it what could not be told in it."""
-        braces = [one for one in self.meanings.kinds if one in ("{", "words")]
+        braces = [kind for kind in self.meanings.kinds if kind in ("{", "words")]
         self.meanings.close(braces[-1] if kind == "{" and braces else kind)
         self.check_lost()
 

@@ -41,7 +41,9 @@ def list_formulas(source: Source) -> tuple[list[Listed], list[tuple[int, str]]]:
     expanded, formulas = typed_formulas(source)
     guesses = [guess(formulas, capitals) for capitals in (MATRIX, VECTOR)]
     # The letter d is that of a derivative, or else a name.
-    vocabularies = [replace(one, scalars=one.scalars - {"d"}) for one in guesses] + guesses
+    vocabularies = [
+        replace(vocabulary, scalars=vocabulary.scalars - {"d"}) for vocabulary in guesses
+    ] + guesses
     found = []
     for formula in formulas:
         start = formula.start + len(formula.tex) - len(formula.tex.lstrip())

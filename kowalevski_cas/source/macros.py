@@ -291,10 +291,10 @@ class _Expander:
     def by_name(self, token: TypedToken) -> None:
         r"""The name that stands up to ``\endcsname``."""
         tokens = strip(self.mouth.until([r"\endcsname"]))
-        if any(one.text[0] in "\\{}#" for one in tokens):
+        if any(token.text[0] in "\\{}#" for token in tokens):
             self.mouth.put_back(tokens)
             raise Malformed("this name cannot be told")
-        name = "\\" + "".join(one.text for one in tokens)
+        name = "\\" + "".join(token.text for token in tokens)
         self.mouth.put_back([TypedToken(name, token.start, max(token.end, self.mouth.last))])
 
 

@@ -43,7 +43,9 @@ class Macro:
                 number = int(text[-1])
                 found += [TypedToken("#" * (hashes // 2), start, end)] if hashes > 1 else []
                 if number <= len(arguments):
-                    found += [TypedToken(one.text, start, end) for one in arguments[number - 1]]
+                    found += [
+                        TypedToken(argument.text, start, end) for argument in arguments[number - 1]
+                    ]
             else:
                 found.append(TypedToken("#" * (hashes // 2) + text[hashes:], start, end))
         return found

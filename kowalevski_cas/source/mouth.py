@@ -158,7 +158,7 @@ class Mouth:
                     continue
                 token = token._replace(text=" ", literal=False)
             found.append(token)
-            if depth == 0 and [one.text for one in found[-size:]] == [*delimiter]:
+            if depth == 0 and [token.text for token in found[-size:]] == [*delimiter]:
                 return bare(normal(found[:-size]))
 
     def optional_argument(self, opening: str, closing: str) -> list[TypedToken] | None:

@@ -33,8 +33,8 @@ class Files:
     def _bare_name(self) -> list[TypedToken]:
         """The name of a file without braces, up to a blank."""
         found = []
-        while (one := self.mouth.character()) is not None and not one.text.isspace():
-            found.append(one)
+        while (character := self.mouth.character()) is not None and not character.text.isspace():
+            found.append(character)
         return found
 
     def use(self, token: TypedToken) -> None:

@@ -94,19 +94,19 @@ class Blame:
     def alone(self, claim: Claim) -> tuple[Correction, ...]:
         """The corrections of one claim: of its own formula, or else of what it stands on."""
         printed = self.corrector.interpretation.statement(claim)
-        own = tuple(self.corrector.near(printed, MOST, self.seconds / SHARE))
+        edits = tuple(self.corrector.near(printed, MOST, self.seconds / SHARE))
         twice = self._equal_rates(claim)
-        if (own and not twice) or self._is_expected(claim):
-            return own
+        if (edits and not twice) or self._is_expected(claim):
+            return edits
         others = [other for other in self._failing if other is not claim]
         repairs = self._search([claim, *others], least=1, one=claim)
-        if own:  # nobody prints a rate twice: a letter there was taken for another one
+        if edits:  # nobody prints a rate twice: a letter there was taken for another one
             repairs = [
                 repair
                 for repair in repairs
                 if repair.suspect is Suspect.LAW and self._equal_rates(claim, repair) < twice
             ]
-        return (*self._proofs(repairs, least=1).get(claim.id, ()), *own)[:MOST]
+        return (*self._proofs(repairs, least=1).get(claim.id, ()), *edits)[:MOST]
 
     def _equal_rates(self, claim: Claim, repair: Repair | None = None) -> int:
         """How many pairs of variables have the same rate, which is not zero, with a repair."""

@@ -123,8 +123,8 @@ def _verdicts(data: Data, statement: Statement) -> Verdicts:
 
 def load_certificates(folder: Path) -> dict[str, Stored]:
     """The certificates in a derivation's folder by claim; those of corrections with a slash."""
-    own = folder / FOLDER
-    places = (("", own), (f"{CORRECTED}/", own / CORRECTED))
+    certificates = folder / FOLDER
+    places = (("", certificates), (f"{CORRECTED}/", certificates / CORRECTED))
     found = ((before + path.stem, path) for before, at in places for path in at.glob("*.json"))
     return {name: Stored(path) for name, path in sorted(found)}
 

@@ -88,9 +88,9 @@ def check_committed(
 
 def statements(run: Run) -> dict[str, str]:
     """The digests of what a run has decided, by the name of the certificate."""
-    own = {outcome.claim: outcome.digest for outcome in run.outcomes}
+    digests = {outcome.claim: outcome.digest for outcome in run.outcomes}
     mended = ((outcome.claim, outcome.correction) for outcome in run.outcomes)
-    return own | {
+    return digests | {
         f"{CORRECTED}/{claim}": statement.digest
         for claim, statement in mended
         if statement is not None
@@ -131,11 +131,11 @@ def equation_numbers(derivation: Derivation) -> dict[str, str]:
     """The claims about what has a number in the paper, each by this number; one by each."""
     found: dict[str, str] = {}
     for claim in derivation.claims:
-        own = claim.printed
-        displays = {place.display for place in ([own] if own else claim.establishes())}
+        printed = claim.printed
+        displays = {place.display for place in ([printed] if printed else claim.establishes())}
         label = displays.pop().label if len(displays) == 1 else ""
-        if own and len([*own.display]) > 1:
-            label = f"{label}, formula {own.number}" if label else ""
+        if printed and len([*printed.display]) > 1:
+            label = f"{label}, formula {printed.number}" if label else ""
         if label:
             found.setdefault(label, claim.id)
     return {claim: number for number, claim in found.items()}

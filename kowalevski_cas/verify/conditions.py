@@ -40,8 +40,8 @@ def conditions_of(
             continue
         there = setting.finder
         for divisor in may_vanish(goal, elements):
-            own = there.image(divisor).inverse().denominator
-            divisors.setdefault(setting, set()).update(own)
+            factors = there.image(divisor).inverse().denominator
+            divisors.setdefault(setting, set()).update(factors)
         stated.setdefault(setting, []).extend(goal.formulas())
     found: dict[Formula, Elaboration] = {}
     for setting, indices in divisors.items():

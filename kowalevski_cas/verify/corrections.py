@@ -48,14 +48,14 @@ def recorded_correction(
 
 def _own(claim: Claim, on: Elaborations, recorded: str) -> Iterator[Neighbour]:
     """The neighbours of a claim that are recorded so."""
-    own, wanted = claim.formulas(on.texts), None
+    printed, wanted = claim.formulas(on.texts), None
     if claim.printed is not None:
         with suppress(NotationError):  # it may be several formulas, or words
             wanted = on.texts.expression(recorded)
     for neighbour in claim.neighbours(on.texts, wanted):
         formulas = formulas_printed_by(neighbour)
-        same = formulas != own and wanted in formulas[:1]
-        if same or as_recorded(formulas, neighbour.words, own) == recorded:
+        same = formulas != printed and wanted in formulas[:1]
+        if same or as_recorded(formulas, neighbour.words, printed) == recorded:
             yield neighbour
 
 

@@ -80,10 +80,12 @@ def against(
         return None
     place = accepted.places[-1]
     if isinstance(goal, Rank):
-        own = len(place.at.setting.variables) - len(functions_for_differentials(goal, place.at))
+        dimension = len(place.at.setting.variables) - len(
+            functions_for_differentials(goal, place.at)
+        )
         claimed = len(place.at.setting.variables) - goal.rank
-        words = f"by the rank at this point the dimension is {own}, not {claimed}"
-        return Counterexample(_at(statement, place), Number(own), Number(claimed), words)
+        words = f"by the rank at this point the dimension is {dimension}, not {claimed}"
+        return Counterexample(_at(statement, place), Number(dimension), Number(claimed), words)
     if isinstance(statement.claim, Inequality):
         return _equal_or_less(statement, goal, place)
     if accepted.differs is not None:
@@ -120,7 +122,7 @@ def _words(
 ) -> str:
     """What fails at a point, if not what is printed; ``values`` are the two sides there."""
     assert isinstance(goal, Follows)
-    own, other = values
+    value, other = values
     setting = statement.legend[place.at.setting]
     left, right = (printed_formula(side, setting) for side in _failing_equation(goal, place))
     order = 0
@@ -130,14 +132,14 @@ def _words(
         which = ("", "second ", "third ")[min(order, 3) - 1]
         of = to_latex(left)
         whose = f" of ${of}$" if len(of) < SHORT else " of a given function" if goal.given else ""
-        return f"the {which}derivative{whose} along the motion is ${own}$, not $0$"
+        return f"the {which}derivative{whose} along the motion is ${value}$, not $0$"
     if isinstance(statement.claim, Casimir | Involution | Jacobi | LiouvilleIntegrable):
         if not order:
-            return f"a bracket is ${own}$, not $0$"
-        rate = f"the derivative of ${to_latex(left)}$ is ${own}$"
+            return f"a bracket is ${value}$, not $0$"
+        rate = f"the derivative of ${to_latex(left)}$ is ${value}$"
         return f"{rate}, and its bracket with the Hamiltonian ${other}$"
     if right == Number(0) and any(isinstance(node, Partial) for node in left.nodes()):
-        return f"a derivative of the function is ${own}$, so the point is not critical"
+        return f"a derivative of the function is ${value}$, so the point is not critical"
     sides = to_latex(equal(left, right))
     what = f" of ${sides}$" if not order and len(sides) < SHORT else ""
     if not goal.given:
@@ -150,7 +152,7 @@ def _words(
         }
         if said & {left, right} or not what:
             return ""
-    words = f"the left side{what} is ${own}$, not ${other}$"
+    words = f"the left side{what} is ${value}$, not ${other}$"
     if isinstance(statement.claim, CriticalSet):
         return f"{words}, at this critical point"
     return f"{words}, though the hypotheses hold" if goal.given else words
@@ -198,9 +200,9 @@ def _regardless(
     statement: Statement, goal: Exists, evidence: Regardless, place: PointEvaluation
 ) -> Counterexample | None:
     """What is left of an equation at a point where all bound names drop out."""
-    one = goal.goals[evidence.goal]
-    assert isinstance(one, Follows)
-    for sides in one.conclusions[0]:
+    inner = goal.goals[evidence.goal]
+    assert isinstance(inner, Follows)
+    for sides in inner.conclusions[0]:
         free = collect_sides(sides, goal.bound).get((), Number(0))
         value = place(place.at.scalar(free))
         if not value.is_zero:
@@ -231,9 +233,9 @@ def _solutions(statement: Statement, goal: Count, accepted: Accepted) -> Counter
         many = f"these are {len(points)} solutions" if len(points) > 1 else "this is a solution"
         words = f"{many}, and there are to be {goal.number or 'none'}"
         shown = Number(len(points))
-    for number, own in enumerate(points, 1):
+    for number, point in enumerate(points, 1):
         for vector, names in setting.scene.vectors.items():
-            entries = tuple(own.get(name, ZERO) for name in names)
+            entries = tuple(point.get(name, ZERO) for name in names)
             if any(entry != ZERO for entry in entries):
                 values[Name(vector if circle else f"{vector}_{number}")] = Vector(entries)
     return Counterexample(PrintedPoint(values), shown, Number(goal.number), words)

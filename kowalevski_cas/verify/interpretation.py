@@ -61,8 +61,8 @@ class Interpretation:
 
         Those that it is about itself are left out.
         """
-        own = set(claim.about())
-        read = {place: f for place, f in self.accepted.items() if place not in own}
+        about = set(claim.about())
+        read = {place: f for place, f in self.accepted.items() if place not in about}
         texts = texts or self.texts
         return self.elaborations.under(texts.reading(read) if read else texts)
 
@@ -84,12 +84,12 @@ class Interpretation:
 
         Those of another derivation come first, after its name and a slash.
         """
-        own, used = set(statement.claim.about()), {*statement.stands_on}
+        about, used = set(statement.claim.about()), {*statement.stands_on}
         ids = [id for place, id in self._read_elsewhere.items() if place in used]
         ids += [
             self._established.get(place, place.place)
             for place in self.accepted
-            if place in used and place not in own
+            if place in used and place not in about
         ]
         return tuple(dict.fromkeys(ids))
 

@@ -59,24 +59,26 @@ def _conditions_with_loci(
     conditions = conditions_of(accepted, statement.legend, printed)
     for setting, formula in _independent_conditions(statement, conditions):
         loci = setting.scene.loci
-        own = (x for x in loci if setting.texts.expression(x.condition) == formula)
-        yield setting, formula, next(own, None)
+        matching = (x for x in loci if setting.texts.expression(x.condition) == formula)
+        yield setting, formula, next(matching, None)
 
 
 def _independent_conditions(statement: Statement, conditions: list[Divided]) -> list[Divided]:
     """Conditions without those that say the same on the claim's own scene, or follow there."""
-    own = statement.on(statement.claim.scene)
+    setting_of_claim = statement.on(statement.claim.scene)
     kept: dict[object, Divided] = {}
     values: dict[object, Element] = {}
-    for setting, formula in sorted(conditions, key=lambda c: c[0] is not own):
+    for setting, formula in sorted(conditions, key=lambda c: c[0] is not setting_of_claim):
         key: object = formula
         with suppress(Meaningless):
-            value = own.finder.scalar(own.plain(formula))
+            value = setting_of_claim.finder.scalar(setting_of_claim.plain(formula))
             values[key := shape_of(value)] = value
-        landmark = own.divisors.landmarks.get(key)
-        kept.setdefault(key, (setting, formula) if landmark is None else (own, landmark))
+        landmark = setting_of_claim.divisors.landmarks.get(key)
+        kept.setdefault(
+            key, (setting, formula) if landmark is None else (setting_of_claim, landmark)
+        )
     for key, value in reversed([*values.items()]):  # of two that vanish together one stays
-        if any(implies(value, other, own) for k, other in values.items() if k != key):
+        if any(implies(value, other, setting_of_claim) for k, other in values.items() if k != key):
             del kept[key], values[key]
     return [*kept.values()]
 
@@ -121,8 +123,8 @@ def _where_it_is_singular(
     level = statement.goals[0]
     assert isinstance(level, Rank)
     there = statement.legend[level.space].equations(locus.equations)
-    own = {name: values[name] for name in all_names(level.space) if name in values}
-    dimension = dimension_at(level, there, PointEvaluation(finder_of(level.space), Point(own)))
+    at_point = {name: values[name] for name in all_names(level.space) if name in values}
+    dimension = dimension_at(level, there, PointEvaluation(finder_of(level.space), Point(at_point)))
     if dimension is not None:
         words += f"; there the set has dimension {dimension}, which is computed, not certified"
     return Condition(formula, words, witness)

@@ -138,8 +138,8 @@ class Correction(NamedTuple):
     @property
     def elsewhere(self) -> str:
         """The place that is mended, if it is none of the claim's own."""
-        own = self.printed is None or (self.edit is not None and not self.blamed)
-        return "" if own or self.printed is None else self.printed.place
+        in_place = self.printed is None or (self.edit is not None and not self.blamed)
+        return "" if in_place or self.printed is None else self.printed.place
 
 
 class Outcome(NamedTuple):

@@ -24,7 +24,9 @@ class PrintedFunctions:
         for place in setting.scene.definitions.values():
             with suppress(NotationError):  # what a change of the paper leaves without a meaning
                 formulas.append(setting.texts.formula(place))
-        self.printed = dict.fromkeys(one for formula in formulas for one in applications(formula))
+        self.printed = dict.fromkeys(
+            application for formula in formulas for application in applications(formula)
+        )
 
     @cached_property
     def _by_generators(self) -> dict[Formula, Formula]:

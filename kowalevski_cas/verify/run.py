@@ -206,9 +206,9 @@ class Session:
         return self._standing[id]
 
     def _is_proved(self, id: str) -> bool:
-        name, _, own = id.rpartition("/")
+        name, _, claim_id = id.rpartition("/")
         derivation = self.interpretation.bases[name] if name else self.derivation
-        claim = next((c for c in derivation.claims if c.id == own), None)
+        claim = next((c for c in derivation.claims if c.id == claim_id), None)
         if claim is None:
             return False
         if name and name not in self.elsewhere:

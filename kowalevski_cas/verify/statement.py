@@ -37,8 +37,8 @@ class Statement:
     ) -> None:
         self.claim, self.on = claim, claim.settings(on)
         if goals is None:
-            own = tuple(claim.goals(self.on))
-            goals = (*own, *addition_theorems(own))
+            claimed = tuple(claim.goals(self.on))
+            goals = (*claimed, *addition_theorems(claimed))
         self.claimed: tuple[Goal, ...] = goals
         if not self.claimed:  # all of them would hold
             raise Meaningless(f"{claim.id} states nothing")
@@ -75,15 +75,15 @@ class Statement:
     @cached_property
     def stands_on(self) -> tuple[Printed, ...]:
         """The places of the paper on which the statement stands, its own first."""
-        own = dict.fromkeys(self.claim.places())
-        found = {**own}
+        places = dict.fromkeys(self.claim.places())
+        found = {**places}
         for space, setting in self.legend.items():
             steps = space.steps if isinstance(space, Space) else ()
             named = [place for step in steps for place in setting.places.get(step.name, ())]
             moving = [*setting.motion_places()] if space.field or space.change else []
             used = dict.fromkeys([*named, *moving])
             found |= used
-            for place in own | used:
+            for place in places | used:
                 found |= dict.fromkeys(setting.inlined_places(place))
         return tuple(found)
 
@@ -96,9 +96,11 @@ class Statement:
         from kowalevski_cas.search.find import Finder
 
         finder = Finder(finder_of)
-        own = self.claim.search(self.goals)
+        searched = self.claim.search(self.goals)
         return all(
-            not _denies(goal, own[place]) if place in own else finder.proof(goal) is not None
+            not _denies(goal, searched[place])
+            if place in searched
+            else finder.proof(goal) is not None
             for place, goal in enumerate(self.goals)
         )
 
@@ -121,7 +123,7 @@ class Posed:
         return digest(self.problem)
 
 
-def find_evidence(goals: Sequence[Goal], own: Mapping[int, Evidence]) -> Verdicts | None:
+def find_evidence(goals: Sequence[Goal], searched: Mapping[int, Evidence]) -> Verdicts | None:
     """Evidence for all goals or against one, with FLINT; ``None`` if it is not found.
 
     ``own`` is what another search has for some, by their places.
@@ -132,7 +134,7 @@ def find_evidence(goals: Sequence[Goal], own: Mapping[int, Evidence]) -> Verdict
     found: list[Evidence] = []
     missing: list[int] = []
     for place, goal in enumerate(goals):
-        evidence = own.get(place)
+        evidence = searched.get(place)
         if evidence is not None and _denies(goal, evidence):
             return Denial(place, evidence)
         evidence = evidence or finder.proof(goal)

@@ -77,8 +77,8 @@ def steps(statement: Statement, verdicts: Verdicts) -> tuple[ReportedStep, ...]:
 
 def _identical(statement: Statement) -> ReportedStep:
     """That everything vanishes identically: two sides, if the claim is an equation."""
-    own = statement.claim.printed
-    formula = None if own is None else statement.on.texts.formula(own)
+    printed = statement.claim.printed
+    formula = None if printed is None else statement.on.texts.formula(printed)
     if isinstance(formula, Relation) and Unwritten() not in formula.nodes():
         return ReportedStep("Written out, this is an identity.")
     return ReportedStep("Written out, each of the equations is an identity.")

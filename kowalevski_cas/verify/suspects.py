@@ -115,14 +115,14 @@ def _suspects(
     found: dict[Printed, Suspect] = {}
     for claim in failing:
         roles = {place: role for scene in claim.scenes() for role, place in scene.roles()}
-        own = {*claim.establishes()}
+        established = {*claim.establishes()}
         texts = interpretation.on(claim).texts
         for place in interpretation.statement(claim).stands_on:
             if roles.get(place) == "unit" and texts.formula(place) == IMAGINARY:
                 continue
             standing.setdefault(place, []).append(claim)
             law = roles.get(place) == "vector field"
-            if place in own:
+            if place in established:
                 found[place] = Suspect.OWN
             elif place in roles:
                 found.setdefault(place, Suspect.LAW if law else Suspect.DEFINITION)

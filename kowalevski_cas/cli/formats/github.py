@@ -27,20 +27,20 @@ def audited(audit: Audit) -> str:
 
 def workflow_commands(found: Iterable[Diagnostic]) -> str:
     """A workflow command for each diagnostic, escaped as GitHub asks."""
-    return "".join(f"{_annotation(one)}\n" for one in found)
+    return "".join(f"{_annotation(diagnostic)}\n" for diagnostic in found)
 
 
-def _annotation(one: Diagnostic) -> str:
-    path, line, column, end_line, end_column = one.region
+def _annotation(diagnostic: Diagnostic) -> str:
+    path, line, column, end_line, end_column = diagnostic.region
     place: dict[str, object] = {"file": path, "line": max(1, line)}
     if end_line > line:  # columns are for one line only
         place["endLine"] = end_line
     elif column:
         place |= {"col": column, "endColumn": end_column}
     told = ",".join(f"{key}={_escape(str(value))}" for key, value in place.items())
-    level = "notice" if one.level == NOTE else one.level
-    text = one.message.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
-    return f"::{level} {told},title={_escape(one.id)}::{text}"
+    level = "notice" if diagnostic.level == NOTE else diagnostic.level
+    text = diagnostic.message.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+    return f"::{level} {told},title={_escape(diagnostic.id)}::{text}"
 
 
 def _escape(text: str) -> str:

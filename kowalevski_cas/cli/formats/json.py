@@ -100,7 +100,7 @@ def audited(audit: Audit) -> str:
         "formulas": [_formula(audit, formula) for formula in audit.formulas],
         "statements": [_statement(audit, outcome) for outcome in audit.statements],
         "diagnostics": [*map(_diagnostic, diagnostics(audit))],
-        "uncovered": [one._asdict() for one in audit.uncovered],
+        "uncovered": [passage._asdict() for passage in audit.uncovered],
         "comments": [*_comments(audit)],
         "summary": {
             "source": audit.source.path,
@@ -138,25 +138,25 @@ def _assumptions(audit: Audit) -> dict[str, Any]:
     return {
         "assumed": [
             {
-                "kind": one.kind,
-                "words": one.words,
-                "id": one.place.place if one.place else None,
-                "claims": list(one.claims),
+                "kind": assumption.kind,
+                "words": assumption.words,
+                "id": assumption.place.place if assumption.place else None,
+                "claims": list(assumption.claims),
             }
-            for one in assumptions_of(audit)
+            for assumption in assumptions_of(audit)
         ]
     }
 
 
-def _diagnostic(one: Diagnostic) -> dict[str, Any]:
+def _diagnostic(diagnostic: Diagnostic) -> dict[str, Any]:
     return {
-        "rule": one.rule,
-        "level": one.level,
-        "id": one.id,
-        "message": one.message,
-        **_region(one.region),
-        "fixes": [{**_region(fix.region), "text": fix.text} for fix in one.fixes],
-        "fingerprint": one.fingerprint,
+        "rule": diagnostic.rule,
+        "level": diagnostic.level,
+        "id": diagnostic.id,
+        "message": diagnostic.message,
+        **_region(diagnostic.region),
+        "fixes": [{**_region(fix.region), "text": fix.text} for fix in diagnostic.fixes],
+        "fingerprint": diagnostic.fingerprint,
     }
 
 

@@ -235,12 +235,16 @@ class AuditText:
         if listed:
             yield from ("", plain.bold("What the text claims and no verdict covers"))
         lines: dict[str, list[str]] = {}
-        for one in listed:
-            if one.kind == "formula":
-                lines.setdefault(one.words, []).append(str(one.line))
+        for passage in listed:
+            if passage.kind == "formula":
+                lines.setdefault(passage.words, []).append(str(passage.line))
             else:
-                words = one.words if len(one.words) <= SHORT else f"{one.words[: SHORT - 1]}…"
-                yield from plain.wrap(f"{one.line}: {words}")
+                words = (
+                    passage.words
+                    if len(passage.words) <= SHORT
+                    else f"{passage.words[: SHORT - 1]}…"
+                )
+                yield from plain.wrap(f"{passage.line}: {words}")
         formulas = (f"{words} ({', '.join(places)})" for words, places in lines.items())
         yield from plain.wrap("; ".join(formulas)) if lines else ()
 

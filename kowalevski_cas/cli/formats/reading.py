@@ -69,14 +69,14 @@ def _comments(audit: Audit) -> Iterator[str]:
 def _assumptions(audit: Audit, phrases: Phrases) -> Iterator[str]:
     from kowalevski_cas.audit.reading import assumptions_of
 
-    listed = [one for one in assumptions_of(audit) if one.claims]
+    listed = [assumption for assumption in assumptions_of(audit) if assumption.claims]
     if listed:
         yield from ("", plain.bold("What is assumed"))
-    for one in listed:
+    for assumption in listed:
         by_claim = {id: formula for formula in audit.formulas for id in formula.claims}
-        places = (audit.called(by_claim[id]) for id in one.claims if id in by_claim)
+        places = (audit.called(by_claim[id]) for id in assumption.claims if id in by_claim)
         resting = ", ".join(dict.fromkeys(places))
-        words = phrases.words(f"{one.words}; on it rest {resting}.")
+        words = phrases.words(f"{assumption.words}; on it rest {resting}.")
         yield from (f"  {line}" for line in plain.wrap(plain.text(words)))
 
 

@@ -70,25 +70,25 @@ def _rule(rule: str, words: str) -> dict[str, Any]:
     return found
 
 
-def _result(one: Diagnostic) -> dict[str, Any]:
+def _result(diagnostic: Diagnostic) -> dict[str, Any]:
     result = {
-        "ruleId": one.rule,
-        "ruleIndex": [*RULES].index(one.rule),
-        "level": one.level,
-        "message": {"text": f"{one.id}: {one.message}"},
-        "locations": [{"physicalLocation": _place(one.region)}],
-        "partialFingerprints": {FINGERPRINT: one.fingerprint},
+        "ruleId": diagnostic.rule,
+        "ruleIndex": [*RULES].index(diagnostic.rule),
+        "level": diagnostic.level,
+        "message": {"text": f"{diagnostic.id}: {diagnostic.message}"},
+        "locations": [{"physicalLocation": _place(diagnostic.region)}],
+        "partialFingerprints": {FINGERPRINT: diagnostic.fingerprint},
     }
-    if one.fixes:
+    if diagnostic.fixes:
         result["fixes"] = [
             {
-                "description": {"text": f"mend {one.id}"},
+                "description": {"text": f"mend {diagnostic.id}"},
                 "artifactChanges": [
                     {
                         "artifactLocation": _artifact(path),
                         "replacements": [*map(_replacement, replacements)],
                     }
-                    for path, replacements in groupby(one.fixes, lambda fix: fix.region.path)
+                    for path, replacements in groupby(diagnostic.fixes, lambda fix: fix.region.path)
                 ],
             }
         ]

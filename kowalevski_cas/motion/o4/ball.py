@@ -40,9 +40,9 @@ class SolutionO4:
         self._arcs = [uniformize(known, arc) for arc in motion.arcs]
         self._point = PhasePointO4(known, motion.regime, motion.signs, BALLS)
         series = [DifferentialSeries(by) for by in self._arcs]
-        self._differentials = [one.differentials for one in series]
-        self._means = matrix([one.enclose_means() for one in series], motion.orientations)
-        self._sines = [one.enclose_sines() for one in series]
+        self._differentials = [integral.differentials for integral in series]
+        self._means = matrix([integral.enclose_means() for integral in series], motion.orientations)
+        self._sines = [integral.enclose_sines() for integral in series]
         self._floats = Quadratures(series, motion.orientations)
         self._origin = self._integrals(
             [by.angle(ball(angle)) for by, angle in zip(self._arcs, motion.angles, strict=True)]

@@ -52,12 +52,12 @@ class Quadratures:
     """
 
     def __init__(self, series: Sequence[DifferentialSeries], signs: Sequence[int]) -> None:
-        means = matrix([one.means() for one in series], signs)
+        means = matrix([integral.means() for integral in series], signs)
         inverse = means.inv()
         self.rates = means.solve(arb_mat([[0], [-1]])).entries()
         self._series = []
-        for sign, one in zip(signs, series, strict=True):
-            found = inverse * arb_mat([[sign * x for x in row] for row in one.sines()])
+        for sign, integral in zip(signs, series, strict=True):
+            found = inverse * arb_mat([[sign * x for x in row] for row in integral.sines()])
             coefficients = np.array(found.tolist(), dtype=float)
             large = np.flatnonzero(np.max(np.abs(coefficients), axis=0) > SMALLEST)
             terms = int(large[-1]) + 1 if len(large) else 1
@@ -65,7 +65,7 @@ class Quadratures:
                 raise MethodError("half of the values do not tell the series of the quadratures")
             self._series.append((coefficients[:, :terms], np.arange(1, terms + 1)))
         self._forms = np.array(
-            (_monotone_forms([one.by for one in series]) * means).tolist(), dtype=float
+            (_monotone_forms([integral.by for integral in series]) * means).tolist(), dtype=float
         )
         self._tables = [self._table(place) for place in (0, 1)]
 

@@ -86,7 +86,8 @@ class RegimeO4:
     def _vector(self, negative: set[str]) -> int:
         """Which products change their signs with these radicals, as binary digits."""
         return sum(
-            len(negative.intersection(one)) % 2 << place for place, one in enumerate(self._products)
+            len(negative.intersection(product)) % 2 << place
+            for place, product in enumerate(self._products)
         )
 
     def __str__(self) -> str:

@@ -35,7 +35,7 @@ def uniformize(known: ParametersO4, arc: Arc) -> Uniformization:
     found: list[Uniformization] = [ByNeighbours(known, arc)]
     if known.sigma < 0:
         found.append(ByConjugates(known, arc))
-    return max(found, key=lambda one: float(one.width))
+    return max(found, key=lambda interval: float(interval.width))
 
 
 class Uniformization(ABC):

@@ -28,7 +28,7 @@ def draw(motion: Motion | MotionO4) -> Figure:
         (r"$\omega_1$", r"$\omega_2$", r"$\omega_3$"),
         (r"$\alpha$", r"$\beta$", r"$\alpha\times\beta$"),
     )
-    for index, one in enumerate(axes):
-        triad(one, view, labels[index], 1.5 * reach(omega))
-        curve(one, view, curves[index], mark(index).colour)
+    for index, panel in enumerate(axes):
+        triad(panel, view, labels[index], 1.5 * reach(omega))
+        curve(panel, view, curves[index], mark(index).colour)
     return figure

@@ -52,10 +52,15 @@ def draw(motion: Motion | MotionO4) -> Figure:
 
 
 def line(
-    axes: Axes, view: View, points: Array, one: PlotMark, width: float, label: str | None = None
+    axes: Axes,
+    view: View,
+    points: Array,
+    plot_mark: PlotMark,
+    width: float,
+    label: str | None = None,
 ) -> None:
     """Draw the curve through points (N, 3), what is nearer over what is farther."""
     flat, near = view(points)
     depth = float(np.nan_to_num(np.nanmean(near))) if np.isfinite(near).any() else 0.0
     order = 2 + depth / 100
-    axes.plot(*flat.T, **one.line, lw=width, label=label, zorder=order)
+    axes.plot(*flat.T, **plot_mark.line, lw=width, label=label, zorder=order)

@@ -27,8 +27,8 @@ def draw(motion: Motion | MotionO4) -> Figure:
     known = motion.constants_in_unit
     states, lengths = in_unit(states, np.array(motion.parameters.unit)), (known["a"], known["b"])
     figure, axes = sheets(r"$\alpha$, $|\alpha|=a$", r"$\beta$, $|\beta|=b$")
-    for index, (one, letter, length) in enumerate(zip(axes, letters, lengths, strict=True)):
+    for index, (panel, letter, length) in enumerate(zip(axes, letters, lengths, strict=True)):
         labels = tuple(rf"${letter}_{k}$" for k in (1, 2, 3))
-        sphere(one, view, length, labels, length + 0.3 * lengths[0])
-        trace(one, view, states[:, 3 + 3 * index : 6 + 3 * index], mark(index).colour)
+        sphere(panel, view, length, labels, length + 0.3 * lengths[0])
+        trace(panel, view, states[:, 3 + 3 * index : 6 + 3 * index], mark(index).colour)
     return figure

@@ -18,6 +18,6 @@ class Equivalence(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        own, other = equation(on, space, self.own), equation(on, space, self.to)
-        yield Follows(space, ((own,),), (other,))
-        yield Follows(space, ((other,),), (own,))
+        stated, other = equation(on, space, self.own), equation(on, space, self.to)
+        yield Follows(space, ((stated,),), (other,))
+        yield Follows(space, ((other,),), (stated,))

@@ -107,7 +107,7 @@ class FirstIntegral(Claim):
         if not self.given:
             return ""
         goals = (goal for goal in replace(self, given=()).goals(on) if isinstance(goal, Follows))
-        sides = [pair for goal in goals for one in goal.conclusions for pair in one]
+        sides = [pair for goal in goals for conclusion in goal.conclusions for pair in conclusion]
         whole = all(rest.is_zero for rest in on(self.scene).finder.differences(sides))
         return "it is constant along the motions off this set, too" if whole else ""
 

@@ -31,12 +31,12 @@ class Implication(Claim):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
         is_equation = isinstance(on.texts.formula(self.own), Relation)
-        own = (
+        conclusion = (
             equation(on, space, self.own)
             if is_equation
             else vanishes(expression(on, space, self.own))
         )
-        stated = (*equations(on, space, self.together), own)
+        stated = (*equations(on, space, self.together), conclusion)
         given = equations(on, space, self.given)
         conclusions = [stated]
         if self.root is not None:

@@ -28,25 +28,25 @@ class Inequality(Claim):
     given: tuple[Printed, ...] = ()
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
-        for one in comparisons(on.texts.comparison(self.own)):
-            yield from self._compare(on, one)
+        for comparison in comparisons(on.texts.comparison(self.own)):
+            yield from self._compare(on, comparison)
 
-    def _compare(self, on: Elaborations, one: Comparison) -> Iterator[Goal]:
-        square = Power(one.difference, Number(2))
-        ordered = one.sign in ("<", r"\le") and one.number is None
+    def _compare(self, on: Elaborations, comparison: Comparison) -> Iterator[Goal]:
+        square = Power(comparison.difference, Number(2))
+        ordered = comparison.sign in ("<", r"\le") and comparison.number is None
         scene = with_signs(on, self.scene, Root(square)) if ordered else self.scene
         space = on(scene)
         given = equations(on, space, self.given)
-        if one.number is not None:
-            yield Follows(space, ((vanishes(Number(int(not one.number))),),), given)
+        if comparison.number is not None:
+            yield Follows(space, ((vanishes(Number(int(not comparison.number))),),), given)
             return
-        difference = space.formula(one.difference)
+        difference = space.formula(comparison.difference)
         stated = {
             "=": vanishes(difference),
             r"\ne": vanishes(ZERO),  # at a point of what is given
-        }.get(one.sign) or (difference, space.formula(Root(square)))
+        }.get(comparison.sign) or (difference, space.formula(Root(square)))
         yield Follows(space, ((stated,),), given)
-        if one.sign in ("<", r"\ne"):
+        if comparison.sign in ("<", r"\ne"):
             yield Follows(space, (), (*given, vanishes(difference)))
 
     def neighbours(self, texts: Texts, wanted: Formula | None = None) -> Iterator[Neighbour]:
@@ -78,6 +78,6 @@ def with_signs(on: Elaborations, scene: Scene, root: Root) -> Scene:
     for name in (*names, to_latex(root)):
         printed = on.texts.expression(name)
         if root_of_number(*printed.children()) is None:
-            new = (one for one in (name, root_of(printed)) if one not in scene.roots)
+            new = (root for root in (name, root_of(printed)) if root not in scene.roots)
             scene = scene.adjoining(*new)
     return scene

@@ -28,8 +28,8 @@ class LaxPair(Identity):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         yield from super().goals(on)
         space = on(self.scene)
-        own = rows(function(on, space, self.matrix), space)
-        traces = [trace(power) for power in accumulate(repeat(own, len(own)), product)]
+        matrix = rows(function(on, space, self.matrix), space)
+        traces = [trace(power) for power in accumulate(repeat(matrix, len(matrix)), product)]
         moving = next((trace for trace in traces if _varies(trace, space)), None)
         chosen = traces if moving is None else [moving]
         slopes = (Partial(trace, name) for trace in chosen for name in space.variables)

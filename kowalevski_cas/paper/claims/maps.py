@@ -50,9 +50,9 @@ class InvariantOfMap(OfMap):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        own = _printed_function(on, space, self.own)
-        yield identity(space, _invariance(space, own, self.images))
-        yield Rank(space, (space.plain(own),), (), 1)
+        printed = _printed_function(on, space, self.own)
+        yield identity(space, _invariance(space, printed, self.images))
+        yield Rank(space, (space.plain(printed),), (), 1)
 
 
 class InvariantSetOfMap(OfMap):
@@ -91,14 +91,14 @@ class MeasureOfMap(OfMap):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
         density = expand_definitions(space, _printed_function(on, space, self.own))
-        own = space.plain(density)
+        plain = space.plain(density)
         rows = (
             [space.plain(Partial(Name(new), x)) for x, _ in self.images] for _, new in self.images
         )
         jacobian = determinant(tuple(map(tuple, rows)))
         there = times(jacobian, space.plain(_at_image(density, self.images)))
-        yield Follows(space, (((there, own),), ((there, Negative(own)),)))
-        yield Follows(space, (), (vanishes(own),))
+        yield Follows(space, (((there, plain),), ((there, Negative(plain)),)))
+        yield Follows(space, (), (vanishes(plain),))
 
 
 class PoissonMap(OfMap):

@@ -53,9 +53,9 @@ class Casimir(Claim):
         chain = integral.constants(on, space)
         valued = len(chain) == 1 and isinstance(on.texts.formula(self.own), Relation)
         valued &= self.own not in self.scene.definitions.values()
-        own = chain[0] if valued else function(on, space, self.own)
-        yield identity(space, *_central(space, [own]))
-        yield Rank(space, (space.plain(own),), (), 1)
+        printed = chain[0] if valued else function(on, space, self.own)
+        yield identity(space, *_central(space, [printed]))
+        yield Rank(space, (space.plain(printed),), (), 1)
         if valued:
             yield from integral.levels(on)
 

@@ -77,7 +77,10 @@ class Along(Goal):
         """Whether a rate is a polynomial in some names."""
         divisors = self.space.ring.divisors
         below = {
-            n for own in rate.generators() if own in divisors for n in divisors[own].generators()
+            n
+            for generator in rate.generators()
+            if generator in divisors
+            for n in divisors[generator].generators()
         }
         return names.isdisjoint(below)
 

@@ -112,8 +112,8 @@ class Solutions:
 
     def put(self, element: Element, values: dict[str, Element]) -> Element:
         """An element with values for some generators."""
-        own = {name: self.space.ring.generator(name) for name in element.generators()}
-        return self.space.carried(self.space.ring, own | values)(element)
+        generators = {name: self.space.ring.generator(name) for name in element.generators()}
+        return self.space.carried(self.space.ring, generators | values)(element)
 
     def solutions_are_roots(self) -> None:
         """The equations imply the eliminant of the form, and give the variables by the form."""

@@ -30,9 +30,9 @@ def quotient(element: Element, divisor: Element) -> Element | None:
     ring = element.ring
     ring.spend(1 + (len(element.terms) + len(divisor.terms) >> 2))
     guard, first, last = ring.guard, max(divisor.terms), min(divisor.terms)
-    degrees, own = (reduce(ring.larger, each.terms, 0) for each in (element, divisor))
+    degrees, divisor_degrees = (reduce(ring.larger, each.terms, 0) for each in (element, divisor))
     # in each generator the degrees of a quotient and of its divisor add up
-    if element.terms and (degrees | guard) - own & guard != guard:
+    if element.terms and (degrees | guard) - divisor_degrees & guard != guard:
         return None
     rest, out, bits = dict(element.terms), Terms(), element.bits
     while rest:

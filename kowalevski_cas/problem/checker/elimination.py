@@ -65,10 +65,10 @@ def _eliminated(block: list[Vector], spend: Spend) -> tuple[int, list[Vector]]:
             continue
         if number > 1 and FULL * entries > (len(left) - found) * len(having):
             break
-        own = min(having[place], key=lambda k: (len(left[k]), k))
-        row, left[own], found = left[own], {}, found + 1
+        shortest = min(having[place], key=lambda k: (len(left[k]), k))
+        row, left[shortest], found = left[shortest], {}, found + 1
         over, entries = pow(row.pop(place), -1, PRIME), entries - len(row) - 1
-        others = having.pop(place) - {own}
+        others = having.pop(place) - {shortest}
         spend(number * (1 + (len(row) >> 2)))
         for k in others:
             vector = left[k]
@@ -81,7 +81,7 @@ def _eliminated(block: list[Vector], spend: Spend) -> tuple[int, list[Vector]]:
                     del vector[m]
             entries += len(vector)
         for m in row:
-            having[m].discard(own)
+            having[m].discard(shortest)
             if having[m]:
                 heappush(rarest, (len(having[m]), m))
             else:

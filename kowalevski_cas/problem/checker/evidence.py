@@ -134,7 +134,7 @@ def is_not_negative(space: Space, tree: Json) -> bool:
     op, parts = operation(tree)
     if op == "^" and exponent(parts[1]) % 2 == 0:
         return True
-    return op in ("+", "*", "/", "^") and all(is_not_negative(space, one) for one in parts)
+    return op in ("+", "*", "/", "^") and all(is_not_negative(space, part) for part in parts)
 
 
 def settle(space: Space, goals: list[Element], known: list[Element], proof: Json) -> None:

@@ -86,12 +86,12 @@ class Formulas(Divisors):
 
     def bind(self, name: Json) -> tuple[str, Element]:
         """A new generator for a name that is bound in a goal."""
-        own = f":{label(name)}"
+        bound = f":{label(name)}"
         need(name not in self.env, "a bound name has another meaning")
-        if own not in self.ring.at:
-            self.ring.adjoin(own)
-        self.env[name] = (self.ring.generator(own),)
-        return own, self.ring.generator(own)
+        if bound not in self.ring.at:
+            self.ring.adjoin(bound)
+        self.env[name] = (self.ring.generator(bound),)
+        return bound, self.ring.generator(bound)
 
     # values
 
@@ -176,21 +176,21 @@ class Formulas(Divisors):
 
     def _rate(self, name: str, rates: Rates) -> Element:
         """The derivative of a generator without a rate of its own."""
-        ring, own = self.ring, self.ring.generator(name)
+        ring, generator = self.ring, self.ring.generator(name)
         need(name not in ring.unknown, f"{name} is unknown, and so is its derivative")
         need(name not in self.waiting, f"the derivative of {name} is not known yet")
         if name in ring.divisors:
-            return -own * own * self.along(ring.divisors[name], rates)
+            return -generator * generator * self.along(ring.divisors[name], rates)
         if name in ring.powers:
             base, power = ring.powers[name]
-            return power * own * self.along(base, rates) * self.inverse(base)
+            return power * generator * self.along(base, rates) * self.inverse(base)
         change = self.along(ring.roots[name], rates) if name in ring.roots else ring.number(0)
         if not change.terms:
             return change
         half = change.partial(name) * ring.number(Fraction(1, 2))
-        if (change - own * (half + half)).vanishes():
+        if (change - generator * (half + half)).vanishes():
             return half
-        return change * own * self.inverse(own * own + own * own)
+        return change * generator * self.inverse(generator * generator + generator * generator)
 
     def derivative(self, element: Element) -> Element:
         """The derivative along the vector field."""

@@ -62,8 +62,8 @@ class Follows(Goal):
         # for an empty set, a condition that holds nowhere on it would be the whole proof
         record(evidence, "point", f"away {PROOF}" if self.conclusions else PROOF)
         locate(self.space, evidence["point"], self.given if self.conclusions else [])
-        one = self.space.ring.number(1)
-        goals = [prod(choice, start=one) for choice in product(*self.conclusions)]
+        unit = self.space.ring.number(1)
+        goals = [prod(choice, start=unit) for choice in product(*self.conclusions)]
         settle(space, goals, self.given, part_of(evidence, PROOF))
 
     def denied(self, evidence: Json) -> None:
@@ -103,14 +103,14 @@ class Rank(Goal):
 
     def __init__(self, space: Space, data: Json) -> None:
         self.space, self.stated = space, data["rank"]
-        one = space.ring.number(1)
+        unit = space.ring.number(1)
         with space.statement():
             self.given = space.differences(data["given"])
             chosen = [e for tree in items(data["functions"]) for e in space.value(tree)]
             chosen += self.given
             need(chosen and space.variables, "nothing is stated")
             with space.granting():  # where they are not defined the point is not
-                self.matrix = [[space.along(e, {v: one}) for v in space.variables] for e in chosen]
+                self.matrix = [[space.along(e, {v: unit}) for v in space.variables] for e in chosen]
 
     def holds(self, evidence: Json) -> None:
         self._independent(evidence)

@@ -58,9 +58,9 @@ class Kernel(Goal):
             rests += [self.space.derivative(f) for f in self.integrals]
             need(any(at(rest).differs() for rest in rests), "all that is listed may be solutions")
             return
-        degree, own = self._solution(self.space.scalar(evidence["further"]), self.factor, at)
+        degree, further = self._solution(self.space.scalar(evidence["further"]), self.factor, at)
         need(degree <= self.degree, "its degree is too large")
-        vectors = [*self._known_products(at), own]
+        vectors = [*self._known_products(at), further]
         need(self._rank(vectors) == len(vectors), "it may depend on what is known")
 
     # polynomials at the point
@@ -143,11 +143,11 @@ class Kernel(Goal):
         self.ring.spend(10 * self._size())
         rates, factor = self._clear_denominators(at)
         for exponents in self._exponents(len(self.units) - 1, self.degree):
-            own = sum(e * unit for e, unit in zip(exponents, self.units, strict=True))
-            found = {own + m: -v for m, v in factor.items()}
+            weight = sum(e * unit for e, unit in zip(exponents, self.units, strict=True))
+            found = {weight + m: -v for m, v in factor.items()}
             for e, unit, rate in zip(exponents, self.units, rates, strict=True):
                 for m, v in rate.items() if e else ():
-                    found[own - unit + m] = found.get(own - unit + m, 0) + e * v
+                    found[weight - unit + m] = found.get(weight - unit + m, 0) + e * v
             self.ring.spend(len(found))
             yield {m: v % PRIME for m, v in found.items() if v % PRIME}
 

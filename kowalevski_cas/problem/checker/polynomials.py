@@ -146,8 +146,8 @@ class Ring:
                 raise Rejected("a degree or number is too large")
         self.spend(steps)
         if not sums or monomial or under or count != 1 or below != 1:
-            one = Element(self, {monomial: count}, below, bits, under)
-            sums.append(one.reduced() if monomial & self.squares else one)
+            term = Element(self, {monomial: count}, below, bits, under)
+            sums.append(term.reduced() if monomial & self.squares else term)
         return reduce(Element.times, sums)
 
     def even(self, powers: int) -> tuple[int, int | Element]:

@@ -94,12 +94,12 @@ class Space(Formulas):
         if kind == "let":
             self.env[name] = self.value(tree)
             return
-        own, value = self.ring.generator(name), self.scalar(tree)
+        generator, value = self.ring.generator(name), self.scalar(tree)
         if kind == "root":
             self.ring.relate(name, value)
             if (value.value() or 0) < 0:
                 need(self.bar[name].is_generator(name), "an imaginary number is its own pair")
-                self.bar[name] = -own
+                self.bar[name] = -generator
         else:
             need(kind == "power" and more in self.constants, "a step is not understood")
             exponent = self.scalar(more)
@@ -107,8 +107,8 @@ class Space(Formulas):
             self.ring.powers[name] = value, exponent
             with self.granting():
                 self.enter(value, say(tree))
-                self.enter(own, name)
-        self.env[name] = (own if value.terms or kind == "power" else value,)
+                self.enter(generator, name)
+        self.env[name] = (generator if value.terms or kind == "power" else value,)
 
     def _grant(self, conditions: list[tuple[set[str], Json]]) -> list[tuple[set[str], Json]]:
         """Know that formulas do not vanish; returns those with names that are not defined yet."""
@@ -155,8 +155,8 @@ class Space(Formulas):
         for name in (n for n in self.ring.roots if n in rates):  # the product rule then holds
             half = self.ring.generator(name) * rates[name]
             others.append((self.ring.roots[name], half + half))
-        for own, rate in others:
-            need((self.along(own, rates) - rate).vanishes(), "a name moves otherwise")
+        for member, rate in others:
+            need((self.along(member, rates) - rate).vanishes(), "a name moves otherwise")
 
     def _movable(self, names: dict[str, Element]) -> None:
         need(names.keys() <= self.env.keys(), "what moves has no name")
@@ -189,8 +189,8 @@ class Space(Formulas):
         rates = {name: here(source.derivative(e)) * time for name, e in new.items()}
         self.rates = {name: rate for name, rate in rates.items() if name in self.ring.at}
         old = {name: here(source.derivative(source.scalar(name))) * time for name in source.bar}
-        own = [(self.scalar(name), rate) for name, rate in rates.items()]
-        return [*own, *((here.images[name], rate) for name, rate in old.items())]
+        rates_here = [(self.scalar(name), rate) for name, rate in rates.items()]
+        return [*rates_here, *((here.images[name], rate) for name, rate in old.items())]
 
     # words
 

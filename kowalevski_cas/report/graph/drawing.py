@@ -154,7 +154,7 @@ def _between(boxes: Sequence[list[str]], outcomes: Sequence[Outcome]) -> dict[st
         below = (home[claim] for claim in known if claim in earlier)
         rests[home[outcome.claim]] |= dict.fromkeys(below)
         earlier.add(outcome.claim)
-    return {name: [one for one in belows if one != name] for name, belows in rests.items()}
+    return {name: [below for below in belows if below != name] for name, belows in rests.items()}
 
 
 def _apart(boxes: Sequence[list[str]], names: Sequence[str]) -> Iterator[list[str]]:

@@ -129,11 +129,11 @@ def _order(layers: list[list[Cell]]) -> None:
 
 def _sort(layer: list[Cell], beside: Sequence[Cell], forward: bool) -> None:
     at = {id(cell): k for k, cell in enumerate(beside)}
-    own = {id(cell): float(k) for k, cell in enumerate(layer)}
+    order = {id(cell): float(k) for k, cell in enumerate(layer)}
 
     def middle(cell: Cell) -> float:
         near = [at[id(c)] for c in (cell.before if forward else cell.after)]
-        return sum(near) / len(near) if near else own[id(cell)]
+        return sum(near) / len(near) if near else order[id(cell)]
 
     layer.sort(key=middle)
 
