@@ -233,9 +233,9 @@ def _solutions(statement: Statement, goal: Count, accepted: Accepted) -> Counter
         many = f"these are {len(points)} solutions" if len(points) > 1 else "this is a solution"
         words = f"{many}, and there are to be {goal.number or 'none'}"
         shown = Number(len(points))
-    for number, point in enumerate(points, 1):
+    for number, solution in enumerate(points, 1):
         for vector, names in setting.scene.vectors.items():
-            entries = tuple(point.get(name, ZERO) for name in names)
+            entries = tuple(solution.get(name, ZERO) for name in names)
             if any(entry != ZERO for entry in entries):
                 values[Name(vector if circle else f"{vector}_{number}")] = Vector(entries)
     return Counterexample(PrintedPoint(values), shown, Number(goal.number), words)
