@@ -131,7 +131,7 @@ class Contents:
     def verdict(self) -> Iterator[Block]:
         """What is wrong, what holds, and who says so."""
         run, findings = self.run, self.findings
-        results = [*main_results(self.phrases, run.outcomes, run.main, findings.slips)]
+        results = [*main_results(findings, run.main)]
         if results:
             yield from (*results, *wrong_places(findings))
         yield Paragraph((tally(findings),), "" if results else "lead")

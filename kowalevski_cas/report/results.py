@@ -7,27 +7,31 @@ from typing import Final
 
 from kowalevski_cas.notation import Formula, to_plain
 from kowalevski_cas.report.document import Block, Judgement, Paragraph, Text
-from kowalevski_cas.report.sentences import Phrases, count_in_words, in_words, list_in_words
+from kowalevski_cas.report.findings import Findings
+from kowalevski_cas.report.sentences import (
+    Phrases,
+    capital,
+    count_in_words,
+    in_words,
+    list_in_words,
+)
 from kowalevski_cas.verify.outcome import Outcome, Verdict
-
-Slip = tuple[Outcome, ...]
 
 LONG: Final = 60
 """The signs that conditions have at most where a reader has half a minute."""
 
 
-def main_results(
-    phrases: Phrases, outcomes: Sequence[Outcome], main: Collection[str], slips: Sequence[Slip]
-) -> Iterator[Block]:
-    """What the verdicts say of the main results, and which misprints they rest on.
+def main_results(findings: Findings, main: Collection[str]) -> Iterator[Block]:
+    """What the verdicts say of the main results, which misprints they rest on, and what is false.
 
     Nothing, if no claim that was decided is named as a main result.
     """
-    results = [outcome for outcome in outcomes if outcome.claim in main]
+    results = [outcome for outcome in findings.outcomes if outcome.claim in main]
     if results:
-        said = f"{_fate([outcome.verdict for outcome in results])} "
-        yield Paragraph((said, *_reach(phrases, outcomes, results, slips)), "lead")
-        yield from (_statement(phrases, outcome) for outcome in results)
+        said = _fate([outcome.verdict for outcome in results])
+        parts = said, *_reach(findings, results), *_falsehood(findings, results)
+        yield Paragraph(parts, "lead")
+        yield from (_statement(findings.phrases, outcome) for outcome in results)
 
 
 def _fate(verdicts: Sequence[Verdict]) -> str:
@@ -60,11 +64,19 @@ def _statement(phrases: Phrases, outcome: Outcome) -> Judgement:
     )
 
 
-def _reach(
-    phrases: Phrases, outcomes: Sequence[Outcome], results: Sequence[Outcome], slips: Sequence[Slip]
-) -> Text:
+def _falsehood(findings: Findings, results: Sequence[Outcome]) -> Text:
+    """How many other statements are false, though no misprint has spoiled them."""
+    others = [outcome for outcome in findings.false if outcome not in results]
+    if not others:
+        return ()
+    verb = "is" if len(others) == 1 else "are"
+    return (f" {capital(count_in_words(len(others), 'other statement'))} {verb} false.",)
+
+
+def _reach(findings: Findings, results: Sequence[Outcome]) -> Text:
     """Which of the misprints the results rest on."""
-    touched = {*_correctors(outcomes, results), *(outcome.claim for outcome in results)}
+    phrases, slips = findings.phrases, findings.slips
+    touched = {*_correctors(findings.outcomes, results), *(outcome.claim for outcome in results)}
     reaching = [slip for slip in slips if any(outcome.claim in touched for outcome in slip)]
     it, they = ("it", "It rests") if len(results) == 1 else ("them", "They rest")
     several = "s" * (len(reaching) > 1)
@@ -72,10 +84,10 @@ def _reach(
     free = f"{'does' if many == 1 else 'do'} not touch {it}."
     if not reaching:
         which = "misprint" if many == 1 else f"{in_words(many)} misprints"
-        return (f"The {which} {free}",) if slips else ()
+        return (f" The {which} {free}",) if slips else ()
     where = [phrases.found([outcome.claim for outcome in slip]) for slip in reaching]
     rest = f"; the other {count_in_words(many, 'misprint')} {free}" if many else "."
-    of = f"{they} on the correction{several} of the misprint{several} "
+    of = f" {they} on the correction{several} of the misprint{several} "
     return (of, *list_in_words(where), rest)
 
 

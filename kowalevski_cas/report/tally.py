@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Final
 
-from kowalevski_cas.report.document import Paragraph, Text
+from kowalevski_cas.report.document import Block, Judgement, Paragraph
 from kowalevski_cas.report.findings import Findings, Slip, lacks
 from kowalevski_cas.report.sentences import (
     Phrases,
@@ -26,16 +26,17 @@ _OPEN: Final = {
 }
 
 
-def wrong_places(findings: Findings) -> Iterator[Paragraph]:
+def wrong_places(findings: Findings) -> Iterator[Block]:
     """Where something is misprinted, what is false, and which hypotheses are missing."""
     phrases = findings.phrases
     if findings.slips:
-        places = [_misprint(phrases, slip) for slip in findings.slips]
-        yield Paragraph(("Misprinted: ", *list_in_words(places), "."))
+        yield Paragraph(("Misprinted (in brackets two values at a point, which should be equal):",))
+        yield from (_misprint(phrases, slip) for slip in findings.slips)
     for outcome in findings.false:
         words = phrases.words(outcome.words.rstrip("."))
         where = phrases.found([outcome.claim])
-        yield Paragraph(("False: ", *where, *((": ", *words) if words else ()), "."))
+        said = (*where, " is false", *((": “", *words, "”") if words else ()), ".")
+        yield Judgement(outcome.verdict, "", said)
     if findings.missing:
         needed = [
             (nonzero(expression), " (for ", *phrases.links([claim for claim, _ in needing]), ")")
@@ -44,11 +45,14 @@ def wrong_places(findings: Findings) -> Iterator[Paragraph]:
         yield Paragraph(("Not stated, though needed: ", *list_in_words(needed), "."))
 
 
-def _misprint(phrases: Phrases, slip: Slip) -> Text:
-    """Where a misprint stands, and what to read."""
+def _misprint(phrases: Phrases, slip: Slip) -> Judgement:
+    """Where a misprint stands, what to read, and the two values that show it."""
+    first = slip[0]
     where = phrases.found([outcome.claim for outcome in slip])
-    correction = slip[0].correction
-    return (*where, " (", *phrases.words(correction.words if correction else ""), ")")
+    read = phrases.words(first.correction.words if first.correction else "")
+    found = first.counterexample
+    values = (" (", found.left, " ≠ ", found.right, ")") if found else ()
+    return Judgement(first.verdict, "", (*where, ": ", *read, *values, "."))
 
 
 def tally(findings: Findings) -> str:

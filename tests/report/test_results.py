@@ -36,8 +36,7 @@ PRINT = Path(__file__).parents[3] / "shared/paper/000_68642ca11e599718.txt"
 
 def paragraphs(*found: Outcome, main: tuple[str, ...]) -> list[str]:
     phrases = Phrases(WORDS, {})
-    slips = Findings(phrases, found).slips
-    blocks = main_results(phrases, found, main, slips)
+    blocks = main_results(Findings(phrases, found), main)
     return [said(b.text if isinstance(b, Paragraph) else b.head) for b in blocks]  # type: ignore[union-attr]
 
 
@@ -57,7 +56,7 @@ def test_without_a_main_result_nothing_is_said() -> None:
 )  # fmt: skip
 def test_the_verdict_says_whether_it_stands(verdict: Verdict, sentence: str) -> None:
     first, second = paragraphs(claim("a", "1", "x=x", "it is so", verdict), main=("a",))
-    assert first == f"The main result {sentence}. "
+    assert first == f"The main result {sentence}."
     assert "it is so" in second
 
 
@@ -68,9 +67,28 @@ def test_several_results_are_told_apart() -> None:
     )
 
 
+def test_what_is_false_beside_them_is_counted() -> None:
+    both = claim("a", "1", "x=x", "", P), claim("b", "1", "x=y", "it is not so", R)
+    findings = Findings(Phrases(WORDS, {}), both)
+    assert paragraphs(*both, main=("a",))[0] == (
+        "The main result stands. One other statement is false."
+    )
+    assert "other" not in paragraphs(*both, main=("a", "b"))[0]
+    (false,) = wrong_places(findings)
+    assert isinstance(false, Judgement) and "is false: “it is not so”" in said(false.head)
+
+
+def test_a_misprint_has_its_two_values_beside_it() -> None:
+    fails = counterexample(point({"x": "1"}), "1", "2")
+    (_, line) = wrong_places(
+        Findings(Phrases(WORDS, {}), [misprint("m")._replace(counterexample=fails)])
+    )
+    assert isinstance(line, Judgement) and " ≠ " in said(line.head)
+
+
 def test_conditions_are_named() -> None:
     needs = claim("a", "1", "x=x", "it is so", C, conditions=(condition("x", ""),))
-    (_, block) = main_results(Phrases(WORDS, {}), [needs], ["a"], ())
+    (_, block) = main_results(Findings(Phrases(WORDS, {}), [needs]), ["a"])
     assert isinstance(block, Judgement) and "where" in said(block.head)
 
 

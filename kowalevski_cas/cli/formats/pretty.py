@@ -75,7 +75,7 @@ def _page(
 ) -> str:
     """The answer under a title, what is wrong, and a summary; the main results come first."""
     head = [*plain.wrap(title), ""]
-    results = [*main_results(findings.phrases, findings.outcomes, main, findings.slips)]
+    results = [*main_results(findings, main)]
     if results:
         head += [*plain.lines(results), *plain.lines(wrong_places(findings)), ""]
     return "\n".join((*head, *plain.wrap(tally(findings)), *wrong, "", *summary, ""))
