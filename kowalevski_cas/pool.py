@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import pickle
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from functools import cached_property, partial
 from hashlib import sha256
 from importlib import import_module
 from io import BytesIO
 from itertools import chain, islice
+from math import inf
 from pathlib import Path
 from time import perf_counter
 from typing import Any, TypeVar
@@ -28,6 +29,9 @@ Result = TypeVar("Result")
 
 BATCH = 0.1
 """Seconds that a batch of tasks should take at least."""
+
+SHARES = 4
+"""Of what is left, a process takes this part of its share at most."""
 
 PATIENCE = 5
 """Seconds in which a scheduler has to answer, and to have a worker."""
@@ -74,7 +78,8 @@ class Pool:
                 break
             yield found[key][0]
         waiting, late = deque[Key](), list[Exception]()
-        batches = self._batches(source, lambda item: self._key(work, item), found, waiting, late)
+        left = len(items) if isinstance(items, Sequence) else inf
+        batches = self._batches(source, partial(self._key, work), found, waiting, late, left)
         for seconds, results in self._run_batches(partial(_run_batch, work), batches):
             found.update(results)
             self._keep(seconds, results)
@@ -90,15 +95,20 @@ class Pool:
         found: Found,
         waiting: deque[Key],
         late: list[Exception],
+        left: float,
     ) -> Iterator[dict[Key, Item]]:
-        """What is not found so far, and all that is waited for; an error of the items is late."""
+        """What is not found so far, and all that is waited for; an error of the items is late.
+
+        ``left`` is how many there are: no batch is so large that all others wait for it.
+        """
         batch: dict[Key, Item] = {}
         try:
             for item in items:
                 waiting.append(own := key(item))
+                left -= 1
                 if own not in found:
                     batch[own] = item
-                if len(batch) >= self._size:
+                if len(batch) >= min(self._size, 1 + left / (SHARES * self.jobs)):
                     yield batch
                     batch = {}
         except Exception as error:

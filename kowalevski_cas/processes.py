@@ -39,6 +39,9 @@ Result = TypeVar("Result")
 CHUNK = 1 << 20
 """Bytes that are read at once."""
 
+ALONE = 0.3
+"""Seconds after which a process is given company."""
+
 GRACE = 1.0
 """Seconds that a process has to tidy up, when its work is not wanted any more."""
 
@@ -58,7 +61,8 @@ def each(
     If they need not be ``ordered``, each comes as soon as it is there.
 
     ``jobs`` copies of this process work at once, where the system makes such copies: a fork costs
-    milliseconds, a new start would cost as much as a proof. Where this process has threads, copies
+    milliseconds, a new start would cost as much as a proof. What is done soon is done by one of
+    them: each copies the memory that it touches. Where this process has threads, copies
     are made of a fork server instead (``forkserver.py``). The items are sent, and have to be plain
     data. Who is done with one takes another. Of a sequence every second process takes what
     is left at the end, so that neighbours, which often need the same, are done in one process.
@@ -108,12 +112,16 @@ def _answers(
             yield item[0], _WorkResult([work(item[1])])
         return
     running = list[_Process[Item, Result]]()
+    alone = monotonic() + ALONE
     try:
-        while len(running) < max(1, jobs) and (item := take(len(running))) is not None:
-            running.append(_Process(work, len(running), running, until))
-            running[-1].give(*item)
-        while running:
-            _listen(running, heard)
+        while True:
+            others = jobs if monotonic() >= alone else 1
+            while len(running) < max(1, others) and (item := take(len(running))) is not None:
+                running.append(_Process(work, len(running), running, until))
+                running[-1].give(*item)
+            if not running:
+                return
+            _listen(running, heard, alone if len(running) < jobs else inf)
             for process in [process for process in running if process.answer is not None]:
                 place, answer = process.place, process.answer
                 assert answer is not None
@@ -262,9 +270,12 @@ class _Process(Generic[Item, Result]):
         return f"exit code {code}" if code >= 0 else signal.strsignal(-code) or f"signal {-code}"
 
 
-def _listen(running: Sequence[_Process[Item, Result]], heard: Callable[..., None]) -> None:
-    """Hear what is told next, or end what has come to a limit."""
-    left = min(process.deadline for process in running) - monotonic()
+def _listen(
+    running: Sequence[_Process[Item, Result]], heard: Callable[..., None], until: float
+) -> None:
+    """Hear what is told next, until some moment, or end what has come to a limit."""
+    now = monotonic()
+    left = min(*(process.deadline for process in running), until if until > now else inf) - now
     ends = early_end()
     ready, _, _ = select(
         [*ends, *(process.reading for process in running)], [], [], min(max(left, 0), LONGEST)

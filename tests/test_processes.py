@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 from kowalevski_cas import forkserver
 from kowalevski_cas.cli.exits import CommandError
 from kowalevski_cas.limits import ProcessDied, is_watched, tell, time_limit
-from kowalevski_cas.processes import each
+from kowalevski_cas.processes import ALONE, each
 
 SHORT, LONG = 0.1, 60
 
@@ -115,13 +115,17 @@ def test_items_are_done_in_processes_that_are_watched():
 
 
 def test_a_process_that_is_done_with_an_item_takes_another():
-    by = [*each(lambda n: sleep(0.2 * (n == 0)) or os.getpid(), range(20), jobs=2)]
+    by = [*each(lambda n: sleep(4 * ALONE * (n == 0)) or os.getpid(), range(20), jobs=2)]
     assert len(set(by)) == 2 and by.count(by[0]) == 1
 
 
 def test_neighbours_in_a_sequence_are_done_in_one_process():
-    by = [*each(lambda _: sleep(0.01) or os.getpid(), range(20), jobs=2)]
+    by = [*each(lambda _: sleep(ALONE / 6) or os.getpid(), range(20), jobs=2)]
     assert sum(a != b for a, b in pairwise(by)) == 1
+
+
+def test_what_is_done_soon_is_done_in_one_process():
+    assert len({*each(lambda _: os.getpid(), range(20), jobs=2)}) == 1
 
 
 def test_items_that_are_made_one_by_one_are_taken_when_they_are_needed():
@@ -167,7 +171,7 @@ def test_who_waits_for_an_item_ends_when_nobody_asks_any_more():
     code = (
         "import os, time\n"
         "from kowalevski_cas.limits import tell\n"
-        "from kowalevski_cas.processes import each\n"
+        "from kowalevski_cas.processes import ALONE, each\n"
         "work = lambda seconds: tell(os.getpid()) or time.sleep(seconds)\n"
         "heard = lambda pid, _: print(pid, flush=True)\n"
         "list(each(work, [0.5, 0.5, 0.5], jobs=3, heard=heard))"

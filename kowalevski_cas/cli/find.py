@@ -25,6 +25,7 @@ from kowalevski_cas.pool import Pool
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.questions import QUESTIONS, collect, forecast, nothing, question
 from kowalevski_cas.schema import head
+from kowalevski_cas.verify.confirm import receive, received
 from kowalevski_cas.verify.finding import Finding, with_findings
 from kowalevski_cas.verify.outcome import Outcome, Run
 from kowalevski_cas.verify.run import Session
@@ -99,16 +100,15 @@ def run(arguments: argparse.Namespace) -> int:
     forecast(scene, arguments.question, getattr(arguments, "degree", 0))
     file, name = _owner(scene) if arguments.write else (None, "")
     pool = session.pool(arguments)
-    ((findings, unfinished),) = session.map_in_processes(
-        lambda _: _search(derivation, scene, arguments, pool), [None]
+    ((findings, unfinished, run),) = session.map_in_processes(
+        lambda _: _find_and_decide(derivation, scene, arguments, pool), [None]
     )
     if not unfinished:
         pool.forget()
-    claims = with_findings(derivation, findings)
-    run = Session(claims, ["flint"], timeout=arguments.timeout).run()
+    accepted = (receive(o, arguments.timeout, jobs=arguments.jobs) for o in run.outcomes)
+    run = run._replace(outcomes=(outcomes := tuple(accepted)))
     if file is not None:
         write(file, read(file) + _in_python(findings, run, name, scene))
-    outcomes = run.outcomes
     if arguments.format == "json":
         found = {**head("find"), "findings": [*map(_data, findings, outcomes)]}
         found["unfinished"] = unfinished or None
@@ -140,6 +140,19 @@ def _shorten(shown: str, verbose: bool) -> str:
     if verbose or len(shown) <= LONGEST:
         return shown
     return f"{shown[:LONGEST]} … ({len(shown)} letters: -v shows all)"
+
+
+def _find_and_decide(
+    derivation: Derivation, scene: Scene, arguments: argparse.Namespace, pool: Pool
+) -> tuple[list[Finding], str, Run]:
+    """What is found, why nobody looked further, and what the judge says, which is not checked yet.
+
+    He knows here what the search has eliminated.
+    """
+    findings, unfinished = _search(derivation, scene, arguments, pool)
+    claims = with_findings(derivation, findings)
+    deciding = Session(claims, ["flint"], timeout=arguments.timeout)
+    return findings, unfinished, received(deciding.run)(())
 
 
 def _search(

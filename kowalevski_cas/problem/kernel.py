@@ -8,8 +8,7 @@ constants: at special ones, and modulo the prime, they fall.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from functools import lru_cache
+from collections.abc import Sequence
 
 from kowalevski_cas.algebra.elimination import rank
 from kowalevski_cas.algebra.kernels import residue
@@ -19,13 +18,8 @@ from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.goals import Kernel
 from kowalevski_cas.problem.place import Misplaced, PointEvaluation
-from kowalevski_cas.problem.polynomial_fields import (
-    PolynomialField,
-    monomials,
-    number_of_monomials,
-    weight_of,
-)
-from kowalevski_cas.problem.residues import ResidueField, Residues, Weighted, products
+from kowalevski_cas.problem.polynomial_fields import PolynomialField, number_of_monomials, weight_of
+from kowalevski_cas.problem.residues import ResidueField, Residues, Weighted, dimension, products
 
 DEGREE = 1_000
 """The largest degree that is looked at, of the checker as well."""
@@ -52,10 +46,9 @@ class KernelAtPoint:
         self.field = PolynomialField(at, self.factor)
         self.residues = ResidueField(self.field.rates, self.field.factor, values)
 
-    def columns(self) -> Iterator[Residues]:
-        """What the field, less the factor, makes of each monomial."""
-        for weight in range(self.goal.degree + 1):
-            yield from map(self.residues.derivative, monomials(self.goal.weights, weight))
+    def dimension(self) -> int:
+        """The dimension of the space of all solutions."""
+        return dimension(self.residues, self.goal.weights, self.goal.degree)
 
     def known(self) -> list[Residues]:
         """The products that span the kernel; raises :class:`Misplaced` if one is no solution."""
@@ -84,16 +77,9 @@ def _values(at: Evaluation, place: PointEvaluation) -> tuple[int | None, ...]:
 
 def check_complete(goal: Kernel, at: Evaluation, place: PointEvaluation) -> None:
     """Check that nothing is missing; raises :class:`Misplaced`."""
-    if _missing(goal, at, _values(at, place)):
+    ansatz = KernelAtPoint(goal, at, _values(at, place))
+    if ansatz.dimension() > rank(ansatz.known()):
         raise Misplaced("there may be more polynomials")
-
-
-@lru_cache(maxsize=1)
-def _missing(goal: Kernel, at: Evaluation, values: Sequence[int | None]) -> int:
-    """How many polynomials may be missing; who judges asks for what a search has just found."""
-    ansatz = KernelAtPoint(goal, at, values)
-    columns = [*ansatz.columns()]
-    return len(columns) - rank(columns) - rank(ansatz.known())
 
 
 def check_further(goal: Kernel, formula: Formula, at: Evaluation, place: PointEvaluation) -> None:

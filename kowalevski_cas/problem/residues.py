@@ -6,13 +6,14 @@ by an addition.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 from functools import cached_property
+from itertools import chain
 
-from kowalevski_cas.algebra.elimination import PRIME
+from kowalevski_cas.algebra.elimination import PRIME, rank
 from kowalevski_cas.algebra.kernels import residue
 from kowalevski_cas.problem.place import Misplaced
-from kowalevski_cas.problem.polynomial_fields import Exponents, Terms
+from kowalevski_cas.problem.polynomial_fields import Exponents, Terms, monomials
 
 BITS = 16
 """Of an exponent; so many that no sum of an exponent of the field and a degree is too large."""
@@ -61,6 +62,11 @@ class ResidueField:
                 found[key] = found.get(key, 0) + exponent * value
         return {key: rest for key, value in found.items() if (rest := value % PRIME)}
 
+    @cached_property
+    def key(self) -> Hashable:
+        """What the derivatives of all monomials depend on."""
+        return tuple(tuple(sorted(steps)) for steps in [*self._steps, self._multiple])
+
     def residues(self, terms: Terms) -> Residues:
         """A polynomial in the variables and the constants, at the values of these."""
         found: Residues = {}
@@ -74,6 +80,30 @@ class ResidueField:
             key = pack(exponents[:size])
             found[key] = (found.get(key, 0) + value) % PRIME
         return {key: value for key, value in found.items() if value}
+
+
+def dimension(field: ResidueField, weights: Sequence[int], degree: int) -> int:
+    """The dimension of the space of polynomials up to a degree whose derivative vanishes.
+
+    A search that has just found them all knows it, and need not eliminate them again.
+    """
+    if (asked := (field.key, tuple(weights), degree)) not in _dimensions:
+        of_degree = (monomials(weights, weight) for weight in range(degree + 1))
+        columns = [*map(field.derivative, chain.from_iterable(of_degree))]
+        remember_dimension(field, weights, degree, len(columns) - rank(columns))
+    return _dimensions[asked]
+
+
+def remember_dimension(
+    field: ResidueField, weights: Sequence[int], degree: int, found: int
+) -> None:
+    """Keep a dimension for who asks next."""
+    _dimensions.clear()
+    _dimensions[field.key, tuple(weights), degree] = found
+
+
+_dimensions: dict[Hashable, int] = {}
+"""The one that was found last."""
 
 
 def pack(exponents: Iterable[int]) -> int:

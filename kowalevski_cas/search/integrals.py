@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from bisect import bisect
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
-from itertools import chain, islice
+from itertools import chain, islice, takewhile
 from operator import mul
 from random import Random
 
@@ -26,10 +27,13 @@ from kowalevski_cas.problem.polynomial_fields import (
     number_of_monomials,
     weight_of,
 )
-from kowalevski_cas.problem.residues import ResidueField, Weighted, products
+from kowalevski_cas.problem.residues import ResidueField, Weighted, products, remember_dimension
 
 CONSTANTS = 6
 """The largest degree of coefficients in the constants."""
+
+GROWTH = 4
+"""So many times as many monomials has a stage of the search as the one before."""
 
 
 def first_integrals(
@@ -63,9 +67,8 @@ def first_integrals(
     search = _IntegralSearch(field, weights or (1,) * len(at.setting.variables), pool)
     if cofactor is not None:
         search.factors = [field.polynomial(integral) for integral in integrals]
-    for size in range(cofactor is None, weight + 1):
-        for terms in search.of_weight(size):
-            yield search.field.element(terms)
+    for terms in search.up_to(weight, first=int(cofactor is None)):
+        yield search.field.element(terms)
 
 
 class _IntegralSearch:
@@ -80,27 +83,29 @@ class _IntegralSearch:
         random = Random(1)
         values = [random.randrange(PRIME) for _ in range(self.others)]
         self.residues = ResidueField(field.rates, field.factor, values)
-        self.groups: dict[Exponents, list[Exponents]] = defaultdict(list)
+        self.groups: dict[Exponents, Group] = defaultdict(list)
         """Monomials in the variables by their weights, which the motion keeps together."""
-        self.solutions: dict[Exponents, list[Combination]] = {}
+        self.solutions: dict[Exponents, list[Combination]] = defaultdict(list)
         """Modulo the prime."""
 
-    def of_weight(self, weight: int) -> Iterator[Terms]:
+    def up_to(self, weight: int, first: int) -> Iterator[Terms]:
         """Integrals with terms up to a weight that are no polynomials in the known ones."""
-        if (size := number_of_monomials(self.weights, weight)) > LARGEST:
-            raise TooLarge(f"{size} monomials have the weight {weight} or less")
-        later = list[Exponents]()
-        for exponents in monomials(self.weights, weight):
-            grade = tuple(sum(map(mul, w, exponents)) for w in self.field.weights)
-            self.groups[grade].append(exponents)
-            later.append(grade)
-        changed = [*dict.fromkeys(later)]
-        work = partial(_combinations, self.residues)
-        found = self.pool.map(work, [self.groups[grade] for grade in changed])
-        self.solutions.update(zip(changed, found, strict=True))
+        solved, constants = self._solve_in_stages(first, weight), first
+        for size in range(first, weight + 1):
+            if (number := number_of_monomials(self.weights, size)) > LARGEST:
+                raise TooLarge(f"{number} monomials have the weight {size} or less")
+            for grade, (group, solutions) in next(solved).items():
+                self.groups[grade] += group
+                self.solutions[grade] += solutions
+            yield from self._new(size)
+        dimension = sum(map(len, self.solutions.values())) + constants
+        remember_dimension(self.residues, self.weights, weight, dimension)
+
+    def _new(self, weight: int) -> Iterator[Terms]:
+        """Those of them that the solutions up to a weight give."""
         dimension = sum(map(len, self.solutions.values()))
         span = self._span(weight)
-        for candidates in self._candidates(size):
+        for candidates in self._candidates(number_of_monomials(self.weights, weight)):
             if len(span) == dimension:
                 return
             for terms in candidates:
@@ -108,6 +113,52 @@ class _IntegralSearch:
                     self.known.append(primitive(terms))
                     yield self.known[-1]
                     span = self._span(weight)
+
+    def _solve_in_stages(self, first: int, last: int) -> Iterator[Solved]:
+        """The monomials of each weight and the solutions that end there, by their grades.
+
+        What a group of monomials gives up to a weight is the beginning of what it gives up to a
+        larger one: several weights are solved at once, or one by one if that is too large.
+        """
+        for stage in _stages(self.weights, last):
+            try:
+                for solved in self._solve(first, stage):
+                    yield solved
+                    first += 1
+            except TooLarge:
+                for weight in range(first, stage + 1):
+                    yield from self._solve(weight, weight)
+            first = stage + 1
+
+    def _solve(self, first: int, last: int) -> Iterator[Solved]:
+        """The same for the weights of a stage, each as soon as its groups are solved."""
+        by_weight: list[dict[Exponents, Group]] = []
+        groups = {grade: [*group] for grade, group in self.groups.items()}
+        for weight in range(first, last + 1):
+            by_weight.append({})
+            for exponents in monomials(self.weights, weight):
+                grade = tuple(sum(map(mul, w, exponents)) for w in self.field.weights)
+                by_weight[-1].setdefault(grade, []).append(exponents)
+                groups.setdefault(grade, []).append(exponents)
+        solved: dict[Exponents, list[Combination]] = {}
+        waiting = self._solve_groups(by_weight, groups)
+        for weight, own in enumerate(by_weight, first):
+            solved.update(islice(waiting, len(own.keys() - solved)))
+            yield {
+                grade: (group, [s for s in solved[grade] if weight_of(s, self.weights) == weight])
+                for grade, group in own.items()
+            }
+
+    def _solve_groups(
+        self, by_weight: Iterable[Collection[Exponents]], groups: Mapping[Exponents, Group]
+    ) -> Iterator[tuple[Exponents, list[Combination]]]:
+        """The solutions for grades: those that come first by weights, of these the largest."""
+        order: dict[Exponents, None] = {}
+        for grades in by_weight:
+            new = [grade for grade in grades if grade not in order]
+            order.update(dict.fromkeys(sorted(new, key=lambda grade: -len(groups[grade]))))
+        work = partial(_combinations, self.residues)
+        return zip(order, self.pool.map(work, [groups[g] for g in order]), strict=True)
 
     def _candidates(self, size: int) -> Iterator[Iterator[Terms]]:
         """Integrals with coefficients of each degree in the constants, the shortest first."""
@@ -146,8 +197,24 @@ class _IntegralSearch:
         return weight_of(terms, self.weights), self.residues.residues(terms)
 
 
+Group = list[Exponents]
+"""Monomials in the variables."""
+
 Combination = dict[Exponents, int]
 """A polynomial modulo the prime."""
+
+Solved = dict[Exponents, tuple[Group, list[Combination]]]
+"""Monomials of a weight, and the solutions of which they are the heaviest, by their grades."""
+
+
+def _stages(weights: Sequence[int], last: int) -> list[int]:
+    """Weights up to which is solved at once, of which the next has many more monomials."""
+    sizes = (number_of_monomials(weights, weight) for weight in range(last + 1))
+    numbers = [*takewhile(LARGEST.__ge__, sizes)]
+    stages = [len(numbers) - 1]
+    while stages[-1] > 0:
+        stages.append(max(bisect(numbers, numbers[stages[-1]] // GROWTH, hi=stages[-1]) - 1, 0))
+    return stages[::-1]
 
 
 def _combinations(field: ResidueField, group: Sequence[Exponents]) -> list[Combination]:

@@ -31,6 +31,7 @@ from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Along, Goal, Simple, simple
 from kowalevski_cas.problem.space import Raised, Setting
 from kowalevski_cas.problem.trees import decode
+from kowalevski_cas.processes import each
 from kowalevski_cas.verify.conditions import may_vanish
 from kowalevski_cas.verify.outcome import Divided, Outcome, Verdict
 
@@ -41,6 +42,9 @@ LATE = "there is no time left for the checker"
 
 LOOK = 5_000
 """Steps of the checker between two looks at the clock."""
+
+LONG = 100_000
+"""Entries of vectors whose elimination is worth other processes."""
 
 
 Item = TypeVar("Item")
@@ -95,19 +99,19 @@ def divisors_by_goal(accepted: Accepted) -> Divided:
 
 
 def receive(
-    outcome: Outcome, timeout: float | None = None, known: Outcome | None = None
+    outcome: Outcome, timeout: float | None = None, known: Outcome | None = None, jobs: int = 1
 ) -> Outcome:
     """An outcome that comes from elsewhere, once the checker accepts here what comes with it.
 
     Else it is an error, or a timeout, if its seconds and those of the checker are too many. What
-    is ``known`` of it is accepted already.
+    is ``known`` of it is accepted already. The checker has so many ``jobs``.
     """
     start = perf_counter()
     spent = sum([*outcome.seconds.values()][:1])
     until = inf if timeout is None else start + max(timeout - spent, LEAST)
     verdict, said = Verdict.ERROR, ""
     try:
-        need_certificates(outcome, until, known)
+        need_certificates(outcome, until, known, jobs)
     except TimeoutError as error:
         verdict, said = Verdict.TIMEOUT, str(error)
     except Disagreement as error:
@@ -126,7 +130,9 @@ def receive(
     )  # fmt: skip
 
 
-def need_certificates(outcome: Outcome, until: float = inf, known: Outcome | None = None) -> None:
+def need_certificates(
+    outcome: Outcome, until: float = inf, known: Outcome | None = None, jobs: int = 1
+) -> None:
     """Have the checker accept, here, what comes with an outcome from elsewhere, but the ``known``.
 
     Raises:
@@ -138,7 +144,7 @@ def need_certificates(outcome: Outcome, until: float = inf, known: Outcome | Non
         if issued in accepted:
             continue
         try:
-            confirm(issued, until=until)
+            confirm(issued, until=until, jobs=jobs)
         except Disagreement as error:
             said = f"{outcome.claim}: what another process says of it is not accepted here: {error}"
             raise Disagreement(said) from None
@@ -156,11 +162,31 @@ def _certificates_due(outcome: Outcome) -> Iterator[Issued]:
 
 
 class Watch(checker.Budget):
-    """The steps for a certificate, given out few at a time, until some moment."""
+    """The steps for a certificate, given out few at a time, until some moment.
 
-    def __init__(self, until: float) -> None:
+    Long work is shared by as many copies of this process as there are ``jobs``.
+    """
+
+    def __init__(self, until: float, jobs: int = 1) -> None:
         super().__init__()
-        self.until, self.rest, self.left = until, self.left, 0
+        self.until, self.rest, self.left, self.jobs = until, self.left, 0, jobs
+
+    def each(
+        self, work: Callable[[checker.Block, checker.Spend], int], blocks: list[checker.Block]
+    ) -> list[int]:
+        """What work gives on each of the blocks, the largest of them first."""
+        sizes = [sum(map(len, block)) for block in blocks]
+        if self.jobs == 1 or sum(sizes) < LONG:
+            return super().each(work, blocks)
+
+        def count(k: int) -> tuple[int, int]:
+            before = self.left + self.rest
+            return work(blocks[k], self.spend), before - self.left - self.rest
+
+        order = sorted(range(len(blocks)), key=lambda k: -sizes[k])
+        results = [*each(count, order, self.jobs)]
+        self.spend(sum(steps for _, steps in results))
+        return [result for result, _ in results]
 
     def end(self) -> None:
         """Take more of the rest, if there is time."""
@@ -172,7 +198,7 @@ class Watch(checker.Budget):
             super().end()
 
 
-def confirm(issued: Issued, goals: Sequence[Goal] = (), until: float = inf) -> None:
+def confirm(issued: Issued, goals: Sequence[Goal] = (), until: float = inf, jobs: int = 1) -> None:
     """Have the checker accept a certificate with the conditions under which the judge did.
 
     ``goals`` are those of the problem, if they are at hand.
@@ -182,7 +208,7 @@ def confirm(issued: Issued, goals: Sequence[Goal] = (), until: float = inf) -> N
         TimeoutError: it has come to the end of the steps, or of the time, that it may take.
     """
     try:
-        found = checker.check(issued.text, Watch(until))
+        found = checker.check(issued.text, Watch(until, jobs))
     except checker.Exhausted as error:
         raise TimeoutError(str(error)) from None
     except checker.Rejected as error:

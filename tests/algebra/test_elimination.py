@@ -8,7 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.algebra.elimination import LARGEST, PRIME, Echelon, TooLarge, rank, relations
-from kowalevski_cas.problem.checker import elimination as checker
+from kowalevski_cas.problem import checker
+from kowalevski_cas.problem.checker import elimination
 from tests.sample import sampled
 
 full = st.lists(st.lists(st.integers(-2, 2), min_size=6, max_size=6), min_size=1, max_size=9).map(
@@ -26,18 +27,22 @@ def by_flint(rows):
     return int(nmod_mat(len(rows), len(places), entries, PRIME).rank()) if places else 0
 
 
-def spend(steps):
-    assert steps >= 0
+class Budget(checker.Budget):
+    def spend(self, steps):
+        assert steps >= 0
+
+
+BUDGET = Budget()
 
 
 @given(vectors)
 def test_the_rank_is_that_of_the_dense_matrix_in_both_programs(rows):
-    assert rank(rows) == checker.rank(rows, spend) == by_flint(rows)
+    assert rank(rows) == elimination.rank(rows, BUDGET) == by_flint(rows)
 
 
 @given(vectors)
 def test_long_numbers_give_the_rank_that_single_entries_give(rows):
-    assert checker._dense_rank([row for row in rows if row], spend) == by_flint(rows)
+    assert elimination._dense_rank([row for row in rows if row], BUDGET.spend) == by_flint(rows)
 
 
 @given(vectors)
@@ -61,7 +66,7 @@ def dependent_ones(relation, dependent):
 
 def test_what_fills_up_is_eliminated_in_a_dense_matrix():
     rows = [{k: pow(j + 2, k, PRIME) for k in range(60)} for j in range(70)]
-    assert rank(rows) == checker.rank(rows, spend) == 60
+    assert rank(rows) == elimination.rank(rows, BUDGET) == 60
     assert len(relations(rows)) == 10
 
 
@@ -90,7 +95,7 @@ def test_vectors_of_any_density_with_dependent_ones_among_them(seed):
         rows.insert(
             chosen.randint(0, len(rows)), {k: v % PRIME for k, v in total.items() if v % PRIME}
         )
-    assert rank(rows) == checker.rank(rows, spend) == by_flint(rows)
+    assert rank(rows) == elimination.rank(rows, BUDGET) == by_flint(rows)
     found = relations(rows)
     assert len(found) == len(rows) - by_flint(rows)
     for relation in found:

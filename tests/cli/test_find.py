@@ -252,7 +252,7 @@ def test_a_cluster_prints_what_one_process_does(system, capfd):
         for more in ([], ["--scheduler", cluster.scheduler_address]):
             assert main([*words, *more]) == 0
             printed.append(capfd.readouterr().out)
-    assert printed[0] == printed[1] and printed[0].endswith("7 found\n")
+    assert printed[0] == printed[1] and printed[0].endswith("7 found; 7 certificates checked\n")
 
 
 @pytest.mark.slow
@@ -278,7 +278,7 @@ def test_a_search_goes_on_from_what_was_found_when_its_time_was_over(
         assert main([*words, "--timeout", "2"]) == 3
     assert not old.exists() and [*(tmp_path / "cache").rglob("*/*")]
     assert main([*words, "--timeout", "60"]) == 0
-    assert capsys.readouterr().out.endswith("11 found\n")
+    assert capsys.readouterr().out.endswith("11 found; 11 certificates checked\n")
     assert not [*(tmp_path / "cache").rglob("*/*")]
 
 

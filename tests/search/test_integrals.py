@@ -9,17 +9,21 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.algebra import load
+from kowalevski_cas.algebra.elimination import TooLarge
 from kowalevski_cas.algebra.kernels import kernel
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.notation import Number, to_latex
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.problem import residues
 from kowalevski_cas.problem.accept import Judge, Unproved
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Point
 from kowalevski_cas.problem.goals import Kernel
 from kowalevski_cas.problem.polynomial_fields import PolynomialField, monomials
+from kowalevski_cas.problem.residues import ResidueField
 from kowalevski_cas.problem.space import EquationOfMotion, Meaningless, Space
 from kowalevski_cas.problem.trees import decode
+from kowalevski_cas.search import integrals
 from kowalevski_cas.search.integrals import first_integrals
 from tests.laws.systems import (
     EULER,
@@ -76,6 +80,33 @@ def test_the_integrals_of_the_two_field_top(derivation):
     weights = PolynomialField(at).gradings[0]
     assert weights == (1, 1, 1, 2, 2, 2, 2, 2, 2, 1)
     assert len(list(first_integrals(at, 6, weights[:-1]))) == 6
+
+
+@pytest.mark.parametrize("system", [EULER, HENON_HEILES, LORENZ, VOLTERRA])
+def test_several_weights_are_solved_at_once_or_one_by_one_with_the_same_result(system, monkeypatch):
+    at_once = found(system, 4)
+    monkeypatch.setattr(integrals, "GROWTH", 1)
+    assert found(system, 4) == at_once
+    monkeypatch.setattr(integrals, "GROWTH", 10**6)
+    weights = list[int]()
+
+    def solve(search, first, last):
+        if first < last:
+            raise TooLarge("both")
+        weights.append(last)
+        return one_by_one(search, first, last)
+
+    one_by_one = integrals._IntegralSearch._solve
+    monkeypatch.setattr(integrals._IntegralSearch, "_solve", solve)
+    assert found(system, 4) == at_once and weights == [0, 1, 2, 3, 4][-len(weights) :]
+
+
+def test_the_dimension_that_a_search_has_found_is_that_of_the_kernel():
+    at, ones = evaluation(TODA), (1,) * len(TODA.variables)
+    list(first_integrals(at, 4))
+    ((_, by_search),) = residues._dimensions.items()
+    residues._dimensions.clear()
+    assert residues.dimension(ResidueField(PolynomialField(at).rates, {}), ones, 4) == by_search
 
 
 def test_a_field_with_roots_is_refused():

@@ -1,5 +1,6 @@
 """What the judge accepts the checker accepts too, in the run, or there is no verdict."""
 
+from math import inf
 from time import sleep
 
 import pytest
@@ -8,8 +9,9 @@ from kowalevski_cas import forkserver
 from kowalevski_cas.notation import Name, Sum
 from kowalevski_cas.paper.claims import FirstIntegral, Identity
 from kowalevski_cas.problem import checker
+from kowalevski_cas.problem.checker.elimination import rank
 from kowalevski_cas.processes import each
-from kowalevski_cas.verify.confirm import is_received, receive, received
+from kowalevski_cas.verify.confirm import Watch, is_received, receive, received
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.run import Session
 from tests.paper.small import Oscillator, derivation
@@ -56,6 +58,17 @@ def test_a_checker_that_comes_to_no_end_is_a_timeout(monkeypatch):
     monkeypatch.setattr("kowalevski_cas.problem.checker.reading.WORK", 10)
     monkeypatch.setattr(checker.Budget.__init__, "__defaults__", (10,))
     assert outcome().verdict == "timeout"
+
+
+def test_a_rank_by_several_processes_is_the_same_and_takes_as_many_steps(monkeypatch):
+    monkeypatch.setattr("kowalevski_cas.verify.confirm.LONG", 0)
+    vectors = [{n: 1, n + 1: k + 2} for n in range(0, 60, 3) for k in range(3)]
+    alone, together = Watch(inf), Watch(inf, jobs=2)
+    assert rank(vectors, alone) == rank(vectors, together) == 40
+    assert alone.left + alone.rest == together.left + together.rest < checker.WORK
+    together.left, together.rest = 125, 0
+    with pytest.raises(checker.Exhausted):
+        rank(vectors, together)
 
 
 def test_the_time_of_the_checker_is_that_of_the_claim(monkeypatch):

@@ -33,10 +33,12 @@ from .reading import (
     SIZE,
     VERSION,
     WORK,
+    Block,
     Budget,
     Exhausted,
     Json,
     Rejected,
+    Spend,
     need,
     printable,
 )
@@ -44,7 +46,7 @@ from .spaces import Space
 
 __all__ = [
     "BITS", "DEGREE", "FORMAT", "KINDS", "NAMES", "SIZE", "VERSION", "WORK",
-    "Budget", "Certificate", "Element", "Exhausted", "Json", "Map", "Problem", "Rates",
-    "Rejected", "Ring", "Space", "Theorem", "Value", "check", "locate", "need",
+    "Block", "Budget", "Certificate", "Element", "Exhausted", "Json", "Map", "Problem", "Rates",
+    "Rejected", "Ring", "Space", "Spend", "Theorem", "Value", "check", "locate", "need",
     "printable", "quotient", "sentence",
 ]  # fmt: skip

@@ -8,25 +8,27 @@ vector becomes one long number, in which all entries are subtracted at once.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from heapq import heapify, heappop, heappush
 from operator import itemgetter
+
+from .reading import Budget, Spend
 
 PRIME = 2**61 - 1
 FULL = 4  # vectors are full where one entry in so many is not zero
 
 Vector = dict[int, int]  # residues that are not zero, by places
-Spend = Callable[[int], None]
 
 
-def rank(vectors: list[Vector], spend: Spend) -> int:
-    """The rank; ``spend`` counts the steps."""
-    spend(sum(map(len, vectors)))
-    found = 0
-    for block in _blocks(vectors):
-        size, rest = _eliminated(block, spend)
-        found += size + _dense_rank(rest, spend)
-    return found
+def rank(vectors: list[Vector], budget: Budget) -> int:
+    """The rank; its steps are taken from the budget."""
+    budget.spend(sum(map(len, vectors)))
+    return sum(budget.each(_rank_of_block, [*_blocks(vectors)]))
+
+
+def _rank_of_block(block: list[Vector], spend: Spend) -> int:
+    size, rest = _eliminated(block, spend)
+    return size + _dense_rank(rest, spend)
 
 
 def _blocks(vectors: list[Vector]) -> Iterator[list[Vector]]:

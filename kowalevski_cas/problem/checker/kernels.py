@@ -186,7 +186,7 @@ class Kernel(Goal):
                 yield (*rest, e)
 
     def _rank(self, vectors: list[Residues]) -> int:
-        return rank(vectors, self.ring.spend)
+        return rank(vectors, self.ring.budget)
 
     @staticmethod
     def words(data: Json) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 FORMAT, VERSION = "kowalevski-cas certificate", 2
@@ -15,6 +15,8 @@ DEGREE = 1_000  # total, of a polynomial
 NAMES = 150  # generators of a ring
 
 Json = Any
+Spend = Callable[[int], None]
+Block = list[dict[int, int]]  # sparse vectors, by places
 
 _WORD = r"[\w\\^*()\[\]+\-/.,' ]"
 _GROUP = rf"\{{{_WORD}+\}}"
@@ -59,6 +61,10 @@ class Budget:
         self.left -= steps
         if self.left < 0:
             self.end()
+
+    def each(self, work: Callable[[Block, Spend], int], blocks: list[Block]) -> list[int]:
+        """What work gives on each of the blocks, which have nothing in common."""
+        return [work(block, self.spend) for block in blocks]
 
     def end(self) -> None:
         """There are no steps left."""
