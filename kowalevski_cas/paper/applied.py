@@ -75,6 +75,7 @@ def without_arguments(tex: str, known: Mapping[str, str]) -> str:
         letter = rf"(?<![A-Za-z\\])(?P<name>{re.escape(name)})\s*(?:\\left\s*)?\("
         listed = r"\s*,\s*".join(map(re.escape, by.split(",")))
         call = rf"{letter}\s*{listed}\s*(?:\\right\s*)?\)"
+        # filled up to the same length: errors point at places of the text as it was printed
         tex = re.sub(call, lambda found: f"{{{found['name']}}}".ljust(len(found[0])), tex)
         if other := re.search(letter, tex):
             what = tex[other.start() : other.start() + 12]

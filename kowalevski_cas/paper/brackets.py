@@ -64,6 +64,8 @@ class Brackets:
                         )
                 if (y, x) not in self.structure:
                     self.structure[x, y] = formula
+        # a bracket that cancels to zero over a denominator is kept: where that vanishes nothing is
+        # known of it
         nothing = {
             p for p, bracket in values.items() if bracket.is_zero and not bracket.denominator
         }
@@ -80,6 +82,8 @@ class Brackets:
         scene = self.setting.scene
         variables = {*scene.variables} - {name for name, _, _ in scene.jets}
         match f, g:
+            # a jet is a variable of the space, but a function of the coordinates: Leibniz gives its
+            # bracket
             case Name(x), Name(y) if {x, y} <= variables:
                 if (y, x) in self.structure:
                     return Negative(self.structure[y, x])
@@ -121,6 +125,7 @@ class Brackets:
             found: Formula = total(
                 self._with_indices(term, stems, i + j + k)
                 for term in terms
+                # a term without the index k is no sum over it: it counts once
                 for k in (DIGITS if summed & term.names() else DIGITS[0])
             )
             pair = []
@@ -161,6 +166,7 @@ class Brackets:
 
 def _sign(indices: str) -> Formula:
     """The sign of a permutation of three indices, or 0."""
+    # the even permutations of 123 are what stands in 12312, the odd ones what stands in 32132
     if indices in "12312":
         return Number(1)
     return Negative(Number(1)) if indices in "32132" else Number(0)

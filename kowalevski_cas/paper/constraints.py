@@ -25,6 +25,7 @@ from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.paper.vocabulary import vocabulary
 
 MULTIPLIERS = (r"\lambda", r"\mu")
+# the multiplier comes in with the second derivative of positions, the first of velocities
 MOST = 2
 """How often a constraint is derived."""
 

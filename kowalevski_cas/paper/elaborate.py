@@ -75,6 +75,8 @@ class Elaboration(Moving):
         change = scene.field
         self.source = of(change.source) if isinstance(change, ChangeOfScene) else None
         self.zero = frozenset(self._zero_names())
+        # a coordinate may be given by an equation for its square: then it is adjoined, and no free
+        # generator
         named = {name for name in scene.roots if not name.startswith(r"\sqrt")}
         functions = self.transcendental
         self._powers = {f"{b}^{{{e}}}": (b, e) for b, e in scene.powers}
@@ -113,6 +115,7 @@ class Elaboration(Moving):
                 number = root_of_number(self.texts.expression(name).children()[0])
                 primes |= dict.fromkeys(rf"\sqrt{{{p}}}" for p in number[1]) if number else {}
                 names += [] if number else [name]
+        # in the order of adjunction: numbers first, for any radicand may have their roots in it
         yield from (*primes, *names, *self.transcendental.roots)
         yield from (
             root_of(comparison.difference)
@@ -215,6 +218,7 @@ class Elaboration(Moving):
         if "i" in self.roots:
             step = self.step("i")
             assert isinstance(step, Adjoined)
+            # where i has another square, as in a mutant, conjugates are none of complex numbers
             if step.square != Negative(Number(1)):
                 return ()
         return self.scene.conjugates
@@ -223,6 +227,8 @@ class Elaboration(Moving):
     def finder(self) -> Evaluation:
         """The setting in FLINT, where what has to be solved for is solved."""
         evaluation = Evaluation(self, load("flint"), others=finder_of)
+        # whoever is asked while roots are adjoined asks for the finder: it is known before it is
+        # complete
         self.__dict__["finder"] = evaluation
         try:
             evaluation.adjoin_roots()
@@ -372,6 +378,8 @@ class Elaboration(Moving):
         ring = Ring(self.finder.polynomials((*generators(self), *names)))
         values = {generator: ring.generator(generator) for generator in ring.polynomials.generators}
         at = Evaluation(self, self.finder.polynomials, ring, values, finder_of)
+        # roots behind the one that is made free may have it in their radicands, and are not known
+        # yet
         for root in takewhile(lambda root: root not in names, self.roots):
             at.scalar(Name(root))
         return at

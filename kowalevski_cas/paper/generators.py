@@ -52,6 +52,8 @@ def functions_of(setting: Meaning) -> Transcendental:
         names = (_expand(setting, formula).names() for formula in formulas)
         below = frozenset[str]().union(*names) - {name}
         radicals[name] = below.union(*(radicals.get(letter, ()) for letter in below))
+        # in the order of the scene: of a root under another one it is known by then whether it
+        # moves
         (constants if radicals[name].issubset(constants) else moving).append(name)
     printed = [formula for _, formulas in squares for formula in formulas]
     free, expanded = free_names(setting, [*own, *printed]), partial(_expand, setting)

@@ -50,6 +50,7 @@ def _independent(groups: list[Generators], setting: Meaning) -> bool:
 
 def _may_degenerate(kind: Kind, setting: Meaning) -> bool:
     """Whether the discriminant vanishes, or has a root in it, so that it may."""
+    # where it vanishes elliptic functions are elementary ones, which obey more equations
     discriminant = setting.plain(kind.formula(kind.family.discriminant, {}))
     names = (setting.transcendental.expanded(parameter).names() for parameter in kind.parameters)
     roots = any(_is_root(Name(name), setting) for name in frozenset[str]().union(*names))
@@ -93,6 +94,7 @@ def _is_root(formula: Formula, setting: Meaning) -> bool:
 def _is_square(root: Formula, setting: Meaning) -> bool:
     """Whether what a root is taken of may be a square."""
     square = setting.finder.scalar(root) ** 2
+    # a quotient is a square where the product of numerator and denominator is one
     below = prod(square.ring.divisors[k] ** e for k, e in square.denominator.items())
     parts = {mask: part * below for mask, part in square.parts.items()}
     return parts.keys() != {0} or all(e % 2 == 0 for _, e in parts[0].factor()[1])

@@ -47,6 +47,7 @@ class KnownValues:
         """The values of which those at a multiple of a constant are made, and how often."""
         (kind, monomial), values = place, self.values[place]
         parts = [value for value in values if (factor / value).denominator == 1]
+        # the largest of those that are printed takes the fewest addition theorems
         nearest = max(parts, key=abs, default=factor)
         argument = _times(nearest, monomial)
         if values.get(nearest, {}).keys() != kind.family.rates.keys():

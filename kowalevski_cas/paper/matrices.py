@@ -141,6 +141,7 @@ def determinant(matrix: Rows) -> Formula:
         raise Meaningless("the determinant of a matrix that is not square")
     if len(matrix) == 1:
         return matrix[0][0]
+    # by minors and not by elimination, which would divide by entries that may vanish
     terms: list[Formula] = []
     for k, entry in enumerate(matrix[0]):
         if entry == Number(0):
@@ -158,6 +159,7 @@ def inverse(matrix: Rows) -> Rows:
         return ((Quotient(Number(1), whole),),)
 
     def entry(i: int, k: int) -> Formula:
+        # the adjugate is transposed: for the entry (i, k) row k and column i are left out
         rest = [row for n, row in enumerate(matrix) if n != k]
         minor = determinant(tuple((*row[:i], *row[i + 1 :]) for row in rest))
         if minor == Number(0):

@@ -66,6 +66,7 @@ def velocities(
                         f"{variable} is derived {order} times: at most three are read"
                     )
                 for _ in range(order - 1 if variable in variables else 0):
+                    # targets are assigned from left to right: the key is still the name before
                     found[rate] = rate = rate_name(rate)
     return found
 
@@ -88,6 +89,7 @@ def _orders(
 def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[EquationOfMotion]:
     """The rows of the field of a scene; raises :class:`Meaningless` if there is no such field."""
     _check_marks(setting)
+    # a row may use the rates of angles that stand before it: they are known as they come
     setting.turning = turning = dict[str, Formula]()
     velocities = setting.velocities.items()
     rows = [EquationOfMotion((x,), Number(1), Name(rate)) for x, rate in velocities]
@@ -206,6 +208,7 @@ def _solve(
     }
     given = [*known, *_rows_of_jets(known, setting)]
     moving = {**generators, **turned, **jets}
+    # the rates are generators here: derivatives by them say how they enter
     values = at.moving(moving, given).differences(equations)
     if len(values) != len(unknown):
         raise Meaningless(
@@ -217,6 +220,8 @@ def _solve(
         value - reduce(add, map(mul, line, generators.values()))
         for value, line in zip(values, matrix, strict=True)
     ]
+    # what is left has no rate in it only if the equation is linear: a square leaves its double
+    # slope
     for entry in (*constant, *(entry for line in matrix for entry in line)):
         if not all(_partial(entry, rate).is_zero for rate in rates.values()):
             raise Meaningless("the equations of motion are not linear in the highest derivatives")

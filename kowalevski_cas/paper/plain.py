@@ -76,6 +76,7 @@ class Plain:
             with suppress(Meaningless):
                 bodies |= {} if head(name)[1] else {name: self.setting.definition(name)}
         found = {name: body for name, body in bodies.items() if has_logarithm(body)}
+        # what is defined by such a name has a logarithm in it too, at whatever depth
         while found:
             above = {n: body for n, body in bodies.items() if body.names() & found.keys()}
             if not (new := {n: substitute(b, found) for n, b in above.items() if n not in found}):
@@ -123,8 +124,10 @@ class Plain:
         odd, argument = radical.order % 2, radical.argument
         if (power := power_under(radical)) is not None and power[0] in self.setting.radicals:
             return self.setting.radicals.power(*power)
+        # no absolute value: an even order would not divide the odd power that is read under it
         if power is not None and power[1].denominator == 1:
             return Power(Name(power[0]), Number(int(power[1])))
+        # √(xy) is not √x√y where both are negative; of odd roots that is so for all signs
         if odd and isinstance(argument, Product | Quotient | Negative):
             return self(argument.map_children(lambda part: Radical(part, radical.order)))
         if odd and isinstance(argument, Number) and argument.value in (0, 1):
@@ -160,6 +163,8 @@ class Plain:
                 return self(expand_sum(formula))
             case Power(base, Number(exponent)) if (square := self._square(base)) is not None:
                 half, odd = divmod(exponent, 2)
+                # the even powers of a vector are those of its square, the odd ones those of its
+                # length
                 even = Power(square, Number(half)) if half > 1 else square
                 return even if not odd else Power(Root(square), Number(exponent))
             case Product(factors) if (product := self._matrix_product(factors)) is not None:
@@ -238,6 +243,7 @@ class Plain:
         if not bars and not is_vector:
             return None
         value = other = self(value)
+        # |z|² is z times its conjugate, and z² only for what is real
         if bars and (self.setting.conjugates or "i" in self.setting.roots):
             other = Conjugate(value)
         if is_vector:
@@ -252,6 +258,7 @@ class Plain:
         name, printed = found
         value = self(self.setting.definition(name))
         square = self.setting.finder.scalar(value) ** 2
+        # the paper chooses the branch, but what it chooses has to be a root
         if not (square - self.setting.finder.scalar(self(root.argument))).is_zero:
             raise Meaningless(f"the value at {printed.place} is not {name}")
         return value
@@ -262,6 +269,7 @@ class Plain:
         Those of numbers are made of roots of primes.
         """
         if (number := root_of_number(root.argument)) is not None:
+            # √6 as √2√3: roots of different primes are independent, those of 2, 3 and 6 are not
             roots = (Root(Number(prime)) for prime in number[1])
             return reduce(lambda a, b: Product((a, b)), roots, fraction_formula(number[0]))
         first, *others = self.setting.finder.root_names(root.argument)

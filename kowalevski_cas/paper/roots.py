@@ -39,6 +39,7 @@ def root_of_number(radicand: Formula) -> tuple[Fraction, tuple[int, ...]] | None
         return None
     if value is None or value <= 0:
         return None
+    # √(p/q) is √(pq)/q: no root is left below the line
     factors = [*prime_factors(value.numerator * value.denominator)]
     factor = Fraction(1, value.denominator)
     for prime, exponent in factors:
@@ -77,6 +78,7 @@ def solve_for_root(setting: Meaning, name: str, printed: Printed) -> Adjoined:
         if factor.is_zero or not (above * rest - below * factor).is_zero:
             raise Meaningless(f"the equation at {printed.place} does not give {name}^2", name)
     granted = granted_factors(map(at.scalar, setting.nonzero))
+    # where the factor of the square vanishes, the equation would leave the root free
     if factors_below(factor.inverse()).keys() - granted - factors_below(factor).keys():
         shown = to_latex(formula_in(factor))
         raise Meaningless(
@@ -100,6 +102,7 @@ def _even(element: Element, name: str) -> tuple[Element, Element]:
     factor = along(along(element, by), by) * ring.number(Fraction(1, 2))
     rest = element - factor * ring.generator(name) ** 2
     without = (factor, rest, *ring.divisors_of([element]))
+    # a root in odd powers, or below the line, is not given by an equation for its square
     even = all(along(term, by).is_zero for term in without)
     return (factor, rest) if even else (ring.zero, ring.one)
 

@@ -46,6 +46,7 @@ def with_derivatives(tex: str, by: str) -> str:
     def primed(match: re.Match[str]) -> str:
         low = match["low"] or match["one"]
         own = by and {*low} == {by}
+        # filled up to the same length: errors point at places of the text as it was printed
         return f"{match['letter']}{chr(39) * len(low)}".ljust(len(match[0])) if own else match[0]
 
     return _INDEXED.sub(primed, tex)

@@ -115,6 +115,7 @@ def check_attributes(instance: Any, owner: str) -> None:
     Raises ``TypeError``, which says what to write.
     """
     for field in fields(instance):
+        # annotations are postponed in this package: the type of a field is the text of it
         value, kind = getattr(instance, field.name), str(field.type)
         if isinstance(value, Display):
             write = f"(*{value.id},)" if kind.startswith("tuple") else f"{value.id}[1]"

@@ -118,6 +118,7 @@ class Transcendental:
                 if monomial and (kind, monomial) not in self.known:
                     own, real, over = self._real(kind, monomial) or (kind, monomial, 1)
                     self._rotated |= dict.fromkeys(own.parameters if real != monomial else ())
+                    # addition theorems give whole multiples only: both θ/2 and θ/3 are such of θ/6
                     over *= factor.denominator
                     found[own, real] = lcm(found.get((own, real), 1), over)
                     if MEANING[application.function] in kind.family.integrals:
@@ -229,6 +230,7 @@ class Transcendental:
         found = set[str]()
         for group in self.groups:
             name = single_name(group.monomial)
+            # sin x takes all its values and so does eˣ, but not both at one x
             beside = sum(single_name(other.monomial) == name for other in self.groups)
             if name not in self.names_replaced or beside > 1 or not group.kind.family.covers:
                 below = (n for parameter in group.kind.parameters for n in parameter.names())
@@ -392,6 +394,7 @@ class Transcendental:
         if not before and not rest:
             return self._derive(kind, argument, right, By.OPPOSITE)
         left = self._at(kind, [*before, (group, rest)] if rest else before)
+        # at two equal arguments the addition theorem of ℘ divides by zero
         if kind.family.double and not before and abs(rest) == 1:
             return self._derive(kind, argument, kind.double(left), By.DOUBLE)
         by = By.SUM if added else By.DIFFERENCE

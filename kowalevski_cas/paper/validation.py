@@ -82,6 +82,7 @@ def _roots(setting: Meaning) -> None:
     """A real root has a radicand that is not negative everywhere."""
     ring, paired = setting.finder.ring, {name for pair in setting.conjugates for name in pair}
     for name, radicand in zip(ring.roots, ring.radicands, strict=True):
+        # a real root of what is negative leaves no real point, and of none everything is true
         parts = {} if name == "i" or name in paired else _in_real_names(setting, -radicand).terms()
         if parts.keys() == {0} and sum_of_squares(parts[0]) is not None:
             what = f"{name} is real, and its square is nowhere positive"
@@ -114,6 +115,7 @@ def _assumptions(setting: Meaning) -> None:
     """What is taken for granted not to vanish does not vanish by the relations."""
     product = setting.finder.ring.one
     for tex, formula in zip(setting.scene.nonzero, setting.nonzero, strict=False):
+        # all together: with √(x²) neither x+√(x²) nor x−√(x²) is zero, and their product is
         product = product * setting.finder.scalar(formula)
         if product.is_zero:
             what = f"{tex} is taken for granted not to vanish, and the relations make it vanish"

@@ -35,6 +35,7 @@ class AllIntegrals(Claim):
 
     def known(self, on: Elaborations, space: Elaboration) -> tuple[Formula, tuple[Formula, ...]]:
         """The cofactor, and the solutions that are multiplied by integrals."""
+        # a first integral is a solution for the cofactor 0: 1, times polynomials in the integrals
         return Number(0), (Number(1),)
 
     def establishes(self) -> Iterator[Printed]:

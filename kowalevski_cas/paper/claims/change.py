@@ -93,6 +93,8 @@ class Unit(Claim):
         edit = next((n.edit for n in self.neighbours(texts)), None)
         if edit is None:
             raise Meaningless(f"the square of a unit is expected at {self.own.place}")
+        # neighbours are those of the print: in texts that are edited so, the other sign is the
+        # printed one
         if texts.formula(self.own) != edit.formula:
             return texts.with_edit(self.own, edit)
         return replace(texts, edits={p: f for p, f in texts.edits.items() if p != self.own})

@@ -163,6 +163,7 @@ class Claim(_Kind, ABC):
                     yield self.edited(texts, printed, edit)
         for attribute in fields(self):
             value = getattr(self, attribute.name)
+            # not isinstance: a bool is an int too, and no number to be misprinted
             if type(value) is int:
                 for number in dict.fromkeys((value - 1, value + 1, 2 * value)):
                     words = f"{attribute.name} {number} instead of {value}"

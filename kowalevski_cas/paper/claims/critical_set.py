@@ -39,6 +39,7 @@ class CriticalSet(Claim):
         yield Follows(space, (critical,), (*goals, level))
         yield Follows(space, (goals,), (*critical, level))
         slopes = (vanishes(Partial(level[0], name)) for name in moving(space, level[0]))
+        # where the surface has no tangent plane the criterion by products of slopes says nothing
         yield Follows(space, (), (level, *slopes))
 
     def search(self, goals: Sequence[Goal]) -> Mapping[int, Evidence]:

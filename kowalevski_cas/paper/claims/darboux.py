@@ -40,6 +40,7 @@ def polynomial(on: Elaborations, space: Elaboration, place: Printed) -> Formula:
     variables, at = space.own_variables, space.finder
     element = at.scalar(value)
     used = (bit for bit, _ in enumerate(at.ring.roots) if any(m >> bit & 1 for m in element.parts))
+    # a root of constants is a number here, one of variables is no polynomial
     under = [at.ring.radicands[bit] for bit in used]
     for divisor in (*at.ring.divisors_of([element]), *under):
         if any(not at.partial(divisor, name).is_zero for name in variables):

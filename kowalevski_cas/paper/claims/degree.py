@@ -29,5 +29,6 @@ class Degree(Claim):
 
     def _partial(self, formula: Formula) -> Formula:
         for _ in range(self.degree + 1):
+            # of degree d at most is what vanishes when derived d + 1 times
             formula = Partial(formula, self.variable)
         return formula

@@ -103,6 +103,7 @@ def check_conjugates(functions: Sequence[Formula], space: Elaboration) -> None:
             )
 
 
+# settings are kept by the scene itself: asked for again, it has to be the same one
 @cache
 def _with_constants(scene: Scene, multipliers: tuple[str, ...]) -> Scene:
     """The scene with more constants: complex ones, if it has complex variables."""
@@ -152,6 +153,7 @@ class Independence(Claim):
         yield Neighbour("with one of the functions taken twice", claim, texts)
 
 
+# the same scene whenever it is asked for, as settings are kept by it
 @cache
 def _over(scene: Scene, graph: tuple[Printed, ...]) -> Scene:
     """The scene over which a set is a graph."""

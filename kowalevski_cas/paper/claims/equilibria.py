@@ -43,6 +43,7 @@ class RestPoints(Claim):
         space = on(self.scene)
         if not self.relations:
             raise Meaningless("no equations are given")
+        # the equations may not say so: x = 0 of ẍ = −x is a state of rest only with ẋ = 0
         still = (vanishes(Name(name)) for name in space.velocities.values())
         given = (*equations(on, space, self.relations), *still)
         rest = (vanishes(rate(Name(name))) for name in space.variables)

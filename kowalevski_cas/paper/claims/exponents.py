@@ -40,6 +40,8 @@ class SolvedExponents(Claim):
         bases = dict.fromkeys(power.base for power in powers)
         still = tuple(vanishes(rate(base)) for base in bases)
         at_one = [(formula, ONE) for formula in (*bases, *(Name(power.name) for power in powers))]
+        # if each base stood still where it is 1, nothing would follow there, and any exponents
+        # would do
         yield Fails(space, (still,), tuple(at_one))
         derivative: Formula = coefficient
         for k, value in enumerate(values):

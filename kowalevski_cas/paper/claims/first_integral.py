@@ -77,6 +77,7 @@ class FirstIntegral(Claim):
         if self.given:
             invariant = InvariantRelations(self.id, self.scene, "", self.given, self.main)
             yield from invariant.goals(on)
+        # equations between vectors count by their components
         yield Rank(space, (same[-1],), given, 1 + len(space.finder.differences(given)))
 
     def _of_logarithms(self, on: Elaborations, printed: list[Formula]) -> Iterator[Goal]:

@@ -59,6 +59,7 @@ def _check_flipped(
         raise Meaningless(f"{name} is no root: name one that the scene declares")
     place = at.ring.roots.index(name)
     depending = own = 1 << place
+    # a radicand has only roots before its own: one pass finds all that rest on this one
     for bit, radicand in enumerate(at.ring.radicands):
         if any(mask & depending for mask in radicand.parts):
             depending |= 1 << bit

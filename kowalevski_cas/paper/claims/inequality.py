@@ -33,6 +33,8 @@ class Inequality(Claim):
 
     def _compare(self, on: Elaborations, comparison: Comparison) -> Iterator[Goal]:
         square = Power(comparison.difference, Number(2))
+        # that two sides differ, or are equal, is told by their difference alone: it takes no
+        # absolute value
         ordered = comparison.sign in ("<", r"\le") and comparison.number is None
         scene = with_signs(on, self.scene, Root(square)) if ordered else self.scene
         space = on(scene)
@@ -46,6 +48,7 @@ class Inequality(Claim):
             r"\ne": vanishes(ZERO),  # at a point of what is given
         }.get(comparison.sign) or (difference, space.formula(Root(square)))
         yield Follows(space, ((stated,),), given)
+        # the absolute value says ≤ only: for a strict sign there is no point with equal sides
         if comparison.sign in ("<", r"\ne"):
             yield Follows(space, (), (*given, vanishes(difference)))
 

@@ -41,6 +41,8 @@ class InvariantRelations(Claim):
         rows = ((rate(f), side) for f, side in zip(functions, right, strict=True))
         moves = Follows(on(self.scene), (tuple(rows),), (), self.main)
         given = equations(on, on(self.scene), self.relations)
+        # the same once more on the set: there what M divides by may vanish, and then it proves
+        # nothing
         return moves, replace(moves, given=given)
 
     def establishes(self) -> Iterator[Printed]:

@@ -29,6 +29,7 @@ class LaxPair(Identity):
         yield from super().goals(on)
         space = on(self.scene)
         matrix = rows(function(on, space, self.matrix), space)
+        # by Newton's identities these determine all eigenvalues: higher powers say nothing new
         traces = [trace(power) for power in accumulate(repeat(matrix, len(matrix)), product)]
         moving = next((trace for trace in traces if _varies(trace, space)), None)
         chosen = traces if moving is None else [moving]

@@ -43,6 +43,7 @@ class Limit(Claim):
         special = equations(on, space, self.special.relations)
         general = [minus(sides) for sides in equations(on, space, self.general.relations)]
         through = matrix_times_column(t, [minus(sides) for sides in special])
+        # S is named to be the inverse, so that T is invertible wherever both are regular
         inverse = tuple(entries((product(t, s), diagonal([ONE] * size))))
         same = map(vanishes, self._rest(on, m, n, t))
         goals = (

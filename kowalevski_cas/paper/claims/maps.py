@@ -71,6 +71,7 @@ class InvariantSetOfMap(OfMap):
             for chain in printed
             for left, right in pairwise(chain)
         )
+        # of an empty set everything is invariant
         yield Fails(space, (), given)
         yield Follows(space, (tuple(_components(images, space)),), given)
 
@@ -98,6 +99,7 @@ class MeasureOfMap(OfMap):
         jacobian = determinant(tuple(map(tuple, rows)))
         there = times(jacobian, space.plain(_at_image(density, self.images)))
         yield Follows(space, (((there, plain),), ((there, Negative(plain)),)))
+        # the density 0 is preserved by every map
         yield Follows(space, (), (vanishes(plain),))
 
 

@@ -41,6 +41,7 @@ class LastMultiplier(Claim):
         on_set = Follows(there, ((vanishes(trace(cofactors)),),), given)
         check_conjugates([*map(minus, given)], there)
         yield Exists((*self.relations.moves_by(cofactors, on), on_set), names_in(cofactors))
+        # NF = 0 gives N dF = 0 on the set: M is unique there if the differentials are independent
         yield Rank(there, (), given, len(given))
 
     def neighbours(self, texts: Texts, wanted: Formula | None = None) -> Iterator[Neighbour]:

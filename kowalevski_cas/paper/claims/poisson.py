@@ -105,6 +105,7 @@ class LiouvilleIntegrable(Claim):
             )
         moves = ((rate(x), _bracket(space, x, integrals[0])) for x in variables)
         yield identity(space, *moves)
+        # in two variables every bracket satisfies it
         if size > 2:
             yield from _jacobi(space)
         if casimirs:
@@ -112,7 +113,11 @@ class LiouvilleIntegrable(Claim):
         if len(integrals) > 1:
             yield identity(space, *commutation(space, integrals))
         functions = tuple(map(space.plain, (*integrals, *casimirs)))
+        # with it the bracket has no larger rank: so many independent functions commute with
+        # everything
         yield Rank(space, functions, (), len(functions))
+        # a skew matrix has its rank in a principal minor too, and this is the square of the
+        # Pfaffian
         minors = (pfaffian(space, some) for some in combinations(variables, rank))
         yield Fails(space, (tuple(map(vanishes, minors)),))
 

@@ -47,6 +47,7 @@ class Scaling(Claim):
     @staticmethod
     def _over_unit(variable: Formula, time: Formula, power: int, rest: Formula) -> Formula:
         """A variable divided by its unit."""
+        # a list is empty a negative number of times: only one of the two stands there
         return Quotient(times(variable, *[time] * -power), times(rest, *[time] * power))
 
 
