@@ -23,7 +23,7 @@ from time import process_time
 from kowalevski_cas import System, UserError
 from kowalevski_cas.cli import run as run_command
 from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT
-from kowalevski_cas.notation import Vocabulary
+from kowalevski_cas.notation import NotationError, Vocabulary
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.processes import each
@@ -91,8 +91,8 @@ def wrong_fields(published: Published, random: Random) -> Iterator[WrongField]:
         _, start, end, new = random.choice(changes)
         motion = tex[:start] + new + tex[end:]
         try:
-            System(motion)
-        except UserError:
+            _ = System(motion).scene
+        except (UserError, NotationError):
             continue
         words = f"equation {row}: {new.strip() or 'nothing'} for {tex[start:end]}"
         yield WrongField(published, motion, row, words)

@@ -97,6 +97,7 @@ class NewtonSystem:
                 found[name] = (found[name] - change).mid()
             if max(float(change.abs_upper()) for change in step) < 2.0 ** (8 - ctx.prec):
                 break
+        # Newton's method doubles the digits: from a box of half of them it leads well inside
         width = arb(0, arb(2) ** (-ctx.prec // 2))
         box = found | {name: found[name] + acb(width, width) for name in self.unknowns}
         step = self._step(found, box)

@@ -18,6 +18,9 @@ PRIME = 2**61 - 1
 LARGEST = 40_000_000
 """The largest number of entries of a dense matrix, and of steps that nobody has counted on."""
 
+RARE = 2
+"""A place that so many vectors have is told when it becomes rarer."""
+
 FULL = 4
 """Vectors are full where one entry in so many is not zero."""
 
@@ -54,6 +57,10 @@ class Echelon:
         row = [(place, value * scale % PRIME) for place, value in rest.items()]
         self._rows.append((pivot, row))
         return True
+
+    def has(self, vector: Vector) -> bool:
+        """Whether a vector depends on them."""
+        return not self._reduce(vector)
 
     def _reduce(self, vector: Vector) -> dict[Any, int]:
         """What is left of a vector when multiples of the rows are subtracted from it."""
@@ -113,20 +120,19 @@ def relations(vectors: Sequence[Vector]) -> list[Relation]:
 
 def _blocks(vectors: Sequence[Vector]) -> list[list[int]]:
     """The vectors, in groups of which no two have an entry at the same place."""
-    root: dict[Any, int] = {}
-    above = [*range(len(vectors))]
-
-    def top(k: int) -> int:
-        while above[k] != k:
-            above[k] = k = above[above[k]]
-        return k
-
+    above = [*range(len(vectors))]  # in a tree for each group, with its first vector on top
+    first: dict[Any, int] = {}
     for k, vector in enumerate(vectors):
+        top = k
         for place in vector:
-            above[top(root.setdefault(place, k))] = top(k)
+            other = first.setdefault(place, k)
+            while above[other] != other:
+                above[other] = other = above[above[other]]
+            above[max(top, other)] = top = min(top, other)
     groups = defaultdict[int, list[int]](list)
     for k in range(len(vectors)):
-        groups[top(k)].append(k)
+        above[k] = top = above[above[k]]  # the tops of those before are known
+        groups[top].append(k)
     return [*groups.values()]
 
 
@@ -175,9 +181,13 @@ class _Elimination:
         heapify(rarest)
         while rarest:
             number, place = heappop(rarest)
-            if number != len(having.get(place, ())):
-                continue  # it has changed since, and stands there once more
+            if number != (now := len(having.get(place, ()))):
+                if now:
+                    heappush(rarest, (now, place))
+                continue
             dense = len(self.left) * len(having)
+            # a place of one vector only is eliminated without another entry, however full the rest
+            # is
             if number > 1 and FULL * self.entries > dense and dense <= LARGEST:
                 return
             work += self._eliminate_place(place, rarest)
@@ -187,34 +197,40 @@ class _Elimination:
     def _eliminate_place(self, place: Any, rarest: list[tuple[int, Any]]) -> int:
         """Eliminate a place from all vectors but one, which leaves; the steps that this takes."""
         left, having = self.left, self.having
-        shortest = min(having[place], key=lambda k: (len(left[k]), k))
+        some = having.pop(place)
+        shortest = min(some, key=lambda k: (len(left[k]), k)) if len(some) > 1 else some.pop()
         row = left.pop(shortest)
         self.entries -= len(row)
+        scale = pow(row.pop(place), -1, PRIME)
+        some.discard(shortest)
+        if some:
+            entries = [(other, value * scale % PRIME) for other, value in row.items()]
+            for k in sorted(some):
+                self._subtract(k, place, entries)
         for other in row:
             having[other].discard(shortest)
-        scale, others = pow(row.pop(place), -1, PRIME), sorted(having.pop(place))
-        entries = [(other, value * scale % PRIME) for other, value in row.items()]
-        for k in others:
-            vector = left[k]
-            before, factor = len(vector), vector.pop(place)
-            self.multiples[k][len(self.pivots)] = factor
-            for other, value in entries:
-                if other not in vector:
-                    vector[other] = -factor * value % PRIME
-                    having[other].add(k)
-                elif new := (vector[other] - factor * value) % PRIME:
-                    vector[other] = new
-                else:
-                    del vector[other]
-                    having[other].discard(k)
-            self.entries += len(vector) - before
-        for other in row:
-            if having[other]:
-                heappush(rarest, (len(having[other]), other))
-            else:
+            if not (now := len(having[other])):
                 del having[other]
+            elif now <= RARE:
+                heappush(rarest, (now, other))
         self.pivots.append((shortest, scale))
-        return len(others) * (1 + len(entries))
+        return len(some) * (1 + len(row))
+
+    def _subtract(self, k: int, place: Any, entries: Sequence[tuple[Any, int]]) -> None:
+        """Eliminate a place from the vector with a number, by the other entries of the pivot."""
+        vector, having = self.left[k], self.having
+        before, factor = len(vector), vector.pop(place)
+        self.multiples[k][len(self.pivots)] = factor
+        for other, value in entries:
+            if (old := vector.get(other)) is None:
+                vector[other] = -factor * value % PRIME
+                having[other].add(k)
+            elif new := (old - factor * value) % PRIME:
+                vector[other] = new
+            else:
+                del vector[other]
+                having[other].discard(k)
+        self.entries += len(vector) - before
 
     def rank(self) -> int:
         """The rank."""
@@ -250,6 +266,7 @@ class _Elimination:
         for k, value in relation.items():
             for index, multiple in self.multiples[k].items():
                 rest[index] += value * multiple
+        # from the last pivot backwards: each was reduced by those before it only
         waiting = [-index for index in rest]
         heapify(waiting)
         while waiting:

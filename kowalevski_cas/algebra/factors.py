@@ -36,6 +36,9 @@ def vanishes_with(element: Element, divisor: Element) -> bool:
 
     With a root ``r`` of ``y``, ``x + r`` does not vanish wherever its norm ``x^2 - y`` does.
     """
+    # where it vanishes with its conjugates, so do all but the first coefficient of its
+    # characteristic polynomial, of degree 2 to the number of roots: the power of this degree is a
+    # multiple (Cayley, Hamilton)
     roots = reduce(or_, element.parts, 0).bit_count()
     power, (below,) = element ** (2**roots), divisor.terms().values()
     return all(exact_quotient(terms, below) is not None for terms in power.terms().values())

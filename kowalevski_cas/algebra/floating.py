@@ -36,6 +36,7 @@ class Rounded:
     """Values at many points, with the sizes of what they were computed from."""
 
     __slots__ = ("size", "value")
+    # so an array on the left leaves the operation to this class, and does not run over it
     __array_ufunc__ = None
 
     def __init__(self, value: Array, size: Array) -> None:
@@ -154,6 +155,7 @@ def newton(
         left = _stack([point(equation) for equation in equations])
         matrix = np.array([_stack([point(slope) for slope in row]) for row in slopes])
         matrix = np.nan_to_num(np.moveaxis(matrix, 2, 0), posinf=1.0, neginf=1.0)
+        # a column each: NumPy 2 takes an array of two dimensions for one matrix of right sides
         step = np.linalg.solve(matrix, np.moveaxis(left, 1, 0)[:, :, None])[:, :, 0]
         for k, name in enumerate(unknowns):
             found[name] = found[name] - step[:, k]

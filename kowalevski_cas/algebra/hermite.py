@@ -18,6 +18,7 @@ def hermite_minors(coefficients: Sequence[Element]) -> list[Element]:
     ring = coefficients[0].ring
     size = len(coefficients)
     sums = [ring.number(size)]
+    # Newton's identities
     for k in range(1, 2 * size - 1):
         total = ring.number(-k) * coefficients[size - k] if k <= size else ring.zero
         for j in range(max(1, k - size), k):

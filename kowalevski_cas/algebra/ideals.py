@@ -55,6 +55,7 @@ def vanish_on(elements: Sequence[Element], known: Sequence[Element]) -> list[boo
     if not elements or not given:
         return [element.is_zero for element in elements]
     flat = Flat(given[0].ring)
+    # nothing is to be eliminated, and by degrees bases stay smallest
     context = fmpq_mpoly_ctx.get(flat.context.names(), Ordering.deglex)
     relations = (*map(flat.polynomial, given), *flat.relations())
     try:
@@ -62,6 +63,7 @@ def vanish_on(elements: Sequence[Element], known: Sequence[Element]) -> list[boo
             [context.from_dict(relation.to_dict()) for relation in relations]
         )
     except TooLarge:
+        # what is not shown to be a combination counts as none
         return [False] * len(elements)
     dividends = (flat.polynomial(element).to_dict() for element in elements)
     return [remainder(context.from_dict(dividend), basis).is_zero() for dividend in dividends]

@@ -42,6 +42,7 @@ def lift(relation: Mapping[Key, int]) -> dict[Key, Fraction]:
 
 def _rational_reconstruction(residue: int) -> Fraction:
     """The rational number with small numerator and denominator that has this residue."""
+    # with numerator and denominator below this there is one such number at most (P. S. Wang, 1981)
     bound = isqrt(PRIME // 2)
     a, b, u, v = PRIME, residue, 0, 1
     while b > bound:

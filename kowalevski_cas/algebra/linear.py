@@ -48,6 +48,7 @@ def inverse(matrix: Matrix) -> list[list[Element]]:
 
 def determinant(matrix: Matrix) -> Element:
     """The determinant of a small matrix, by expansion along the first row."""
+    # elimination would divide, and what is divided by becomes a condition
     first, *rest = matrix
     if not rest:
         return first[0]

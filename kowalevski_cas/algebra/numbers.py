@@ -60,6 +60,7 @@ def is_negative(number: Element) -> bool:
         for mask, terms in number.terms().items()
         for value in terms.values()
     ]
+    # the roots are independent: what has parts is not zero, and some digits tell its sign
     digits = 32
     while parts:
         unit = Fraction(1, 10**digits)

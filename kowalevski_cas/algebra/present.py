@@ -14,6 +14,7 @@ from kowalevski_cas.notation import (
     Formula,
     Name,
     Negative,
+    NotationError,
     Number,
     Power,
     Product,
@@ -24,6 +25,7 @@ from kowalevski_cas.notation import (
     total,
 )
 
+# Python turns at most 4300 digits, which are 14,284 bits, into text
 LONGEST = 14_000
 """The bits of the longest number that is printed."""
 
@@ -180,8 +182,14 @@ def _product(terms: Terms, names: Sequence[Formula]) -> Formula:
 
 @cache
 def name_formula(name: str, vocabulary: Vocabulary) -> Formula:
-    """The formula of a generator: a name, a root, or a power; a ring of numbers has none."""
-    return read(name, vocabulary) if name else Number(1)
+    """The formula of a generator: a name, a root, or a power; a ring of numbers has none.
+
+    What is no name of a paper, as an unknown coefficient, stands for itself.
+    """
+    try:
+        return read(name, vocabulary) if name else Number(1)
+    except NotationError:
+        return Name(name)
 
 
 def fraction_formula(value: Fraction) -> Formula:

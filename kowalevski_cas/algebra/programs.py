@@ -169,6 +169,7 @@ def field_of(program: Program) -> Mapping[str, Program]:
 def steps(programs: Iterable[Program]) -> list[Program]:
     """All steps of some programs, each after those that it uses; fields included."""
     order: dict[Program, None] = {}
+    # no recursion: a sum is as deep as it has terms
     waiting = [(program, False) for program in programs]
     while waiting:
         program, ready = waiting.pop()

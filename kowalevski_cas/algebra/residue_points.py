@@ -112,6 +112,7 @@ def _linear(
     equation: Program, name: str, curve: Mapping[str, Any], signs: Mapping[str, int], prime: int
 ) -> Rational:
     """The solution of an equation that is linear in one unknown, as a function of T."""
+    # what is linear in the unknown is known by two of its values
     at_zero, at_one = (
         valuation({**curve, name: nmod(value, prime)}, signs, prime)(equation) for value in (0, 1)
     )

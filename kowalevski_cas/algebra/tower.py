@@ -182,6 +182,7 @@ class Element:
         return not self.parts
 
     def __add__(self, other: Element) -> Element:
+        # a zero that was divided by something is added all the same: the sum remembers it
         return self._add(other, add) if self.parts or self.denominator else other
 
     def __sub__(self, other: Element) -> Element:
@@ -259,6 +260,7 @@ class Element:
         result = self.ring.one
         if (factor := self.ring.divisor_product(self.denominator)) is not None:
             result = Element(self.ring, {0: factor}, {})
+        # from the top of the tower: the norm by a root has only roots below it
         for bit in reversed(range(len(self.ring.roots))):
             if any(mask >> bit & 1 for mask in numerator.parts):
                 conjugate = numerator.conjugate_root(bit)

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import gcd
 
-from flint import fmpz_mat
-
 
 def whole_solutions(rows: Sequence[Sequence[int]], width: int) -> list[tuple[int, ...]]:
     """A basis of the whole solutions of homogeneous linear equations, as short as can be."""
     if not rows:
         return [tuple(int(j == k) for j in range(width)) for k in range(width)]
+    from flint import fmpz_mat  # claims are read without a library
+
     matrix = fmpz_mat([list(row) for row in rows])
     basis, rank = matrix.nullspace()
     columns = [[int(basis[i, j]) for i in range(width)] for j in range(int(rank))]

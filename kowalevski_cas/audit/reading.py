@@ -10,13 +10,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
 from time import perf_counter
-from typing import NamedTuple
 
 from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.audited import OPEN, UNREADABLE, Audited
 from kowalevski_cas.audit.author import AuthorSession
 from kowalevski_cas.audit.causes import Causes
 from kowalevski_cas.audit.describe import Describer
+from kowalevski_cas.audit.doubted import point_at, repairs_of_doubted
 from kowalevski_cas.audit.places import Correspondence
 from kowalevski_cas.limits import time_limit
 from kowalevski_cas.notation import Edit, Name, Negative, Number, Power, Relation, edits
@@ -24,22 +24,15 @@ from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.processes import each
-from kowalevski_cas.reading import (
-    ASSUMPTION,
-    CLAIM,
-    CONVENTION,
-    DEFINITION,
-    LAW,
-    JudgedStatement,
-    Reading,
-)
+from kowalevski_cas.reading import CLAIM, LAW, UNREAD, JudgedStatement, Reading
+from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.uncovered import Uncovered, sentences
 from kowalevski_cas.source.text import Region
 from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.certificate import Stored
 from kowalevski_cas.verify.decider import Decider
 from kowalevski_cas.verify.interpretation import Interpretation
-from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
+from kowalevski_cas.verify.outcome import Correction, Outcome, Run, Verdict
 from kowalevski_cas.verify.run import (
     FALSE_AS_READ,
     Progress,
@@ -77,6 +70,8 @@ class ReadingSession:
         self._heard = heard
         self.reading = reading
         self.causes = Causes()
+        self.repairs: dict[str, Correction] = {}
+        """With what claims would hold that are false as they were read."""
         every = (*reading.formulas, *reading.statements)
         self.claiming = {f.claim.id: f for f in every if f.claim is not None}
 
@@ -101,6 +96,7 @@ class ReadingSession:
         found = {outcome.claim: self._blaming(outcome) for outcome in run.outcomes}
         self._mend(found)
         self._doubt(found)
+        self.repairs = repairs_of_doubted(self._session, found, self.causes.places)
         return {
             id: outcome._replace(verdict=Verdict.UNDECIDED)
             if outcome.verdict is Verdict.ERROR
@@ -166,7 +162,8 @@ class ReadingSession:
     @property
     def _in_words(self) -> list[str]:
         """The claims of sentences: nearly any other function would be independent, or at rest."""
-        return [f.claim.id for f in self.reading.statements if f.claim and f.span is not None]
+        in_words = (f for f in self.reading.statements if f.role.kind != SAID)
+        return [f.claim.id for f in in_words if f.claim is not None]
 
     @staticmethod
     def _blame(
@@ -245,6 +242,7 @@ def audit_reading(session: ReadingSession) -> Audit:
     by_place = {formula.item.printed: formula for formula in reading.formulas}
     for audited in found:
         _as_read(audited, by_place.get(audited.place) if audited.place else None)
+    point_at(found, session.repairs, reading)
     said = (*paper.source.refused, *paper.expanded.notes)
     notes = [(paper.source.line(offset), reason) for offset, reason in said]
     return Audit(
@@ -281,55 +279,13 @@ def _as_read(audited: Audited, formula: JudgedStatement | None) -> None:
         return
     audited.role, audited.reason = formula.role.name, formula.role.reason
     audited.on = tuple(item.printed.place for item in formula.on)
+    if formula.role.name == UNREAD:
+        audited.verdict = OPEN
     if audited.message == FALSE_AS_READ and formula.message:
         audited.message = f"{FALSE_AS_READ}: {formula.message}"
     if formula.role.name == CLAIM and formula.claim is None and not audited.claims:
         audited.verdict = OPEN
         audited.message = formula.message or NOT_JUDGED
-
-
-class Assumed(NamedTuple):
-    """Something that is taken for granted, and the claims that rest on it."""
-
-    kind: str
-    words: str
-    place: Printed | None
-    claims: tuple[str, ...]
-
-
-def assumptions_of(audit: Audit) -> Iterator[Assumed]:
-    """What an audit takes for granted: assumptions, conventions, and names taken for constants."""
-    reading = audit.reading
-    assert reading is not None
-    claiming = [formula for formula in reading.formulas if formula.claim is not None]
-    for formula in reading.formulas:
-        if formula.role.name == ASSUMPTION:
-            claims = (f.claim.id for f in claiming if f.claim and formula.item in f.on)
-            tex = formula.item.printed.tex
-            yield Assumed("assumption", f"${tex}$", formula.item.printed, tuple(claims))
-    for formula in reading.formulas:
-        if formula.role.name == CONVENTION:
-            place = formula.item.printed
-            claims = (f.claim.id for f in claiming if f.claim and place in f.claim.reads())
-            yield Assumed("convention", f"${place.tex}$", place, tuple(claims))
-    names = dict.fromkeys(name for formula in claiming for name in formula.constants)
-    for name in names:
-        claims = (f.claim.id for f in claiming if f.claim and name in f.constants)
-        yield Assumed("constant", f"${name}$ is defined nowhere", None, tuple(claims))
-
-
-def unchecked(audit: Audit) -> list[Audited]:
-    """The definitions on which no verdict rests: nothing would show a misprint in them."""
-    reading = audit.reading
-    assert reading is not None
-    claims = [formula.claim for formula in reading.formulas if formula.claim is not None]
-    read = frozenset().union(*(claim.reads() for claim in claims))
-    defining = {f.item.printed for f in reading.formulas if f.role.name == DEFINITION}
-    return [
-        formula
-        for formula in audit.formulas
-        if formula.place in defining and formula.place not in read
-    ]
 
 
 def is_read(audit: Audit) -> bool:

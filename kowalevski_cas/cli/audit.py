@@ -41,6 +41,7 @@ from kowalevski_cas.library import available
 from kowalevski_cas.limits import interruptible, run_limit
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.reading import CLAIM, read
+from kowalevski_cas.reading.choice import Choices
 from kowalevski_cas.schema import head
 from kowalevski_cas.source.difference import difference
 from kowalevski_cas.source.files import COMMENTS, LARGEST, read_source
@@ -124,25 +125,34 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     if not arguments.watch:
-        return _run(arguments, {})[0]
+        return _run(arguments, {}, None)[0]
     if arguments.stdin:
         raise CommandError("what comes from standard input does not change: --watch needs the file")
     certificates: dict[str, Stored] = {}
-    return watch(lambda: _run(arguments, certificates))
+    choices: Choices = {}
+    return watch(lambda: _run(arguments, certificates, choices))
 
 
 def _run(
-    arguments: argparse.Namespace, certificates: dict[str, Stored]
+    arguments: argparse.Namespace, certificates: dict[str, Stored], choices: Choices | None
 ) -> tuple[int, Iterable[Path]]:
-    """The exit code, and the files that are read; evidence is taken from certificates, and kept."""
+    """The exit code, and the files that are read.
+
+    Evidence is taken from certificates, and kept, and so are choices of what formulas claim.
+    """
     data = sys.stdin.buffer.read(LARGEST) if arguments.stdin else None
     source = read_source(arguments.source, arguments.macros, data)
     files = [*map(Path, source.files), arguments.source.with_suffix(COMMENTS)]
     with run_limit(arguments.limit):
-        return _audited(arguments, source, certificates), files
+        return _audited(arguments, source, certificates, choices), files
 
 
-def _audited(arguments: argparse.Namespace, source: Source, certificates: dict[str, Stored]) -> int:
+def _audited(
+    arguments: argparse.Namespace,
+    source: Source,
+    certificates: dict[str, Stored],
+    choices: Choices | None,
+) -> int:
     if arguments.list:
         return _list(source, arguments.format)
     if arguments.draft:
@@ -153,7 +163,8 @@ def _audited(arguments: argparse.Namespace, source: Source, certificates: dict[s
     known = None if alone else fitting_derivation(source, arguments.derivation)
     if known is None:
         with interruptible() as was_interrupted:
-            outcomes, said, note, code = _render(arguments, _read(source, arguments, certificates))
+            found = _read(source, arguments, certificates, choices)
+            outcomes, said, note, code = _render(arguments, found)
         if was_interrupted():
             note = "\n".join(filter(None, (note, "interrupted: the rest is not decided")))
             code = INTERRUPTED
@@ -206,7 +217,10 @@ def _render(arguments: argparse.Namespace, found: Audit) -> tuple[list[Outcome],
 
 
 def _read(
-    source: Source, arguments: argparse.Namespace, certificates: Mapping[str, Stored]
+    source: Source,
+    arguments: argparse.Namespace,
+    certificates: Mapping[str, Stored],
+    choices: Choices | None,
 ) -> Audit:
     """The audit of a source as its own derivation; processes share the work."""
     settings = _Settings(
@@ -220,7 +234,7 @@ def _read(
         def told(place: int) -> None:
             heard.say(f"{source.path}:{source.line(place)}: this does not hold as it is read")
 
-        reading = read(source, heard, FirstReferee(told, **settings))
+        reading = read(source, heard, FirstReferee(told, **settings), choices)
         return audit_reading(ReadingSession(reading, heard=heard, **settings))
 
 

@@ -12,6 +12,7 @@ from kowalevski_cas.notation.formula import (
     Application,
     Commutator,
     Constant,
+    CrossProduct,
     Diagonal,
     ImaginaryPart,
     Modulus,
@@ -166,7 +167,8 @@ class Atoms(Symbols):
             raise self.error(f"{opening.text} is closed by {closing.text}")
         paired = pair and len(items) == 2
         if opening.text == "[":
-            paired &= all(rank(item[0], self.vocabulary) == MATRIX for item in items)
+            ranks = {rank(item[0], self.vocabulary) for item in items}
+            paired &= ranks in ({MATRIX}, {VECTOR})
         if len(items) > 1 and opening.text in ("[", r"\{") and not paired:
             message = "a list in these brackets cannot be read; use round ones"
             if opening.text == "[":
@@ -191,7 +193,8 @@ class Atoms(Symbols):
         if opening.text == r"\{":
             return (PoissonBracket(nodes[0], nodes[1]), start, end, items)
         if opening.text == "[":
-            return (Commutator(nodes[0], nodes[1]), start, end, items)
+            node = CrossProduct if rank(nodes[0], self.vocabulary) == VECTOR else Commutator
+            return (node(nodes[0], nodes[1], bracket="["), start, end, items)
         if len(nodes) == 2:
             ranks = [rank(node, self.vocabulary) for node in nodes]
             if ranks == [VECTOR, VECTOR]:

@@ -29,8 +29,13 @@ def set_over(accents: Sequence[str], letter: str) -> str:
 
 
 def set_accents(accents: Sequence[str], tokens: Sequence[Token], tex: str, start: int) -> None:
-    r"""Set the accents of a group over its only letter, as in ``\hat{x_1}``; else an error."""
+    r"""Set the accents of a group over its only letter, as in ``\hat{x_1}``; else an error.
+
+    The word const under an arrow says that a vector is constant.
+    """
     kinds = [token.kind for token in tokens]
+    if kinds == ["const"] and [*accents] == [r"\vec"]:
+        return
     if not _ONE_LETTER.fullmatch(" ".join(kinds)):
         raise NotationError(f"{accents[-1]} stands over one letter", tex, start)
     letter = tokens[kinds.index("letter")]

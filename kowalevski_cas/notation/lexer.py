@@ -328,7 +328,7 @@ class _Scanner:
         elif CONSTANT.fullmatch(words) and self.tokens:
             self.tokens = with_constants(self.tokens, start, self.at)
         elif DESCRIPTION.fullmatch(words):
-            self.tokens = without_names(self.tokens)
+            self.tokens = without_names(self.tokens, words)
             self.add("comma", words, start)
         elif words.isalnum() and (self.owed or (self.groups and self.groups[-1].argument)):
             self.argument()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Derivative, Formula, Name
 from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.reader import read_display
@@ -17,7 +18,10 @@ def primed_names(tex: str, words: Vocabulary) -> Iterator[str]:
     """
     if "'" not in tex and r"\prime" not in tex:
         return
-    found = read_display(tex, words, OpenParser)
+    try:
+        found = read_display(tex, words, OpenParser)
+    except NotationError:
+        return  # who reads it says so
     chains = [_marks(node) for one in found for node in one.formula.nodes()]
     if any("prime" in marks and {*marks} != {"prime"} for _, marks in chains):
         yield from (name + "'" * marks.count("prime") for name, marks in chains if name)

@@ -11,6 +11,7 @@ from kowalevski_cas.notation.formula import (
     Application,
     Conjugate,
     Derivative,
+    Formula,
     Name,
     Negative,
     Number,
@@ -169,7 +170,7 @@ class Symbols(Cursor):
 
     def application(self, name: str, start: int, power: Piece | None) -> Piece:
         """A function's argument, which is a bracket or, after an upright name, one factor."""
-        if power is not None and isinstance(power[0], Negative):
+        if power is not None and _may_be_inverse(power[0]):
             raise self.error(f"a negative power of the function {name} is ambiguous")
         opened = self.tokens[self.at].kind == "open"
         below = self.read_list() if opened else (self.phase() or self.operand(name),)
@@ -316,6 +317,13 @@ class Symbols(Cursor):
     def ends_argument(self, token: Token) -> bool:
         """Whether no argument of a function goes on here: at another function, or at a rate."""
         return token.kind == "operator" or token.text in _DOTS or self.upright(token.text)
+
+
+def _may_be_inverse(exponent: Formula) -> bool:
+    r"""Whether a raised exponent may mark the inverse of a function, as no :math:`-2` does."""
+    return isinstance(exponent, Negative) and not (
+        isinstance(exponent.argument, Number) and exponent.argument.value > 1
+    )
 
 
 def _with_accents(piece: Piece, accents: tuple[str, ...], start: int, end: int) -> Piece:

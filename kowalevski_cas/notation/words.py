@@ -12,26 +12,39 @@ from collections.abc import Iterator
 from kowalevski_cas.notation.tokens import BEGINNING, ENDING, Token
 
 CONSTANT = re.compile(r"(?:(?:is|are|being|all|both|an?|some|given|arbitrary|\s)*\s)?constants?")
+_SUPPOSING = r"""(?!.*\b(?:or|if|not?|when|where|for|only|unless|except|equal|same|unit|
+    (?:non-?)?zero|real|positive|(?:non-?)?negative|integers?|even|odd|small|large|orthogonal|normal|symmetric|at|
+    on|as|solutions?|integrals?|functions?)\b)"""
 DESCRIPTION = re.compile(
-    r"""(?:(?:is|are|being|denotes?|means)\s)?(?:the|an?)\s
-    (?!.*\b(?:or|if|not?|when|where|for|only|unless|except|equal|same|unit|(?:non-?)?zero|real|
-    positive|(?:non-?)?negative|integers?|even|odd|small|large|orthogonal|normal|symmetric|at|on|
-    as|solutions?|integrals?|functions?)\b)
-    [a-z][a-z -]*""",
+    rf"""(?:(?:is|are|being|denotes?|means)\s)?(?:the|an?)\s{_SUPPOSING}[a-z][a-z -]*
+    |\({_SUPPOSING}[a-z][a-z -]*\)""",
     re.VERBOSE,
 )
+_PRODUCTS = {"[": re.compile("the (?:vector|cross) product")} | dict.fromkeys(
+    ("(", r"\langle"), re.compile("the (?:scalar|inner|dot) product")
+)
+"""The brackets of products, with the words that say so of them, as of :math:`[\\cdot,\\cdot]`."""
 _BREAKS = frozenset({"comma", "gap", "row", "cell", "block"})
 _OF_NAMES = frozenset({"letter", "number", "_", "{", "}", "prime", "accent"})
 
 
-def without_names(tokens: list[Token]) -> list[Token]:
-    """The tokens without the names that stand last among them, between breaks."""
+def without_names(tokens: list[Token], words: str = "") -> list[Token]:
+    """The tokens without the names, or the brackets of a product, that the words describe."""
     kept = len(tokens)
     for first, last in _parts(tokens):
+        if _is_product(tokens[first:last], words):
+            return tokens[:first]
         if any(token.kind not in _OF_NAMES for token in tokens[first:last]):
             break
         kept = first
     return tokens[:kept]
+
+
+def _is_product(tokens: list[Token], words: str) -> bool:
+    r"""Whether words say of :math:`[\cdot,\cdot]`, and the like, what it is anyway."""
+    kinds = [token.kind for token in tokens]
+    empty = kinds == ["open", "times", "comma", "times", "close"]
+    return empty and bool(_PRODUCTS.get(tokens[0].text, CONSTANT).fullmatch(words))
 
 
 def with_constants(tokens: list[Token], start: int, end: int) -> list[Token]:

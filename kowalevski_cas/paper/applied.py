@@ -51,6 +51,7 @@ def printed_arguments(texts: Iterable[str], vectors: Collection[str] = ()) -> di
 
 def _arguments(name: str, texts: Iterable[str], vectors: Collection[str]) -> str:
     """The one list of arguments of a name elsewhere; empty if they are not all in what it is."""
+    texts = [tex for tex in texts if name in tex]  # most displays of a long paper have no such name
     letter = rf"(?<![A-Za-z\\]){re.escape(name)}"
     every = [match["by"] for tex in texts for match in re.finditer(letter + _LIST, tex)]
     lists = {re.sub(r"\s+", "", by) for by in every}

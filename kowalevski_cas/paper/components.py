@@ -24,6 +24,8 @@ from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.problem.space import Let, Meaningless
 
 ZERO = Number(0)
+SPACE = 3
+"""The components of a vector product, and of its factors."""
 
 
 def parts(formula: Formula, setting: Meaning) -> tuple[Formula, ...]:
@@ -71,14 +73,14 @@ def component(vector: Formula, index: int, setting: Meaning) -> Formula:
 
     vocabulary = setting.texts.vocabulary
     match vector:
-        case Vector(entries) | Diagonal(entries):
+        case Vector(entries) | Diagonal(entries) if index < len(entries):
             return entries[index]
         case Name(name) if name in setting.scene.definitions:
             step = setting.step(name)
             assert isinstance(step, Let)
             return of(step.formula, index)
-        case Name(name) if name in setting.scene.vectors:
-            return Name(setting.scene.vectors[name][index])
+        case Name(name) if index < len(parts := setting.scene.vectors.get(name, ())):
+            return Name(parts[index])
         case Negative() | Derivative():
             return vector.map_children(lambda argument: of(argument, index))
         case Sum(terms):
@@ -88,8 +90,8 @@ def component(vector: Formula, index: int, setting: Meaning) -> Formula:
         case Product(factors):
             vectors = (f if not rank(f, vocabulary) else of(f, index) for f in factors)
             return Product(tuple(vectors))
-        case CrossProduct(left, right):
+        case CrossProduct(left, right) if index < SPACE:
             j, k = (index + 1) % 3, (index + 2) % 3
             first = Product((of(left, j), of(right, k)))
             return Sum((first, Negative(Product((of(left, k), of(right, j))))))
-    raise Meaningless(f"{to_latex(vector)} has no components")
+    raise Meaningless(f"{to_latex(vector)} has no component {index + 1}")

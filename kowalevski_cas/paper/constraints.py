@@ -13,7 +13,7 @@ from itertools import pairwise
 
 from kowalevski_cas.algebra.derivation import along
 from kowalevski_cas.algebra.linear import Singular, solve
-from kowalevski_cas.algebra.present import formula_in
+from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Derivative, Formula, Name, Power, Relation, to_latex
 from kowalevski_cas.notation.symbol import symbol
@@ -71,7 +71,7 @@ def multipliers(scene: Scene, places: Sequence[Printed]) -> Iterator[str]:
 
     Raises ``ValueError`` if there are not as many as constraints, or if they do not follow.
     """
-    space = _space(scene)
+    space, words = _space(scene), vocabulary((scene,))
     used = {name for formula in space.printed_field for name in formula.names()}
     names = [n for n in scene.constants if n in used and symbol(n).letter == MULTIPLIERS[0]]
     if len(names) < len(places):
@@ -99,16 +99,16 @@ def multipliers(scene: Scene, places: Sequence[Printed]) -> Iterator[str]:
     except Singular:
         raise ValueError(f"the constraints do not determine {', '.join(names)}") from None
     for name, (value,) in zip(names, found, strict=True):
-        yield f"{name}={to_latex(formula_in(value))}"
+        yield f"{name}={to_latex(formula_of(value, words))}"
 
 
 def equations_on(scene: Scene, places: Iterable[Printed]) -> Iterator[str]:
     """The constraints, and those of their derivatives that do not vanish by themselves."""
-    space = _space(scene)
+    space, words = _space(scene), vocabulary((scene,))
     for place in places:
         for function in _functions(place, space):
             while not function.is_zero:
-                yield f"{to_latex(formula_in(function))}=0"
+                yield f"{to_latex(formula_of(function, words))}=0"
                 function = space.finder.derivative(function)
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Set
 from contextlib import suppress
-from fractions import Fraction
 from functools import cached_property, reduce
 from operator import mul
 from typing import NamedTuple
@@ -14,8 +13,24 @@ from kowalevski_cas.notation import Formula, Power, Product, Quotient
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.problem.space import Meaningless
 
-Shape = frozenset[object]
-"""A polynomial up to a constant factor, as a key."""
+
+class Shape:
+    """The numerator of an element up to a constant factor, in FLINT, as a key."""
+
+    __slots__ = ("_hash", "_parts")
+
+    def __init__(self, element: Element) -> None:
+        parts = element.parts
+        lead = parts[min(parts)].leading_coefficient() if parts else 1
+        self._parts = {mask: part / lead for mask, part in parts.items()}
+        # FLINT does not hash polynomials
+        self._hash = hash(frozenset((mask, len(part)) for mask, part in parts.items()))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Shape) and self._parts == other._parts
+
+    def __hash__(self) -> int:
+        return self._hash
 
 
 class Divisor(NamedTuple):
@@ -47,7 +62,7 @@ class Divisors:
         """The conditions of the declared loci as they are printed, by their shapes."""
         setting = self.setting
         printed = [setting.texts.expression(locus.condition) for locus in setting.scene.loci]
-        return {shape_of(setting.finder.scalar(setting.plain(f))): f for f in printed}
+        return {Shape(setting.finder.scalar(setting.plain(f))): f for f in printed}
 
     @cached_property
     def printed(self) -> dict[Formula, Divisor]:
@@ -118,7 +133,7 @@ def _common_factors(element: Element) -> set[Shape]:
     below = [(ring.divisors[index], -exponent) for index, exponent in element.denominator.items()]
     for polynomial, sign in ((above, 1), *below):
         for factor, exponent in polynomial.factor()[1]:
-            shape = shape_of(Element(ring, {0: factor}, {}))
+            shape = Shape(Element(ring, {0: factor}, {}))
             counts[shape] = counts.get(shape, 0) + sign * exponent
     return {shape for shape, count in counts.items() if count <= 0}
 
@@ -126,15 +141,4 @@ def _common_factors(element: Element) -> set[Shape]:
 def factors_of(element: Element) -> dict[Shape, Element]:
     """The irreducible factors of a numerator without roots, in FLINT."""
     factors = (Element(element.ring, {0: factor}, {}) for factor, _ in element.parts[0].factor()[1])
-    return {shape_of(factor): factor for factor in factors}
-
-
-def shape_of(element: Element) -> Shape:
-    """A numerator up to a constant factor, as a key."""
-    parts = element.terms()
-    lead = next((parts[m][max(parts[m])] for m in sorted(parts)), Fraction(1))
-    return frozenset(
-        (mask, exponents, (scaled := value / lead).numerator, scaled.denominator)
-        for mask, terms in parts.items()
-        for exponents, value in terms.items()
-    )
+    return {Shape(factor): factor for factor in factors}

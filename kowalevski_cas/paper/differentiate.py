@@ -53,11 +53,21 @@ def derivative(
         case Power(base, Number(exponent)) if exponent:
             raised = times(Number(exponent), *_rate_of_power(base, exponent - 1))
             return _times(raised, of(base))
-        case Quotient(above, below):
-            return _of_quotient(above, below, of)
+        case Quotient() | Power(_, Negative(Number())):
+            return _of_quotient(*_over_and_below(formula), of)
         case Root(argument):
             return _over(of(argument), times(TWO, formula))
     raise Meaningless(f"print the derivative of {to_latex(formula)}")
+
+
+def _over_and_below(formula: Formula) -> tuple[Formula, Formula]:
+    """What stands over and below the line, of a power with a negative exponent too."""
+    match formula:
+        case Power(base, Negative(exponent)):
+            return Number(1), Power(base, exponent)
+        case _:
+            above, below = formula.children()
+            return above, below
 
 
 def _of_quotient(above: Formula, below: Formula, of: Callable[[Formula], Formula]) -> Formula:

@@ -230,12 +230,15 @@ class Elaboration(Moving):
         # whoever is asked while roots are adjoined asks for the finder: it is known before it is
         # complete
         self.__dict__["finder"] = evaluation
+        opened, self._open = self._open, []  # what is being defined may stand under a root
         try:
             evaluation.adjoin_roots()
             validate(self)
         except Meaningless:
             del self.__dict__["finder"]  # whoever asks again is refused again
             raise
+        finally:
+            self._open = opened
         return evaluation
 
     # -- names -------------------------------------------------------------------
@@ -264,6 +267,8 @@ class Elaboration(Moving):
             return self._root(name)
         if name in self._powers:
             base, exponent = self._powers[name]
+            if exponent not in self.constants:
+                raise Meaningless(f"{exponent} is an exponent here, and has a value", exponent)
             return Raised(name, Name(base), exponent)
         if name in self.zero:
             return self._let(name, Number(0), *scene.zero)

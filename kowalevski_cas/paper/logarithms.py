@@ -2,7 +2,8 @@ r"""Functions of which only derivatives are known: :math:`(\ln f)'=f'/f`, and th
 
 They stand in first integrals, and under derivatives. A logarithm of an absolute value is half that
 of its square. A logarithm, or an arc, is a term with a constant factor, so that it stands in no
-derivative. It is real where the roots in its derivative are.
+derivative. It is real where the roots in its derivative are, and that of a sum of squares
+everywhere.
 """
 
 from __future__ import annotations
@@ -68,7 +69,23 @@ def roots(formula: Formula) -> Iterator[Root]:
 
 def _slope(function: str, inner: Formula) -> Formula:
     """The derivative of a function by its argument."""
+    if function == r"\ln" and _is_sum_of_squares(inner):
+        return Quotient(Number(1), inner)
     return substitute(read(DERIVATIVE_OF[function], ARGUMENT), {"x": inner})
+
+
+def _is_sum_of_squares(formula: Formula) -> bool:
+    """Whether a formula is printed as even powers of what is real, added up and divided."""
+    match formula:
+        case Sum(terms):
+            return all(map(_is_sum_of_squares, terms))
+        case Quotient(above, below):
+            return _is_sum_of_squares(above) and _is_sum_of_squares(below)
+        case Power(_, Number(exponent)):
+            return exponent % 2 == 0
+        case Number(value):
+            return value > 0
+    return False
 
 
 def derivative_of(formula: Formula, by: Callable[[Formula], Formula], space: Meaning) -> Formula:

@@ -89,16 +89,16 @@ def as_matrices(
     formulas: Sequence[Formula],
     setting: Meaning,
     within: tuple[str, ...] = (),
-    only_zero: bool = False,
+    are_equal: bool = False,
 ) -> list[Rows]:
     """Several matrices; a number among them stands for a multiple of the unit matrix.
 
-    With ``only_zero`` it has to be zero, as where matrices are said to be equal.
+    Where they are said to be equal it has to be 0 or 1, as in :math:`RR^T=1`.
     """
     found = {
         k: rows(formula, setting, within)
         for k, formula in enumerate(formulas)
-        if is_matrix(formula, setting) or (only_zero and formula != Number(0))
+        if is_matrix(formula, setting) or (are_equal and formula not in (Number(0), Number(1)))
     }
     size = len(next(iter(found.values())))
     return [

@@ -91,7 +91,7 @@ def _constants(formula: Formula) -> Iterator[str]:
 def _equations(formula: Formula, space: Elaboration) -> Iterator[Equation]:
     """The equations between the entries of both sides."""
     assert isinstance(formula, Relation)
-    return entries(as_matrices(formula.members, space, only_zero=True))
+    return entries(as_matrices(formula.members, space, are_equal=True))
 
 
 def _derivatives(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Callable, Iterator, Sequence
+from functools import cached_property
 
 from kowalevski_cas.notation import Formula, Name, Number, Partial, Quotient, times, total
 from kowalevski_cas.paper.differentiate import derivative
@@ -65,11 +66,39 @@ class Meaning(Setting):
 
     def partial(self, formula: Formula, name: str) -> Formula:
         """The partial derivative of what is written out in the operations of a space."""
-        above = [(jet, next) for jet, next, by in self.scene.jets if by == name]
-        if above:
-            parts = (times(self._partial(formula, jet), Name(next)) for jet, next in above)
-            return total((self._partial(formula, name), *parts))
-        return self._partial(formula, name)
+        above = {j: slopes[name] for j, slopes in self.slopes_of_jets.items() if name in slopes}
+        parts = [times(self._partial(formula, jet), slope) for jet, slope in above.items()]
+        if not parts:
+            return self._partial(formula, name)
+        # The time may stand nowhere but in these functions.
+        own = [self._partial(formula, name)] if name in self.scene.names() else []
+        return total((*own, *parts))
+
+    @cached_property
+    def slopes_of_jets(self) -> dict[str, dict[str, Formula]]:
+        """The derivatives of the values of functions by what moves, and by the time.
+
+        An argument may be a name for something that moves, as r for a length.
+        """
+        found: dict[str, dict[str, list[Formula]]] = {}
+        for jet, next, by in self.scene.jets:
+            for name, slope in self._slopes(by):
+                found.setdefault(jet, {}).setdefault(name, []).append(times(Name(next), slope))
+        return {
+            jet: {name: total(terms) for name, terms in slopes.items()}
+            for jet, slopes in found.items()
+        }
+
+    def _slopes(self, argument: str) -> Iterator[tuple[str, Formula]]:
+        """The derivatives of an argument of a function by all that it depends on."""
+        if argument == self.scene.time or self.step(argument) is None:
+            yield argument, Number(1)
+            return
+        reach = Reach(self)
+        reach.formula(Name(argument))
+        for name in sorted(reach.names.intersection(self.scene.variables)):
+            if self.step(name) is None:
+                yield name, self._partial(Name(argument), name)
 
     def _partial(self, formula: Formula, name: str) -> Formula:
         """The derivative by a name, of which no function without a formula is one."""

@@ -31,6 +31,7 @@ from kowalevski_cas.notation import (
     Vector,
     times,
     to_latex,
+    total,
 )
 from kowalevski_cas.notation.symbol import name_of_rate, rate_name
 from kowalevski_cas.paper.components import component, sides
@@ -43,7 +44,13 @@ from kowalevski_cas.paper.scene import Change as ChangeOfScene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.paper.transcendental import Transcendental
 from kowalevski_cas.paper.validation import check_time
-from kowalevski_cas.problem.space import ChangeOfVariables, Equation, EquationOfMotion, Meaningless
+from kowalevski_cas.problem.space import (
+    ChangeOfVariables,
+    Equation,
+    EquationOfMotion,
+    Let,
+    Meaningless,
+)
 
 
 def velocities(
@@ -98,7 +105,7 @@ def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[EquationOfMot
     for printed in places:
         left, right = setting.texts.sides(printed)
         row, force = _row(left, setting), setting.plain(right)
-        if row is None or _has_rate(force):
+        if row is None or _rests_on_rates(force, setting):
             others += pairwise(sides((left, right), setting))
             continue
         if force == Number(0) and len(row.names) > 1:
@@ -132,10 +139,22 @@ def _rows_of_jets(rows: Sequence[EquationOfMotion], setting: Meaning) -> Iterato
         name: (factor, force) for row in rows for name, factor, force in setting.components(row)
     }
     known[setting.scene.time] = Number(1), Number(1)
-    for name, next, by in setting.scene.jets:
-        if by in known:
-            factor, force = known[by]
-            yield EquationOfMotion((name,), factor, times(Name(next), force))
+    for jet in setting.slopes_of_jets:
+        slopes = setting.slopes_of_jets[jet]
+        if slopes.keys() <= known.keys():
+            yield EquationOfMotion((jet,), *_along(slopes, known))
+
+
+def _along(
+    slopes: Mapping[str, Formula], known: Mapping[str, tuple[Formula, Formula]]
+) -> tuple[Formula, Formula]:
+    """The factor of a rate, and the rest, by the derivatives along what moves by known rows."""
+    if len(slopes) == 1:
+        ((name, slope),) = slopes.items()
+        factor, force = known[name]
+        return factor, times(slope, force)
+    terms = (Quotient(times(slope, known[n][1]), known[n][0]) for n, slope in slopes.items())
+    return Number(1), total(terms)
 
 
 def _check_marks(setting: Meaning) -> None:
@@ -178,6 +197,20 @@ def _has_rate(formula: Formula) -> bool:
     return any(isinstance(node, Derivative) for node in formula.nodes())
 
 
+def _rests_on_rates(formula: Formula, setting: Meaning) -> bool:
+    """Whether something is derived in a formula, or in what its names stand for."""
+    found, waiting = set[str](), [formula]
+    while waiting:
+        formula = waiting.pop()
+        if _has_rate(formula):
+            return True
+        defined = formula.names() & setting.scene.definitions.keys() - found
+        found |= defined
+        steps = (setting.step(name) for name in defined)
+        waiting += [step.formula for step in steps if isinstance(step, Let)]
+    return False
+
+
 def marks(equations: Sequence[Formula]) -> set[str]:
     """How the derivatives in equations are printed: with dots, with primes, by a variable."""
     nodes = (node for formula in equations for node in formula.nodes())
@@ -202,9 +235,9 @@ def _solve(
     generators = {name: at.ring.generator(rate) for name, rate in rates.items()}
     turned = {one: at.scalar(by) * generators[name] for one, (name, by) in angles.items()}
     jets = {
-        jet: at.ring.generator(next) * generators[by]
-        for jet, next, by in setting.scene.jets
-        if by in generators
+        jet: reduce(add, (at.scalar(slope) * generators[by] for by, slope in slopes.items()))
+        for jet, slopes in setting.slopes_of_jets.items()
+        if slopes.keys() <= generators.keys()
     }
     given = [*known, *_rows_of_jets(known, setting)]
     moving = {**generators, **turned, **jets}

@@ -69,7 +69,7 @@ class Plain:
         return Brackets(self.setting)
 
     @cached_property
-    def _logarithms(self) -> dict[str, Formula]:
+    def logarithms(self) -> dict[str, Formula]:
         """What names stand for that are defined by logarithms or arcs, as a potential may be."""
         bodies: dict[str, Formula] = {}
         for name in self.setting.scene.definitions:
@@ -92,7 +92,7 @@ class Plain:
             case RealPart(argument) | ImaginaryPart(argument):
                 return _part(self(argument), isinstance(formula, RealPart))
             case Derivative(argument) | Partial(argument) if has_logarithm(
-                written := substitute(argument, self._logarithms)
+                written := substitute(argument, self.logarithms)
             ):
                 return self(derivative_of(written, partial(_in_place, formula), self.setting))
             case Derivative(argument, mark):
@@ -313,7 +313,7 @@ class Plain:
         if isinstance(formula, Name) and formula.name in self.setting.scene.vectors:
             names = self.setting.scene.vectors[formula.name]
             return True, tuple(self(Name(n)) for n in names)
-        written = substitute(formula, self._logarithms)  # only its derivatives have values
+        written = substitute(formula, self.logarithms)  # only its derivatives have values
         return False, (written if has_logarithm(written) else self(formula),)
 
 

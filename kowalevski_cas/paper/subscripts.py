@@ -10,6 +10,13 @@ _INDEXED = re.compile(
     r"(?![A-Za-z]*_)"
 )
 _LETTER = re.compile(r"\\(?:begin|end|label)\s*\{[^}]*\}|\\[A-Za-z]+|[A-Za-z]")
+_BY = re.compile(r"\\[A-Za-z]+|[A-Za-z]")
+_BEHIND_COMMA = re.compile(
+    r"(?P<letter>\\[A-Za-z]+|[A-Za-z])\s*_\{(?P<by>\s*,(?:\s*,?\s*(?:\\[A-Za-z]+|[A-Za-z]))+)\s*\}"
+)
+_SAYS_SO = re.compile(
+    r"\{\}\s*_\{\s*,\s*(?P<by>\\[A-Za-z]+|[A-Za-z])\s*\}\s*=\s*\\frac\{d\}\{d\s*(?P=by)\s*\}"
+)
 _OTHER = re.compile(r"\\d*dot\b|'|\\prime|\\partial|\\frac\s*\{?\s*d\b|\bd[a-z]?\s*/\s*d")
 
 
@@ -38,6 +45,23 @@ def derived_in_index(texts: Iterable[str]) -> str:
     (name,) = by
     left = (letter for tex in texts for letter in _LETTER.findall(_INDEXED.sub("", tex)))
     return "" if name in left else name
+
+
+def with_rates(tex: str) -> str:
+    r"""A formula with quotients for derivatives behind a comma in an index.
+
+    >>> with_rates(r"2\alpha_{,\tau,\tau}=x_{1,2}-q_{,t}, {}_{,t}=\frac{d}{dt}")
+    '2\\frac{d^2\\alpha}{d\\tau^2}=x_{1,2}-\\frac{dq}{dt}, '
+    """
+
+    def quotient(match: re.Match[str]) -> str:
+        by = _BY.findall(match["by"])
+        if len({*by}) != 1:
+            return match[0]
+        power = f"^{len(by)}" if len(by) > 1 else ""
+        return rf"\frac{{d{power}{match['letter']}}}{{d{by[0]}{power}}}"
+
+    return _BEHIND_COMMA.sub(quotient, _SAYS_SO.sub("", tex))
 
 
 def with_derivatives(tex: str, by: str) -> str:

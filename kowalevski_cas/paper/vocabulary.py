@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.vocabulary import Vocabulary
 from kowalevski_cas.paper.names import BRACKET, head, is_bold, is_capital
 from kowalevski_cas.paper.scene import Scene
 
 
+@lru_cache(maxsize=64)  # claims of one system are read in the same scene, one after the other
 def vocabulary(scenes: tuple[Scene, ...]) -> Vocabulary:
     """The names of all these scenes; bold capitals that are no declared vectors are matrices."""
     times = frozenset({"t", *(scene.time for scene in scenes)})

@@ -6,9 +6,10 @@ by an addition.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Iterator, Sequence
+from collections.abc import Hashable, Iterator, Sequence
 from functools import cached_property
-from itertools import chain
+from itertools import chain, count
+from operator import lshift
 
 from kowalevski_cas.algebra.elimination import PRIME, rank
 from kowalevski_cas.algebra.kernels import residue
@@ -106,14 +107,11 @@ _dimensions: dict[Hashable, int] = {}
 """The one that was found last."""
 
 
-def pack(exponents: Iterable[int]) -> int:
+def pack(exponents: Sequence[int]) -> int:
     """The number of a monomial; raises :class:`Misplaced` if an exponent is too large."""
-    found = 0
-    for place, exponent in enumerate(exponents):
-        if exponent >> BITS - 1:
-            raise Misplaced(f"an exponent is {exponent}, which is too large")
-        found |= exponent << BITS * place
-    return found
+    if (largest := max(exponents, default=0)) >> BITS - 1:
+        raise Misplaced(f"an exponent is {largest}, which is too large")
+    return sum(map(lshift, exponents, count(0, BITS)))
 
 
 def unpack(monomial: int) -> list[int]:

@@ -6,6 +6,7 @@ from kowalevski_cas.reading.known import (
     CONVENTION,
     DEFINITION,
     LAW,
+    UNREAD,
     StatementRole,
 )
 from kowalevski_cas.reading.reader import JudgedStatement, Reading, read
@@ -16,6 +17,7 @@ __all__ = [
     "CONVENTION",
     "DEFINITION",
     "LAW",
+    "UNREAD",
     "JudgedStatement",
     "Reading",
     "StatementRole",

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from hashlib import sha256
 from typing import NamedTuple
 
 from kowalevski_cas.limits import ProcessDied, time_limit
-from kowalevski_cas.notation import NotationError
+from kowalevski_cas.notation import NotationError, Number, Relation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
@@ -18,6 +19,9 @@ SECONDS = 2.0
 IDLE = "nothing moves on the set on which it seems to be claimed: it would say nothing"
 
 
+UNMOVED = "nothing moves by the equations of motion as they were read: it would say nothing"
+
+
 class Choice(NamedTuple):
     """Which rung of a ladder is taken, if one is, and why none is."""
 
@@ -25,6 +29,32 @@ class Choice(NamedTuple):
     message: str = ""
     elsewhere: int | None = None
     """Which rung holds by what is supposed in other places, if no other one holds."""
+
+
+Choices = dict[str, Choice]
+"""The choices that were made before, by all that they rest on."""
+
+
+def choose_once(found: list[Rung], on: Elaborations, choices: Choices | None) -> tuple[Choice, str]:
+    """The choice between claims, as it was made before if it was, and what it rests on."""
+    if choices is None:
+        return choose(found, on), ""
+    resting_on = _basis(found, on)
+    return choices.get(resting_on) or choose(found, on), resting_on
+
+
+def _basis(found: list[Rung], on: Elaborations) -> str:
+    """All on which a choice rests: what the claims state, and the formulas that they read."""
+    claims = [claim for rung in found for claim in (rung.claim, rung.idle) if claim is not None]
+    places = frozenset().union(*(claim.reads() for claim in claims))
+    said = [f"{type(claim).__name__} {vars(claim)}" for claim in claims]
+    read = sorted(f"{place.place} {on.texts.formula(place)}" for place in places)
+    ways = [
+        f"{rung.in_force} {rung.is_stronger} {rung.elsewhere} "
+        f"{[one.printed for one in rung.on]} {[one.printed for one in rung.given]}"
+        for rung in found
+    ]
+    return sha256("\n".join((*said, *read, *ways)).encode()).hexdigest()
 
 
 def choose(found: list[Rung], on: Elaborations) -> Choice:
@@ -55,6 +85,8 @@ def _trial(rung: Rung, on: Elaborations, alone: bool) -> tuple[bool, str]:
         with time_limit(SECONDS):
             statement = Statement(rung.claim, on)
             if (alone and statement.goals) or statement.holds():
+                if _is_unmoved(rung, on):
+                    return False, UNMOVED
                 idle = rung.idle is not None and Statement(rung.idle, on).holds()
                 return not idle, IDLE if idle else ""
     except (NotationError, Meaningless, FormatError, ArithmeticError, RecursionError) as error:
@@ -65,3 +97,12 @@ def _trial(rung: Rung, on: Elaborations, alone: bool) -> tuple[bool, str]:
     except (TimeoutError, ProcessDied):
         pass
     return False, ""
+
+
+def _is_unmoved(rung: Rung, on: Elaborations) -> bool:
+    """Whether all rates of a law vanish, and not all of its rows are printed with a zero."""
+    field = rung.claim.scene.field
+    rows = [on.texts.formula(place) for place in field] if isinstance(field, tuple) else []
+    if all(isinstance(row, Relation) and Number(0) in row.members for row in rows):
+        return False
+    return all(rate.is_zero for rate in on(rung.claim.scene).finder.rates.values())

@@ -6,10 +6,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 
+from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.reading.grammar import BESIDE, NAMING, Directive, parse, wrong
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 from kowalevski_cas.reading.text import Prose
+from kowalevski_cas.reading.unprinted import unprinted
 from kowalevski_cas.source.comments import Comment, find_comments
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.tokens import words
@@ -22,8 +24,12 @@ class Said:
     of: dict[SourceStatement, list[Directive]] = field(default_factory=dict)
     claims: list[Directive] = field(default_factory=list)
     loci: list[Directive] = field(default_factory=list)
+    supposed: dict[SourceStatement, list[SourceStatement]] = field(default_factory=dict)
+    """What is supposed from a statement on, though the paper does not print it."""
+    unprinted: list[SourceStatement] = field(default_factory=list)
+    """What stands between dollars in comments, and not in the paper."""
     places: dict[Directive, TypedFormula | None] = field(default_factory=dict)
-    """The formulas by which claims and loci are said."""
+    """The formulas by which all this is said."""
     sentences: list[int] = field(default_factory=list)
     """The places in the text of the sentences that are skipped."""
 
@@ -31,9 +37,14 @@ class Said:
         """What says which role a statement has."""
         return next((one for one in self.of.get(item, ()) if one.verb not in BESIDE), None)
 
-    def formulas(self, item: SourceStatement, verb: str) -> list[Directive]:
-        """What gives formulas at a statement: what is supposed from it on, or accepted for it."""
-        return [one for one in self.of.get(item, ()) if one.verb == verb]
+    def accepted(self, item: SourceStatement) -> list[str]:
+        """The formulas that should stand in the place of a statement."""
+        return [one.tex for one in self.of.get(item, ()) if one.verb == "accept"]
+
+    @property
+    def rows(self) -> list[SourceStatement]:
+        """The rates that are supposed."""
+        return [one for own in self.supposed.values() for one in own if one.rates]
 
     def verb(self, item: SourceStatement) -> str:
         """The verb of what says which role a statement has; empty if nothing does."""
@@ -48,6 +59,11 @@ class Said:
     def skipped(self, prose: Prose) -> list[tuple[int, int]]:
         """The intervals of the sentences that comments skip."""
         return [prose.sentence(one) for one in self.sentences]
+
+    def span(self, found: Directive, paper: SourcePaper) -> tuple[int, int]:
+        """The interval of the text from a comment to the end of the sentence there."""
+        start = paper.expanded.behind(found.comment.offset)
+        return start, max(start, paper.prose.sentence(start)[1])
 
     def loci_at(self, found: Directive) -> tuple[Locus, ...]:
         """The loci that comments at the same place say before a claim."""
@@ -72,17 +88,18 @@ def read_comments(paper: SourcePaper) -> Said:
     said = Said()
     attached = {comment: typed for _, typed in paper.displays for comment in typed.comments}
     for comment in find_comments(paper.source):
-        found = parse(comment, lambda word: places(word, paper))
+        typed = attached.get(comment)
+        items = [one for one in paper.items if one.typed is typed]
+        found = parse(comment, _Places(comment, items, paper, said))
+        said.places[found] = typed
         if not found.is_of_formula:
             (said.loci if found.verb == "locus" else said.claims).append(found)
-            said.places[found] = attached.get(comment)
             continue
         if found.verb == "skip" and found.names == ("sentence",):
             said.sentences.append(_sentence(comment, paper))
             continue
-        if comment not in attached:
+        if typed is None:
             raise wrong(comment, "no formula follows")
-        items = [one for one in paper.items if one.typed is attached[comment]]
         chosen = [one for one in items if found.number in (0, one.printed.number)]
         if not chosen:
             raise wrong(comment, f"the formula has no statement {found.number}")
@@ -91,7 +108,42 @@ def read_comments(paper: SourcePaper) -> Said:
                 raise wrong(comment, f"the formula cannot be read: {item.trouble}")
             _check_names(found, item)
             said.of.setdefault(item, []).append(found)
+            if found.verb == "suppose":
+                own = said.supposed.setdefault(item, [])
+                id = f"supposed-at-{item.printed.place}-{len(own) + 1}"
+                own.append(_unprinted(comment, found.tex, id, [item], paper))
+                own[-1].order -= 1  # it is in force at the statement itself
     return said
+
+
+@dataclass(frozen=True)
+class _Places:
+    """The statements that the words of a comment name, or that stand between dollars there."""
+
+    comment: Comment
+    beside: Sequence[SourceStatement]
+    paper: SourcePaper
+    said: Said
+
+    def __call__(self, word: str) -> Sequence[SourceStatement]:
+        if not word.startswith("$"):
+            return places(word, self.paper)
+        found, id = self.said.unprinted, f"unprinted-{len(self.said.unprinted) + 1}"
+        found.append(_unprinted(self.comment, word.strip("$"), id, self.beside, self.paper))
+        return found[-1:]
+
+
+def _unprinted(
+    comment: Comment, tex: str, id: str, beside: Sequence[SourceStatement], paper: SourcePaper
+) -> SourceStatement:
+    """The statement that a comment gives, beside those at which it stands."""
+    place = f"{comment.path}:{comment.line}"
+    try:
+        found = unprinted(paper, id, tex, next(iter(beside), None), place)
+    except NotationError as error:
+        raise wrong(comment, error.message) from None
+    paper.lines[id] = paper.source.line(comment.offset)
+    return found
 
 
 def _sentence(comment: Comment, paper: SourcePaper) -> int:

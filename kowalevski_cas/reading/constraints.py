@@ -5,9 +5,9 @@ The motion is on them wherever the paper speaks of it; what they give the multip
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
-from kowalevski_cas.notation import Name
+from kowalevski_cas.notation import Constant, Name, Product
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.constraints import MULTIPLIERS, equations_on, multipliers, orders_in
 from kowalevski_cas.problem.space import Meaningless
@@ -20,6 +20,7 @@ from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
 
 SAYS = "the constraints give it"
+UNBOUND = "${}$ may be a multiplier: print the constraint beside, or say that it is constant"
 
 
 def constraint(item: SourceStatement, known: Known) -> StatementRole | None:
@@ -55,6 +56,43 @@ def _multipliers(law: Law, known: Known) -> Iterator[str]:
     for name in sorted(law.mentions):
         if symbol(name).letter in MULTIPLIERS and name not in (*law.variables, *known.later):
             yield name
+
+
+def unbound_multiplier(known: Known, constants: Collection[str]) -> str:
+    r"""A constant :math:`\lambda` that may be a multiplier: nothing says that it is constant.
+
+    It stands in several equations of motion, of the second order, or with factors that do not move.
+    """
+    for law in known.laws:
+        for name in {*constants} & {*_multipliers(law, known)}:
+            rows = (len(row.rates) for row in law.rows if _pulls(row, name, known))
+            first = symbol(name).letter == MULTIPLIERS[0]
+            if first and sum(rows) > 1 and not _is_said_constant(name, known):
+                return name
+    return ""
+
+
+def _pulls(row: SourceStatement, name: str, known: Known) -> bool:
+    """Whether a name stands in an equation of motion as a multiplier does."""
+    nodes = [*row.formula.nodes()] if row.formula is not None else []
+    terms = [node for node in nodes if isinstance(node, Product) and Name(name) in node.factors]
+    factors = [one for term in terms for one in term.factors]
+    if max(row.rates.values(), default=0) > 1:
+        return name in row.names and not any(orders_in([one]) for one in factors)
+    return bool(terms) and not known.varying(name for one in factors for name in one.names())
+
+
+def _is_said_constant(name: str, known: Known) -> bool:
+    """Whether words, or what is supposed, say that a name is a constant."""
+    return any(
+        name in one.names
+        and (
+            known.roles[one].name == ASSUMPTION
+            or any(isinstance(member, Constant) for member in one.members)
+            or (not one.members and cue("a constant", f"{one.lead[-40:]} § {one.tail[:40]}"))
+        )
+        for one in known.items
+    )
 
 
 def enter_constraints(parts: Parts) -> None:

@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 
 from kowalevski_cas.notation import PoissonBracket
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.implied import canonical_pairs, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET
-from kowalevski_cas.reading.known import CONVENTION, Known, StatementRole
+from kowalevski_cas.paper.unit_matrices import unit_matrices
+from kowalevski_cas.reading.known import CONVENTION, UNIT_MATRIX, Known, StatementRole
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
 
 SPACE = 3
 _BASIS = re.compile(r"e_\{?([123])\}?")
+_INERTIA = re.compile(r"\binerti|\bинерци", re.IGNORECASE)
 _CANONICAL = re.compile(r"\bcanonical|\bканоническ", re.IGNORECASE)
 
 
@@ -24,7 +26,10 @@ def enter_conventions(parts: Parts) -> None:
     """Give names their usual meaning in the parts of a paper where nothing says what they are."""
     for place, known in enumerate(parts.known):
         for item in (
-            one for law in known.laws for one in law.items if one not in parts.paper.items
+            one
+            for law in known.laws
+            for one in law.items
+            if one not in parts.paper.items and one not in parts.said.rows
         ):
             parts.places[item] = place
             parts.enter(item, StatementRole(CONVENTION, "an equation of motion that is implied"))
@@ -44,7 +49,7 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
     for vector in sorted(known.names.vectors):
         letter = symbol(vector).without_type.name
         if letter in scalars and not known.is_defined(letter) and not known.moves(letter):
-            if known.is_defined(vector) or known.moves(vector):
+            if known.is_length(letter):
                 role = StatementRole(
                     CONVENTION, "the length of the vector with this letter", "", (letter,)
                 )
@@ -63,11 +68,42 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
         item = unprinted(paper, re.sub(r"\W+", "-", f"bracket-of-{q}-{p}{suffix}"), tex)
         why = "the canonical bracket, as the equations of motion are those of Hamilton"
         yield item, StatementRole(CONVENTION, why, "", item.printed.heads.names)
+    yield from _unit_matrices(scalars, known, suffix)
     if "i" in scalars and not known.units and not known.moves("i"):
         yield (
             unprinted(paper, f"unit{suffix}", "i^2=-1"),
             StatementRole(CONVENTION, "the imaginary unit", "unit"),
         )
+
+
+def _unit_matrices(
+    names: Iterable[str], known: Known, suffix: str
+) -> Iterator[tuple[SourceStatement, StatementRole]]:
+    """The unit matrices among names; of what may be one, or something else, nothing is said."""
+    supposed = {name for one in known.assumptions for name in known.roles[one].names}
+    for name in names:
+        said = known.is_defined(name) or known.moves(name) or name in known.later
+        if said or name in supposed:
+            continue
+        try:
+            for tex in _unit_matrix(name, known):
+                id = re.sub(r"\W+", "-", f"unit-matrix-{name}{suffix}")
+                role = StatementRole(CONVENTION, "the unit matrix", UNIT_MATRIX, (name,))
+                yield unprinted(known.paper, id, tex), role
+        except ValueError as error:
+            known.lost[name] = str(error)
+
+
+def _unit_matrix(name: str, known: Known) -> Iterator[str]:
+    """What defines a name as the unit matrix, if it is one.
+
+    Raises ``ValueError`` if it may be something else, as a tensor of inertia of which words speak.
+    """
+    formulas = [item.formula for item in known.items if item.formula is not None]
+    for tex in unit_matrices(formulas, [name], known.paper.words):
+        if name == "I" and _INERTIA.search(known.paper.prose.text):
+            raise ValueError("I may be the inertia, or the unit matrix: print E or 1 for this")
+        yield tex
 
 
 def _conjugate(known: Known) -> list[tuple[str, str]]:

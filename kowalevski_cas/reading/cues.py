@@ -6,8 +6,16 @@ import re
 from collections.abc import Iterator
 from functools import cache
 
+_OF_MAP = r"""
+        \binvariants?\s+(?:of|under)\s+(?:the\s+|this\s+|our\s+)?(?:\w+\s+)?map(?:ping)?\b
+        \bmap(?:ping)?\s+(?:has|admits|possesses)\s+(?:the|an)\s+(?:\w+\s+)?invariants?\b
+        \b(?:preserves|conserves)\s+the\s+(?:functions?|quantit(?:y|ies)|polynomials?)\b
+        инвариант\w*\s+отображени\w+"""
+"""What is constant under a map."""
+
 CUES: dict[str, str] = {
-    "integral": r"""
+    "integral": rf"""
+        {_OF_MAP}
         (?:first|partial|additional|second|third|fourth|new|energy|area|geometric\w*|the)\s+integrals?
         integrals?\s+of\s+(?:the\s+)?(?:motion|energy|areas?|second|third|fourth|degree)
         integrals?\b conserved constants?\s+of\s+(?:the\s+)?motion
@@ -20,6 +28,10 @@ CUES: dict[str, str] = {
     "its constant": r"""
         (?<=\w)(?<!\band)\s+with\s+the\s+constants?[\s:]*$
         (?<=\w)(?<!\bи)\s+с\s+постоянн(?:ой|ыми)[\s:]*$""",
+    "of a map": _OF_MAP,
+    "symplectic": r"""
+        \bsymplectic\w* \bcanonical\b \bbrackets?\b \bintegrab\w+ симплектическ\w+ канонич\w+
+        скоб\w+ интегрируем\w+""",
     "invariant": r"""
         invariant keeps?\s+the (?:leaves?|leaving)\s+(?:it|them|the\s+\w+)\s+invariant
         no\s+(?:motion|trajectory|orbit|solution)\s+leaves satisfied\s+by инвариантн\w+
@@ -55,6 +67,11 @@ CUES: dict[str, str] = {
         equals? следовательно следу\w+ отсюда поэтому получ\w+ имеем име\w+\s+место \bтогда\b
         \bзначит\b вытека\w+ прим\w+\s+вид удовлетвор\w+ тождеств\w+ доказ\w+ выполн\w+
         справедлив\w+ да[её]т приход\w+ находим""",
+    "further": r"""
+        \balso\b moreover besides furthermore in\s+addition likewise \bтакже\b кроме\s+того
+        более\s+того""",
+    "then": r"""
+        \bthen\b \bтогда\b \bто\b""",
     "follows": r"""
         follow\w* therefore hence thus consequently whence \bfrom\b substitut\w+ eliminat\w+
         so\s+that because\s+of by\s+virtue using \bon\s+(?:it|this|them|these)\b there\b
@@ -141,10 +158,13 @@ CUES: dict[str, str] = {
         \bwas\s+(?:printed|asserted|believed)\b было\s+(?:написано|сказано)
         one\s+might\s+(?:think|expect) \bbelieve[sd]?\b it\s+is\s+said утвержда\w+ по\s+мнению
         предположительно гипотез\w+""",
-    "another law": r"""
+    "another-law": r"""
         (?:\bif|\bwhen|\bfor|even|also)\b[^.;]*\bfunctions?\s+of\s+(?:the\s+)?time
         (?:\bif|\bwhen|even|also)\b[^.;]*\bdepends?\s+on\s+(?:the\s+)?time
         (?:\bесли|\bкогда|\bпри)\b[^.;]*(?:функци\w+\s+времени|завис\w+\s+от\s+времени)""",
+    "a constant": r"""
+        \bconstants?\b \bparameters?\b \bcoefficients?\b \bnumbers?\b \beigenvalues?\b
+        постоянн\w+ параметр\w* коэффициент\w* числ(?:о|а)\b""",
     "multiplier": r"""
         \bmultipliers?\b множител\w+""",
     "system": r"""

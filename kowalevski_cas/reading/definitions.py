@@ -14,6 +14,7 @@ from kowalevski_cas.notation import (
     Number,
     PoissonBracket,
     Power,
+    Product,
     Vector,
 )
 from kowalevski_cas.paper.names import BRACKET, head
@@ -46,6 +47,8 @@ def law(item: SourceStatement, known: Known) -> StatementRole | None:
     found = known.law_of(item)
     if found is None:
         return None
+    if found.images:
+        return StatementRole(LAW, "belongs to a map")
     which = "a closed set of rates" if found is known.laws[0] else "a closed set of other rates"
     return StatementRole(LAW, f"belongs to {which}")
 
@@ -88,13 +91,13 @@ def _is_coordinate(name: str, known: Known) -> bool:
 
 def definition(item: SourceStatement, known: Known) -> StatementRole | None:
     """A name that nothing has defined, alone on a side."""
-    fresh = [n for n in item.printed.heads.names if _is_fresh(n, item, known)]
+    given = item.printed.heads
+    fresh = [n for n in given.names or given.multiples if _is_fresh(n, item, known)]
     if not fresh:
         return None
     heads = {head(name)[0] for name in fresh}
-    others = [
-        m for m in item.members if getattr(m, "name", getattr(m, "function", "")) not in heads
-    ]
+    alone = [_without_factor(m) for m in item.members]
+    others = [m for m in alone if getattr(m, "name", getattr(m, "function", "")) not in heads]
     if not any(known.is_known(n) for n in item.names - {*fresh}) and is_number(others):
         why = "gives a number for a name"
         return StatementRole(ASSUMPTION, why, reach_of_constants(item), tuple(fresh))
@@ -123,7 +126,7 @@ def _level(
     if named and item.members and item.members[0] == named[0]:
         why = f"names the value {plain(fresh[0])} of {plain(named[0].name)}"
         return StatementRole(LEVEL, why, "", (*fresh,))
-    first = item.members[0]
+    first = _without_factor(item.members[0])
     behind = not named and len(others) == len(item.members) - 1
     if behind and not isinstance(first, Name | Application | PoissonBracket):
         if known.varying(item.names - {*fresh}):
@@ -149,6 +152,11 @@ def repeated(item: SourceStatement, known: Known) -> StatementRole | None:
 def change(item: SourceStatement, known: Known) -> StatementRole | None:
     r"""New names for the parts of what moves, as :math:`v=v_0+\zeta`."""
     for law in known.laws:
+        if item in law.momenta:
+            moving = plain(law.momenta[item])
+            return StatementRole(
+                DEFINITION, f"gives it by {moving}, which moves", "", item.bare[:1]
+            )
         if item in law.change:
             words = f"gives it by {', '.join(map(plain, law.new))}"
             return StatementRole(DEFINITION, words, "change", item.bare[:1])
@@ -201,7 +209,8 @@ def _is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
     if known.moves(function) or function in known.times:
         return False
     alone = (Name(function), Power(Name(function), Number(2)))
-    if any(function in m.names() for m in item.members if m not in alone) and not arguments:
+    rest = (m for m in item.members if m not in alone and _without_factor(m) not in alone)
+    if any(function in m.names() for m in rest) and not arguments:
         return False
     others = item.names - {function, *arguments}
     new = bool(others) and not any(map(known.is_known, others))
@@ -209,12 +218,21 @@ def _is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
     return (
         first is None
         or (known.roles[first].name in (LAW, DEFINITION) and first.sentence == item.sentence)
+        or (first.typed is item.typed and item.members[:1] == (Name(function),))
         or (known.roles[first].name == LAW and _gives(function, item, known))
         or (bool(cue("where", item.lead)) and _is_near(first, item))
         or _is_explained(function, first, item)
         or (known.roles[first].name == LAW and function in derived_names(first))
         or (new and not item.typed.inline)
     )
+
+
+def _without_factor(formula: Formula) -> Formula:
+    """What stands behind a number, as T in 2T; a formula that is no such product itself."""
+    match formula:
+        case Product((Number(), inner)):
+            return inner
+    return formula
 
 
 def _defines_anew(item: SourceStatement, found: list[SourceStatement]) -> bool:

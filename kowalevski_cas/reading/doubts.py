@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence, Set
 
 from kowalevski_cas.notation import Name, Number, PoissonBracket
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.names import BRACKET
+from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import EQUATIONS
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, SETS, Known
 from kowalevski_cas.reading.ladder import Rung
+from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement
@@ -216,13 +218,22 @@ def _is_lost(name: str, known: Known) -> bool:
     return False
 
 
+def _moves_on(law: Law, rows: Set[Printed], defined: Set[Printed]) -> bool:
+    """Whether a law is that of a scene with these equations of motion and definitions."""
+    if law.images:
+        return not rows and {one.printed for one in law.given.values()} <= defined
+    return {row.printed for row in law.rows} == rows
+
+
 def _is_plain(rung: Rung, item: SourceStatement, parts: Parts) -> bool:
     """Whether a claim stands on the only law of its variables, which rests on no other one."""
     if _has_two_meanings(item, rung, parts.of(item)):
         return False
-    rows = {*rung.claim.scene.field} if isinstance(rung.claim.scene.field, tuple) else set()
+    scene = rung.claim.scene
+    rows = {*scene.field} if isinstance(scene.field, tuple) else set()
     laws = [law for law in parts.of(item).laws if not law.change]
-    law = next((one for one in laws if {r.printed for r in one.rows} == rows), None)
+    defined = {*scene.definitions.values()}
+    law = next((one for one in laws if _moves_on(one, rows, defined)), None)
     changed = law is not None and {*law.variables} != {*rung.claim.scene.variables}
     if law is None or changed or law.base is not None or not parts.is_sure(item, rung.claim.scene):
         return False

@@ -6,10 +6,12 @@ import re
 from collections.abc import Iterator
 from itertools import groupby
 
+from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.reading.grammar import AS, RULED
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, LEVEL
 from kowalevski_cas.reading.reader import JudgedStatement, Reading
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
+from kowalevski_cas.reading.unprinted import is_printed
 from kowalevski_cas.source.comments import MARK
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.text import Source
@@ -80,8 +82,9 @@ def text_of(formula: JudgedStatement, paper: SourcePaper) -> str:
     names = " ".join(name.replace(" ", "") for name in role.names)
     if role.name == CLAIM and role.kind in RULED:
         words = ["claim", role.kind, *(["names", names] if names else [])]
-        if formula.on:
-            words += ["on", *(_called(item, paper) for item in formula.on)]
+        on = [_called(item, paper) for item in formula.on if is_printed(item)]
+        if on and formula.doubt is not Doubt.ALWAYS:  # else it would say what nobody knows
+            words += ["on", *on]
         return " ".join(words)
     if role.name == DEFINITION and role.kind == "change":
         return f"map {names}"

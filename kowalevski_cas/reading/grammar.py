@@ -2,13 +2,14 @@ r"""What comments of authors may say, made from the attributes of the kinds of c
 
     law | map | define NAMES | level NAMES | given NAMES | skip | on PLACES
     suppose TEX | accept TEX | locus EQUATIONS off TEX
-    claim [KIND [NUMBER] [FIELD VALUES] ...] [on PLACES]
+    claim [KIND [$TEX$] [NUMBER] [FIELD VALUES] ...] [on PLACES]
 
 A kind is named by words of its name, as ``integral`` for a first integral; each of its attributes
 is a field, by its own name, and a number stands by itself. ``of`` is the field of the places that
 the claim is about, ``with`` that of the integrals of which the values are fixed. A place is a
-label, with a number behind a stop where it has several statements, or TeX in quotes. Before all of
-it, a number says which statement of a display is meant; ``as`` says a kind of role.
+label, with a number behind a stop where it has several statements, or TeX in quotes; TeX between
+dollars is a statement that the paper does not print, and behind a kind the one that is claimed.
+Before all of it, a number says which statement of a display is meant; ``as`` says a kind of role.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ BESIDE = ("on", *OF_TEX)
 VERBS = ("law", *NAMING, "claim", "skip", "locus", *BESIDE)
 RULED = (
     "identity", "constant", "integral", "invariant", "rest", "inequality", "solution",
-    "approximate", "somewhere",
+    "approximate", "somewhere", "another-law",
 )  # fmt: skip
 """Kinds of claims of which the rules of reading know on what they stand."""
 
@@ -50,10 +51,12 @@ AS = {
     "square": "square",
     "clock": "clock",
     "unit": "unit",
+    "vector": "vector",
+    "constraint": "constraint",
 }
 """The kinds of roles that may stand behind ``as``."""
 _BEHIND = ("on", "names")
-_WORDS = re.compile(r'"[^"]*"|[^\s"]+')
+_WORDS = re.compile(r'"[^"]*"|\$[^$]*\$|[^\s"]+')
 _BASE = {attribute.name for attribute in fields(Claim)}
 _PLACES = ("Printed", "Printed | None", "tuple[Printed, ...]")
 _NAMES = ("str", "str | None", "tuple[str, ...]")
@@ -75,6 +78,8 @@ class Directive:
     """The attributes of a claim of this kind."""
     items: tuple[SourceStatement, ...] = ()
     """The statements that are named."""
+    stated: SourceStatement | None = None
+    """The statement that is claimed, if the paper does not print it."""
     on: tuple[SourceStatement, ...] | None = None
     """The statements on which the claim rests, if they are said."""
     tex: str = ""
@@ -90,7 +95,8 @@ class Directive:
     @property
     def is_of_formula(self) -> bool:
         """Whether it says something of the formula by which it stands."""
-        return self.verb != "locus" and (self.kind is None or of_formula(self.kind))
+        alone = self.verb != "locus" and self.stated is None
+        return alone and (self.kind is None or of_formula(self.kind))
 
 
 def wrong(comment: Comment, words: str, near: str = "", among: Iterable[str] = ()) -> SourceError:
@@ -124,7 +130,7 @@ def of_formula(kind: type[Claim]) -> bool:
 
 
 def parse(comment: Comment, find: Callable[[str], Sequence[SourceStatement]]) -> Directive:
-    """What a comment says; ``find`` gives the statements of a label or of TeX in quotes.
+    """What a comment says; ``find`` gives the statements of a label, or of TeX.
 
     Raises:
         SourceError: a word is not known, or stands for nothing.
@@ -190,8 +196,16 @@ class _Parser:
             ruled = by_rules[0] if by_rules else "identity"
             return replace(made, names=names, ruled=ruled, on=on)
         kind = self.kind()
+        stated = self.stated(kind)
         values, on = self.values(kind)
-        return replace(made, kind=kind, values=values, items=tuple(self.items), on=on)
+        items = tuple(self.items)
+        return replace(made, kind=kind, values=values, items=items, stated=stated, on=on)
+
+    def stated(self, kind: type[Claim]) -> SourceStatement | None:
+        """The statement between dollars behind a kind: that is claimed of it."""
+        if not (of_formula(kind) and self.words and self.words[0].startswith("$")):
+            return None
+        return self.places([self.words.pop(0)])[0]
 
     def kind(self) -> type[Claim]:
         """The kind that the next words name: all of its name, or words that no other one has."""

@@ -40,7 +40,12 @@ _SAID = {
     "invariant": r"invariant|инвариантн\w+",
 }
 _BEFORE = {
-    name: re.compile(rf"(?P<list>{_LIST}){_VERB}(?:{said})", re.IGNORECASE)
+    name: (
+        re.compile(
+            said, re.IGNORECASE
+        ),  # by itself first: few sentences say it, and lists are slow
+        re.compile(rf"(?P<list>{_LIST}){_VERB}(?:{said})", re.IGNORECASE),
+    )
     for name, said in _SAID.items()
 }
 _EVERYWHERE = re.compile(
@@ -85,22 +90,31 @@ class InWords(NamedTuple):
 
 def claims_in_words(parts: Parts) -> Iterator[InWords]:
     """The claims that the sentences of a paper make of what is cited or named there."""
+    for start, words in sentences_of(parts):
+        if not is_unsure(words):
+            yield from _of_sentence(start, words, parts)
+
+
+def sentences_of(parts: Parts) -> Iterator[tuple[int, str]]:
+    """The sentences that may claim something, with where they begin."""
     prose = parts.paper.prose
     skipped = parts.said.skipped(prose)
     for start, end in zip(prose.stops, [*prose.stops[1:], len(prose.text)], strict=True):
         words = prose.text[start:end]
         aside = any(part.title == "thebibliography" for part in prose.path(start))
-        if aside or (start, end) in skipped or words.rstrip().endswith("?"):
-            continue
-        unsure = any(cue(name, words) for name in ("denied", "quoted", "approximate"))
-        if unsure or _CONDITION.search(words):
-            continue
-        yield from _of_sentence(start, words, parts)
+        if not (aside or (start, end) in skipped or words.rstrip().endswith("?")):
+            yield start, words
+
+
+def is_unsure(words: str) -> bool:
+    """Whether a sentence denies, quotes, approximates or supposes something."""
+    unsure = any(cue(name, words) for name in ("denied", "quoted", "approximate"))
+    return unsure or _CONDITION.search(words) is not None
 
 
 def _of_sentence(start: int, words: str, parts: Parts) -> Iterator[InWords]:
-    for name, pattern in _BEFORE.items():
-        found = pattern.search(words)
+    for name, (said, pattern) in _BEFORE.items():
+        found = pattern.search(words) if said.search(words) else None
         if found and not (
             _PART_OF.search(words, 0, found.start("list")) or _GOES_ON.match(found["list"])
         ):
@@ -132,7 +146,7 @@ def _made(
     known = parts.of(every[-1])
     if name == "invariant":
         return _invariant(span, cited, known)
-    listed = [*_functions(every, known)]
+    listed = [*functions_of(every, known)]
     functions = tuple(dict.fromkeys(listed))
     places = tuple(one.printed for one in functions)
     if len(listed) < len(every) or len(functions) < (1 if name == "casimir" else 2):
@@ -156,7 +170,7 @@ def _made(
     return InWords(span, Casimir, about, {"printed": places[0]}, name, says)
 
 
-def _functions(items: Sequence[SourceStatement], known: Known) -> Iterator[SourceStatement]:
+def functions_of(items: Sequence[SourceStatement], known: Known) -> Iterator[SourceStatement]:
     """What defines or prints the functions that some statements name."""
     for item in items:
         if isinstance(item.formula, Name):

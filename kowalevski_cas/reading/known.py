@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from kowalevski_cas.notation import Name, NotationError, Number
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.reading.clauses import Clauses
 from kowalevski_cas.reading.comments import Said
@@ -37,6 +38,9 @@ LAW, DEFINITION, LEVEL, ASSUMPTION, CLAIM, NOTATION, OTHER, UNREAD, CONVENTION =
 
 CONSTRAINT = "constraint"
 """The kind of an assumption on which all motion is."""
+
+UNIT_MATRIX = "unit matrix"
+"""The kind of a convention that a name is one."""
 
 SETS = ("invariant", "rest")
 """The kinds of claims of which the equations define a set."""
@@ -127,9 +131,10 @@ class Known:
         return next((law for law in self.laws if item in law.printed), None)
 
     def moves(self, name: str) -> bool:
-        """Whether a name is a variable of a law, or a vector of such."""
+        """Whether a name is a variable of a law, an image of one, or a vector of such."""
         parts = self.names.vectors.get(name, (name,))
-        return any({*parts} & {*law.variables} for law in self.laws)
+        images = (new for law in self.laws for _, new in law.images)
+        return any({*parts} & {*law.variables} for law in self.laws) or name in images
 
     def definition(self, name: str, item: SourceStatement) -> SourceStatement | None:
         """What defines a name where it stands in a statement: the last before it, or the next."""
@@ -166,7 +171,13 @@ class Known:
         named = any(item.formula == Name(name) for item in self.items)
         named = named or any(name in self.roles[one].names for one in self.assumptions)
         mentioned = any(name in law.mentions for law in self.laws)
-        return named or mentioned or self.moves(name) or self.is_defined(name) or name in self.later
+        used = named or mentioned or self.is_length(name) or name in self.later
+        return used or self.moves(name) or self.is_defined(name)
+
+    def is_length(self, name: str) -> bool:
+        """Whether a vector is given, or moves, that has this letter."""
+        own = (one for one in self.names.vectors if symbol(one).without_type.name == name)
+        return any(self.is_defined(one) or self.moves(one) for one in own)
 
     def varies(self, name: str) -> bool:
         """Whether a name moves, or stands for something that does."""
@@ -186,7 +197,14 @@ class Known:
         for one in sorted(self.assumptions, key=lambda one: -one.order):
             if not self._is_in_force(one, item):
                 continue
-            names = {*self.roles[one].names}
+            names, kind = {*self.roles[one].names}, self.roles[one].kind
+            if kind == "inequality":
+                mates = {other for other in found if self.roles[other].kind == kind}
+                anew = any(
+                    other.names == one.names and other.sentence != one.sentence for other in mates
+                )
+                found += [] if anew or names & taken else [one]
+                continue
             if not names & taken:
                 found.append(one)
             taken |= names

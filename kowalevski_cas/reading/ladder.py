@@ -22,6 +22,7 @@ from kowalevski_cas.paper.claims import (
     InvariantRelations,
     RestPoints,
 )
+from kowalevski_cas.paper.claims.maps import OF_MAPS
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import hypotheses, near
@@ -325,10 +326,18 @@ class _Ladder:
         found: Supposed = self.stage.scene(own, assumptions, law)
         if "relations" not in attributes:
             attributes.setdefault("printed", self.item.printed)
+        if found.images and kind in OF_MAPS:
+            if attributes.get("given"):
+                raise ValueError("an invariant of a map on a set is not known")
+            kind, attributes["images"] = OF_MAPS[kind], found.images
         claim = kind(self.id, found.scene, says, **attributes)  # type: ignore[arg-type]
         in_force = bool(on) and [*on] == self.known.sets(self.item)
         idle = None
-        if {*on} - {*self.known.bound} and (self.item.derives or self.role.kind == "integral"):
+        if (
+            not found.images
+            and {*on} - {*self.known.bound}
+            and (self.item.derives or self.role.kind == "integral")
+        ):
             idle = RestPoints(self.id, found.scene, "", relations=_places(on))
         return Rung(claim, (*found.assumptions, *on), found.constants, (*on,), in_force, idle)
 

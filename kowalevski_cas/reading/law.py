@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 
+from kowalevski_cas.notation import Name
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import SourceStatement
 
@@ -25,18 +27,55 @@ class Law:
     """What gives variables of the base by new names, if it is the same law in these."""
     new: tuple[str, ...] = ()
     """These names."""
+    images: tuple[tuple[str, str], ...] = ()
+    """The variables of a map with their images; none of a motion."""
+    solved: tuple[SourceStatement, ...] = ()
+    """What gives images that no equation gives alone."""
+    momenta: Mapping[SourceStatement, str] = field(default_factory=dict)
+    """What gives vectors of which the rates are printed, each with the vector that moves."""
+
+    @property
+    def given(self) -> dict[str, SourceStatement]:
+        """The variables of the base with what gives them by new names; or images, or momenta."""
+        if self.images:
+            rows = {one.bare[0]: one for one in (*self.items, *self.solved) if _gives(one)}
+            return {name: one for name, one in rows.items() if name not in self._cyclic(rows)}
+        found = {name: one for one in self.change for name in self.names.scalars(one.bare[:1])}
+        return {**(self.base.given if self.base else {}), **found, **self._momenta}
 
     @cached_property
-    def given(self) -> dict[str, SourceStatement]:
-        """The variables of the base with what gives them by new names."""
-        return {name: one for one in self.change for name in self.names.scalars(one.bare[:1])}
+    def _momenta(self) -> dict[str, SourceStatement]:
+        """The vectors of which the rates are printed and that others give, with what gives them."""
+        return {one.bare[0]: one for one in self.momenta}
+
+    @property
+    def unsolved(self) -> list[str]:
+        """The images that nothing gives."""
+        variables = {x for x, _ in self.images}
+        return [new for _, new in self.images if new not in variables | {*self.given}]
+
+    def _cyclic(self, rows: Mapping[str, SourceStatement]) -> set[str]:
+        """The images that are given by themselves, or by others that are."""
+        found = set[str]()
+        for name in rows:
+            reached, waiting = set[str](), [name]
+            while waiting:
+                inner = rows[waiting.pop()].members[1].names() & rows.keys() - reached
+                reached |= inner
+                waiting += inner
+            found |= {name} & reached
+        return found
 
     @cached_property
     def variables(self) -> tuple[str, ...]:
         """What moves, by components."""
+        if self.images:
+            return tuple(x for x, _ in self.images)
         if self.base is not None and self.change:
             return (*(name for name in self.base.variables if name not in self.given), *self.new)
-        own = self.names.scalars(name for item in self.items for name in item.rates)
+        moving = {one.bare[0]: name for one, name in self.momenta.items()}
+        rated = (name for item in self.items for name in item.rates)
+        own = self.names.scalars(moving.get(self.names.whole(name), name) for name in rated)
         return tuple(dict.fromkeys((*(self.base.variables if self.base else ()), *own)))
 
     @cached_property
@@ -52,7 +91,7 @@ class Law:
     @cached_property
     def order(self) -> int:
         """The place from which on it holds."""
-        return max(item.order for item in (*self.items, *self.change))
+        return max(item.order for item in (*self.items, *self.change, *self.momenta))
 
     @cached_property
     def first(self) -> SourceStatement:
@@ -68,5 +107,11 @@ class Law:
     def title(self) -> str:
         """What it is called: the labels of its equations, or what moves."""
         labels = dict.fromkeys(i.printed.display.label for i in self.rows)
-        title = ", ".join(filter(None, labels)) or "the equations of motion"
+        what = "the map" if self.images else "the equations of motion"
+        title = ", ".join(filter(None, labels)) or what
         return f"{title} in ${', '.join(self.new)}$" if self.new else title
+
+
+def _gives(item: SourceStatement) -> bool:
+    """Whether a statement has a name alone on its left."""
+    return bool(item.bare) and item.members[0] == Name(item.bare[0])

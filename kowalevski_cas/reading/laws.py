@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Sequence
 
 from kowalevski_cas.notation import Derivative, Formula, Name, Number, Power, Product, Relation
@@ -9,20 +10,27 @@ from kowalevski_cas.reading.changes import find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.momenta import find_momenta
 from kowalevski_cas.reading.names import Names
-from kowalevski_cas.reading.said_rows import rows_of_differentials, rows_of_matrices
+from kowalevski_cas.reading.said_rows import (
+    rows_of_conjugates,
+    rows_of_differentials,
+    rows_of_matrices,
+)
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 from kowalevski_cas.reading.unprinted import implied_rows
 
 
-def find_laws(paper: SourcePaper, names: Names, said: Said) -> list[Law]:
+def find_laws(paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] = ()) -> list[Law]:
     """The closed sets of equations of motion, in the order of the paper.
 
     The first display with rates of names that nothing defines is grown until the rates of all that
     moves in it are there. Another set has new variables, or is set up as another system. Where none
-    is printed, there may be that of a Hamiltonian, or one among the words.
+    is printed, there may be that of a Hamiltonian, or one among the words, but beside ``maps``.
     """
     found = [*_LawFinder(paper, names, said).laws()]
+    if maps:
+        return found
     rows = () if found else tuple(implied_rows(paper))
     if rows:
         return [Law(rows, names)]
@@ -42,7 +50,7 @@ def find_restated(items: Sequence[SourceStatement], laws: Sequence[Law]) -> list
             old = {name for row in own for name in law.names.scalars(row.rates)}
             if law.order < rows[0].order and rated == old:
                 kept = tuple(row for row in law.rows if row not in own)
-                found.append(Law((*kept, *rows), law.names, restates=law))
+                found.append(Law((*kept, *rows), law.names, restates=law, momenta=law.momenta))
                 break
     return found
 
@@ -54,12 +62,14 @@ class _LawFinder:
         self.paper, self.names, self.said = paper, names, said
         self.inline = inline
         """Whether any words may have a law among them."""
-        rows = [item for item in paper.items if self._may_be_row(item)]
+        items = sorted((*paper.items, *said.rows), key=lambda item: item.order)
+        rows = [item for item in items if self._may_be_row(item)]
         rated = {name for row in rows for name in row.rates}
         rows = [row for row in rows if not {*row.bare[:1]} - rated or self._told(row)]
         entries = rows_of_matrices(paper, rows)
         rows = [one for row in rows for one in entries.get(row, [row])]
         self.rows = [*rows, *rows_of_differentials(paper)]
+        self.momenta = find_momenta(paper.items, self.rows, names)
         self.defining: dict[str, list[SourceStatement]] = {}
         for item in paper.items:
             if self._defines(item):
@@ -81,7 +91,7 @@ class _LawFinder:
 
     def _defines(self, item: SourceStatement) -> bool:
         """Whether a statement gives a name an expression, and is neither a row nor of one."""
-        if not item.bare or item in self.rows:
+        if not item.bare or item in self.rows or item in self.momenta:
             return False
         if any(isinstance(member, Number) for member in item.members):
             return False
@@ -129,7 +139,7 @@ class _LawFinder:
         beside = any(row.sentence == item.sentence for law in part for row in law.items)
         if not (self._may_set_up(item) or beside):
             return None
-        if not beside and (law := self.other_system(item, part)):
+        if not beside and item not in self.said.rows and (law := self.other_system(item, part)):
             return law
         since = part[0].begins or self.paper.prose.start
         moving = {name for law in part for name in law.variables}
@@ -138,7 +148,8 @@ class _LawFinder:
         if part[0].first.marks.isdisjoint(item.marks):  # derivatives by another time
             return None
         rows = self.undefined(since)
-        following = [row for row in rows if self._follows(row, moving)]
+        supposed = self.said.rows
+        following = [row for row in rows if row not in supposed and self._follows(row, moving)]
         if item in following:
             return None
         law = self.grown(item, moving, [row for row in rows if row not in following])
@@ -163,7 +174,8 @@ class _LawFinder:
             return None
         begins = self._begins(item, apart[0].start) if apart else item.sentence[0]
         end = apart[0].end if apart else item.section.end
-        rows = [row for row in self.undefined(begins) if begins <= row.typed.start < end]
+        printed_rows = (row for row in self.undefined(begins) if row not in self.said.rows)
+        rows = [row for row in printed_rows if begins <= row.typed.start < end]
         beside = {row for row in self.rows if row.typed is item.typed}
         law = self.grown(item, (), rows) if beside <= {*rows} else None
         if law is None:
@@ -242,7 +254,13 @@ class _LawFinder:
         rated_names = {name for row in own for name in self.scalars(row)}
         if self.given(own) < len(rated_names):
             return None
-        return Law(tuple(sorted(own, key=lambda row: row.order)), self.names)
+        momenta = {
+            one: moving
+            for one, moving in self.momenta.items()
+            if rated_names.issuperset(self.names.scalars(one.bare[:1]))
+        }
+        own += rows_of_conjugates(self.paper, own)
+        return Law(tuple(sorted(own, key=lambda row: row.order)), self.names, momenta=momenta)
 
     def given(self, rows: Sequence[SourceStatement]) -> int:
         """How many rates some rows give, each one or those of a vector."""
@@ -282,13 +300,16 @@ class _LawFinder:
         return [row for row in whole if not {*self.scalars(row)} <= rated] or whole
 
 
+_EITHER_SIGN = re.compile(r"\\(?:pm|mp)(?![A-Za-z])")
+
+
 def is_row(item: SourceStatement) -> bool:
     r"""Whether a statement may be an equation of motion: an equality, linear in highest rates.
 
     What is a name on the left is a definition, unless it gives a multiple of one rate, as
-    :math:`p=m\dot q`.
+    :math:`p=m\dot q`. With either sign of a term it is no law: with both, nothing might move.
     """
-    if len(item.members) != 2 or not item.rates:
+    if len(item.members) != 2 or not item.rates or _EITHER_SIGN.search(item.printed.tex):
         return False
     highest = max(item.rates.values())
     nodes = [node for member in item.members for node in member.nodes()]

@@ -23,6 +23,7 @@ from kowalevski_cas.reading.known import (
 from kowalevski_cas.reading.ladder import Rung, rungs
 from kowalevski_cas.reading.stage import Stage
 from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.unprinted import is_printed
 
 ZERO = Number(0)
 SAID = "said"
@@ -40,10 +41,13 @@ def said_role(
 ) -> StatementRole:
     """The role that a comment gives a statement, and what was inferred, if it is another one."""
     name, kind = _ROLES[found.verb], found.ruled
+    if found.verb == "map" and inferred.name == LAW:
+        return inferred
     if found.verb == "law" and known.law_of(item) is None:
         raise wrong(found.comment, "the formula belongs to no closed set of rates")
-    if found.verb in ("define", "level", "map") and not (found.names or item.printed.heads.names):
-        if not item.printed.heads.squares:
+    heads = (*item.printed.heads.names, *item.printed.heads.squares)
+    if found.verb in ("define", "level", "map"):
+        if not (found.names or found.ruled or heads):
             raise wrong(found.comment, "no name stands alone on a side of the formula")
     names = names_of(found, item) or _names(name, item, inferred)
     if name == DEFINITION and not kind and not {*names} & {*item.printed.heads.names}:
@@ -78,13 +82,15 @@ def said_rungs(item: SourceStatement, id: str, stage: Stage, said: Said) -> Iter
     if on is None:
         yield from rungs(item, id, stage)
         return
-    same = [rung for rung in rungs(item, id, stage) if {*rung.on} == {*on}]
+    named = ((rung, {one for one in rung.on if is_printed(one)}) for rung in rungs(item, id, stage))
+    same = [rung for rung, own in named if own == {*on}]
     yield from same or [_rung_on(item, id, stage, on)]
 
 
 def said_rung(found: Directive, id: str, stage: Stage, item: SourceStatement | None = None) -> Rung:
     """The claim that a comment states with all that it is about."""
     assert found.kind is not None and found.values is not None
+    item = item or found.stated
     own = [*([item] if item is not None else []), *about(found, stage.known)]
     on = found.on or ()
     typed = stage.known.said.places.get(found)

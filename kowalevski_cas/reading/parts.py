@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Sequence
 from functools import cached_property
 
-from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.reading.comments import Said
-from kowalevski_cas.reading.grammar import Directive, wrong
-from kowalevski_cas.reading.known import ASSUMPTION, NAMING, Known, StatementRole
+from kowalevski_cas.reading.grammar import Directive
+from kowalevski_cas.reading.known import ASSUMPTION, LAW, NAMING, OTHER, Known, StatementRole
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.laws import find_laws, find_restated
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
-from kowalevski_cas.reading.unprinted import unprinted
 
 
 class Parts:
@@ -23,9 +22,11 @@ class Parts:
     A part begins where a system is set up that is another one than before.
     """
 
-    def __init__(self, paper: SourcePaper, names: Names, said: Said) -> None:
+    def __init__(
+        self, paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] = ()
+    ) -> None:
         self.paper, self.said = paper, said
-        self.laws = find_laws(paper, names, said)
+        self.laws = [*find_laws(paper, names, said, [*maps]), *maps]
         self.roles: dict[SourceStatement, StatementRole] = {}
         units: list[SourceStatement] = []
         own: list[list[Law]] = [[]]
@@ -77,17 +78,20 @@ class Parts:
 
     def suppose(self, item: SourceStatement) -> None:
         """Keep what comments suppose from a statement on, which the paper does not print."""
-        for number, said in enumerate(self.said.formulas(item, "suppose"), 1):
-            id = f"supposed-at-{item.printed.place}-{number}"
-            try:
-                found = unprinted(self.paper, id, said.tex, item, said.place)
-            except NotationError as error:
-                raise wrong(said.comment, error.message) from None
-            found.order -= 1  # it is in force at the statement itself
+        for found in self.said.supposed.get(item, ()):
+            reason = f"{found.printed.display.source} says so"
             kind = "" if found.members else "inequality"
             names = found.bare or tuple(sorted(found.names))
+            is_row = self.of(item).law_of(found) is not None
+            role = StatementRole(ASSUMPTION, reason, kind, names)
             self.places[found] = self.places[item]
-            self.enter(found, StatementRole(ASSUMPTION, f"{said.place} says so", kind, names))
+            self.enter(found, StatementRole(LAW, reason) if is_row else role)
+
+    def enter_unprinted(self) -> None:
+        """Keep what stands in comments only: it says nothing by itself."""
+        for item in self.said.unprinted:
+            self.places[item] = self._place(item)
+            self.enter(item, StatementRole(OTHER, f"{item.printed.display.source} gives it"))
 
     def cite(self, item: SourceStatement) -> None:
         """Let names that are cited from another part have their meaning in that of a statement."""

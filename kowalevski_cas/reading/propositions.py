@@ -65,6 +65,8 @@ def claimed_set(item: SourceStatement, known: Known) -> StatementRole | None:
     """Equations of a set of which the words around them say that it is invariant, or at rest."""
     if not item.members or item.derives or not known.varying(item.names):
         return None
+    if words_of(item, "of a map"):
+        return None
     first = item.members[0]
     if isinstance(first, Name) and not known.is_known(first.name):
         return None  # it is a function that is defined

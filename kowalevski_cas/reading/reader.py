@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
-from typing import Protocol
 
 from kowalevski_cas.limits import tell
 from kowalevski_cas.paper.claims import Claim
@@ -18,19 +17,22 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.processes import each
-from kowalevski_cas.reading.choice import Choice, choose
+from kowalevski_cas.reading.choice import Choice, Choices, choose_once
 from kowalevski_cas.reading.comments import read_comments
-from kowalevski_cas.reading.constraints import enter_constraints
+from kowalevski_cas.reading.constraints import UNBOUND, enter_constraints, unbound_multiplier
 from kowalevski_cas.reading.conventions import enter_conventions
 from kowalevski_cas.reading.cyclic import enter_cyclic_names
 from kowalevski_cas.reading.doubts import doubt_of
 from kowalevski_cas.reading.grammar import wrong
 from kowalevski_cas.reading.in_words import claims_in_words
-from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, StatementRole
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, UNIT_MATRIX, StatementRole
 from kowalevski_cas.reading.ladder import Rung
+from kowalevski_cas.reading.maps import enter_maps, find_maps, primed_images
+from kowalevski_cas.reading.maps_in_words import claims_of_maps
 from kowalevski_cas.reading.names import Names, vectors_of
 from kowalevski_cas.reading.obey import SAID, about, claim_id, said_rung, said_rungs
 from kowalevski_cas.reading.parts import Parts
+from kowalevski_cas.reading.referee import Heard, Referee
 from kowalevski_cas.reading.roles import role_of
 from kowalevski_cas.reading.stage import Stage
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, read_statements
@@ -71,32 +73,33 @@ class Reading:
     """What is said about claims that were decided as soon as they were read, by their ids."""
 
 
-Heard = Callable[[str, int, int], None]
-"""Hears what is being read, how much is done, and of how much."""
+def read(
+    source: Source,
+    heard: Heard = lambda *_: None,
+    referee: Referee | None = None,
+    choices: Choices | None = None,
+) -> Reading:
+    """The derivation that a source is, by the rules of reading.
 
-
-class Referee(Protocol):
-    """Who decides each claim as soon as it is read: a long paper has its first findings soon."""
-
-    def begin(self, interpretation: Interpretation) -> Callable[[Claim], Outcome]:
-        """What decides a claim under an interpretation, in a process of its own."""
-
-    def receive(self, item: SourceStatement, outcome: Outcome) -> Outcome:
-        """The outcome for the claim of a statement, as it comes from that process."""
-
-
-def read(source: Source, heard: Heard = lambda *_: None, referee: Referee | None = None) -> Reading:
-    """The derivation that a source is, by the rules of reading."""
+    ``choices`` are those of earlier readings, which are made no more; new ones are entered there.
+    """
     paper = read_statements(source)
-    parts = Parts(paper, Names(vectors_of(paper)), read_comments(paper))
+    said = read_comments(paper)
+    if images := primed_images(paper, said):
+        paper = read_statements(source, images)
+        said = read_comments(paper)
+    names = Names(vectors_of(paper))
+    parts = Parts(paper, names, said, find_maps(paper, names, said))
     enter_cyclic_names(parts)
     for item in _in_order(paper):
         parts.cite(item)
         parts.suppose(item)
         parts.enter(item, role_of(item, parts.of(item)))
+    parts.enter_unprinted()
     enter_conventions(parts)
     enter_constraints(parts)
-    return _DerivationReader(parts).reading(heard, referee)
+    enter_maps(parts)
+    return _DerivationReader(parts, choices).reading(heard, referee)
 
 
 def _in_order(paper: SourcePaper) -> list[SourceStatement]:
@@ -106,8 +109,8 @@ def _in_order(paper: SourcePaper) -> list[SourceStatement]:
 
 
 class _DerivationReader:
-    def __init__(self, parts: Parts) -> None:
-        self.paper, self.parts = parts.paper, parts
+    def __init__(self, parts: Parts, choices: Choices | None) -> None:
+        self.paper, self.parts, self.choices = parts.paper, parts, choices
         self.stages = {known: Stage(known) for known in parts.known}
         self.candidates: dict[SourceStatement, list[Rung]] = {}
         self.troubles: dict[SourceStatement, str] = {}
@@ -149,11 +152,13 @@ class _DerivationReader:
                 rung = said_rung(found, id, self.stages[known])
             except (ValueError, Meaningless) as error:
                 raise wrong(found.comment, str(error)) from None
-            yield JudgedStatement(first, role, rung.claim, rung.on, rung.constants)
+            span = self.parts.said.span(found, self.paper)
+            yield JudgedStatement(first, role, rung.claim, rung.on, rung.constants, span=span)
 
     def _in_words(self) -> Iterator[JudgedStatement]:
         """The claims that sentences make; one that has no meaning is told with its reason."""
-        for number, found in enumerate(claims_in_words(self.parts), 1):
+        claimed = (*claims_in_words(self.parts), *claims_of_maps(self.parts))
+        for number, found in enumerate(claimed, 1):
             first = found.about[0]
             known = self.parts.of(first)
             role = StatementRole(CLAIM, "these words claim it", found.name)
@@ -197,16 +202,18 @@ class _DerivationReader:
         interpretation = Interpretation(first, first.texts(None, *scenes))
         decide = referee.begin(interpretation) if referee is not None else None
 
-        def choice(place: int) -> tuple[Choice, Outcome | None]:
+        def choice(place: int) -> tuple[Choice, str, Outcome | None]:
             tell(waiting[place].printed.place, place, len(waiting))
             rungs = self.candidates[waiting[place]]
-            choice = choose(rungs, interpretation.on(rungs[0].claim))
+            choice, resting_on = choose_once(rungs, interpretation.on(rungs[0].claim), self.choices)
             if decide is None or choice.place is None:
-                return choice, None
-            return choice, decide(rungs[choice.place].claim)
+                return choice, resting_on, None
+            return choice, resting_on, decide(rungs[choice.place].claim)
 
         found = each(received(choice), range(len(waiting)), heard=lambda *words: heard(*words[:3]))
-        for item, (choice_of, outcome) in zip(waiting, found, strict=True):
+        for item, (choice_of, resting_on, outcome) in zip(waiting, found, strict=True):
+            if self.choices is not None and choice_of.place is not None:
+                self.choices[resting_on] = choice_of
             if referee is not None and outcome is not None:
                 outcomes[outcome.claim] = referee.receive(item, outcome)
             yield item, choice_of
@@ -219,6 +226,8 @@ class _DerivationReader:
             return JudgedStatement(item, role, message=message)
         rung = self.candidates[item][choice.place]
         doubt, message = doubt_of(item, rung, self.candidates[item], self.parts), choice.message
+        if name := unbound_multiplier(self.parts.of(item), rung.claim.scene.constants):
+            doubt, message = Doubt.ALWAYS, UNBOUND.format(name)
         if choice.elsewhere is not None:
             doubt, message = Doubt.ALWAYS, self._supposed_elsewhere(item, choice.elsewhere)
         return JudgedStatement(item, role, rung.claim, rung.on, rung.constants, doubt, message)
@@ -248,8 +257,8 @@ class _DerivationReader:
         for display in (*sorted(beside, key=lambda one: one.id), *printed):
             sections[display.section].displays.append(display)
         for item in self.parts.roles:
-            for said in self.parts.said.formulas(item, "accept"):
-                sections[item.printed.display.section].accept(item.printed, said.tex)
+            for tex in self.parts.said.accepted(item):
+                sections[item.printed.display.section].accept(item.printed, tex)
         own = [one for one in sections.values() if one.displays] or [*sections.values()][:1]
         own[0].scenes["names"] = self._names()
         for claim in claims:
@@ -277,7 +286,8 @@ class _DerivationReader:
         for item, role in self.parts.roles.items():
             for name in role.names:
                 letter, arguments = head(name)
-                is_matrix = letter in words.matrices and item.printed.heads.matrix
+                is_matrix = letter in words.matrices or role.kind == UNIT_MATRIX
+                is_matrix = is_matrix and item.printed.heads.matrix
                 if letter != BRACKET and letter not in functions and (arguments or is_matrix):
                     functions[letter] = name
                     places[name] = item.printed

@@ -68,8 +68,8 @@ def expression(item: SourceStatement, known: Known) -> StatementRole | None:
     if said and known.varying(item.names):
         if role := unjudged(item, known):
             return role
-        if setting := cue("another law", item.words):
-            return StatementRole(CLAIM, f"of a law that is not printed: “{setting}”", "another law")
+        if setting := cue("another-law", item.words):
+            return StatementRole(CLAIM, f"of a law that is not printed: “{setting}”", "another-law")
         return StatementRole(CLAIM, f"“{said}” is said of it", "integral")
     return StatementRole(OTHER, "an expression: nothing is stated")
 

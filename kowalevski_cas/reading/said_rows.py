@@ -1,6 +1,8 @@
-r"""Rates that a paper says otherwise: by matrices, :math:`\dot L=[L,A]`, and by differentials.
+r"""Rates that a paper says otherwise: by matrices, by differentials, and by complex amplitudes.
 
-A chain :math:`dx/P=dy/Q=dz/R` says how x, y, z move by a time that is not printed.
+From :math:`\dot L=[L,A]` follow the rates of entries, from :math:`i\dot a=\bar ab` that of
+:math:`\bar a`. A chain :math:`dx/P=dy/Q=dz/R` says how x, y, z move by a time that
+is not printed.
 """
 
 from __future__ import annotations
@@ -10,6 +12,7 @@ from dataclasses import replace
 
 from kowalevski_cas.notation import Formula, read
 from kowalevski_cas.notation.open import OpenParser
+from kowalevski_cas.paper.amplitudes import UNIT, conjugate_equations, conjugate_name
 from kowalevski_cas.paper.differentials import differentials, rates
 from kowalevski_cas.paper.matrix_equations import equations_of_entries
 from kowalevski_cas.paper.texts import Display, Printed
@@ -57,6 +60,23 @@ def rows_of_differentials(paper: SourcePaper) -> Iterator[SourceStatement]:
         if item.formula is not None and differentials(item.formula):
             for number, tex in enumerate(rates(item.formula), 1):
                 yield _row(paper, item, number, tex)
+
+
+def rows_of_conjugates(
+    paper: SourcePaper, rows: list[SourceStatement]
+) -> Iterator[SourceStatement]:
+    """The rates of the conjugates of what moves by equations with the imaginary unit."""
+    if not any(UNIT in row.names for row in rows):
+        return
+    aside = [one.formula for one in paper.items if one.formula is not None and not one.rates]
+    formulas = [row.formula for row in rows if row.formula is not None]
+    moving = {name for row in rows for name in row.rates}
+    of = {conjugate_name(name): row for row in rows for name in row.rates}
+    for number, tex in enumerate(conjugate_equations([*formulas, *aside], moving), 1):
+        names = read(tex, paper.words, OpenParser).names() & of.keys()
+        if names:
+            by = of[min(names, key=lambda name: of[name].order)]
+            yield _row(paper, by, number, tex)
 
 
 def _formulas(items: list[SourceStatement]) -> dict[Printed, Formula]:

@@ -22,6 +22,7 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.functions import FAMILY_OF, SIGN
 from kowalevski_cas.notation.vocabulary import VECTOR
+from kowalevski_cas.paper.amplitudes import conjugate_name, with_conjugates
 from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.exponents import half_power
 from kowalevski_cas.paper.logarithms import roots as real_roots
@@ -42,6 +43,8 @@ class Supposed:
     scene: Scene
     assumptions: tuple[SourceStatement, ...]
     constants: tuple[str, ...]
+    images: tuple[tuple[str, str], ...] = ()
+    """The variables of a map with their images."""
 
 
 @dataclass(frozen=True)
@@ -79,11 +82,12 @@ class Stage:
         law = closure.law
         special = self.known.special(law) if law is not None and law.restates else []
         given = dict.fromkeys((*assumptions, *special))
-        about = [one for one in given if {*self.known.roles[one].names} & closure.names]
+        about = self._about(given, closure.names)
+        closure = self._with_definitions(closure, about)
         roots = tuple(
             dict.fromkeys(
                 root
-                for item in (*items, *closure.definitions.values())
+                for item in (*items, *about, *closure.definitions.values())
                 for root in self._roots(item.formula)
             )
         )
@@ -96,6 +100,22 @@ class Stage:
             self.scenes[key] = self._made(closure, about, roots, powers, clock)
         self._refuse_unknown(self.scenes[key].scene, [*items, *closure.definitions.values()], law)
         return self.scenes[key]
+
+    def _about(
+        self, assumptions: Iterable[SourceStatement], names: frozenset[str]
+    ) -> list[SourceStatement]:
+        """The assumptions about some names, and the inequalities that hang together with these."""
+        of = {one: {*self.known.roles[one].names} for one in assumptions}
+        for one in of:
+            if self.known.roles[one].kind == "inequality":
+                of[one] |= {inner for name in of[one] for inner in self.known.below(name)}
+        found, reached = dict[SourceStatement, None](), {*names}
+        while new := [one for one in of if one not in found and of[one] & reached]:
+            found |= dict.fromkeys(new)
+            reached = {
+                n for one in new if self.known.roles[one].kind == "inequality" for n in of[one]
+            }
+        return [*found]
 
     def _refuse_unknown(
         self, scene: Scene, items: Sequence[SourceStatement], law: Law | None
@@ -141,6 +161,21 @@ class Stage:
             elif name in known.unreadable:
                 raise ValueError(f"{name} is defined by what cannot be read")
         return _Closure(law, frozenset(names), definitions)
+
+    def _with_definitions(
+        self, closure: _Closure, assumptions: Sequence[SourceStatement]
+    ) -> _Closure:
+        """What some statements need, with what assumptions about their names stand for."""
+        new = [
+            one
+            for one in assumptions
+            if any(self.known.definition(name, one) for name in one.names - closure.names)
+        ]
+        if not new:
+            return closure
+        more = self._closure(new, closure.law)
+        definitions = {**more.definitions, **closure.definitions}
+        return _Closure(closure.law, closure.names | more.names, definitions)
 
     def _mentioned(self, item: SourceStatement) -> list[str]:
         """The names that a statement needs, functions and brackets among them."""
@@ -216,11 +251,12 @@ class Stage:
         named = replace(closure, names=closure.names | {n for n in new if not self.known.varies(n)})
         constants = tuple(self._constants(named, places, squares, vectors))
         title = closure.law.title if closure.law else "the constants"
-        rows = tuple(row.printed for row in closure.law.rows) if closure.law else ()
+        law = closure.law
+        rows = tuple(row.printed for row in law.rows) if law and not law.images else ()
         scene = Scene(
             title, vectors, closure.variables, constants, rows, definitions=places, powers=powers
         )
-        scene = self._with_unit(scene.adjoining(*squares), closure.names, clock)
+        scene = self._with_unit(scene.adjoining(*squares), closure, clock)
         used: list[SourceStatement] = []
         for one in sorted(about, key=lambda one: one.order):
             narrower = with_assumption(scene, one, self.known)
@@ -232,7 +268,7 @@ class Stage:
         if used:
             scene = scene.called(f"{title} where {', '.join(one.printed.tex for one in used)}")
         unsaid = tuple(name for name in constants if name not in self.introduced)
-        return Supposed(scene, tuple(used), unsaid)
+        return Supposed(scene, tuple(used), unsaid, law.images if law else ())
 
     def _places(self, closure: _Closure) -> tuple[dict[str, Printed], list[Printed]]:
         """The definitions by their heads, and the statements that give squares."""
@@ -269,11 +305,14 @@ class Stage:
             if name not in taken and not name.startswith(BRACKET):
                 yield name
 
-    def _with_unit(
-        self, scene: Scene, names: frozenset[str], clock: SourceStatement | None
-    ) -> Scene:
-        unit = self.known.units[0].printed if self.known.units and "i" in names else scene.unit
-        return replace(scene, unit=unit, clock=clock.printed if clock else None)
+    def _with_unit(self, scene: Scene, closure: _Closure, clock: SourceStatement | None) -> Scene:
+        moving, units = {*closure.variables}, self.known.units
+        unit = units[0].printed if units and "i" in closure.names else scene.unit
+        scene = replace(scene, unit=unit, clock=clock.printed if clock else None)
+        if unit is None or moving.isdisjoint(map(conjugate_name, moving)):
+            return scene
+        items = [*(closure.law.rows if closure.law else ()), *closure.definitions.values()]
+        return with_conjugates(scene, [one.formula for one in items if one.formula is not None])
 
     @cached_property
     def introduced(self) -> frozenset[str]:

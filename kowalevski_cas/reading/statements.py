@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation, Vocabulary
@@ -125,6 +125,8 @@ class SourcePaper:
     lines: dict[str, int] = field(repr=False)
     """The lines of the displays, by their ids."""
     expanded: Expanded = field(repr=False)
+    primed: frozenset[str] = frozenset()
+    """The names with primes that are images of a map."""
     period: int = 0
     """By how much indices may be changed; 0 if they may not."""
 
@@ -207,12 +209,13 @@ class SourcePaper:
         return found
 
 
-def read_statements(source: Source) -> SourcePaper:
-    """The statements of a source, read in the names that it uses."""
+def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> SourcePaper:
+    """The statements of a source, read in the names that it uses, some of which are ``primed``."""
     expanded, typed = typed_formulas(source)
     formulas = [*by_names(typed)]
     prose = Prose(expanded.text, expanded.body, formulas)
     words = vocabulary_of(formulas)
+    words = replace(words, scalars=words.scalars | primed)
     displays: list[tuple[Display, TypedFormula]] = []
     items: list[SourceStatement] = []
     period = period_in(expanded.text[prose.start :])
@@ -247,7 +250,9 @@ def read_statements(source: Source) -> SourcePaper:
                     prose.entry(formula.start), around.earlier,
                 )
             )  # fmt: skip
-    return SourcePaper(source, prose, words, tuple(displays), tuple(items), lines, expanded, period)
+    return SourcePaper(
+        source, prose, words, tuple(displays), tuple(items), lines, expanded, primed, period
+    )
 
 
 class _Around:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kowalevski_cas.notation import Name, Relation
+from kowalevski_cas.notation import Name, Number, Relation
 from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.reading.cues import cue, last_cue
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, OTHER, Known, StatementRole
@@ -27,11 +27,22 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
         words = item.lead[-30:] if item.typed.inline else item.before
         claimed = last_cue("claim", words) > last_cue("suppose", words)
         claimed = claimed or (not item.typed.inline and bool(cue("claim", item.tail)))
-        supposed = bool(cue("suppose", item.before[:12])) or not claimed
+        claimed = claimed or (cue("further", item.lead) != "" and not supposing(item))
+        begun = bool(cue("suppose", item.before[:12])) and not cue("claim", item.lead)
+        supposed = begun or not claimed or _says_first(item, known)
     if supposed:
         why = "an inequality that is supposed"
         return StatementRole(ASSUMPTION, why, "inequality", tuple(item.names))
     return StatementRole(CLAIM, "an inequality that is claimed", "inequality")
+
+
+def _says_first(item: SourceStatement, known: Known) -> bool:
+    """Whether letters are compared of which nothing has been said: it cannot be claimed of them."""
+    assert isinstance(item.formula, Relation)
+    said = {name for one in known.assumptions for name in one.names}
+    free = not any(name in said or known.is_defined(name) for name in item.names)
+    free = free and not (cue("deduced", item.lead) or cue("then", item.lead))
+    return free and all(isinstance(one, Name | Number) for one in item.formula.members)
 
 
 def assumption(item: SourceStatement, known: Known) -> StatementRole | None:

@@ -17,6 +17,7 @@ LONGEST = 500
 
 STATES: dict[str, str] = {
     "integral": r"""
+        \binvariants?\s+(?:of|under)\s+(?:the\s+|this\s+|our\s+)?(?:\w+\s+)?map(?:ping)?\b
         \bintegral(?:s\b|\b(?!\s+(?:equation|curve|sign))) \bconserved\b \bpreserved\b
         (?:is|are|remains?|stays?)\s+(?:\w+\s+)?constant\b
         constant\s+(?:along|on)\b integrable интеграл\w* сохраня\w+ постоян(?:на|но|ны|ен)\b""",

@@ -35,6 +35,11 @@ def unprinted(
     )  # fmt: skip
 
 
+def is_printed(item: SourceStatement) -> bool:
+    """Whether the paper prints a statement."""
+    return not item.printed.display.source
+
+
 def implied_rows(paper: SourcePaper) -> Iterator[SourceStatement]:
     """The equations of motion of the Hamiltonian, or the Lagrangian, that words call so.
 

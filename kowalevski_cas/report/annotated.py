@@ -9,8 +9,8 @@ from hashlib import sha256
 from itertools import count
 from typing import Final
 
+from kowalevski_cas.audit.assumed import assumptions_of
 from kowalevski_cas.audit.audit import Audit
-from kowalevski_cas.audit.reading import assumptions_of
 from kowalevski_cas.notation import Formula, NotationError, Vocabulary, read_display
 from kowalevski_cas.paper.texts import Display as Printed
 from kowalevski_cas.report.contents import Contents

@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import reduce
 from itertools import chain
 from operator import add, mul
 
@@ -16,7 +15,13 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.flint import polynomial_of
 from kowalevski_cas.problem.polynomial_fields import Exponents, Terms, derivative, monomials
-from kowalevski_cas.search.branches import Branch, branches, maximal, reduce_solutions, without
+from kowalevski_cas.search.branches import (
+    Branch,
+    branches,
+    maximal,
+    reduce_solutions,
+    replace_solved,
+)
 
 
 @dataclass(frozen=True)
@@ -130,7 +135,7 @@ def _rational_cases(
     if not levels:
         yield Branch(reduce_solutions(before.solved), before.rest, before.nonzero)
         return
-    replaced = (reduce(lambda f, by: without(f, *by), before.solved, f) for f in levels[0])
+    replaced = (replace_solved(equation, before.solved) for equation in levels[0])
     for branch in branches([*replaced, *before.rest], places, before.nonzero):
         solved = {place for place, _ in branch.solved}
         rest = [place for place in places if place not in solved]

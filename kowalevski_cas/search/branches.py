@@ -35,10 +35,7 @@ class Branch:
 
     def vanishes(self, polynomial: fmpq_mpoly) -> bool:
         """Whether a polynomial is seen to be zero on the branch."""
-        own = polynomial.degrees()
-        for place, equation in self.solved:
-            if own[place]:  # what is put in for one of these unknowns brings in none of the others
-                polynomial = without(polynomial, place, equation)
+        polynomial = replace_solved(polynomial, self.solved)
         for one in self.rest:
             polynomial = divmod(polynomial, one)[1]
         return polynomial.is_zero()
@@ -80,9 +77,8 @@ def solve_by_cases(
 class _Factor:
     """An irreducible polynomial with leading coefficient 1."""
 
-    def __init__(self, polynomial: fmpq_mpoly) -> None:
-        self.polynomial, self.size = polynomial, len(polynomial)
-        self.degrees = tuple(map(int, polynomial.degrees()))
+    def __init__(self, polynomial: fmpq_mpoly, degrees: tuple[int, ...]) -> None:
+        self.polynomial, self.size, self.degrees = polynomial, len(polynomial), degrees
         self._hash = hash((self.size, self.degrees))
 
     @cached_property
@@ -93,19 +89,18 @@ class _Factor:
     @cached_property
     def linear(self) -> list[int]:
         """The places of unknowns of which a number is the coefficient."""
-        products = [exponents for exponents in self.polynomial.monoms() if sum(exponents) > 1]
-        places = [k for k, degree in enumerate(self.degrees) if degree == 1]
-        return [k for k in places if not any(exponents[k] for exponents in products)]
+        places = (k for k, degree in enumerate(self.degrees) if degree == 1)
+        return [k for k in places if self.polynomial.derivative(k).is_constant()]
 
     @cached_property
     def _is_definite(self) -> bool:
         """Whether it is seen to vanish at no real point; no degree is odd then."""
-        odd = any(degree % 2 for degree in self.degrees)
+        odd = any(map((1).__and__, self.degrees))
         return not odd and _is_positive(terms_of(self.polynomial))
 
     def may_vanish(self, places: Sequence[int]) -> bool:
         """Whether it has an unknown in it, and is not seen to vanish at no real point."""
-        return any(self.degrees[place] for place in places) and not self._is_definite
+        return any(map(self.degrees.__getitem__, places)) and not self._is_definite
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, _Factor) and bool(self.polynomial == other.polynomial)
@@ -128,19 +123,32 @@ _Group = tuple[_Factor, ...]
 
 def _factors(polynomial: fmpq_mpoly) -> _Group:
     """The irreducible factors, each once; none of a number."""
-    factors = _irreducible(polynomial)
-    return tuple(_Factor(factor / factor.leading_coefficient()) for factor in factors)
+    degrees = _degrees(polynomial)
+    factors = _irreducible(polynomial, degrees)
+    if factors == [polynomial]:
+        return (_Factor(_monic(polynomial), degrees),)
+    return tuple(_Factor(_monic(factor), _degrees(factor)) for factor in factors)
 
 
-def _irreducible(polynomial: fmpq_mpoly) -> list[fmpq_mpoly]:
+def _degrees(polynomial: fmpq_mpoly) -> tuple[int, ...]:
+    return tuple(map(int, polynomial.degrees()))
+
+
+def _monic(polynomial: fmpq_mpoly) -> fmpq_mpoly:
+    leading = polynomial.leading_coefficient()
+    return polynomial if leading == 1 else polynomial / leading
+
+
+def _irreducible(polynomial: fmpq_mpoly, degrees: tuple[int, ...]) -> list[fmpq_mpoly]:
     """The irreducible factors, each once, but for numbers.
 
     What is linear in an unknown is irreducible, but for what divides both of its coefficients.
     """
-    place = next((k for k, degree in enumerate(polynomial.degrees()) if degree == 1), None)
-    if place is None:
+    if 1 not in degrees:
         return [factor for factor, _ in polynomial.factor()[1]]
-    content = polynomial.derivative(place).gcd(polynomial)
+    slope = polynomial.derivative(degrees.index(1))
+    if slope.is_constant() or (content := slope.gcd(polynomial)).is_constant():
+        return [polynomial]
     return [*(factor for factor, _ in content.factor()[1]), polynomial / content]
 
 
@@ -231,30 +239,31 @@ def _eliminate(
     solved: Solved,
 ) -> Iterator[Branch]:
     """The cases in which the coefficient of an unknown vanishes, and where it does not."""
-    polynomial = equation.polynomial
+    eliminate = Elimination(place, equation.polynomial)
+    others = [_factors(-eliminate.value)] if unknown and not eliminate.value.is_zero() else []
     for factor in unknown:
-        rest = next(coefficients(polynomial, place))
-        others = [] if rest.is_zero() else [_factors(rest)]
         yield from _split_cases([(factor,), *others, *left], places, nonzero, solved)
         nonzero = (*nonzero, factor)
-    kept = [_substitute_factor(factor, place, polynomial) for factor in nonzero]
+    kept = [_substitute_factor(factor, eliminate) for factor in nonzero]
     if any(group is None for group in kept):
         return
     granted = tuple(factor for group in kept for factor in group or ())
     further: list[_Group] = []
     for group in left:
-        parts = [_substitute_factor(factor, place, polynomial) for factor in group]
+        parts = [_substitute_factor(factor, eliminate) for factor in group]
         if None not in parts:
             further.append(tuple(dict.fromkeys(factor for part in parts for factor in part or ())))
     rest_of_places = tuple(other for other in places if other != place)
-    yield from _split_cases(further, rest_of_places, granted, (*solved, (place, polynomial)))
+    yield from _split_cases(
+        further, rest_of_places, granted, (*solved, (place, equation.polynomial))
+    )
 
 
-def _substitute_factor(factor: _Factor, place: int, equation: fmpq_mpoly) -> _Group | None:
+def _substitute_factor(factor: _Factor, eliminate: Elimination) -> _Group | None:
     """The factors of a factor in which an unknown is replaced; ``None`` if it vanishes."""
-    if not factor.degrees[place]:
+    if not (degree := factor.degrees[eliminate.place]):
         return (factor,)
-    polynomial = without(factor.polynomial, place, equation)
+    polynomial = eliminate(factor.polynomial, degree)
     return None if polynomial.is_zero() else _factors(polynomial)
 
 
@@ -262,10 +271,7 @@ def reduce_solutions(solved: Solved) -> Solved:
     """Equations for unknowns without those that later equations are solved for."""
     found: list[tuple[int, fmpq_mpoly]] = []
     for place, equation in reversed(solved):
-        degrees = equation.degrees()
-        for other in found:  # none of them stands in another one
-            if degrees[other[0]]:
-                equation = without(equation, *other)
+        equation = replace_solved(equation, found)
         own = next(factor for factor in _factors(equation) if factor.degrees[place])
         found.insert(0, (place, own.polynomial))
     return tuple(found)
@@ -274,11 +280,48 @@ def reduce_solutions(solved: Solved) -> Solved:
 def coefficients(polynomial: fmpq_mpoly, place: int) -> Iterator[fmpq_mpoly]:
     """The coefficients of the powers of the unknown at a place, the lowest first."""
     context = polynomial.context()
-    name, unknown = context.names()[place], context.gens()[place]
+    name, unknown = context.name(place), context.gen(place)
     while not polynomial.is_zero():
         lowest = polynomial.subs({name: 0})
         yield lowest
         polynomial = (polynomial - lowest) / unknown
+
+
+class Elimination:
+    """An unknown is replaced by what an equation says of it, which is linear in it."""
+
+    def __init__(self, place: int, equation: fmpq_mpoly) -> None:
+        self.place, self.slope = place, equation.derivative(place)
+        if self.slope.is_constant():
+            equation = equation / self.slope.leading_coefficient()
+            self.slope = equation.context().constant(1)
+        self.equation = equation
+
+    @cached_property
+    def value(self) -> fmpq_mpoly:
+        """The coefficient times the unknown."""
+        return self.slope * self.equation.context().gen(self.place) - self.equation
+
+    def __call__(self, polynomial: fmpq_mpoly, degree: int) -> fmpq_mpoly:
+        """A polynomial of some degree in the unknown, times as many coefficients of it."""
+        if degree == 1:
+            less = polynomial.derivative(self.place) * self.equation
+            return (polynomial if self.slope.is_one() else self.slope * polynomial) - less
+        context = polynomial.context()
+        total, power = context.constant(0), context.constant(1)
+        for coefficient in reversed([*coefficients(polynomial, self.place)]):
+            total, power = total * self.value + coefficient * power, power * self.slope
+        return total
+
+
+def replace_solved(polynomial: fmpq_mpoly, solved: Iterable[tuple[int, fmpq_mpoly]]) -> fmpq_mpoly:
+    """A polynomial times coefficients of unknowns, which are replaced one after the other."""
+    degrees = polynomial.degrees()
+    for place, equation in solved:
+        if (degree := int(degrees[place])) > 0:  # it is −1 of what vanishes
+            polynomial = Elimination(place, equation)(polynomial, degree)
+            degrees = polynomial.degrees()
+    return polynomial
 
 
 def without(polynomial: fmpq_mpoly, place: int, equation: fmpq_mpoly) -> fmpq_mpoly:
@@ -286,16 +329,4 @@ def without(polynomial: fmpq_mpoly, place: int, equation: fmpq_mpoly) -> fmpq_mp
 
     If the coefficient is a number, nothing is multiplied.
     """
-    degree = int(polynomial.degrees()[place])
-    if not degree:
-        return polynomial
-    slope = equation.derivative(place)
-    if slope.is_constant():
-        equation, slope = equation / slope.leading_coefficient(), slope.context().constant(1)
-    if degree == 1:
-        return slope * polynomial - polynomial.derivative(place) * equation
-    value = slope * slope.context().gens()[place] - equation  # times the coefficient
-    total, power = slope.context().constant(0), slope.context().constant(1)
-    for coefficient in reversed([*coefficients(polynomial, place)]):
-        total, power = total * value + coefficient * power, power * slope
-    return total
+    return replace_solved(polynomial, [(place, equation)])

@@ -82,6 +82,8 @@ class FollowsFinder(PointFinder):
             return None
         if PointEvaluation(at, point).defines(entries):
             return Entailment(proof, point)
+        if _divides_by_zero(entries, known, at, point):
+            return None
         return Entailment(proof, self.point(at, here, [*divided, *entries]))
 
     @staticmethod
@@ -192,6 +194,18 @@ def rows_of(
             return rows, power
     rows = complete(map(made.division_row, goals))
     return None if rows is None else (rows, 1)
+
+
+def _divides_by_zero(
+    entries: Sequence[Element], known: Sequence[Element], at: Evaluation, point: Point
+) -> bool:
+    """Whether something that is divided by vanishes near a point wherever the known ones do."""
+    there = PointEvaluation(at, point)
+    for divisor in at.ring.divisors_of(entries) if known else ():
+        found = rows_of([divisor], known)
+        if found and there.defines([entry for row in found[0] for entry in row]):
+            return True
+    return False
 
 
 def _row(target: Element, known: Sequence[Element]) -> list[Element] | None:

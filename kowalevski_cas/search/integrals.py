@@ -27,7 +27,14 @@ from kowalevski_cas.problem.polynomial_fields import (
     number_of_monomials,
     weight_of,
 )
-from kowalevski_cas.problem.residues import ResidueField, Weighted, products, remember_dimension
+from kowalevski_cas.problem.residues import (
+    ResidueField,
+    Residues,
+    Weighted,
+    pack,
+    products,
+    remember_dimension,
+)
 
 CONSTANTS = 6
 """The largest degree of coefficients in the constants."""
@@ -87,6 +94,8 @@ class _IntegralSearch:
         """Monomials in the variables by their weights, which the motion keeps together."""
         self.solutions: dict[Exponents, list[Combination]] = defaultdict(list)
         """Modulo the prime."""
+        self.span = Echelon()
+        """The polynomials in known integrals, up to the weight at which new ones are looked for."""
 
     def up_to(self, weight: int, first: int) -> Iterator[Terms]:
         """Integrals with terms up to a weight that are no polynomials in the known ones."""
@@ -104,15 +113,13 @@ class _IntegralSearch:
     def _new(self, weight: int) -> Iterator[Terms]:
         """Those of them that the solutions up to a weight give."""
         dimension = sum(map(len, self.solutions.values()))
-        span = self._span(weight)
-        for candidates in self._candidates(number_of_monomials(self.weights, weight)):
-            if len(span) == dimension:
-                return
-            for terms in candidates:
-                if len(span) < dimension and span.extend(self.residues.residues(terms)):
-                    self.known.append(primitive(terms))
-                    yield self.known[-1]
-                    span = self._span(weight)
+        self.span = self._span(weight)
+        candidates = self._candidates(number_of_monomials(self.weights, weight))
+        while len(self.span) < dimension and (terms := next(candidates, None)):
+            if self.span.extend(self.residues.residues(terms)):
+                self.known.append(primitive(terms))
+                yield self.known[-1]
+                self.span = self._span(weight)
 
     def _solve_in_stages(self, first: int, last: int) -> Iterator[Solved]:
         """The monomials of each weight and the solutions that end there, by their grades.
@@ -160,16 +167,17 @@ class _IntegralSearch:
         work = partial(_combinations, self.residues)
         return zip(order, self.pool.map(work, [groups[g] for g in order]), strict=True)
 
-    def _candidates(self, size: int) -> Iterator[Iterator[Terms]]:
+    def _candidates(self, size: int) -> Iterator[Terms]:
         """Integrals with coefficients of each degree in the constants, the shortest first."""
         if not self.others:
             rates, factor = self.field.rates, self.field.factor
             found = sorted(chain.from_iterable(self.solutions.values()), key=_size)
-            yield (terms for solution in found if (terms := _lift(solution, rates, factor)))
+            new = (solution for solution in found if not self.span.has(_packed(solution)))
+            yield from (terms for solution in new if (terms := _lift(solution, rates, factor)))
             return
         for degree in range(CONSTANTS + 1):
             if size * (degree + 1) <= LARGEST:
-                yield iter(sorted(self._kernel(degree), key=_size))
+                yield from sorted(self._kernel(degree), key=_size)
 
     def _kernel(self, degree: int) -> Iterator[Terms]:
         """A basis of the integrals with coefficients of some degree in the constants."""
@@ -236,6 +244,10 @@ def _lift(found: Combination, rates: Sequence[Terms], factor: Terms) -> Terms | 
         for other, rate in derivative(exponents, rates, factor).items():
             total[other] += value * rate
     return None if any(total.values()) else terms
+
+
+def _packed(found: Combination) -> Residues:
+    return {pack(exponents): value for exponents, value in found.items()}
 
 
 def _size(terms: Mapping[Exponents, object]) -> tuple[int, int]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import replace
 
 from kowalevski_cas.algebra.numbers import independent, rank
@@ -11,6 +12,7 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Evidence, Minors
 from kowalevski_cas.problem.examine import law
 from kowalevski_cas.problem.goals import Rank
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.follows import rows_of
 from kowalevski_cas.search.place import Candidate, PointFinder, Values
 
@@ -55,8 +57,14 @@ class RankFinder(PointFinder):
             return independent([[values(entry) for entry in row] for row in rows])
 
         on_pieces = self.on_pieces(known, are_independent)
+        below = []
+        with suppress(Meaningless):  # of a space that says nothing of its motion
+            below = at.ring.divisors_of(at.law)
 
         def good(candidate: Candidate) -> bool:
+            # Other goals speak of the motion of this space: its point is one where it is defined.
+            if any(candidate(divisor).is_zero for divisor in below):
+                return False
             found = rank([[candidate(entry) for entry in row] for row in rows])
             return found == len(rows) and on_pieces(candidate)
 

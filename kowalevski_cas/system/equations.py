@@ -36,11 +36,13 @@ from kowalevski_cas.notation.open import OpenParser, independent, words_that_mov
 from kowalevski_cas.notation.primed import primed_names
 from kowalevski_cas.notation.symbol import name_of_rate
 from kowalevski_cas.notation.vocabulary import VECTOR
+from kowalevski_cas.paper.amplitudes import SQUARE, conjugate_equations, with_conjugates
 from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.constraints import constraints, multipliers
 from kowalevski_cas.paper.differentials import differentials, rates
 from kowalevski_cas.paper.exponents import half_power, linear_exponent
 from kowalevski_cas.paper.implied import implied_equations
+from kowalevski_cas.paper.logarithms import with_real_logarithms
 from kowalevski_cas.paper.matrix_equations import equations_of_entries, matrix_equations
 from kowalevski_cas.paper.names import BRACKET, head, is_bold, summation_indices
 from kowalevski_cas.paper.scene import Scene
@@ -49,7 +51,6 @@ from kowalevski_cas.paper.summation import expand_sum, without_sums
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.system.amplitudes import SQUARE, conjugate_equations, with_conjugates
 from kowalevski_cas.system.refused import (
     check_derivatives,
     check_ends,
@@ -86,10 +87,10 @@ def with_motion(tex: str, vectors: Vectors, declared: Names = (), arguments: Nam
         rows = [row for place in printed for row in ratios.get(place, [place.tex])]
         return with_motion(r",\quad ".join(rows), vectors, declared, arguments)
     formulas = [*printed.values()]
-    moving = {name for formula in formulas for name in _moving_names(formula)}
+    moving = {name for formula in formulas for name in moving_names(formula)}
     implied = implied_equations([*formulas, *map(Name, arguments)])
     more = [*implied, *conjugate_equations(formulas, moving)]
-    more += lengths(formulas, vectors, moving)
+    more += lengths([*formulas, *map(Name, arguments)], vectors, moving)
     tex = r",\quad ".join((tex, *more))
     display = Display("field", tex, "")
     if places := constraints_in(display, vectors, declared):
@@ -101,7 +102,7 @@ def with_motion(tex: str, vectors: Vectors, declared: Names = (), arguments: Nam
 def constraints_in(display: Display, vectors: Vectors, declared: Names = ()) -> list[Printed]:
     """The constraints among equations of motion with multipliers."""
     formulas = read_rows(display, vocabulary_of(display, vectors, declared))
-    moving = {name for formula in formulas.values() for name in _moving_names(formula)}
+    moving = {name for formula in formulas.values() for name in moving_names(formula)}
     return constraints(formulas, moving, vectors)
 
 
@@ -110,7 +111,7 @@ def with_time(tex: str, vectors: Vectors, declared: Names = ()) -> str:
     display = Display("field", tex, "")
     words = vocabulary_of(display, vectors, declared)
     formulas = [*read_rows(display, words).values()]
-    moving = {name for formula in formulas for name in _moving_names(formula)}
+    moving = {name for formula in formulas for name in moving_names(formula)}
     for time in words.times - moving:
         if any(Name(time) in formula.nodes() for formula in formulas):
             return rf"{tex},\quad \frac{{d{time}}}{{d{time}}}=1"
@@ -129,7 +130,7 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
     formulas = read_rows(display, words)
     matrix_laws = matrix_equations(formulas)
     formulas = {place: one for place, one in formulas.items() if place not in matrix_laws}
-    moving = dict.fromkeys(one for formula in formulas.values() for one in _moving_names(formula))
+    moving = dict.fromkeys(one for formula in formulas.values() for one in moving_names(formula))
     words = replace(words, moving=frozenset(moving))  # only these may be printed as x(t)
     bound = constraints_in(display, vectors, declared)
     printed = {p: one for p, one in read_rows(display, words).items() if not _is_empty(one)}
@@ -145,7 +146,7 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
     nodes = (node for formula in printed.values() for node in formula.nodes())
     names = [node.name for node in nodes if isinstance(node, Name)]
     check_marks(formulas.values())
-    check_motion(display, formulas, laws, moving, defined)
+    check_motion(display, formulas, laws, moving, defined.union(declared))
     variables = tuple(part for one in moving for part in vectors.get(one, (one,)))
     fixed = [one for one in names if one not in defined and one not in words.matrices]
     parts = dict.fromkeys(part for one in fixed for part in vectors.get(one, (one,)))
@@ -163,7 +164,7 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
     if scene.unit is not None:
         scene = with_conjugates(scene, formulas.values())
     scene = scene.having(powers=tuple(dict.fromkeys(_powers(formulas.values(), scene))))
-    return with_roots(scene, display)
+    return with_real_logarithms(with_roots(scene, display), formulas.values())
 
 
 def _powers(formulas: Iterable[Formula], scene: Scene) -> Iterator[tuple[str, str]]:
@@ -245,14 +246,14 @@ def _is_empty(formula: Formula) -> bool:
 def _is_law(formula: Formula) -> bool:
     """Whether a rate stands in an equation, and no name for something else on its left."""
     first = formula.members[0] if isinstance(formula, Relation) else formula
-    return not isinstance(first, Name | Application) and bool(_moving_names(formula))
+    return not isinstance(first, Name | Application) and bool(moving_names(formula))
 
 
 def _is_momentum(formula: Formula, moving: Names) -> bool:
     r"""Whether it gives a rate by a name that moves, as :math:`p=m\dot q` beside :math:`\dot p`."""
     match formula:
         case Relation((Name(p), right), ("=",)) if p in moving:
-            return right.names() & {*moving} == {*_moving_names(right)} != set()
+            return right.names() & {*moving} == {*moving_names(right)} != set()
     return False
 
 
@@ -277,11 +278,11 @@ def _without_momenta(
     return found
 
 
-def _moving_names(formula: Formula) -> list[str]:
+def moving_names(formula: Formula) -> list[str]:
     """The names that stand under a derivative, or by whose rates something is derived."""
     if isinstance(formula, Derivative) and isinstance(formula.argument, Name | Vector | Sum):
         return [node.name for node in formula.argument.nodes() if isinstance(node, Name)]
-    found = [name for child in formula.children() for name in _moving_names(child)]
+    found = [name for child in formula.children() for name in moving_names(child)]
     by = formula.by if isinstance(formula, Partial) else ""
     return [name_of_rate(by), *found] if name_of_rate(by) != by else found
 

@@ -11,7 +11,14 @@ from dataclasses import fields, replace
 from typing import Any, Self
 
 from kowalevski_cas.library import MADE
-from kowalevski_cas.notation import Formula, defined_names, read, read_display, to_plain
+from kowalevski_cas.notation import (
+    Formula,
+    defined_names,
+    read,
+    read_display,
+    split_display,
+    to_plain,
+)
 from kowalevski_cas.paper.applied import printed_arguments, without_arguments
 from kowalevski_cas.paper.claims import (
     Casimir,
@@ -19,18 +26,16 @@ from kowalevski_cas.paper.claims import (
     FirstIntegral,
     Identity,
     Implication,
-    InvariantOfMap,
-    InvariantRelations,
-    InvariantSetOfMap,
     Involution,
     Jacobi,
 )
+from kowalevski_cas.paper.claims.maps import OF_MAPS
 from kowalevski_cas.paper.constraints import equations_on
 from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.relations import solve_for_constant
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives
+from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives, with_rates
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.answers import ClaimInParts, Function, SystemClaim, in_html
@@ -45,7 +50,13 @@ from kowalevski_cas.system.equations import (
     with_roots,
     with_time,
 )
-from kowalevski_cas.system.indices import has_permutation, with_ranges
+from kowalevski_cas.system.indices import (
+    counts,
+    has_permutation,
+    with_counts,
+    with_length,
+    with_ranges,
+)
 from kowalevski_cas.system.inverses import without_inverses
 from kowalevski_cas.system.maps import (
     Map,
@@ -55,6 +66,7 @@ from kowalevski_cas.system.maps import (
     with_primes,
     without_steps,
 )
+from kowalevski_cas.system.partials import moving_names, with_partials
 from kowalevski_cas.system.refused import check_constant, check_field, names_of
 from kowalevski_cas.system.signs import SIGNS, has_both_signs, with_signs
 from kowalevski_cas.system.solved import (
@@ -64,12 +76,16 @@ from kowalevski_cas.system.solved import (
     with_new_names,
 )
 from kowalevski_cas.system.symbols import latex_of
+from kowalevski_cas.system.units import with_unit_matrices, with_units
 from kowalevski_cas.system.unknown import (
     TIMES,
     Unknown,
+    check_said,
+    said_functions,
     unknown_functions,
     with_jets,
     without_argument,
+    without_said_functions,
 )
 from kowalevski_cas.verify.finding import Finding
 from kowalevski_cas.verify.outcome import Verdict, in_latex
@@ -80,11 +96,6 @@ Tex = Any
 Texs = Any
 """A formula, or a tuple or a list of formulas."""
 
-OF_MAPS: dict[type[Claim], type[Claim]] = {
-    FirstIntegral: InvariantOfMap,
-    InvariantRelations: InvariantSetOfMap,
-}
-"""What is claimed of a map for what is claimed of a motion."""
 STATIC = (Identity, Implication, Jacobi, Casimir, Involution)
 """What is claimed of functions, whatever moves."""
 
@@ -120,26 +131,32 @@ class Field:
         MADE.append(self.section)
         self.scene = Scene(name)  # of which nothing is known yet
         self._convention = False
+        self.counts: dict[str, str] = {}
         self.applied: dict[str, str] = {}
         self._by_index = ""
         self.functions: list[Unknown] = []
         self._barred = False
-        tex = field if isinstance(field, str) else self._rows(field)
+        tex = with_rates(field) if isinstance(field, str) else self._rows(field)
         self._by_index = derived_in_index([tex])
         """The variable by which indices derive, if they do."""
         self._barred = map and has_bars(tex)
         """Whether bars stand over images of a map."""
         tex = without_inverses(without_steps(tex) if self._barred else tex)
+        self.counts = counts(tex)
+        """The letters that say how far indices run, with their numbers."""
+        tex = with_counts(tex, self.counts)
+        tex = tex if map else with_partials(with_length(tex), moving_names(tex))
         self.applied = printed_arguments([tex], vectors or ())
         """The arguments of names that are defined; they are called by their names alone."""
         self.functions = unknown_functions(tex)
         """The functions of which nothing is known; they are called by their names alone."""
+        said, tex = said_functions(tex), without_said_functions(tex)
         self._convention = has_permutation(tex)
         """Whether indices that stand twice are summed over, though no sums are printed."""
-        jets = [jet for one in self.functions for jet in one.jets]
-        names = dict.fromkeys(name for *both, _ in jets for name in both)
-        tex, words = self._tex(tex), [*self.symbols, *names]
+        tex, words = self._tex(tex), [*self.symbols, *(one.name for one in self.functions)]
         parts = components(tex, vectors or {}, words)
+        jets = [jet for one in self.functions for jet in one.jets(parts)]
+        words += dict.fromkeys(name for *both, _ in jets for name in both)
         printed = {name for statement in defined_names(tex) for name in statement.names}
         index = index_of_map(tex)
         self.images: tuple[tuple[str, str], ...] = ()
@@ -149,7 +166,8 @@ class Field:
         if map or index:
             tex = with_images(tex, parts, words, index)
         else:
-            arguments = [one.by for one in self.functions if one.by not in TIMES]
+            arguments = [by for one in self.functions for by in one.by if by not in TIMES]
+            tex = with_unit_matrices(tex, parts, words)
             tex = with_time(with_motion(tex, parts, words, arguments), parts, words)
         display = self.section.display(f"{self.prefix}field", tex)
         self.shown = {display.id}
@@ -166,6 +184,7 @@ class Field:
             self.constraints = (*equations_on(self.scene, bound),)
         if jets:
             self._stand_on(with_jets(self.scene, jets))
+        check_said(said, self.scene.constants)
         self.implied = frozenset(_brackets(self.scene.definitions)) - printed
         """The canonical brackets, which equations of Hamilton imply and nobody has printed."""
         check_field(self.scene)
@@ -207,7 +226,10 @@ class Field:
         moves = ("is mapped" if one else "are mapped") if self.images else f"move{'s' * one}"
         still = f"{', '.join(map(shown, fixed))} {'are' if len(fixed) > 1 else 'is'} constant"
         moving = f"{', '.join(map(shown, names))} {moves}"
-        any_ = [f"{shown(f.name)} is any function of {shown(f.by)}" for f in self.functions]
+        any_ = [
+            f"{shown(one.name)} is any function of {', '.join(map(shown, one.by))}"
+            for one in self.functions
+        ]
         return "; ".join([moving, *([still] if fixed else []), *any_])
 
     # -- scenes ------------------------------------------------------------------
@@ -237,7 +259,7 @@ class Field:
             # What is printed of a bracket is all of it: none that is implied stands beside.
             left = {n: one for n, one in scene.definitions.items() if n not in self.implied}
             scene, self.implied = replace(scene, definitions=left), frozenset()
-        self._stand_on(with_roots(scene.defining(display), display))
+        self._stand_on(with_roots(with_units(scene, display).defining(display), display))
         heads, formula = display[1].heads, self._formulas(display)[0]
         name = (*heads.names, *heads.multiples)[0]
         return Function(display[1], name, formula, self.symbols)
@@ -371,6 +393,7 @@ class Field:
             with suppress(ValueError):
                 claim = replace(claim, scene=with_levels(claim.scene, claim.own))
         for place in claim.places():
+            claim = replace(claim, scene=with_units(claim.scene, place.display))
             with suppress(ValueError):  # what cannot be read is the outcome of the claim
                 claim = replace(claim, scene=with_roots(claim.scene, place.display))
         self.section.claim(claim)
@@ -394,7 +417,10 @@ class Field:
 
     def _tex(self, formula: Tex) -> str:
         if isinstance(formula, str):
-            plain = with_derivatives(formula, self._by_index)
+            jets = {name for name, _, _ in self.scene.jets}
+            moving = {*self.scene.variables} - jets - {self.scene.time}
+            plain = with_partials(with_counts(with_rates(formula), self.counts), moving)
+            plain = with_derivatives(plain, self._by_index)
             plain = without_arguments(without_argument(plain, self.functions), self.applied)
             plain = with_primes(plain) if self._barred else plain
             return with_ranges(plain, self._names, self._convention)
@@ -439,6 +465,15 @@ class Field:
 def several(formulas: Texs) -> tuple[Tex, ...]:
     """Formulas as a tuple, also if it is one."""
     return tuple(formulas) if isinstance(formulas, tuple | list) else (formulas,)
+
+
+def listed(formula: Tex) -> tuple[Tex, ...]:
+    r"""The formulas of a list that is printed as one, as :math:`z=0,\ \dot z=0`."""
+    if not isinstance(formula, str):
+        return (formula,)
+    parts = split_display(formula)
+    whole = len({*parts}) < len(parts) or not parts  # values of an index are of one statement
+    return (formula,) if whole else tuple(formula[start:end] for start, end in parts)
 
 
 def _first(value: Any) -> Tex:

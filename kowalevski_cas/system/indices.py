@@ -1,5 +1,7 @@
 r"""Sums that are printed without the values of their indices, as :math:`\sum_{i<j}m_im_j`.
 
+A number of bodies may have a letter, :math:`n=3`, and a closed chain says how long it is.
+
 An index has the values with which the names stand in the equations of motion. Where these are
 printed with the sign of a permutation, an index that stands twice is summed over here too, as in
 :math:`M_i\gamma_i`.
@@ -7,10 +9,11 @@ printed with the sign of a permutation, an index that stands twice is summed ove
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+import re
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import groupby
 
-from kowalevski_cas.notation import NotationError, Vocabulary
+from kowalevski_cas.notation import NotationError, Vocabulary, split_display
 from kowalevski_cas.notation.cursor import Cursor
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.ranges import without_ranges
@@ -29,6 +32,59 @@ def has_permutation(tex: str) -> bool:
     return bool(permuted(scan(tex)))
 
 
+_COUNT = re.compile(r"(?P<letter>[A-Za-z])\s*=\s*(?P<number>[1-9]\d?)")
+_CHAIN = re.compile(
+    r"(?P<head>(?:\\[A-Za-z]+|[A-Za-z])\s*_)\s*\{\s*(?P<index>[a-z])\s*\+\s*(?P<length>\d+)\s*\}"
+    r"\s*=\s*(?P=head)\s*\{?\s*(?P=index)\s*\}?"
+)
+
+
+def counts(tex: str) -> dict[str, str]:
+    r"""The letters that say how far sums or indices run, with their numbers.
+
+    >>> counts(r"H=\sum_{j=1}^np_j^2, n=3"), counts(r"\dot x=nx, n=3")
+    ({'n': '3'}, {})
+    """
+    given = (_COUNT.fullmatch(tex[start:end].strip(" .;")) for start, end in split_display(tex))
+    numbers = {count["letter"]: count["number"] for count in given if count}
+    tokens = scan(tex) if numbers else []
+    ends = {tokens[k + 2].text for k, token in enumerate(tokens[:-2]) if token.kind == "dots"}
+    for k in (k for k, token in enumerate(tokens) if token.kind in SIGNS):
+        ends |= {token.text for token in SumSign.at(tokens, k).head}
+    return {letter: number for letter, number in numbers.items() if letter in ends}
+
+
+def with_counts(tex: str, numbers: Mapping[str, str]) -> str:
+    r"""A formula with numbers for these letters, also where something is added to them.
+
+    >>> with_counts(r"H=\sum_{j=1}^np_j^2, n=3, q_{n+1}=q_1", {"n": "3"})
+    'H=\\sum_{j=1}^3p_j^2, , q_{4}=q_1'
+    """
+    for letter, number in numbers.items():
+        for start, end in reversed(split_display(tex)):
+            if (count := _COUNT.fullmatch(tex[start:end].strip())) and count["letter"] == letter:
+                tex = tex[:start] + tex[end:]
+        for token in reversed([token for token in scan(tex) if token.text == letter]):
+            more = re.compile(r"\s*([-+])\s*(\d+)(?=\s*\})").match(tex, token.end)
+            total = int(number) + int(more[1] + more[2]) if more else int(number)
+            tex = f"{tex[: token.start]}{total}{tex[more.end() if more else token.end :]}"
+    return tex
+
+
+def with_length(tex: str) -> str:
+    r"""A display with the values of an index that only a closed chain gives.
+
+    >>> with_length(r"\dot u_i=u_{i+1}, u_{i+4}=u_i")
+    '\\dot u_i=u_{i+1}, u_{i+4}=u_i,\\quad i=1,2,3,4'
+    """
+    parts = (_CHAIN.fullmatch(tex[start:end].strip(" .;")) for start, end in split_display(tex))
+    chains = {(one["index"], int(one["length"])) for one in parts if one}
+    for index, length in sorted(chains):
+        if not re.search(rf"(?<![\w\\]){index}\s*(?:=|,[^=]*=|\\in(?![A-Za-z]))(?!=)", tex):
+            tex += rf",\quad {index}={','.join(map(str, range(1, length + 1)))}"
+    return tex
+
+
 def with_ranges(tex: str, names: Collection[str], convention: bool) -> str:
     r"""A formula with the values of the indices that its sums are printed without.
 
@@ -42,7 +98,8 @@ def with_ranges(tex: str, names: Collection[str], convention: bool) -> str:
     try:
         tokens, ranges = without_ranges(scan(tex), tex)
         letters = [letter for letter in _letters(tokens) if letter not in ranges]
-        values = {letter: _values(letter, tex, tokens, names) for letter in letters}
+        sums = _printed_values(tokens)
+        values = {one: _values(one, tex, tokens, names) or sums.get(one, []) for one in letters}
         known = {letter: found for letter, found in values.items() if len(found) > 1}
         pairs = repeated(tokens) if convention else ()
         found = [(term, _values(index, tex, term, names), index) for term, index in pairs]
@@ -62,6 +119,26 @@ def _letters(tokens: list[Token]) -> Iterator[str]:
     for k, token in enumerate(tokens):
         if token.kind in SIGNS:
             yield from SumSign.at(tokens, k).without_values()
+
+
+def _printed_values(tokens: list[Token]) -> dict[str, list[int]]:
+    """The values that indices have in the sums which print them, and so those compared with them.
+
+    None, if a sum has others for an index of the same name.
+    """
+    signs = [SumSign.at(tokens, k) for k, token in enumerate(tokens) if token.kind in SIGNS]
+    found: dict[str, set[tuple[int, ...]]] = {}
+    for sign in signs:
+        for at in [sign.terms({}, {})] if sign.is_plain else []:
+            for letter in sign.letters:
+                listed = tuple(sorted({values[letter] for values in at or ()}))
+                found.setdefault(letter, set()).add(listed)
+    known = {one: [*min(lists)] for one, lists in found.items() if len(lists) == 1}
+    for sign in signs:
+        beside = [one for one in sign.letters if one in known]
+        if len(beside) == 1 and not sign.is_plain:
+            known = {**dict.fromkeys(sign.letters, known[beside[0]]), **known}
+    return known
 
 
 def _values(letter: str, tex: str, tokens: Iterable[Token], names: Collection[str]) -> list[int]:

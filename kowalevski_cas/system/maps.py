@@ -8,35 +8,34 @@ solved for them.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 from itertools import chain
 
-from kowalevski_cas.algebra.present import formula_in
-from kowalevski_cas.notation import Derivative, Formula, Name, Relation, Vocabulary, to_latex
+from kowalevski_cas.notation import Derivative, Formula, Name, Relation, Vocabulary
 from kowalevski_cas.notation.cursor import Cursor
 from kowalevski_cas.notation.layout import split_display
 from kowalevski_cas.notation.lexer import scan
-from kowalevski_cas.notation.symbol import Symbol, symbol
-from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.notation.macros import SPELLING
+from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.images import images_by_index, solutions
 from kowalevski_cas.paper.implied import canonical_brackets, conjugate_pairs
-from kowalevski_cas.paper.matrix_equations import solve_linear
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.texts import Display, Printed, Texts
-from kowalevski_cas.paper.vocabulary import vocabulary
+from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.system.equations import Names, read_rows, vocabulary_of, with_row
 from kowalevski_cas.system.refused import check_unit
 from kowalevski_cas.system.vectors import Vectors
 
 STEP = "+1"
 _LETTER = r"(?:[A-Za-z]|\\[A-Za-z]+)"
+_ACCENT = r"\\(?P<accent>overline|bar|(?:wide)?tilde|(?:wide)?hat)"
 _BAR = re.compile(
-    rf"\\(?:overline|bar)(?![A-Za-z])\s*(?:\{{\s*(?P<braced>{_LETTER})\s*\}}|(?P<letter>{_LETTER}))"
+    rf"{_ACCENT}(?![A-Za-z])\s*(?:\{{\s*(?P<braced>{_LETTER})\s*\}}|(?P<letter>{_LETTER}))"
     r"(?P<index>_(?:\w|\{\w+\}))?"
 )
 _STEP = re.compile(
-    rf"(?:\\(?:overline|bar|underline)\s*)?\{{?(?P<letter>{_LETTER})\}}?\s*="
+    rf"(?:(?:{_ACCENT}|\\underline)(?![A-Za-z])\s*)?\{{?(?P<letter>{_LETTER})\}}?\s*="
     r"\s*(?P=letter)_(?:\w|\{\w(?:[-+]\d)?\})"
 )
 
@@ -63,27 +62,6 @@ def index_of_map(tex: str) -> str:
     return found[0] if len(found) == 1 else ""
 
 
-def images_by_index(names: Iterable[str], index: str) -> dict[str, str]:
-    """The variables of a map with their images; between its first and last step none is missing.
-
-    >>> images_by_index(["x_n", "x_{n+3}"], "n")
-    {'x_n': 'x_{n+1}', 'x_{n+1}': 'x_{n+2}', 'x_{n+2}': 'x_{n+3}'}
-    """
-    steps: dict[Symbol, list[int]] = {}
-    for name in names:
-        parts = symbol(name)
-        if step := re.fullmatch(rf"{re.escape(index)}([+-]\d+)?", parts.index):
-            steps.setdefault(replace(parts, index=""), []).append(int(step[1] or 0))
-
-    def at(letter: Symbol, step: int) -> str:
-        return replace(letter, index=f"{index}{step:+}" if step else index).name
-
-    pairs = [
-        (one, k) for one, found in steps.items() for k in range(min(0, *found), max(0, *found))
-    ]
-    return {at(*pair): at(pair[0], pair[1] + 1) for pair in sorted(pairs, key=lambda p: p[1] < 0)}
-
-
 def images_by_primes(formulas: Collection[Formula]) -> dict[str, str]:
     """The variables of a map that is printed with primes, with their images."""
     nodes = chain.from_iterable(formula.nodes() for formula in formulas)
@@ -102,12 +80,19 @@ def name_under(name: str) -> str:
 
 
 def has_bars(tex: str) -> bool:
-    r"""Whether bars stand over letters of a map, and no primes behind them: over images.
+    r"""Whether bars, tildes or hats stand over letters of a map, and no primes behind them.
+
+    They stand over images then, if they are of one kind.
 
     >>> has_bars(r"\overline x=ax+\underline x"), has_bars(r"z'=z|z|^2\bar z")
     (True, False)
+    >>> has_bars(r"\widetilde x=\tilde y"), has_bars(r"\tilde x=\hat ax")
+    (True, False)
     """
-    return not re.search(r"'|\\prime", tex) and bool(_BAR.search(tex))
+    accents = {
+        SPELLING.get(f"\\{bar['accent']}", f"\\{bar['accent']}") for bar in _BAR.finditer(tex)
+    }
+    return not re.search(r"'|\\prime", tex) and len(accents) == 1
 
 
 def with_primes(tex: str) -> str:
@@ -116,7 +101,12 @@ def with_primes(tex: str) -> str:
     >>> with_primes(r"\overline x+x+\underline x=\frac a{\bar{q}_1}")
     "x'+x+\\underline x=\\frac a{q_1'}"
     """
-    return _BAR.sub(lambda bar: f"{bar['braced'] or bar['letter']}{bar['index'] or ''}'", tex)
+
+    def image(bar: re.Match[str]) -> str:
+        joined = tex[: bar.start()][-1:].isalpha()  # to a macro before it
+        return f"{' ' * joined}{bar['braced'] or bar['letter']}{bar['index'] or ''}'"
+
+    return _BAR.sub(image, tex)
 
 
 def without_steps(tex: str) -> str:
@@ -191,15 +181,7 @@ class Map:
         if len(self.implicit) != len(self.left):
             said = ", ".join(self.left)
             raise ValueError(f"{len(self.implicit)} equations for {said}: print one for each")
-        scene = self.scene("", vectors).having(variables=tuple(self.left))
-        space = Elaborations(Texts(vocabulary((scene,))))(scene)
-        pairs = [space.texts.sides(place) for place in self.implicit]
-        sides = [(space.plain(left), space.plain(right)) for left, right in pairs]
-        values = solve_linear(space.finder.differences(sides), self.left)
-        for name, value in zip(self.left, values, strict=True):
-            if value is None or any(one in formula_in(value).names() for one in self.left):
-                raise ValueError(f"solve the equations for {name}: they are not linear in it")
-            yield f"{name}={to_latex(formula_in(value))}"
+        yield from solutions(self.scene("", vectors), self.left, self.implicit)
 
 
 def with_images(tex: str, vectors: Vectors, declared: Names, index: str) -> str:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
 
-from kowalevski_cas.notation import Name, Relation, defined_names, read, to_latex
+from kowalevski_cas.notation import Formula, Name, Relation, defined_names, read, to_latex
 from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.signs import is_inequality
@@ -15,20 +16,36 @@ from kowalevski_cas.paper.vocabulary import vocabulary
 def simple_relations(tex: str, scene: Scene) -> list[str]:
     r"""The equations of a list or a chain, as :math:`A=B` and :math:`B=4C` for :math:`A=B=4C`.
 
-    What is no such chain stays as it is printed, and so does one of inequalities only. Raises
+    What is no such chain stays as it is printed, and so does one of inequalities only. An
+    inequality is one of all names that are listed before it, as in :math:`k,l>0`. Raises
     ``ValueError`` for nothing.
     """
     found: list[str] = []
+    listed: list[Name] = []
     for place in Display("where", tex, ""):
         formula = read(place.tex, vocabulary((scene,)), OpenParser)
+        if isinstance(formula, Name):
+            listed.append(formula)
+            continue
+        found += _of_all(listed, formula)
+        listed = []
         if isinstance(formula, Relation) and len(formula.members) > 2 and "=" in formula.signs:
             pairs = zip(pairwise(formula.members), formula.signs, strict=True)
             found += (to_latex(Relation(two, (sign,))) for two, sign in pairs)
         else:
             found.append(place.tex)
+    found += map(to_latex, listed)
     if not found:
         raise ValueError(f"“{tex}” is no relation of constants")
     return found
+
+
+def _of_all(names: Sequence[Name], formula: Formula) -> list[str]:
+    """What an inequality says of the names before it; of other formulas these are none."""
+    match formula:
+        case Relation((Name(), *others), signs) if "=" not in signs:
+            return [to_latex(Relation((name, *others), signs)) for name in names]
+    return [*map(to_latex, names)]
 
 
 def speaks_of_constants(tex: str, scene: Scene) -> bool:

@@ -45,7 +45,7 @@ from kowalevski_cas.processes import each
 from kowalevski_cas.questions import collect, forecast, question
 from kowalevski_cas.system.answers import ClaimInParts, Function, SystemClaim, SystemClaims
 from kowalevski_cas.system.cases import EquationOfCase, cases_of, opposite
-from kowalevski_cas.system.field import Field, Tex, Texs, several
+from kowalevski_cas.system.field import Field, Tex, Texs, listed, several
 from kowalevski_cas.system.signs import alternatives
 from kowalevski_cas.verify.finding import Finding
 
@@ -113,7 +113,8 @@ class System(Field):
 
     def invariant(self, *relations: Tex, expect: str = "") -> SystemClaim:
         """No motion leaves the set on which these hold; a function stands for its zeros."""
-        zero = tuple(f"{self._tex(F)}=0" if isinstance(F, Function) else F for F in relations)
+        each = (one for F in relations for one in listed(F))
+        zero = tuple(f"{self._tex(F)}=0" if isinstance(F, Function) else F for F in each)
         says = f"no motion leaves the set where {self._list(zero)}"
         return self.states(InvariantRelations, "invariant", says, expect, relations=zero)
 
@@ -202,7 +203,10 @@ class System(Field):
 
         If it is ``weighted``, variables count by weights for which the motion is homogeneous. If
         there are equations ``on`` which the motion is looked at, those on that invariant set.
+        Of a map they are the polynomials that have the same values at the images.
         """
+        if self.images and not (weighted or on):
+            return self._claims_found("invariants", degree=degree, images=self.images)
         given = tuple(map(self._tex, several(on)))
         return self._claims_found("integrals", degree=degree, weighted=weighted, on=given)
 
@@ -231,14 +235,15 @@ class System(Field):
 
         What is found in time is claimed; if something may be left, that is said.
         """
-        if self.images or self.functions:
+        if (self.images and name != "invariants") or self.functions:
             of = "maps" if self.images else "a motion with functions that may be any"
             raise ValueError(f"find {name} is not known of {of}")
         for key in ("degree", "order"):
             value = options.get(key, 0)
             if not isinstance(value, int) or value < 0:
                 raise ValueError(f"{key}={value!r}: a natural number is expected")
-        forecast(self.scene, name, options.get("degree", 0))
+        if not self.images:
+            forecast(self.scene, name, options.get("degree", 0))
         on = Elaborations(Texts(vocabulary((self.scene,))))
 
         def answer(scene: Scene) -> tuple[Scene, list[Finding], str]:

@@ -1,88 +1,154 @@
-r"""Functions that nothing gives: :math:`V(r)`, :math:`f(t)`, :math:`\omega^2(t)`.
+r"""Functions that nothing gives: :math:`V(r)`, :math:`f(t)`, :math:`\nabla U`, :math:`dU/dx`.
 
-Each of their derivatives is a name of its own, :math:`V'` for :math:`V'(r)`, that moves by the next
-one and by the rate of the argument. At a point a function may have any derivatives; so what holds
-of these names holds for all functions, and where it fails there is a function for which it does.
+Each of their derivatives is a name of its own, :math:`V'` for :math:`V'(r)` and :math:`U_{12}` for
+:math:`\partial^2U/\partial x\partial y`, that moves by the next ones and by the rates of the
+arguments. At a point a function may have any derivatives; so what holds of these names holds for
+all functions, and where it fails there is a function for which it does.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import combinations_with_replacement
 from typing import NamedTuple
 
-from kowalevski_cas.notation.cursor import is_known
+from kowalevski_cas.notation import Vocabulary, split_display
+from kowalevski_cas.notation.cursor import Cursor, is_known
 from kowalevski_cas.notation.functions import FUNCTIONS, LETTERS
+from kowalevski_cas.notation.lexer import scan
+from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.constraints import MULTIPLIERS
 from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display
+from kowalevski_cas.system.partials import derivatives_of_functions, gradients, moving_names
 
 TIMES = ("t", r"\tau")
-BEYOND = 4
-"""How many derivatives are known beyond those that are printed."""
-_INDEX = r"(?:_(?:\w|\{[^{}]*\}))?"
+BEYOND = {1: 4, 2: 2, 3: 2}
+"""How many derivatives are known beyond those that are printed, by the number of arguments."""
+_NAME = r"(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?"
+_BOLD = r"\\(?:mathbf|boldsymbol|vec)\s*\{?\s*\\?[A-Za-z]+\s*\}?(?:_(?:\w|\{[^{}]*\}))?"
 _APPLIED = re.compile(
-    rf"""(?<![A-Za-z\\])(?P<name>(?:\\[A-Za-z]+|[A-Za-z]){_INDEX})(?P<primes>'*)
-    (?P<power>\^(?:\d|\{{[^{{}}]*\}}))?\s*(?:\\left\s*)?\(\s*(?P<by>(?:\\[A-Za-z]+|[A-Za-z]){_INDEX})
-    \s*(?:\\right\s*)?\)""",
+    rf"""(?<![A-Za-z\\])(?<!\\mathbf[ {{])(?<!\\boldsymbol[ {{])(?P<name>{_NAME})(?P<primes>'*)
+    (?P<power>\^(?:\d|\{{[^{{}}]*\}}))?\s*(?:\\left\s*)?\(
+    \s*(?P<by>{_BOLD}|{_NAME}(?:\s*,\s*{_NAME})*)\s*(?:\\right\s*)?\)""",
     re.VERBOSE,
 )
 
 
+_SAID = re.compile(rf"(?P<name>{_NAME})\s*=\s*(?P=name)\s*\((?P<by>{_NAME}(?:\s*,\s*{_NAME})*)\)")
+
+
 class Unknown(NamedTuple):
-    """A function with the name of its argument, and how often it is derived at most."""
+    """A function with the names of its arguments, and how often it is derived at most."""
 
     name: str
-    by: str
+    by: tuple[str, ...]
     order: int
 
-    @property
-    def jets(self) -> Iterator[tuple[str, str, str]]:
-        """Each derivative, with the next one and the argument."""
-        for order in range(self.order):
-            yield self.name + "'" * order, self.name + "'" * (order + 1), self.by
+    def jets(self, vectors: Mapping[str, tuple[str, ...]]) -> Iterator[tuple[str, str, str]]:
+        """Each derivative, with the next one and the argument, if vectors have these components."""
+        by = tuple(part for one in self.by for part in vectors.get(one, (one,)))
+        beyond = self.order + BEYOND.get(len(by), 1)
+        for order in range(beyond):
+            for places in combinations_with_replacement(range(len(by)), order):
+                for k, argument in enumerate(by):
+                    next = tuple(sorted((*places, k)))
+                    yield self._derivative(places, by), self._derivative(next, by), argument
+
+    def _derivative(self, places: Sequence[int], by: Sequence[str]) -> str:
+        """The name of a derivative, by the numbers of arguments; with primes if there is one."""
+        if len(by) == 1:
+            return self.name + "'" * len(places)
+        own = symbol(self.name)
+        return replace(own, index=own.index + "".join(str(k + 1) for k in places)).name
 
 
 def unknown_functions(tex: str) -> list[Unknown]:
-    r"""The functions of which a display says nothing but their argument.
+    r"""The functions of which a display says nothing but their arguments.
 
     >>> unknown_functions(r"\ddot r=-V'(r)+\frac{c^2}{r^3}, \dot x(t)=y(t), \dot y(t)=-x(t)")
-    [Unknown(name='V', by='r', order=5)]
+    [Unknown(name='V', by=('r',), order=1)]
+    >>> unknown_functions(r"\ddot x=-\partial U/\partial x, \ddot y=-\partial U/\partial y")
+    [Unknown(name='U', by=('x', 'y'), order=1)]
+    >>> unknown_functions(r"\ddot x=-kx, k=k(t)")
+    [Unknown(name='k', by=('t',), order=0)]
     """
+    display = Display("field", tex, "")
     known = {
         head(name)[0]
-        for place in Display("field", tex, "")
+        for place in display
         for name in place.heads.names
         if place.tex.strip().startswith(head(name)[0])
     }
-    found: dict[str, list[re.Match[str]]] = {}
-    for match in _APPLIED.finditer(tex):
-        found.setdefault(match["name"].replace(" ", ""), []).append(match)
+    moving = moving_names(tex)
+    said = {one for one in said_functions(tex) if symbol(one).letter not in MULTIPLIERS}
+    given = known - said | FUNCTIONS | LETTERS.keys() | moving
+    applied, derived = _applications(tex), _orders(tex, moving)
     functions = []
-    for name, matches in found.items():
-        letter = name.split("_")[0]
-        everywhere = len(re.findall(rf"(?<![A-Za-z\\]){re.escape(name)}(?![A-Za-z_])", tex))
-        arguments = {match["by"] for match in matches}
-        if (
-            name in known | FUNCTIONS | LETTERS.keys()
-            or not is_known(letter)
-            or everywhere != len(matches)
-            or len(arguments) > 1
-            or _is_derived(name, tex)
-        ):
+    for name in dict.fromkeys((*applied, *derived)):
+        matches, orders = applied.get(name, []), derived.get(name, {})
+        if name in given or not is_known(symbol(name).letter):
             continue
-        (by,) = arguments
-        if by in TIMES or _has_momentum(by, tex) or _stands_elsewhere(by, name, tex):
-            most = max(len(match["primes"]) for match in matches)
-            functions.append(Unknown(name, by, most + BEYOND))
+        lists = {tuple(_arguments(match["by"])) for match in matches}
+        everywhere = len(re.findall(rf"(?<![A-Za-z\\]){re.escape(name)}(?![A-Za-z_])", tex))
+        if len(lists) > 1 or (not orders and name not in said and everywhere != len(matches)):
+            continue
+        arguments = min(lists) if lists else tuple(orders)
+        if orders or all(_is_argument(one, name, tex) for one in arguments):
+            most = max([len(match["primes"]) for match in matches] + [*orders.values()])
+            functions.append(Unknown(name, arguments, most))
     return functions
+
+
+def said_functions(tex: str) -> list[str]:
+    r"""The names of which it is said what they are functions of, as in :math:`k=k(t)`."""
+    parts = (_SAID.fullmatch(tex[start:end].strip(" .;")) for start, end in split_display(tex))
+    return [said["name"].replace(" ", "") for said in parts if said]
+
+
+def without_said_functions(tex: str) -> str:
+    r"""A display without such statements, of which nothing but the argument is known.
+
+    >>> without_said_functions(r"\ddot x=-kx, k=k(t)")
+    '\\ddot x=-kx, '
+    """
+    for start, end in reversed(split_display(tex)):
+        if _SAID.fullmatch(tex[start:end].strip(" .;")):
+            tex = tex[:start] + tex[end:]
+    return tex
+
+
+def check_said(names: Collection[str], constants: Collection[str]) -> None:
+    """Refuse a constant that is said to be a function, and is no multiplier of a constraint."""
+    for name in names:
+        if name in constants:
+            raise ValueError(f"{name} is said to be a function: print it with its argument")
+
+
+def _applications(tex: str) -> dict[str, list[re.Match[str]]]:
+    """Where names stand before arguments in brackets."""
+    applied: dict[str, list[re.Match[str]]] = {}
+    for match in _APPLIED.finditer(tex):
+        applied.setdefault(match["name"].replace(" ", ""), []).append(match)
+    return applied
+
+
+def _orders(tex: str, moving: Collection[str]) -> dict[str, dict[str, int]]:
+    """The names that are derived by what moves, with how often they are by each of these."""
+    derived: dict[str, dict[str, int]] = {}
+    for name, by, order in (*derivatives_of_functions(tex, moving), *gradients(tex, moving)):
+        orders = derived.setdefault(name, {})
+        orders[by] = max(order, orders.get(by, 0))
+    return derived
 
 
 def with_jets(scene: Scene, jets: Sequence[tuple[str, str, str]]) -> Scene:
     """A scene on which the derivatives of functions move; the last of each is any constant."""
     names = dict.fromkeys(name for name, _, _ in jets)
-    last = tuple(next for _, next, _ in jets if next not in names)
+    last = tuple(dict.fromkeys(next for _, next, _ in jets if next not in names))
     constants = tuple(name for name in scene.constants if name not in (*names, *last))
     return replace(
         scene,
@@ -99,26 +165,33 @@ def without_argument(tex: str, functions: Collection[Unknown]) -> str:
     Raises ``ValueError`` for one at another argument.
     """
     for one in functions:
+        listed = ", ".join(one.by)
 
-        def name_alone(match: re.Match[str], one: Unknown = one) -> str:
+        def name_alone(match: re.Match[str], one: Unknown = one, listed: str = listed) -> str:
             if match["name"] != one.name:
                 return match[0]
-            if match["by"] != one.by:
-                raise ValueError(f"{one.name} is a function of {one.by}; {match[0]} is not known")
+            if (*_arguments(match["by"]),) != one.by:
+                raise ValueError(f"{one.name} is a function of {listed}; {match[0]} is not known")
             return f"{match['name']}{match['primes']}{match['power'] or ''} "
 
         tex = _APPLIED.sub(name_alone, tex)
         applied = rf"(?<![A-Za-z\\]){re.escape(one.name)}'*(?:\^(?:\w|\{{[^{{}}]*\}}))?"
         if other := re.search(rf"{applied}\s*(?:\\left\s*)?\(", tex):
             shown = tex[other.start() : other.end() + 5]
-            raise ValueError(f"{one.name} is a function of {one.by}; {shown}… is not known")
+            raise ValueError(f"{one.name} is a function of {listed}; {shown}… is not known")
     return tex
 
 
-def _is_derived(name: str, tex: str) -> bool:
-    """Whether a name stands under a dot or in a derivative by the time."""
-    under = rf"\\d*dot\s*\{{?\s*{re.escape(name)}(?![A-Za-z])"
-    return bool(re.search(rf"{under}|\bd\s*{re.escape(name)}(?![A-Za-z])", tex))
+def _arguments(listed: str) -> Iterator[str]:
+    """The names in a list of arguments, as the reader makes them."""
+    for one in listed.split(","):
+        ((letter, index),) = Cursor(one, scan(one), Vocabulary()).letters()
+        yield letter + index
+
+
+def _is_argument(by: str, function: str, tex: str) -> bool:
+    """Whether a name may be an argument: a time, a coordinate, or what stands in the display."""
+    return by in TIMES or _has_momentum(by, tex) or _stands_elsewhere(by, function, tex)
 
 
 def _has_momentum(by: str, tex: str) -> bool:
@@ -131,6 +204,6 @@ def _has_momentum(by: str, tex: str) -> bool:
 def _stands_elsewhere(by: str, function: str, tex: str) -> bool:
     """Whether an argument is a name of the display."""
     rest = _APPLIED.sub(lambda match: "" if match["name"] == function else match[0], tex)
-    return bool(re.search(rf"(?<![A-Za-z\\]){re.escape(by)}(?![A-Za-z])", rest)) or bool(
-        re.search(rf"_\{{?{re.escape(by)}(?![A-Za-z])", rest)
-    )
+    names = (letter + index for letter, index in Cursor(rest, scan(rest), Vocabulary()).letters())
+    known = {part for name in names for part in (name, symbol(name).without_type.name)}
+    return by in known or any(symbol(one).index == by for one in known)

@@ -11,6 +11,7 @@ from kowalevski_cas.notation import (
     Formula,
     Name,
     NotationError,
+    Partial,
     Relation,
     Vector,
     Vocabulary,
@@ -52,14 +53,21 @@ def vectors_of(display: Display, known: Vectors, words: Vocabulary) -> dict[str,
     found = {**known, **dict(_named_vectors(formulas, new))}
     nodes = [node for formula in formulas for node in formula.nodes()]
     names = {node.name for node in nodes if isinstance(node, Name)}
-    spatial = any(isinstance(node, CrossProduct) for node in nodes)
-    for name in sorted(new - found.keys()):
+    numbered = {n: [symbol(n).component(k).name for k in range(1, 10)] for n in new - found.keys()}
+    printed = {
+        name: next(k for k, one in enumerate(parts) if one not in names)
+        for name, parts in numbered.items()
+    }
+    # Of letters alone [a,b] may be a commutator of matrices.
+    are_vectors = bool(found) or any(number > 1 for number in printed.values())
+    products = [node for node in nodes if isinstance(node, CrossProduct)]
+    spatial = any(are_vectors or node.bracket != "[" for node in products)
+    # Those of which components are printed say how many others have.
+    for name in sorted(numbered, key=lambda one: (printed[one] < 2, one)):
         rows = (f for f in formulas if isinstance(f, Relation) and Name(name) in f.members)
         size = next((size for row in rows for size in _sizes(row, found)), 3 * spatial)
-        numbered = [symbol(name).component(k).name for k in range(1, 10)]
-        printed = next(k for k, one in enumerate(numbered) if one not in names)
-        if size or printed > 1:
-            found[name] = tuple(numbered[: size or printed])
+        if size or printed[name] > 1:
+            found[name] = tuple(numbered[name][: size or printed[name]])
     return found
 
 
@@ -130,3 +138,5 @@ def _sizes(formula: Formula, known: Vectors) -> Iterator[int]:
             yield len(node.components)
         elif isinstance(node, Name) and node.name in known:
             yield len(known[node.name])
+        elif isinstance(node, Partial) and node.by in known:
+            yield len(known[node.by])

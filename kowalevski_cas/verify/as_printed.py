@@ -15,13 +15,11 @@ from kowalevski_cas.notation import (
     Formula,
     Name,
     Negative,
-    NotationError,
     Number,
     Power,
     Product,
     Quotient,
     Root,
-    Vocabulary,
 )
 from kowalevski_cas.notation.formula import times
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -38,7 +36,7 @@ def element_formula(element: Element, setting: Elaboration) -> Formula:
 
 def printed_name(name: str, setting: Elaboration) -> Formula:
     """A name as the paper prints it."""
-    return setting.texts.expression(name)
+    return name_formula(name, setting.texts.vocabulary)
 
 
 def point(values: Mapping[str, Formula], setting: Elaboration) -> PrintedPoint:
@@ -108,7 +106,7 @@ def printed_formula(formula: Formula, setting: Elaboration) -> Formula:
     A dot stands on a name only, and only for the time t.
     """
     if isinstance(formula, Name):
-        return _name_of_step(formula, setting.texts.vocabulary)
+        return name_formula(formula.name, setting.texts.vocabulary)
     if isinstance(formula, Derivative) and formula.mark == MARK:
         time, argument = setting.scene.time, printed_formula(formula.argument, setting)
         return Derivative(argument, MARK if time == "t" and isinstance(argument, Name) else time)
@@ -118,14 +116,6 @@ def printed_formula(formula: Formula, setting: Elaboration) -> Formula:
         case Quotient(above, Number(1)) | Quotient(Number(1), Quotient(Number(1), above)):
             return above
     return shown
-
-
-def _name_of_step(name: Name, vocabulary: Vocabulary) -> Formula:
-    """A name of a step, such as a power, as the paper prints it."""
-    try:
-        return name_formula(name.name, vocabulary)
-    except NotationError:
-        return name
 
 
 def size(elements: Iterable[Element]) -> int:

@@ -21,11 +21,12 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import takewhile
 from math import inf
 from time import perf_counter
 
-from kowalevski_cas.notation import Derivative, Edit, Name, NotationError
-from kowalevski_cas.paper.claims import Claim, Neighbour, OfMap
+from kowalevski_cas.notation import Edit, NotationError
+from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Change
@@ -36,8 +37,16 @@ from kowalevski_cas.verify.corrector import Corrector
 from kowalevski_cas.verify.outcome import Correction, Verdict
 from kowalevski_cas.verify.relations import ConstantRelation
 from kowalevski_cas.verify.statement import Statement
-from kowalevski_cas.verify.suspects import Repair, Repairs, Suspect, changes, likelihood
-from kowalevski_cas.verify.vacuous import count_equal_rates, says_something, stands_still
+from kowalevski_cas.verify.suspects import (
+    Repair,
+    Repairs,
+    Suspect,
+    Suspicion,
+    changes,
+    likelihood,
+    numbers,
+)
+from kowalevski_cas.verify.vacuous import count_equal_rates, says_something, stops
 
 MOST = 3
 """How many repairs are proposed."""
@@ -171,17 +180,29 @@ class Blame:
     def _search(
         self, failing: Sequence[Claim], least: int, one: Claim | None = None
     ) -> list[Repair]:
-        """The repairs that at points mend so many claims, perhaps this one, and break none."""
+        """The repairs that at points mend so many claims, perhaps this one, and break none.
+
+        Where no slip of the pen does, a coefficient may be any number.
+        """
+        end = perf_counter() + self.seconds
+        for candidates in (changes, numbers):
+            tried = candidates(failing, least, self.corrector.interpretation, self._right)
+            in_time = takewhile(lambda _: perf_counter() < end, tried)
+            if found := self._mending(in_time, least, one):
+                return found
+        return []
+
+    def _mending(
+        self, candidates: Iterable[Suspicion], least: int, one: Claim | None
+    ) -> list[Repair]:
+        """The changes that at points mend so many claims, perhaps this one, the likeliest first."""
         found: list[Repair] = []
-        most, end = least, perf_counter() + self.seconds
-        for suspect, change, place, standing in changes(
-            failing, least, self.corrector.interpretation, self._right
-        ):
-            if perf_counter() > end:
-                break
+        most = least
+        for suspect, change, place, standing in candidates:
             repair = Repair(suspect, change, place, ())
             if one is not None and one not in standing:
                 continue
+            # with more failures than these it would mend fewer claims than the best so far
             allowed = len(standing) - most
             mends = []
             for claim in standing:
@@ -277,20 +298,5 @@ class Blame:
         true = [c for c in self._derivation.claims if place in c.reads() and self._holds(c)]
         if sum(not keeps(claim, place, edit) for claim in true) > repair.tolerates:
             return True
-        return any(self._stops(claim, repair) for claim in repair.mends)
-
-    def _stops(self, claim: Claim, repair: Repair) -> bool:
-        """Whether what moves stands still with a repair, or what is said to be constant."""
-        on = self._on(claim)
-        edited = repair.of(claim, on.texts)
-        now = on.under(edited.texts)
-        about = {
-            node.name
-            for formula in claim.formulas(now.texts)
-            for rate in formula.nodes()
-            if isinstance(rate, Derivative)
-            for node in rate.nodes()
-            if isinstance(node, Name) and node.name in claim.scene.definitions
-        }
-        images = claim.images if isinstance(claim, OfMap) else ()
-        return stands_still(on(claim.scene), now(edited.claim.scene), about, images)
+        mended = ((self._on(claim), claim) for claim in repair.mends)
+        return any(stops(claim, repair.of(claim, on.texts), on) for on, claim in mended)

@@ -11,7 +11,7 @@ from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.squares import sum_of_squares
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Negative, Product, Sum
-from kowalevski_cas.paper.denominators import Divisor, Shape, shape_of
+from kowalevski_cas.paper.denominators import Divisor, Shape
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.examine import Accepted, law
 from kowalevski_cas.problem.finder import finder_of
@@ -58,6 +58,7 @@ def may_vanish(goal: Simple, elements: Sequence[Element]) -> list[Element]:
     if not goal.space.powers or not isinstance(goal, Follows) or not goal.given:
         return found
     known, one = at.differences(goal.given), at.ring.one
+    # where 1 is in the ideal of both, the divisor vanishes nowhere on the set (Hilbert)
     return [divisor for divisor in found if vanish_on([one], [divisor, *known]) == [False]]
 
 
@@ -75,7 +76,7 @@ def _divisor_factors(
     found: dict[Formula, None] = {}
     below = cache(lambda: {**divisors.printed, **divisors.below(stated)})
     for divisor in left:
-        landmark = divisors.landmarks.get(shape_of(divisor.element))
+        landmark = divisors.landmarks.get(Shape(divisor.element))
         if named := landmark or functions.vanishing_with(divisor.element):
             found[named] = None
             continue
@@ -88,6 +89,7 @@ def _divisor_factors(
     for pair in setting.conjugates:
         first, second = map(setting.texts.expression, pair)
         if first in found and second in found:
+            # conjugates vanish together: they are one condition, and their product is real
             del found[second]
             found = {(Product((first, second)) if f == first else f): None for f in found}
     return list(found)

@@ -16,13 +16,7 @@ from kowalevski_cas import UserError
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name
-from kowalevski_cas.paper.denominators import (
-    Shape,
-    factors_below,
-    factors_of,
-    granted_factors,
-    shape_of,
-)
+from kowalevski_cas.paper.denominators import Shape, factors_below, factors_of, granted_factors
 from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.codec import read_problem
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -169,6 +163,7 @@ class Watch(checker.Budget):
 
     def __init__(self, until: float, jobs: int = 1) -> None:
         super().__init__()
+        # nothing is left at first, so that the first step looks at the clock
         self.until, self.rest, self.left, self.jobs = until, self.left, 0, jobs
 
     def each(
@@ -180,6 +175,7 @@ class Watch(checker.Budget):
             return super().each(work, blocks)
 
         def count(k: int) -> tuple[int, int]:
+            # what a copy of this process spends is not spent here: it is told, and spent again
             before = self.left + self.rest
             return work(blocks[k], self.spend), before - self.left - self.rest
 
@@ -227,6 +223,7 @@ def confirm(issued: Issued, goals: Sequence[Goal] = (), until: float = inf, jobs
     goals = goals or read_problem(json.loads(issued.text)).goals
     every = [part for goal in goals for part in simple(goal)]
     divisors = [tuple(map(decode, theorem.divisors)) for theorem in theorems]
+    # the two divide on ways of their own: only irreducible factors can be compared
     judge, other = _factors(every, issued.divided), _factors(every, divisors)
     if judge != other:
         more, whose = (judge - other, "flint") if judge - other else (other - judge, "checker")
@@ -249,7 +246,7 @@ def _factors(
         for divisor in may_vanish(goal, [at.scalar(formula).inverse() for formula in divisors]):
             for shape, factor in factors_of(divisor).items():
                 if shape not in granted:
-                    found |= {(goal.space, shape), (goal.space, shape_of(_conjugate(factor, at)))}
+                    found |= {(goal.space, shape), (goal.space, Shape(_conjugate(factor, at)))}
     return found
 
 

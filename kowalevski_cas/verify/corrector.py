@@ -7,6 +7,7 @@ on a proof of the claim as it is corrected.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from itertools import islice
 from math import inf
 from time import perf_counter
@@ -20,6 +21,7 @@ from kowalevski_cas.verify.archive import Archive
 from kowalevski_cas.verify.arithmetics import Arithmetics, Decided
 from kowalevski_cas.verify.certify import certify
 from kowalevski_cas.verify.corrections import corrections, formulas_printed_by, recorded_correction
+from kowalevski_cas.verify.dependent import depend
 from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.outcome import CORRECTED, Correction, Outcome, Verdict
 from kowalevski_cas.verify.statement import Statement
@@ -29,7 +31,7 @@ from kowalevski_cas.verify.vacuous import says_something
 class Corrector:
     """Corrections of claims, and their acceptance.
 
-    ``record`` says which corrections are tried first.
+    ``record`` says which corrections are tried first, and where there is none.
     """
 
     def __init__(
@@ -47,6 +49,17 @@ class Corrector:
     def known(self, printed: Statement) -> Sequence[Correction]:
         """What the derivation accepts, or else is recorded, decided in every arithmetic."""
         return [*islice(self._proposal(self._accepted_or_recorded(printed)), 1)]
+
+    def needs_search(self, outcome: Outcome) -> bool:
+        """Whether it is refuted, without a correction, and no search is recorded that found none.
+
+        Who has no certificate of it searches all anew.
+        """
+        then = self.record.get(outcome.claim, {})
+        same = then.get("statement") == outcome.digest and "correction" in then
+        kept = outcome.claim in self._archive.certificates
+        none = same and kept and then["correction"] is None
+        return outcome.verdict is Verdict.REFUTED and not outcome.correction and not none
 
     def near(self, printed: Statement, most: int, seconds: float = inf) -> Iterator[Correction]:
         """The nearest true statements, so many at most, decided in every arithmetic.
@@ -81,8 +94,18 @@ class Corrector:
     ) -> Iterator[tuple[Neighbour, Statement]]:
         """What is found near a claim that is true, and leaves true what is true."""
         for found in corrections(printed, goes_on):
-            if self._leaves_true(printed.claim, found[0]):
+            if self._leaves_true(printed.claim, found[0]) and self._is_new(printed, found[1]):
                 yield found
+
+    def _is_new(self, printed: Statement, statement: Statement) -> bool:
+        """Whether no other claim that is true says so already."""
+        for claim in self.interpretation.derivation.claims:
+            if claim is not printed.claim and claim.scene.field == printed.claim.scene.field:
+                with suppress(NotationError, Meaningless):
+                    other = self.interpretation.statement(claim)
+                    if depend(statement, other) and not depend(printed, other):
+                        return not self.is_true(claim)
+        return True
 
     def _leaves_true(self, claim: Claim, neighbour: Neighbour) -> bool:
         """Whether the other claims that are true of a changed formula stay true."""

@@ -50,7 +50,7 @@ class Decider:
         interpretation: what the claims say.
         arithmetics: in which they are decided.
         archive: the evidence that is known.
-        record: says which corrections are tried first.
+        record: says which corrections are tried first, and where there is none.
         explain: whether outcomes tell their steps.
         timeout: in seconds, for each claim.
         patience: the seconds for a correction, if they are fewer than what a claim has left.
@@ -91,6 +91,7 @@ class Decider:
             NotationError, Meaningless, FormatError, ProcessDied, Unproved, Disagreement
         ) as error:  # fmt: skip
             return self.writer.without_evidence(claim, on, Verdict.ERROR, str(error))
+        # SystemExit is no Exception, and would end the whole run with this claim
         except (Exception, SystemExit) as error:
             return self.error_outcome(claim, error)
 
@@ -138,6 +139,8 @@ class Decider:
             late = "no correction was found within the time"
             verdict = (
                 Verdict.TIMEOUT
+                # what rests on an accepted correction needs its proof: a refutation is not enough
+                # there
                 if claim.printed in self.interpretation.accepted
                 else outcome.verdict
             )

@@ -134,6 +134,7 @@ def circle_of(
     at = places[0].at
     equations = at.differences(goal.equations)
     monomials = (m for e in equations for terms in e.terms().values() for m in terms)
+    # with t = 0 and 1, which are p and q, these are 2d + 1
     angles = range(2, 2 * max(map(sum, monomials), default=0) + 1)
     for one, other in combinations(places, 2):
         if all(_between(one, other, t, goal).vanish(equations) for t in angles):

@@ -9,7 +9,7 @@ from kowalevski_cas.algebra.numbers import rank
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Number
 from kowalevski_cas.paper.claims import Dimension
-from kowalevski_cas.paper.denominators import shape_of
+from kowalevski_cas.paper.denominators import Shape
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.problem.differentials import factors_of_multipliers, multipliers
@@ -68,11 +68,12 @@ def _independent_conditions(statement: Statement, conditions: list[Divided]) -> 
     setting_of_claim = statement.on(statement.claim.scene)
     kept: dict[object, Divided] = {}
     values: dict[object, Element] = {}
+    # those of the claim's own scene come first, so that of several words theirs are kept
     for setting, formula in sorted(conditions, key=lambda c: c[0] is not setting_of_claim):
         key: object = formula
         with suppress(Meaningless):
             value = setting_of_claim.finder.scalar(setting_of_claim.plain(formula))
-            values[key := shape_of(value)] = value
+            values[key := Shape(value)] = value
         landmark = setting_of_claim.divisors.landmarks.get(key)
         kept.setdefault(
             key, (setting, formula) if landmark is None else (setting_of_claim, landmark)

@@ -59,6 +59,7 @@ class PrintedPoint(NamedTuple):
     values: dict[Formula, Value]
 
     def __hash__(self) -> int:
+        # a named tuple would hash its dictionary, which has no hash
         return hash(tuple(self.values.items()))
 
 

@@ -9,7 +9,7 @@ from functools import cached_property
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Application, Formula, Negative, NotationError
 from kowalevski_cas.notation.functions import FAMILY_OF, canonical
-from kowalevski_cas.paper.denominators import Shape, shape_of
+from kowalevski_cas.paper.denominators import Shape
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.families import applications
 from kowalevski_cas.problem.space import Meaningless
@@ -47,7 +47,7 @@ class PrintedFunctions:
                 function = Application(canonical(names.split()[0]), arguments)
                 with suppress(Meaningless, NotationError, ZeroDivisionError):
                     element = self.setting.finder.scalar(self.setting.plain(function))
-                    found.setdefault(shape_of(element), function)
+                    found.setdefault(Shape(element), function)
         return found
 
     def put_in(self, formula: Formula) -> Formula:
@@ -58,4 +58,4 @@ class PrintedFunctions:
 
     def vanishing_with(self, element: Element) -> Formula | None:
         """The function that vanishes where an element does, as cosh u where tanh u has a pole."""
-        return self._numerators.get(shape_of(element))
+        return self._numerators.get(Shape(element))

@@ -74,16 +74,25 @@ def relations(statement: Statement) -> Iterator[ConstantRelation]:
     """
     with suppress(NotationError, Meaningless, ZeroDivisionError):
         space = statement.on(statement.claim.scene)
-        values = [
-            value
-            for goal in statement.claimed
-            if type(goal) is Follows and goal.space is space and not goal.given
-            for value in space.finder.differences(goal.conclusions[0])
-        ]
         named = _named_differences(space)
-        for factor in _factors(space, [p for value in values for p in value.parts.values()]):
+        for factor in common_factors(statement):
             if not any(all(not divmod(part, factor)[1] for part in parts) for parts in named):
                 yield from _solve(space, factor, statement.claim.scene)
+
+
+def common_factors(statement: Statement) -> Iterator[fmpq_mpoly]:
+    """The irreducible polynomials in constants where all identities of a statement hold.
+
+    They have several terms, and are of the ring of the scene of its claim.
+    """
+    space = statement.on(statement.claim.scene)
+    values = [
+        value
+        for goal in statement.claimed
+        if type(goal) is Follows and goal.space is space and not goal.given
+        for value in space.finder.differences(goal.conclusions[0])
+    ]
+    return _factors(space, [part for value in values for part in value.parts.values()])
 
 
 def _named_differences(space: Elaboration) -> list[tuple[fmpq_mpoly, ...]]:

@@ -10,7 +10,7 @@ from typing import Any
 from kowalevski_cas.limits import tell, time_limit
 from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.decider import PROVING, Decider
-from kowalevski_cas.verify.outcome import Outcome
+from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.verify.suspects import Repairs
 
 Work = Callable[[Callable[[Any], Any], Sequence[Any]], Iterable[Any]]
@@ -20,7 +20,8 @@ Work = Callable[[Callable[[Any], Any], Sequence[Any]], Iterable[Any]]
 def blame_of(decider: Decider, outcomes: Sequence[Outcome]) -> Blame:
     """The search for what makes claims fail, of which these are the outcomes so far."""
     verdicts = {outcome.claim: outcome.verdict for outcome in outcomes}
-    explained = [outcome.claim for outcome in outcomes if outcome.correction]
+    needs = decider.corrector.needs_search
+    explained = [o.claim for o in outcomes if o.verdict is Verdict.REFUTED and not needs(o)]
     seconds = decider.patience or (decider.timeout or inf) / 2
     return Blame(decider.corrector, verdicts, explained, seconds)
 
@@ -56,6 +57,7 @@ def _common_repair(blame: Blame, decider: Decider) -> Repairs:
     """What mends several claims, if it is found in the time in which it is to be proved as well."""
     patience = decider.patience
     longest = decider.timeout if patience is None else PROVING * patience
+    # the outer limit never comes: it is there for a process that dies, as in each claim
     with suppress(Exception), time_limit(inf), time_limit(longest):
         return blame.shared()
     return {}  # what goes wrong with one of the claims is told where it is by itself

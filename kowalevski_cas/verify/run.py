@@ -87,7 +87,7 @@ class Session:
         timeout: in seconds, for each claim.
         texts: are read instead of what the derivation prints, or are what it prints.
         seed: chooses the points of the arithmetics that only screen.
-        record: says which corrections are tried first.
+        record: says which corrections are tried first, and where there is none.
         patience: the seconds for a correction, if they are fewer than what a claim has left.
     """
 
@@ -217,6 +217,7 @@ class Session:
             self.elsewhere[name] = Session(derivation, ["flint"], certificates=kept, timeout=limit)
         session = self.elsewhere[name] if name else self
         outcome = session.outcome(claim)
+        # in a worker nobody has checked the certificate yet, and verdicts rest on what it proves
         return session.decider.corrector.confirms(
             claim, receive(outcome) if is_received() else outcome
         )
@@ -228,7 +229,7 @@ class Session:
 
         ``blame`` searches for what makes claims fail, instead of the search that suits the run.
         """
-        if not any(o.verdict is Verdict.REFUTED and not o.correction for o in outcomes):
+        if not any(map(self.decider.corrector.needs_search, outcomes)):
             return [*outcomes]
         from kowalevski_cas.verify.repair import blame_of, repair  # what is corrected needs none
 

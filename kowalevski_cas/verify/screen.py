@@ -106,6 +106,7 @@ def _bind(goal: Simple, found: Found, at: Sampled) -> Evaluation:
             values[name] = at.scalar(formula)
     bound = at.binding(values)
     assert isinstance(bound, Sampled)
+    # what is remembered there was evaluated while the names were not bound
     bound._memory = {}
     return bound
 

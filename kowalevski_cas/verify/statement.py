@@ -142,6 +142,7 @@ def find_evidence(goals: Sequence[Goal], searched: Mapping[int, Evidence]) -> Ve
             missing.append(place)
         else:
             found.append(evidence)
+    # points are looked for last: most claims are true, and then none is found in a long search
     for place in missing:
         refutation = finder.refutation(goals[place])
         if refutation is not None:

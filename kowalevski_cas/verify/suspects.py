@@ -6,12 +6,13 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from enum import IntEnum
 from typing import NamedTuple
 
-from kowalevski_cas.notation import Edit, Name, Negative, Number, Power, Relation, edits
+from kowalevski_cas.notation import Edit, Name, Negative, Number, Power, Quotient, Relation, edits
 from kowalevski_cas.notation.edits import changes_subject
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.verify.corrections import unlikeliness
 from kowalevski_cas.verify.interpretation import Interpretation
+from kowalevski_cas.verify.missing_numbers import missing_numbers
 from kowalevski_cas.verify.outcome import Correction
 from kowalevski_cas.verify.relations import ConstantRelation, relations, supposes
 
@@ -70,6 +71,9 @@ class Repair(NamedTuple):
         return claim.edited(texts, self.place, self.change)
 
 
+Suspicion = tuple[Suspect, Edit | ConstantRelation, Printed, list[Claim]]
+"""What is suspected, what may mend it, where, and the claims that stand on it."""
+
 Repairs = dict[str, tuple[Correction, ...]]
 """Corrections of claims, the likeliest first."""
 
@@ -79,7 +83,7 @@ def changes(
     least: int,
     interpretation: Interpretation,
     right: Callable[[], Collection[Printed]],
-) -> Iterator[tuple[Suspect, Edit | ConstantRelation, Printed, list[Claim]]]:
+) -> Iterator[Suspicion]:
     """What may mend so many claims, and the claims that it changes; the likeliest first.
 
     ``right`` are the places that nobody suspects; it is asked if relations of constants do not do.
@@ -93,8 +97,7 @@ def changes(
             suspect = Suspect.ASSUMPTION if supposed else Suspect.RELATION
             standing = [claim for claim in failing if relation.concerns(claim.scene)]
             yield suspect, relation, relation.place, standing
-    found, known = _suspects(failing, least, interpretation), right()
-    suspects = {place: suspect for place, suspect in found.items() if place not in known}
+    suspects = _suspects(failing, least, interpretation, right())
     texts = interpretation.on(failing[0]).texts
     names = _names(failing, suspects, texts)
     several = [
@@ -107,10 +110,42 @@ def changes(
     yield from sorted(several, key=lambda pair: (slip(pair[1]), pair[0]))
 
 
+def numbers(
+    failing: Sequence[Claim],
+    least: int,
+    interpretation: Interpretation,
+    right: Callable[[], Collection[Printed]],
+) -> Iterator[Suspicion]:
+    """Coefficients, however far from what is printed, by which the first of the claims holds.
+
+    Whole ones come first.
+    """
+    suspects = _suspects(failing, least, interpretation, right())
+    first, *_ = failing
+    several = [
+        (suspect, edit, place, [claim for claim in failing if place in claim.reads()])
+        for place, suspect in suspects.items()
+        if place in first.reads()
+        for edit in missing_numbers(first, place, interpretation.on(first))
+        if not changes_subject(edit)
+    ]
+    yield from sorted(several, key=lambda found: (found[0], _is_broken(found[1])))
+
+
+def _is_broken(edit: Edit) -> bool:
+    """Whether an edit prints a fraction more."""
+    before, after = edit.statement.formula.nodes(), edit.formula.nodes()
+    fractions = (sum(isinstance(node, Quotient) for node in nodes) for nodes in (after, before))
+    return next(fractions) > next(fractions)
+
+
 def _suspects(
-    failing: Sequence[Claim], least: int, interpretation: Interpretation
+    failing: Sequence[Claim], least: int, interpretation: Interpretation, right: Collection[Printed]
 ) -> dict[Printed, Suspect]:
-    """The places on which so many of the failing claims stand, as what they are suspected."""
+    """The places on which so many of the failing claims stand, as what they are suspected.
+
+    None of them is ``right``.
+    """
     standing: dict[Printed, list[Claim]] = {}
     found: dict[Printed, Suspect] = {}
     for claim in failing:
@@ -126,7 +161,8 @@ def _suspects(
                 found[place] = Suspect.OWN
             elif place in roles:
                 found.setdefault(place, Suspect.LAW if law else Suspect.DEFINITION)
-    return {place: suspect for place, suspect in found.items() if len(standing[place]) >= least}
+    several = {place for place, claims in standing.items() if len(claims) >= least}
+    return {place: one for place, one in found.items() if place in several.difference(right)}
 
 
 def _names(failing: Sequence[Claim], suspects: Iterable[Printed], texts: Texts) -> frozenset[str]:

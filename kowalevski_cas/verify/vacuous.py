@@ -23,9 +23,11 @@ from kowalevski_cas.notation import (
     subtree,
 )
 from kowalevski_cas.notation.errors import closeness
-from kowalevski_cas.paper.claims import Neighbour
+from kowalevski_cas.paper.claims import Claim, Neighbour, OfMap
 from kowalevski_cas.paper.claims.maps import Images
 from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.scene import Change
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.finder import finder_of
 from kowalevski_cas.problem.goals import Exists, Follows, simple
@@ -148,21 +150,54 @@ def _common(formula: Formula) -> set[str]:
     return set()
 
 
+def stops(claim: Claim, edited: Neighbour, on: Elaborations) -> bool:
+    """Whether what moves stands still when a claim is edited, or what is said to be constant."""
+    now = on.under(edited.texts)
+    about = {
+        node.name
+        for formula in claim.formulas(now.texts)
+        for rate in formula.nodes()
+        if isinstance(rate, Derivative)
+        for node in rate.nodes()
+        if isinstance(node, Name) and node.name in claim.scene.definitions
+    }
+    images = claim.images if isinstance(claim, OfMap) else ()
+    return stands_still(on(claim.scene), now(edited.claim.scene), about, images)
+
+
 def stands_still(
     before: Elaboration, after: Elaboration, names: Iterable[str], images: Images = ()
 ) -> bool:
     """Whether of what moves on a scene something stands still on an edited one, or of some names.
 
     So no law is changed into one of which anything is true, and no function into a constant; nor
-    does a map leave a variable where it is.
+    does a map leave a variable where it is. New names for variables may be integrals.
     """
     was, now = before.finder, after.finder
     if images:
         return any((now.scalar(Name(x)) - now.scalar(Name(new))).is_zero for x, new in images)
     moving = was.rates.items() if before.scene.field else ()
-    if any(now.rates[x].is_zero for x, rate in moving if x in now.rates and not rate.is_zero):
+    new = _new_names(before)
+    if any(
+        now.rates[x].is_zero
+        for x, rate in moving
+        if x in now.rates and x not in new and not rate.is_zero
+    ):
         return True
     return any(_still(name, now) and not _still(name, was) for name in names)
+
+
+def _new_names(at: Elaboration) -> set[str]:
+    """The variables by which others are given, of which the equations of motion print the rates."""
+    scene = at.scene
+    if isinstance(scene.field, Change):
+        return {*scene.variables} - {*scene.field.source.variables}
+    nodes = [node for place in scene.field for node in at.texts.formula(place).nodes()]
+    rated = {n for node in nodes if isinstance(node, Derivative) for n in node.names()}
+    if rated.isdisjoint(scene.definitions):
+        return set()
+    named = {node.name for node in nodes if isinstance(node, Name)}
+    return {*scene.variables} - named - {n for v in named for n in scene.vectors.get(v, ())}
 
 
 def count_equal_rates(scene: Elaboration) -> int:

@@ -16,7 +16,7 @@ from functools import cache
 from random import Random
 
 from kowalevski_cas.audit.audit import Audit
-from kowalevski_cas.audit.audited import SUSPECT, Audited
+from kowalevski_cas.audit.audited import OPEN, SUSPECT, Audited
 from kowalevski_cas.audit.reading import ReadingSession, audit_reading
 from kowalevski_cas.limits import is_watched, tell
 from kowalevski_cas.pool import HERE, Pool
@@ -24,6 +24,7 @@ from kowalevski_cas.processes import each
 from kowalevski_cas.reading import ASSUMPTION, CLAIM, DEFINITION, LAW, read
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.run import FALSE_AS_READ
 from study.mutants.equivalence import equivalence
 from study.mutants.mutant import Mutant, sample
 
@@ -107,7 +108,7 @@ class Alone:
         if changed.role != ASSUMPTION:  # on it an assumption says the same as any other that holds
             base = self.base.session.base.decider.interpretation
             reason = equivalence(base, mutant.printed, mutant.before, mutant.after)
-        return (EQUIVALENT, reason) if reason else (LOST, lost.name)
+        return (EQUIVALENT, reason) if reason else (LOST, _said(lost, late))
 
     def claims_on(self, changed: Audited) -> list[Audited]:
         """The formulas with green claims that read a formula, or are made of it."""
@@ -122,15 +123,24 @@ class Alone:
 
 
 def _is_noticed(claim: Audited | None, changed: Audited | None) -> bool:
-    """Whether a claim is red, or is not green and the changed formula is named."""
+    """Whether a claim is red, or yellow with the changed formula named, or this false as read."""
     if claim is None or _green(claim):
         return False
     if claim.verdict == Verdict.REFUTED:
         return True
     named = changed is not None and (
-        claim is changed or changed.verdict == SUSPECT or changed.name in claim.causes
+        claim is changed
+        or changed.verdict in (SUSPECT, Verdict.REFUTED)
+        or changed.message.startswith(FALSE_AS_READ)
+        or changed.name in claim.causes
     )
-    return named and claim.verdict == Verdict.UNDECIDED
+    return named and claim.verdict in (Verdict.UNDECIDED, OPEN)
+
+
+def _said(claim: Audited, now: Audited | None) -> str:
+    """What is said of a claim instead of its verdict."""
+    words = "not listed" if now is None else f"{now.role}, {now.verdict}: {now.message}"
+    return f"{claim.name} ({words})"
 
 
 def _green(formula: Audited | None) -> bool:

@@ -2,9 +2,7 @@
 
 A mutant is a sign, an index, an exponent, a coefficient or a letter changed, in a
 definition, a vector field, a condition or a claim, so that the formula can still
-be read. The seed of the sample is printed; --seed repeats it. With --alone the
-paper is its own derivation, and mutants of laws, definitions, assumptions and
-claims are counted apart.
+be read. The seed of the sample is printed; --seed repeats it.
 """
 
 from __future__ import annotations
@@ -16,21 +14,10 @@ from pathlib import Path
 
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.audit import choose
-from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, UNDECIDED, USAGE, CommandError
+from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, UNDECIDED, CommandError
 from kowalevski_cas.library import find
 from kowalevski_cas.source.files import read_source
 from kowalevski_cas.source.text import Source
-from study.mutants.alone import (
-    EXCLUDED,
-    LATE,
-    LOST,
-    ROLES,
-    STRANGE,
-    Alone,
-    Fates,
-    draw_mutants,
-    fates,
-)
 from study.mutants.catching import Measure, Measurement, measure
 from study.mutants.mutant import every, sample
 from study.mutants.synthetic import synthetic
@@ -48,11 +35,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--derivation", metavar="NAME", help="name in the library, or folder")
     parser.add_argument("--sample", type=int, default=300, metavar="N", help="how many (300)")
     parser.add_argument("--all", action="store_true", help="every mutant instead of a sample")
-    parser.add_argument(
-        "--alone",
-        action="store_true",
-        help="read the source as its own derivation; --sample is the number for each role",
-    )
     parser.add_argument("--seed", type=int, metavar="N", help="seed of the sample")
     session.add_pool(parser)
     session.add_timeout(parser, 1)
@@ -61,8 +43,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     seed = random.SystemRandom().randrange(10**6) if arguments.seed is None else arguments.seed
-    if arguments.alone:
-        return _alone(arguments, seed)
     if arguments.source is not None and arguments.source.exists():
         source = read_source(arguments.source)
         folder, derivation = choose(source, arguments.derivation)
@@ -86,42 +66,6 @@ def run(arguments: argparse.Namespace) -> int:
         raise CommandError("no mutants can be made of this source", NOTHING)
     print(report(found), end="")
     return DIFFERENT if found.escapes else UNDECIDED if found.late else AS_RECORDED
-
-
-def _alone(arguments: argparse.Namespace, seed: int) -> int:
-    """Measure mutants of a paper that is its own derivation, and return the exit code."""
-    if arguments.source is None:
-        raise CommandError("--alone needs the paper's source", USAGE)
-    source = read_source(arguments.source)
-    print(f"{source.path} by itself, seed {seed}", flush=True)
-    pool = session.pool(arguments, [])
-
-    def measure_source(source: Source) -> Fates:
-        work = Alone(source.path, source.text, arguments.timeout)
-        return fates(work, draw_mutants(work, arguments.sample, random.Random(seed)), pool)
-
-    (found,) = session.map_in_processes(measure_source, [source])
-    pool.forget()
-    if not found.results:
-        raise CommandError("nothing green rests on what can be changed", NOTHING)
-    print(report_alone(found), end="")
-    return DIFFERENT if found.of(STRANGE, LOST) else UNDECIDED if found.of(LATE) else AS_RECORDED
-
-
-def report_alone(found: Fates) -> str:
-    """The share that was noticed, role by role; what is green and strange, or lost."""
-    lines = []
-    for role in ROLES:
-        noticed, of = found.share(role)
-        ends = Counter(result.end for result in found.results if result.role == role)
-        counts = ", ".join(f"{ends[end]} {end}" for end in EXCLUDED if ends[end])
-        lines.append(f"{role}: {noticed} of {of} noticed ({_percent(noticed, of)}); {counts or 0}")
-    for end in (STRANGE, LOST, LATE):
-        results = found.of(end)
-        lines += [
-            f"  {end:8} {result.role}, {result.mutant.words}: {result.words}" for result in results
-        ]
-    return "\n".join(lines) + "\n"
 
 
 def report(found: Measurement) -> str:

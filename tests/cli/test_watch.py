@@ -8,6 +8,7 @@ from kowalevski_cas.cli import audit, main
 from kowalevski_cas.cli import watch as watching
 from kowalevski_cas.limits import run_limit, time_limit
 from kowalevski_cas.processes import each
+from kowalevski_cas.reading import choice as choosing
 from kowalevski_cas.verify.statement import Statement
 
 PAPER = r"""\documentclass{article}\begin{document}
@@ -47,9 +48,9 @@ def test_what_has_not_changed_keeps_its_evidence(paper, monkeypatch):
     """Evidence is handed to the next run by the names of claims."""
     kept = []
 
-    def once(arguments, certificates):
+    def once(arguments, certificates, choices):
         kept.append({**certificates})
-        return run_once(arguments, certificates)
+        return run_once(arguments, certificates, choices)
 
     def pause(_):
         if len(kept) > 1:
@@ -116,3 +117,36 @@ def test_what_has_not_changed_is_not_searched_for_again(tmp_path, monkeypatch, c
     monkeypatch.setattr(watching, "sleep", pause)
     assert main(["audit", str(path), "--alone", "--watch"]) == 0
     assert [len({*ids}) for ids in searched] == [3, 1, 0, 3]  # all rest on the law
+
+
+def test_what_has_not_changed_is_not_chosen_again(tmp_path, monkeypatch):
+    """A claim is if it changes, or a formula on which one of its readings stands."""
+    path, log = tmp_path / "paper.tex", tmp_path / "log"
+    texts = [
+        r"$$\dot x=y,\qquad \dot y=-x.$$",
+        r"Let $$H=x^2+y^2.$$",
+        r"Then $$\dot H=0,$$",
+        r"and $$\ddot x=-x.$$",
+    ]
+    path.write_text("\n".join(texts))
+
+    def trial(rung, *others):
+        with log.open("a") as file:
+            file.write(f"{rung.claim.id}\n")
+        return trial_of(rung, *others)
+
+    def pause(_):
+        chosen.append({*log.read_text().split()} if log.exists() else set())
+        log.unlink(missing_ok=True)
+        if len(chosen) > len(changes):
+            raise KeyboardInterrupt
+        place, old, new = changes[len(chosen) - 1]
+        texts[place] = texts[place].replace(old, new)
+        path.write_text("\n".join(texts))
+
+    trial_of, chosen = choosing._trial, []
+    changes = [(1, "Let", "We write"), (1, "y^2.", "y^2+1."), (0, "-x", "-x+0")]
+    monkeypatch.setattr(choosing, "_trial", trial)
+    monkeypatch.setattr(watching, "sleep", pause)
+    assert main(["audit", str(path), "--alone", "--watch"]) == 0
+    assert [len(ids) for ids in chosen] == [2, 0, 1, 2]

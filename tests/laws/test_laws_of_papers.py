@@ -41,6 +41,52 @@ def test_energy_is_constant_on_a_constraint(seed):
     assert not any(v.green for tex, v in rough.items() if tex.startswith(r"\frac m2")), paper(f)
 
 
+HELD = (
+    "A point moves at distance $l$ from the origin.", "A bead hangs on a rod of length $l$.",
+    "A point moves so that $x^2+y^2=l^2$.", "A point moves.", "Let $l$ be the length.",
+)  # fmt: skip
+
+
+@FEW
+def test_what_may_be_a_multiplier_refutes_nothing(seed):
+    """A body whose constraint is said in words that are not read."""
+    chance = random.Random(seed)
+    name = chance.choice([r"\lambda", r"\lambda_1"])
+    if chance.random() < 0.5:
+        rows = rf"\ddot x={name} x,\quad m\ddot y={name} y-mg"
+        rows, energy = rows.replace(r"\ddot x", r"m\ddot x"), r"\frac m2(\dot x^2+\dot y^2)+mgy"
+        spin = r"x\dot y+y\dot x"
+    else:
+        a = chance.choice(["a", "2"])
+        rows = rf"A\dot p=(B-C)qr+{a}{name},\quad B\dot q=(C-A)rp+b{name},\quad C\dot r=(A-B)pq"
+        energy, spin = "Ap^2+Bq^2+Cr^2", "p^2+q^2"
+    law = rf"{chance.choice(HELD)} The equations of motion are $${rows}%s.$$ "
+    claims = f"The functions ${energy}$ and ${spin}$ are first integrals."
+    free = verdicts(law % "" + claims)
+    assert free[energy] == free[spin] == "undecided", (rows, free)
+    told = chance.choice(
+        [
+            f" where ${name}$ is a constant. ",
+            f" with the parameter ${name}$. ",
+            f" Let ${name}>0$. ",
+        ]
+    )
+    known = verdicts(law % "" + told + claims)
+    assert known[energy] == known[spin] == "refuted", (told, rows, known)
+
+
+def test_constraints_are_those_of_the_motion_in_other_coordinates():
+    text = (
+        r"The equations of motion are $$\ddot x=\lambda x,\quad \ddot y=\lambda y,\quad "
+        r"\ddot z=-g-\lambda p$$ with the constraint $$x^2+y^2=2pz.$$ Let us put "
+        r"$x=r\cos\varphi,\ y=r\sin\varphi$. Then $$r\ddot\varphi+2\dot r\dot\varphi=0,$$ and "
+        r"$$\frac{p^2+r^2}{p^2}\ddot r%s\frac{r\dot r^2}{p^2}-r\dot\varphi^2+\frac gp r=0.$$ "
+    )
+    true, false = verdicts(text % "+"), verdicts(text % "-")
+    assert len(true) == len(false) == 2 and all(v.green for v in true.values()), true
+    assert [v.green for v in false.values()] == [True, False], false
+
+
 def x_squared(names):
     return names[0] ** 2 - 3 * names[1] ** 2
 

@@ -5,6 +5,7 @@ import random
 import pytest
 
 from kowalevski_cas import System
+from kowalevski_cas.paper.claims import AllInvariantsOfMap
 from kowalevski_cas.verify.outcome import Verdict
 from tests.laws.test_prints import FEW
 
@@ -111,10 +112,10 @@ def test_what_is_no_map_is_refused(tex, message):
         System(tex, map=True)
 
 
-@pytest.mark.parametrize("claim", ["darboux", "find_integrals"])
+@pytest.mark.parametrize("claim", ["darboux", "find_darboux"])
 def test_what_is_known_of_motions_only_is_not_claimed_of_maps(claim):
     law = System(r"x_{n+1}=y_n,\ y_{n+1}=-x_n")
-    given = {"darboux": ("x_n", "1"), "find_integrals": (2,)}[claim]
+    given = {"darboux": ("x_n", "1"), "find_darboux": (2,)}[claim]
     with pytest.raises(ValueError, match="of maps"):
         getattr(law, claim)(*given)
 
@@ -179,3 +180,33 @@ def test_a_set_is_invariant_under_a_map_where_its_images_are_in_it(seed):
     assert law.invariant(f"{y}^2=-1").verdict == "refuted"  # of no point all is true
     assert law.invariant(f"{y}^2=4").verdict == "proved"
     assert law.invariant(f"{x}{y}=0").verdict == "refuted"
+
+
+def planar(chance):
+    """A map of the plane with what all its polynomial invariants up to degree 4 are made of."""
+    k, m = chance.sample([-3, -2, 2, 3], 2)
+    a, b, c = 1 + k * m, k, m
+    yield rf"x_{{n+1}}={a}x_n{b:+}y_n,\ y_{{n+1}}={c}x_n+y_n", 1
+    yield rf"x_{{n+1}}+x_{{n-1}}=\frac{{{k}ax_n{m:+}}}{{1-x_n^2}}", 1
+    yield rf"x_{{n+1}}={k}x_n+{m}a,\ y_{{n+1}}={m}y_n", 0
+    yield r"x_{n+1}=-y_n,\ y_{n+1}=x_n", 3
+    yield rf"x_{{n+1}}=x_n,\ y_{{n+1}}=y_n+{abs(k)}bx_n", 1
+    yield rf"x_{{n+1}}=x_n+a,\ y_{{n+1}}=y_n{m:+}b", 1
+
+
+@FEW
+def test_all_polynomial_invariants_of_a_map_are_found(seed):
+    chance = random.Random(seed)
+    tex, number = chance.choice([*planar(chance)])
+    law = System(tex)
+    *found, every = law.find_integrals(4)
+    assert len(found) == number and all(one.verdict.green for one in (*found, every)), (tex, found)
+    assert "each polynomial invariant up to degree 4" in repr(every)
+    invariants = [one.claim.printed.tex for one in found]
+    assert all(law.integral(one).verdict.green for one in invariants)
+    values = tuple((name, "7") for name in law.scene.constants)
+    for left_out in invariants:
+        fewer = tuple(one for one in invariants if one != left_out)
+        says = "there are no others"
+        own = {"images": law.images, "invariants": fewer, "degree": 4, "values": values}
+        assert law.states(AllInvariantsOfMap, "all", says, **own).verdict == "refuted", (tex, fewer)

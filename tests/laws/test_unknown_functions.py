@@ -98,3 +98,82 @@ def test_of_any_function_no_dependence_and_no_set_is_claimed():
     ):  # fmt: skip
         with pytest.raises(ValueError, match="may be any"):
             ask()
+
+
+@FEW
+def test_a_potential_is_derived_by_what_moves(seed):
+    """It is the same potential however its derivative is printed, and a function of no more."""
+    chance = random.Random(seed)
+    U, x = chance.choice(["U", "V", r"\Pi"]), chance.choice(["x", "s", r"\xi", "q_1"])
+    rate = chance.choice([rf"\dot {x}", rf"\frac{{d{x}}}{{dt}}"])
+    by = chance.choice(
+        [
+            rf"\frac{{d{U}}}{{d{x}}}", rf"\frac{{\partial {U}}}{{\partial {x}}}", rf"{U}'({x})",
+            rf"\frac{{\mathrm d{U}({x})}}{{\mathrm d{x}}}", rf"d{U}/d{x}",
+            rf"\partial {U}/\partial {x}",
+        ]
+    )  # fmt: skip
+    law = System(
+        rf"{rate}=v,\ m\frac{{dv}}{{dt}}=-{by}" if "frac" in rate else rf"{rate}=v,\ m\dot v=-{by}"
+    )
+    named = chance.choice([U, f"{U}({x})"])
+    assert law.integral(rf"\frac{{mv^2}}{{2}}+{named}").verdict.green, law
+    assert law.integral(rf"\frac{{mv^2}}{{2}}-{named}").verdict == "refuted", law
+    assert law.integral(named).verdict == "refuted", law
+    assert law.identity(rf"m\dot v=-\frac{{d{U}}}{{d{x}}}").verdict.green
+    assert law.identity(rf"m\dot v=\frac{{d{U}}}{{d{x}}}").verdict == "refuted"
+
+
+@FEW
+def test_a_potential_may_be_a_function_of_all_coordinates(seed):
+    chance = random.Random(seed)
+    names = chance.choice([("x", "y"), ("q_1", "q_2"), ("r", r"\theta")])
+    U, form = chance.choice("UVW"), chance.choice(["hamilton", "newton", "vector", "lagrange"])
+    listed, (x, y) = ",".join(names), names
+    if form == "hamilton":
+        px, py = ("p_1", "p_2") if "_" in x else (f"p_{x}", f"p_{y}")
+        law = System(rf"H=\frac12({px}^2+{py}^2)+{U}({listed})")
+        kinetic = rf"\frac12({px}^2+{py}^2)"
+    else:
+        kinetic = rf"\frac12(\dot {x}^2+\dot {y}^2)"
+        law = System(
+            {
+                "newton": rf"\ddot {x}=-\frac{{\partial {U}}}{{\partial {x}}},\ "
+                rf"\ddot {y}=-\frac{{\partial {U}}}{{\partial {y}}}",
+                "vector": rf"\ddot{{\mathbf r}}=-{chance.choice(['', 'o'])}"
+                rf"\nabla {U},\ \mathbf r=({listed})".replace("-o", "-"),
+                "lagrange": rf"L={kinetic}-{U}({listed})",
+            }[form]
+        )
+    assert law.integral(f"{kinetic}+{U}").verdict.green, law
+    for false in (f"{kinetic}-{U}", kinetic, U):
+        assert law.integral(false).verdict == "refuted", (law, false)
+
+
+@FEW
+def test_a_potential_of_the_distance_turns_no_moment(seed):
+    """A function of the length of a vector has a gradient along it; one of the vector has any."""
+    chance = random.Random(seed)
+    r, bold = chance.choice([("r", r"\mathbf r"), ("q", r"\boldsymbol q"), ("r", r"\vec r")])
+    parts, U = chance.choice(["(x,y)", "(x,y,z)"]), chance.choice(["U", "V"])
+    length = chance.choice(["", rf",\ {r}=|{bold}|"])
+    gradient = chance.choice([rf"\nabla {U}({r})", rf"{U}'({r})\frac{{{bold}}}{{{r}}}"])
+    central = System(rf"m\ddot{{{bold}}}=-{gradient},\ {bold}={parts}{length}")
+    energy = rf"\frac m2\dot{{{bold}}}^2"
+    assert central.integral(r"x\dot y-y\dot x").verdict.green, central
+    assert central.integral(f"{energy}+{U}({r})").verdict.green, central
+    assert central.integral(f"{energy}-{U}({r})").verdict == "refuted"
+    any_force = System(rf"m\ddot{{{bold}}}=-\nabla {U}({bold}),\ {bold}={parts}")
+    assert any_force.integral(f"{energy}+{U}").verdict.green
+    assert any_force.integral(r"x\dot y-y\dot x").verdict == "refuted"
+
+
+def test_of_canonical_equations_any_hamiltonian_is_an_integral():
+    law = System(r"\dot q=\frac{\partial H}{\partial p},\ \dot p=-\frac{\partial H}{\partial q}")
+    assert law.integral("H").verdict == "proved"
+    assert law.integral("p").verdict == "refuted"
+    other = System(r"\dot q=\frac{\partial H}{\partial p},\ \dot p=\frac{\partial H}{\partial q}")
+    assert other.integral("H").verdict == "refuted"
+    depends_on_time = System(r"H=\frac{p^2}{2m}+V(q,t)")
+    assert depends_on_time.integral("H").verdict == "refuted"
+    assert depends_on_time.identity(r"\frac{dH}{dt}=\frac{\partial V}{\partial t}").verdict.green

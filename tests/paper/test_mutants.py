@@ -59,6 +59,8 @@ def rotation():
     turn = System(r"x_{n+1}=y_n,\quad y_{n+1}=-x_n")
     turn.integral("x_n^2+y_n^2"), turn.measure("x_n^2+y_n^2+1"), turn.symplectic()
     turn.integrable("x_n^2+y_n^2"), turn.invariant("x_n=0", "y_n=0")
+    known = {"invariants": ("x_n^2+y_n^2",), "degree": 2}
+    turn.states(kinds.AllInvariantsOfMap, "all-invariants", "", **known)
     return replace(derivation(turn.section), name="rotation")
 
 

@@ -92,6 +92,41 @@ def outcome(source, id="dot-T-0"):
     return ReadingSession(read(source)).outcomes[id]
 
 
+@pytest.mark.parametrize(("right", "verdict"), [("", "conditional"), ("2", "refuted")])
+def test_a_formula_between_dollars_is_claimed_though_the_paper_does_not_print_it(right, verdict):
+    text = paper().text.replace(
+        "On the", f"%kc: claim first integral $Ap^2+Bq^2+{right}Cr^2$\nOn the"
+    )
+    reading = read(Source("top.tex", text))
+    (found,) = reading.statements
+    assert found.claim.printed.display.source == "top.tex:14"
+    assert ReadingSession(reading).outcomes[found.claim.id].verdict == verdict
+
+
+@pytest.mark.parametrize(("given", "green"), [("$q=0$", True), ("$p=0$", False)])
+def test_what_is_given_may_stand_in_the_comment_alone(given, green):
+    text = paper().text.replace("we have", f"we have\n%kc: claim implication given {given}")
+    found = outcome(Source("top.tex", text), "next")
+    assert found.verdict.green is green and (green or found.verdict is Verdict.REFUTED)
+
+
+@pytest.mark.parametrize(("left", "green"), [("C", True), ("A", False)])
+def test_a_rate_that_is_supposed_is_a_part_of_the_law(left, green):
+    line = r"%kc: suppose \dot\psi=r"
+    source = paper(last=f"{line}\nThen\n\\[ {left}\\ddot\\psi=(A-B)pq. \\]")
+    roles = {one.item.printed.tex: one.role.name for one in read(source).formulas}
+    assert roles[r"\dot\psi=r"] == "law"
+    (id,) = (id for id in ReadingSession(read(source)).outcomes if "psi" in id)
+    assert outcome(source, id).verdict.green is green
+
+
+def test_what_is_supposed_of_constants_may_speak_of_what_is_defined():
+    lines = r"%kc: suppose k=\frac{T}{2}"
+    source = paper(last=f"Consider $T$ once more.\n{lines}\nThen\n\\[ 4k=Ap^2+Bq^2+Cr^2. \\]")
+    (id,) = (id for id in ReadingSession(read(source)).outcomes if "4k" in id)
+    assert outcome(source, id).verdict.green
+
+
 def test_what_is_supposed_is_no_condition_any_more():
     assert outcome(paper()).verdict is Verdict.CONDITIONAL
     source = paper(r"%kc: suppose ABC\ne 0")
@@ -123,6 +158,12 @@ def test_a_locus_is_tried_by_the_claims_that_follow_it_there():
     assert (locus.equations, locus.condition) == (("p=0", " q=0"), "p^2+q^2")
 
 
+def test_a_locus_is_tried_by_the_claim_of_a_formula_as_well():
+    lines = "%kc: locus p=0, q=0 off p^2+q^2\n%kc: claim implication given T"
+    text = paper().text.replace("On the set", f"On the set\n{lines}")
+    assert len(told(Source("top.tex", text), "set").claim.scene.loci) == 1
+
+
 def test_the_same_comments_stand_in_a_file_beside():
     source = replace(paper(), beside=decode("top.kc", b"T %kc: skip\nnext %kc: claim on set"))
     assert told(source, "T").role.name == "other"
@@ -144,6 +185,8 @@ def test_the_same_comments_stand_in_a_file_beside():
         ("%kc:", "it says nothing"),
         ("%kc: suppose", "a formula is missing behind suppose"),
         ("%kc: locus p=0", "a formula is missing behind locus"),
+        ("%kc: suppose p=", "the formula breaks off here"),
+        ("%kc: claim implication given $p=$", "the formula breaks off here"),
         ('%kc: on "x=y"', "is no formula of the paper"),
     ],
 )

@@ -190,3 +190,34 @@ def test_brackets_and_rates_of_a_function_with_logarithms_are_known(power, green
 def test_what_may_be_another_frame_or_is_supposed_is_not_refuted(claim):
     text = r"The equations are \[ \dot x=y,\qquad \dot y=-x,\qquad \dot v=x' . \] "
     assert Verdict.REFUTED not in verdicts(text + claim).values()
+
+
+@pytest.mark.parametrize(("right", "green"), [("k", True), ("2k", False)])
+def test_a_name_is_defined_in_the_display_that_uses_it_before(right, green):
+    text = (
+        CENTRAL
+        + r"""Let $c=r^2\dot\varphi$. Then
+    \[ \ddot r=\frac{c^2-er}{r^3},\qquad e=RIGHT . \]"""
+    )
+    found = verdicts(text.replace("RIGHT", right))
+    assert found[r"\ddot r=\frac{c^2-er}{r^3}"].green is green
+
+
+def test_a_length_may_stand_in_a_vector_of_which_the_length_is_used():
+    text = r"""A particle moves by
+    \[ \dot{\mathbf r}=\mathbf p,\quad \dot{\mathbf p}=-\frac{\mathbf r}{r^3} . \]
+    Let \[ \mathbf A=\mathbf p+\frac{\mathbf r}{r} . \] Then \[ r+A^2=r+\mathbf A^2 . \]"""
+    assert verdicts(text)[r"r+A^2=r+\mathbf A^2"].green
+
+
+@pytest.mark.parametrize(
+    "law", [r"x\dot x=y\dot y,\qquad x\dot x=2y\dot y", r"\dot x\sin\theta=\pm\dot y\cos\theta"]
+)
+def test_by_equations_by_which_nothing_moves_nothing_is_true(law):
+    found = verdicts(rf"The equations are \[{law}.\] Then $\dot x\dot y=x^2\dot x+y\dot y$.")
+    assert not any(verdict.green for verdict in found.values())
+
+
+def test_what_stands_still_by_what_is_printed_may_be_claimed():
+    found = verdicts(r"The equations are \[\dot x=0,\qquad\dot y=0.\] Then $x\dot x=y\dot y$.")
+    assert found[r"x\dot x=y\dot y"] == Verdict.PROVED

@@ -2,8 +2,9 @@
 
 import pytest
 
+from kowalevski_cas.audit.assumed import assumptions_of, unchecked
 from kowalevski_cas.audit.audited import OPEN
-from kowalevski_cas.audit.reading import ReadingSession, assumptions_of, audit_reading, unchecked
+from kowalevski_cas.audit.reading import ReadingSession, audit_reading
 from kowalevski_cas.notation import Derivative
 from kowalevski_cas.reading import ASSUMPTION, CLAIM, DEFINITION, LAW, read
 from kowalevski_cas.source.files import decode

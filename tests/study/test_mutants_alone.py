@@ -7,7 +7,9 @@ from random import Random
 import pytest
 
 from kowalevski_cas.cli import run
+from kowalevski_cas.cli.exits import NOTHING
 from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.run import FALSE_AS_READ
 from study.mutants import alone
 from study.mutants.alone import (
     EXCLUDED,
@@ -21,7 +23,7 @@ from study.mutants.alone import (
     draw_mutants,
     fates,
 )
-from study.mutants.command import report_alone
+from study.mutants.papers import report
 
 PAPER = r"""\documentclass{article}
 \begin{document}
@@ -89,6 +91,17 @@ def test_a_claim_that_turns_yellow_notices_only_what_it_names(monkeypatch):
     assert ending(monkeypatch, "law", claims(Verdict.UNDECIDED, causes=(named,))) == NOTICED
 
 
+def test_the_changed_formula_is_noticed_where_it_is_false_as_it_was_read(monkeypatch):
+    place = mutant_of("law")[1].place
+
+    def change(formula):
+        if formula.place == place:
+            return replace(formula, verdict=Verdict.UNDECIDED, message=FALSE_AS_READ)
+        return claims(Verdict.UNDECIDED)(formula)
+
+    assert ending(monkeypatch, "law", change) == NOTICED
+
+
 def test_a_claim_that_is_no_longer_judged_is_lost(monkeypatch):
     assert ending(monkeypatch, "law", claims("open")) == LOST
     assert ending(monkeypatch, "law", lambda f: f, count=0) == LOST
@@ -113,11 +126,23 @@ def test_on_what_nothing_green_rests_nothing_can_be_noticed(monkeypatch):
 def test_shares_are_told_role_by_role_and_what_is_strange_by_name():
     mutant = mutant_of("law")[0]
     results = [Fate(mutant, "law", end, "energy") for end in (NOTICED, LOST, STRANGE, HARMLESS)]
-    words = report_alone(Fates(results))
-    assert "law: 1 of 3 noticed (33.3 %); 1 harmless" in words
+    words = report(Fates(results))
+    assert "law: 1 of 3 noticed (33 %); 1 harmless" in words
     assert f"strange  law, {mutant.words}: energy" in words
 
 
-def test_without_a_source_nothing_stands_alone(capsys):
-    assert run("python -m study.mutants", "study.mutants.command", ["--alone"]) == 2
-    assert "source" in capsys.readouterr().err
+def test_papers_are_counted_together_and_the_sample_is_repeated_by_its_seed(tmp_path, capsys):
+    path = tmp_path / "oscillator.tex"
+    path.write_text(PAPER)
+    command = ["study.mutants.papers", [str(path), str(path), "--sample", "1", "--seed", "5"]]
+    codes = [run("python -m study.mutants.papers", *command) for _ in range(2)]
+    said = capsys.readouterr().out
+    assert set(codes) <= {0, 1} and said[: len(said) // 2] * 2 == said
+    assert said.count("oscillator:") == 4 and said.count("all, seed 5:") == 2
+
+
+def test_where_nothing_green_rests_on_anything_there_is_no_share(tmp_path, capsys):
+    path = tmp_path / "empty.tex"
+    path.write_text(r"\documentclass{article}\begin{document}Nothing.\end{document}")
+    assert run("python -m study.mutants.papers", "study.mutants.papers", [str(path)]) == NOTHING
+    assert "nothing green" in capsys.readouterr().err

@@ -227,3 +227,23 @@ def test_two_variables_may_have_one_rate():
     field = r"\dot x=u,\ \dot y=v,\ \dot u=v,\ \dot v=-u"
     outcomes = decided(system(field, ["u-y", "v+x", "u^2-v^2"]))
     assert mended(outcomes["u^2-v^2"])[0] == "u^2 + v^2"
+
+
+@pytest.mark.parametrize(
+    ("printed", "right"), [("-y", "-7y"), ("-3y", "-7y"), (r"-\frac13y", "-7y")]
+)
+def test_a_coefficient_may_be_any_number_if_no_slip_mends_what_fails(printed, right):
+    law = r"\dot x=u,\ \dot u=-x,\ \dot y=v,\ \dot v={}"
+    outcomes = decided(system(law.format(printed), ["7y^2+v^2", "(7y^2+v^2)(x^2+u^2)"]))
+    assert {mended(o) for o in outcomes.values()} == {(rf"\dot{{v}} = {right}", "field.4")}
+
+
+def test_a_coefficient_of_its_own_formula_may_be_any_number():
+    outcomes = decided(system(r"\dot x=u,\ \dot u=-x,\ \dot y=v,\ \dot v=-7y", ["v^2+2y^2"]))
+    assert [mended(o)[0] for o in outcomes.values()] == ["v^2 + 7y^2"]
+
+
+def test_no_repair_makes_a_claim_of_what_is_claimed_elsewhere():
+    nahm = r"\dot x=zz,\ \dot y=zx,\ \dot z=xy"
+    outcomes = decided(system(nahm, ["x^2-y^2", "y^2-z^2"]))
+    assert mended(outcomes["x^2-y^2"]) == (r"\dot{x} = yz", "field.1")

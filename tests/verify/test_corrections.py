@@ -1,5 +1,7 @@
 """Corrections are proposals: nothing rests on one that the derivation does not accept."""
 
+import json
+from pathlib import Path
 from time import sleep
 
 import pytest
@@ -15,6 +17,8 @@ from kowalevski_cas.paper.claims import (
 from kowalevski_cas.paper.derivation import Derivation, Scene, Section
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.verify import corrections
+from kowalevski_cas.verify.blame import Blame
+from kowalevski_cas.verify.certificate import Stored
 from kowalevski_cas.verify.corrections import formulas_printed_by, recorded_correction, true_ones
 from kowalevski_cas.verify.outcome import in_latex
 from kowalevski_cas.verify.record import describe
@@ -170,6 +174,32 @@ def test_what_rests_on_a_correction_for_which_there_was_no_time_is_undecided():
 def test_a_hopeless_formula_has_none(small):
     outcome = small.outcome(Identity, "x^5+7=v^3-x+2")
     assert outcome.verdict == "refuted" and outcome.correction is None
+
+
+@pytest.mark.parametrize(
+    ("changed", "kept", "searches"),
+    [
+        ({}, True, 0),
+        ({"statement": "0"}, True, 1),
+        ({"correction": "v=x"}, True, 1),
+        ({}, False, 1),
+    ],
+)
+def test_a_search_that_found_none_is_made_again_for_another_statement_or_anew(
+    small, monkeypatch, changed, kept, searches
+):
+    hopeless = Identity("hopeless", small.scene, "", printed=small("x^5+7=v^3-x+2"))
+    (first,) = decide(small.section, hopeless)
+    record = {"hopeless": describe(first) | changed}
+    stored = Stored(Path("hopeless.json"), json.loads(first.certificate))
+    asked = []
+    monkeypatch.setattr(Blame, "alone", lambda _, claim: asked.append(claim) or ())
+    session = Session(
+        derivation(small.section), ["flint"], record=record,
+        certificates={"hopeless": stored} if kept else {},
+    )  # fmt: skip
+    (again,) = session.run().outcomes
+    assert describe(again) == describe(first) and len(asked) == searches
 
 
 @pytest.mark.parametrize("name", sampled(["F", r"\rho", "G"], 1))

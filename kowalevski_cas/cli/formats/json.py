@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.cli.formats import ComparedRun
@@ -133,7 +133,7 @@ def _assumptions(audit: Audit) -> dict[str, Any]:
     """What a source that is its own derivation takes for granted."""
     if audit.reading is None:
         return {}
-    from kowalevski_cas.audit.reading import assumptions_of
+    from kowalevski_cas.audit.assumed import assumptions_of
 
     return {
         "assumed": [
@@ -182,10 +182,16 @@ def _formula(audit: Audit, formula: Audited) -> dict[str, Any]:
             id: audit.outcomes[id].digest for id in formula.claims if audit.outcomes[id].certificate
         },
         **_evidence(formula),
-        "causes": list(formula.causes),
+        "causes": _ids(audit, formula.causes),
         "breaks": list(formula.breaks),
         "moved": formula.moved,
     }
+
+
+def _ids(audit: Audit, places: Iterable[str]) -> list[str]:
+    """The ids of the formulas at some places, or these where the source has none."""
+    ids = {formula.name: formula.id for formula in audit.formulas}
+    return [ids.get(place, place) for place in places]
 
 
 def _reads(audit: Audit, formula: Audited) -> list[str]:
@@ -203,7 +209,7 @@ def _statement(audit: Audit, outcome: Outcome) -> dict[str, Any]:
         **_region(audit.sentences.get(outcome.claim, Region(audit.source.path))),
         "verdict": str(outcome.verdict),
         **_evidence(outcome),
-        "causes": [cause.place for cause in causes],
+        "causes": _ids(audit, [cause.place for cause in causes]),
     }
 
 

@@ -6,8 +6,8 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from kowalevski_cas.audit.assumed import unchecked
 from kowalevski_cas.audit.audited import OPEN
-from kowalevski_cas.audit.reading import unchecked
 from kowalevski_cas.cli import plain
 from kowalevski_cas.report.document import Equations, Paragraph
 from kowalevski_cas.report.sentences import Phrases
@@ -45,7 +45,7 @@ def rest(audit: Audit, phrases: Phrases) -> Iterator[str]:
     """What is assumed, what is not decided, and what is not judged."""
     yield from _assumptions(audit, phrases)
     yield from _doubts(audit, phrases)
-    yield from _open(audit)
+    yield from _open(audit, phrases)
     if found := unchecked(audit):
         shown = ", ".join(map(audit.called, found))
         said = f"Definitions on which no verdict rests: {shown}."
@@ -67,7 +67,7 @@ def _comments(audit: Audit) -> Iterator[str]:
 
 
 def _assumptions(audit: Audit, phrases: Phrases) -> Iterator[str]:
-    from kowalevski_cas.audit.reading import assumptions_of
+    from kowalevski_cas.audit.assumed import assumptions_of
 
     listed = [assumption for assumption in assumptions_of(audit) if assumption.claims]
     if listed:
@@ -87,7 +87,8 @@ def _doubts(audit: Audit, phrases: Phrases) -> Iterator[str]:
     if unclear or in_words:
         yield from ("", plain.bold("What is not decided"))
     for formula in unclear:
-        yield from plain.wrap(f"{_where(audit, formula)}: {formula.message}")
+        words = phrases.words(f"{_where(audit, formula)}: {formula.message}")
+        yield from plain.wrap(plain.text(words))
         if formula.formula is not None:
             yield from plain.lines([Equations((formula.formula,), formula.tex)], 2)
         if formula.counterexample is not None:
@@ -99,13 +100,14 @@ def _doubts(audit: Audit, phrases: Phrases) -> Iterator[str]:
         yield from plain.wrap(plain.text(phrases.words(f"{place}: {outcome.words}: {said}")))
 
 
-def _open(audit: Audit) -> Iterator[str]:
+def _open(audit: Audit, phrases: Phrases) -> Iterator[str]:
     unjudged = [formula for formula in audit.formulas if formula.verdict == OPEN]
     if unjudged:
         yield from ("", plain.bold("What is not judged"))
     for formula in unjudged:
         message = formula.message.splitlines()[0] if formula.message else formula.reason
-        yield from (f"  {line}" for line in plain.wrap(f"{_where(audit, formula)}: {message}"))
+        words = phrases.words(f"{_where(audit, formula)}: {message}")
+        yield from (f"  {line}" for line in plain.wrap(plain.text(words)))
 
 
 def _where(audit: Audit, formula: Audited) -> str:

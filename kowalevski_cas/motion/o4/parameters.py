@@ -60,6 +60,7 @@ class ParametersO4(Lengths):
 
     def in_unit(self, unit: int) -> ParametersO4:
         """The same in a unit of time in which a rate of this power of two is 1."""
+        # fields and s have the dimension of ω², τ that of ω⁴
         a, b, s = (x * power(-2 * unit) for x in (self.a, self.b, self.s))
         return ParametersO4(a, b, s, self.tau * power(-4 * unit))
 
@@ -106,6 +107,7 @@ class ParametersO4(Lengths):
         """One root minus another, to full relative precision."""
         if self.keys[left] * self.keys[right] <= 0:
             return self.root(left) - self.root(right)
+        # x − y = (x² − y²)/(x + y): the squares are rational, so that nothing cancels
         difference = ball(abs(self.keys[left]) - abs(self.keys[right]))
         return difference / (self.root(left) + self.root(right))
 

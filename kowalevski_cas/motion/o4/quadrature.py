@@ -31,6 +31,7 @@ from kowalevski_cas.motion.parameters import MethodError
 SMALLEST = 2.0**-58
 """The coefficients that are left out."""
 
+# the next one would be of the order of its square
 NEAR = 1e-10
 """A Newton step after which no other is needed."""
 
@@ -165,6 +166,7 @@ class Quadratures:
         coefficients, orders = self._series[place]
         angle = np.linspace(-np.pi, np.pi, NODES)
         _, sines = _multiples(angle, len(orders))
+        # np.interp needs a table that rises, which one angle alone need not give
         return np.maximum.accumulate(angle + coefficients[place] @ sines), angle
 
 
@@ -224,6 +226,7 @@ def _multiples(angle: Array, count: int) -> tuple[Array, Array]:
     """The cosines and sines (count, N) of the first multiples, by doubling."""
     cosines, sines = np.empty((2, count, len(angle)))
     cosines[0], sines[0] = np.cos(angle), np.sin(angle)
+    # a recursion by one angle would add up its rounding errors k times, doubling only log k times
     known = 1
     while known < count:
         new = slice(known, min(2 * known, count))

@@ -129,6 +129,7 @@ def _arcs(constants: ParametersO4, number: int) -> Iterator[tuple[Arc, Fraction]
     outside = 2 * max(map(abs, keys.values()))
     for place in range(len(roots)):
         after = (place + 1) % len(roots)
+        # x|x| rises with x: between two roots lies what has the mean of their keys
         point = outside if after == 0 else (keys[roots[place]] + keys[roots[after]]) / 2
         if all(_radicands(constants, number, point)):
             above = roots[(place + 2) % len(roots)]
@@ -149,6 +150,7 @@ def _radicands(constants: ParametersO4, number: int, key: Fraction) -> tuple[boo
 def _positive(constants: ParametersO4, first: Fraction, second: Fraction) -> bool:
     """Whether nu1 + σv is positive, for n + τv > 0, where σ is; both points by their squares."""
     beyond = 1 if second > constants.keys[LOW] else -1  # the sign of v
+    # as x|x| rises, this has the sign of u₁u₂ + σ
     square = first * second + constants.sigma * abs(constants.sigma)
     return square * beyond > 0
 
@@ -165,5 +167,7 @@ def _independent(vectors: Iterable[int]) -> list[int]:
 def _residue(vector: int, basis: Sequence[int]) -> int:
     """What is left of a vector by a basis: the same for all that differ by a combination of it."""
     for known in basis:
+        # the smaller one is without the leading digit of the known one, which no other known one
+        # has
         vector = min(vector, vector ^ known)
     return vector

@@ -42,6 +42,7 @@ class DifferentialSeries:
     def __init__(self, by: Uniformization) -> None:
         self.by = by
         self._width = min(float(by.width.lower()) * SHARE, WIDEST)
+        # from here on e^(−kS) is below the last bit, also for a bound that is so much larger
         count = ceil((ctx.prec * log(2) + log(GROWTH)) / self._width) if self._width > 0 else MOST
         if count >= MOST:
             raise Inadmissible(
@@ -74,6 +75,7 @@ class DifferentialSeries:
 
     def enclose_sines(self) -> Callable[[arb], Pair]:
         """The integrals of both, less their means, as functions of ψ that give balls."""
+        # the sum of all e^(−kS)/k that are left out, with 1/n for each 1/k
         beyond = 2 * (-self._count * self._strip).exp() / (1 - (-self._strip).exp()) / self._count
         series = []
         for place, coefficients in enumerate(self.sines()):
@@ -136,6 +138,7 @@ def matrix(means: Sequence[Sequence[arb]], signs: Sequence[int]) -> arb_mat:
 def _cosines(values: Sequence[arb]) -> list[arb]:
     """The coefficients of 1, cos ψ, cos 2ψ, … of an even function, by values from 0 to π."""
     count = len(values) - 1
+    # the function is even: from π to 2π its values are the same ones backwards
     found = acb.dft([*values, *values[-2:0:-1]])[: count + 1]
     first, *rest = (x.real / count for x in found)
     return [first / 2, *rest]

@@ -126,6 +126,7 @@ def _separate(state: Sequence[Fraction]) -> tuple[ParametersO4, list[tuple[arb, 
 def _best_fit(motion: MotionO4, angles: Array, state: Array) -> MotionO4:
     """The motion with the signs, and angles near a column of these, that fit the state best."""
     weights = np.repeat([max(abs(state[:3])) ** 2 + max(abs(state[3:]))], 9)
+    # fields have the dimension of ω²: each variable counts by the size of its kind
     weights[:3] **= 0.5
 
     def difference(signs: Array, angles: Array) -> Array:

@@ -135,6 +135,7 @@ class Uniformization(ABC):
     @cached_property
     def _scales(self) -> tuple[arb, ...]:
         _, t2, t3, t4 = (value.real for value in acb.modular_theta(acb(0), self._tau))
+        # DLMF 22.2.4 to 22.2.6, without the common factor 1/θ₄ of the argument
         return t3 / t2, t4 / t2, t4 / t3, arb(1)
 
 
@@ -193,6 +194,7 @@ class ByConjugates(Uniformization):
         # The angle between the lines from iρ to the ends is twice that of the modulus.
         cross = (first * last + square) * (-1 if arc.infinite else 1)
         sine = square * known.gap(arc.ends[1], arc.ends[0]) ** 2
+        # (1 ± cos α)/2 with the product sin²α/4, by which the smaller one loses no digits
         larger = (A * B + abs(cross)) / (2 * A * B)
         smaller = sine / (4 * A * A * B * B * larger)
         self.complement_square, self.modulus_square = (
@@ -233,5 +235,6 @@ class ByConjugates(Uniformization):
 def _incomplete(sine: Number, cosine: Number, modulus_square: arb) -> acb:
     """The argument with this sn and cn, in the first quarter or the fourth one."""
     square = 1 - modulus_square * sine * sine
+    # F(φ) = sin φ R_F(cos²φ, 1 − k² sin²φ, 1), by Carlson; DLMF 19.25.5
     value: acb = acb(sine) * acb.elliptic_rf(acb(cosine * cosine), acb(square), acb(1))
     return value

@@ -44,6 +44,7 @@ class VariableO4:
         self._factors: dict[str, Pair] = {}
         for name in known.roots:
             pair = known.gap(first, name), factor * known.gap(last, name)
+            # no root lies inside the arc: both terms have one sign, or one of them is zero
             sign = 1 if sum(pair) > 0 else -1
             self._factors[name] = number(sign * pair[0]), number(sign * pair[1])
         self._arc = arc.ends
@@ -68,6 +69,7 @@ class VariableO4:
         sin, cos = pair[0] - n1 * pair[1], n2 * pair[1] - factor * pair[0]
         if sin + cos < 0:
             sin, cos = -sin, -cos
+        # n − e₁v and λ(e₂v − n) are to each other as s² to c²
         return 2 * arb.atan2(*(max(x.mid(), arb(0)).sqrt() for x in (sin, cos)))
 
     def factor(self, name: str, squares: Pair) -> Number:
@@ -107,6 +109,8 @@ class VariableO4:
         root, width = self._arithmetic.root, self._rho * v
         size = root(self.conjugate_factors(squares))
         larger = root((size + abs(n)) / 2)
+        # (a + ib)² = n + iρv, so that 2ab = ρv: the smaller part by the larger one, without
+        # cancellation
         smaller = width / (2 * larger)
         # For n < 0 the larger part is b, with the sign of v; n > 0 where v changes its sign.
         a, b = self._arithmetic.choose(n, (larger, smaller), (smaller, larger))

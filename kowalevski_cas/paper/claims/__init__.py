@@ -1,6 +1,7 @@
 """The kinds of claims, one file each: the attributes of a statement, and its goals."""
 
 from kowalevski_cas.paper.claims.all_integrals import AllDarboux, AllIntegrals
+from kowalevski_cas.paper.claims.all_invariants import AllInvariantsOfMap
 from kowalevski_cas.paper.claims.change import ChangedEquation, InvertibleChange, Unit
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
 from kowalevski_cas.paper.claims.coefficient import Coefficient

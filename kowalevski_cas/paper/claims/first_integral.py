@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import partial
 from itertools import pairwise
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation
+from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation, substitute
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.dimension import check_conjugates
 from kowalevski_cas.paper.claims.forms import equations, members, minus, rate, vanishes
@@ -44,8 +44,9 @@ class FirstIntegral(Claim):
         there = self._with_names_of(values, on)
         if equal := (*pairwise(sides(values, there)),):
             yield Follows(there, (equal,), ())
-        if any(map(has_logarithm, printed)):
-            yield from self._of_logarithms(on, printed)
+        written = [substitute(one, space.plain.logarithms) for one in printed]
+        if any(map(has_logarithm, written)):
+            yield from self._of_logarithms(on, written)
             return
         chain = [parts(member, space) for member in sides(printed, space)]
         for same in zip(*chain, strict=True):

@@ -54,13 +54,18 @@ def chain(on: Elaborations, space: Elaboration, printed: Printed) -> list[Equati
     Matrices are equal entry by entry; a zero may stand for one.
     """
     relation = on.texts.relation(printed)
-    if any(is_matrix(member, space) for member in relation.members):
-        return [*entries(as_matrices(relation.members, space, only_zero=True))]
+    if are_matrices(relation, space):
+        return [*entries(as_matrices(relation.members, space, are_equal=True))]
     found = sides(members(relation), space)
     equations = list(pairwise(found))
     if isinstance(relation.members[-1], Constant):
         equations.append(vanishes(rate(found[0])))
     return equations
+
+
+def are_matrices(relation: Relation, space: Elaboration) -> bool:
+    """Whether matrices are said to be equal."""
+    return any(is_matrix(member, space) for member in relation.members)
 
 
 def entries(matrices: Sequence[Rows]) -> Iterator[Equation]:
@@ -85,13 +90,14 @@ def equations(
     on: Elaborations, space: Elaboration, places: Sequence[Printed]
 ) -> tuple[Equation, ...]:
     """The sides of printed equations, component by component; of a chain, those of each sign."""
-    chains = (sides(on.texts.relation(printed).members, space) for printed in places)
-    return tuple(
-        pair
-        for members in chains
-        for left, right in pairwise(members)
-        for pair in zip(parts(left, space), parts(right, space), strict=True)
-    )
+    found: list[Equation] = []
+    for relation in map(on.texts.relation, places):
+        if are_matrices(relation, space):
+            found += entries(as_matrices(relation.members, space, are_equal=True))
+            continue
+        for left, right in pairwise(sides(relation.members, space)):
+            found += zip(parts(left, space), parts(right, space), strict=True)
+    return tuple(found)
 
 
 def expression(on: Elaborations, space: Elaboration, printed: Printed) -> Formula:

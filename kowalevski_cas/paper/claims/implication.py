@@ -6,7 +6,13 @@ from collections.abc import Iterator
 
 from kowalevski_cas.notation import Formula, Name, Negative, Relation, Root, to_latex
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import equation, equations, expression, vanishes
+from kowalevski_cas.paper.claims.forms import (
+    are_matrices,
+    equation,
+    equations,
+    expression,
+    vanishes,
+)
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
@@ -30,13 +36,14 @@ class Implication(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        is_equation = isinstance(on.texts.formula(self.own), Relation)
-        conclusion = (
-            equation(on, space, self.own)
-            if is_equation
-            else vanishes(expression(on, space, self.own))
-        )
-        stated = (*equations(on, space, self.together), conclusion)
+        formula = on.texts.formula(self.own)
+        if not isinstance(formula, Relation):
+            conclusion: Equations = (vanishes(expression(on, space, self.own)),)
+        elif are_matrices(formula, space):
+            conclusion = equations(on, space, (self.own,))
+        else:
+            conclusion = (equation(on, space, self.own),)
+        stated = (*equations(on, space, self.together), *conclusion)
         given = equations(on, space, self.given)
         conclusions = [stated]
         if self.root is not None:

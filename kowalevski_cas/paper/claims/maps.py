@@ -21,7 +21,9 @@ from kowalevski_cas.notation import (
     times,
 )
 from kowalevski_cas.paper.claims.claim import Claim
+from kowalevski_cas.paper.claims.first_integral import FirstIntegral
 from kowalevski_cas.paper.claims.forms import equations, function, members, vanishes
+from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.claims.poisson import Jacobi, commutation, pfaffian
 from kowalevski_cas.paper.components import parts, sides
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -80,6 +82,13 @@ class InvariantSetOfMap(OfMap):
 
     def establishes(self) -> Iterator[Printed]:
         yield from self.relations
+
+
+OF_MAPS: dict[type[Claim], type[Claim]] = {
+    FirstIntegral: InvariantOfMap,
+    InvariantRelations: InvariantSetOfMap,
+}
+"""What is claimed of a map for what is claimed of a motion."""
 
 
 class MeasureOfMap(OfMap):

@@ -8,13 +8,13 @@ vector becomes one long number, in which all entries are subtracted at once.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator
 from heapq import heapify, heappop, heappush
 from operator import itemgetter
 
 from .reading import Budget, Spend
 
 PRIME = 2**61 - 1
+RARE = 2  # of a place that so many vectors have it is told when it becomes rarer
 FULL = 4  # vectors are full where one entry in so many is not zero
 
 Vector = dict[int, int]  # residues that are not zero, by places
@@ -23,7 +23,7 @@ Vector = dict[int, int]  # residues that are not zero, by places
 def rank(vectors: list[Vector], budget: Budget) -> int:
     """The rank; its steps are taken from the budget."""
     budget.spend(sum(map(len, vectors)))
-    return sum(budget.each(_rank_of_block, [*_blocks(vectors)]))
+    return sum(budget.each(_rank_of_block, _blocks(vectors)))
 
 
 def _rank_of_block(block: list[Vector], spend: Spend) -> int:
@@ -31,18 +31,23 @@ def _rank_of_block(block: list[Vector], spend: Spend) -> int:
     return size + _dense_rank(rest, spend)
 
 
-def _blocks(vectors: list[Vector]) -> Iterator[list[Vector]]:
+def _blocks(vectors: list[Vector]) -> list[list[Vector]]:
     """The vectors, in groups of which no two have an entry at the same place."""
-    having = _having(vectors)
-    left = {k for k, vector in enumerate(vectors) if vector}
-    while left:
-        group = [left.pop()]
-        for k in group:
-            for place in vectors[k]:
-                more = left.intersection(having.pop(place, ()))
-                left -= more
-                group += more
-        yield [vectors[k] for k in sorted(group)]
+    above = [*range(len(vectors))]  # in a tree for each group, with its first vector on top
+    first: dict[int, int] = {}
+    for k, vector in enumerate(vectors):
+        top = k
+        for place in vector:
+            other = first.setdefault(place, k)
+            while above[other] != other:
+                above[other] = other = above[above[other]]
+            above[max(top, other)] = top = min(top, other)
+    groups = defaultdict[int, list[Vector]](list)
+    for k, vector in enumerate(vectors):
+        above[k] = top = above[above[k]]  # the tops of those before are known
+        if vector:
+            groups[top].append(vector)
+    return [*groups.values()]
 
 
 def _having(vectors: list[Vector]) -> dict[int, set[int]]:
@@ -63,32 +68,48 @@ def _eliminated(block: list[Vector], spend: Spend) -> tuple[int, list[Vector]]:
     found, entries = 0, sum(map(len, left))
     while rarest:
         number, place = heappop(rarest)
-        if number != len(having.get(place, ())):  # it stands there once more, as it is now
+        if number != (now := len(having.get(place, ()))):
+            if now:
+                heappush(rarest, (now, place))
             continue
         if number > 1 and FULL * entries > (len(left) - found) * len(having):
             break
-        shortest = min(having[place], key=lambda k: (len(left[k]), k))
+        some = having.pop(place)
+        shortest = min(some, key=lambda k: (len(left[k]), k)) if number > 1 else some.pop()
         row, left[shortest], found = left[shortest], {}, found + 1
-        over, entries = pow(row.pop(place), -1, PRIME), entries - len(row) - 1
-        others = having.pop(place) - {shortest}
+        entries -= len(row)
+        value = row.pop(place)
+        some.discard(shortest)
         spend(number * (1 + (len(row) >> 2)))
-        for k in others:
-            vector = left[k]
-            entries -= len(vector)
-            factor = vector.pop(place) * over % PRIME
-            for m, value in row.items():
-                vector[m] = (vector.get(m, 0) - factor * value) % PRIME
-                (having[m].add if vector[m] else having[m].discard)(k)
-                if not vector[m]:
-                    del vector[m]
-            entries += len(vector)
+        if some:
+            over = pow(value, -1, PRIME)
+            for k in some:
+                vector = left[k]
+                entries -= len(vector)
+                _subtract(vector, vector.pop(place) * over % PRIME, row, having, k)
+                entries += len(vector)
         for m in row:
             having[m].discard(shortest)
-            if having[m]:
-                heappush(rarest, (len(having[m]), m))
-            else:
+            if not (now := len(having[m])):
                 del having[m]
+            elif now <= RARE:
+                heappush(rarest, (now, m))
     return found, [vector for vector in left if vector]
+
+
+def _subtract(
+    vector: Vector, factor: int, row: Vector, having: dict[int, set[int]], number: int
+) -> None:
+    """Subtract a multiple of a row from the vector with a number."""
+    for place, value in row.items():
+        if (old := vector.get(place)) is None:
+            vector[place] = -factor * value % PRIME
+            having[place].add(number)
+        elif new := (old - factor * value) % PRIME:
+            vector[place] = new
+        else:
+            del vector[place]
+            having[place].discard(number)
 
 
 def _dense_rank(block: list[Vector], spend: Spend) -> int:

@@ -10,6 +10,7 @@ the point, and modulo the prime, they can fall.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from operator import mul
 
 from .elimination import PRIME, rank
 from .evidence import locate
@@ -142,14 +143,19 @@ class Kernel(Goal):
         """What the field, less the factor, makes of each monomial, times one common divisor."""
         self.ring.spend(10 * self._size())
         rates, factor = self._clear_denominators(at)
+        steps = [
+            [(m - unit, v) for m, v in rate.items()]
+            for unit, rate in zip(self.units, rates, strict=True)
+        ]
+        minus = [(m, -v) for m, v in factor.items()]
         for exponents in self._exponents(len(self.units) - 1, self.degree):
-            weight = sum(e * unit for e, unit in zip(exponents, self.units, strict=True))
-            found = {weight + m: -v for m, v in factor.items()}
-            for e, unit, rate in zip(exponents, self.units, rates, strict=True):
-                for m, v in rate.items() if e else ():
-                    found[weight - unit + m] = found.get(weight - unit + m, 0) + e * v
+            monomial = sum(map(mul, exponents, self.units))
+            found = {monomial + step: v for step, v in minus}
+            for e, parts in zip(exponents, steps, strict=True):
+                for step, v in parts if e else ():
+                    found[monomial + step] = found.get(monomial + step, 0) + e * v
             self.ring.spend(len(found))
-            yield {m: v % PRIME for m, v in found.items() if v % PRIME}
+            yield {m: rest for m, v in found.items() if (rest := v % PRIME)}
 
     def _clear_denominators(self, at: Map) -> tuple[list[Residues], Residues]:
         """The rates and the factor, times their common denominator."""

@@ -67,10 +67,11 @@ def conjugate_equations(formulas: Sequence[Formula], moving: Collection[str]) ->
     laws = [one for one in formulas if isinstance(one, Relation) and _rates(one)]
     complex_names = _complex_names(laws, formulas, moving)
     rows = [one for one in laws if not complex_names.isdisjoint(_rates(one))]
+    links = [one for one in formulas if _is_link(one) and not complex_names.isdisjoint(one.names())]
     printed = {name for one in laws for name in _rates(one)}
     new = [
         to_latex(_conjugate(row, complex_names))
-        for row in rows
+        for row in (*rows, *links)
         if printed.isdisjoint(map(conjugate_name, _rates(row)))
     ]
     return [*new, *([] if SQUARE in formulas else [to_latex(SQUARE)])]
@@ -98,6 +99,14 @@ def _under_bars(formulas: Iterable[Formula]) -> Iterator[str]:
             yield replace(symbol(node.name), star="").name
 
 
+def _is_link(formula: Formula) -> bool:
+    """Whether two names are said to be one, as where a chain is closed."""
+    match formula:
+        case Relation((Name(), Name()), ("=",)):
+            return True
+    return False
+
+
 def _is_rate(formula: Formula) -> bool:
     return isinstance(formula, Derivative)
 
@@ -115,7 +124,9 @@ def _complex_names(
     found = {one for one in _under_bars(formulas) if one != UNIT}
     while True:
         mixed = (row for row in laws if not _is_real(row, found))
-        new = {name for row in mixed for name in _rates(row) if name in moving} - found
+        new = {name for row in mixed for name in _rates(row) if name in moving}
+        linked = (one.names() for one in formulas if _is_link(one))
+        new = new.union(*(names for names in linked if names & found)) - found
         new -= {*map(conjugate_name, found | new)}
         if not new:
             return found

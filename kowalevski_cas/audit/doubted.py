@@ -1,0 +1,63 @@
+"""What would mend claims that are false as they were read: it is told, and corrects nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+
+from kowalevski_cas.audit.audited import OPEN, Audited
+from kowalevski_cas.reading import CLAIM, Reading
+from kowalevski_cas.reading.oddities import oddities
+from kowalevski_cas.verify.blame import Blame
+from kowalevski_cas.verify.outcome import Correction, Outcome, Verdict, in_latex
+from kowalevski_cas.verify.run import FALSE_AS_READ, Session, correct_together
+
+SECONDS = 2.0
+"""For the search of what would mend a claim."""
+
+
+def repairs_of_doubted(
+    session: Session, outcomes: Mapping[str, Outcome], explained: Collection[str]
+) -> dict[str, Correction]:
+    """The likeliest repair of each claim that is false as it was read, if one is proved.
+
+    It is of what such claims share, or of the formula of one, or of another one on which it stands;
+    what is ``explained`` needs none.
+    """
+    doubted = (one for id, one in outcomes.items() if id not in explained)
+    failing = [one for one in doubted if is_false_as_read(one)]
+    suspected = [one._replace(verdict=Verdict.REFUTED, message="") for one in failing]
+    verdicts = {id: one.verdict for id, one in outcomes.items()}
+    known = [id for id, verdict in verdicts.items() if verdict is Verdict.REFUTED]
+    verdicts |= {one.claim: one.verdict for one in suspected}
+    blame = Blame(session.decider.corrector, verdicts, known, SECONDS)
+    found = correct_together(session, suspected, blame)
+    return {one.claim: one.correction for one in found if one.correction is not None}
+
+
+def is_false_as_read(outcome: Outcome) -> bool:
+    """Whether a claim fails, and may have been meant otherwise."""
+    return outcome.verdict is Verdict.UNDECIDED and outcome.message == FALSE_AS_READ
+
+
+def point_at(found: Sequence[Audited], repairs: Mapping[str, Correction], reading: Reading) -> None:
+    """Say of claims that are not decided with what they would hold, or what is strange there.
+
+    The formula where that stands is their cause.
+    """
+    by_place = {formula.item.printed: formula for formula in reading.formulas}
+    lines = {audited.place: audited.line for audited in found}
+    for audited in found:
+        failed = audited.verdict in (OPEN, Verdict.UNDECIDED)
+        if audited.role != CLAIM or audited.causes or not failed or audited.place is None:
+            continue
+        said = [audited.message]
+        if repair := next((repairs[id] for id in audited.claims if id in repairs), None):
+            said.append(f"it holds with ${in_latex(repair.formulas)}$")
+            audited.causes = (repair.elsewhere or audited.name,)
+        else:
+            formula = by_place[audited.place]
+            strange = oddities(formula.item, formula.on, reading.parts.of(formula.item))
+            here = [one for one in strange if one.item.printed in lines]
+            audited.causes = (*dict.fromkeys(one.item.printed.place for one in here),)
+            said += [f"{one.words} (line {lines[one.item.printed]})" for one in here]
+        audited.message = "; ".join(dict.fromkeys(said))

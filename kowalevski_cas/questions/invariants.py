@@ -1,0 +1,154 @@
+"""Find the polynomial invariants of a map, up to a degree, and that there are no others.
+
+The coefficients are polynomials in the constants. That there are no others is claimed where it is
+so at some values of the constants: then it is so at almost all.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from fractions import Fraction
+from itertools import islice
+
+from kowalevski_cas.algebra.elimination import Echelon
+from kowalevski_cas.algebra.kernels import kernel, residue
+from kowalevski_cas.algebra.polynomials import primitive
+from kowalevski_cas.algebra.present import formula_in
+from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.notation import Formula, to_latex
+from kowalevski_cas.paper.claims import AllInvariantsOfMap, InvariantOfMap
+from kowalevski_cas.paper.claims.all_invariants import MOST, MapAt, power_of, small_numbers, span
+from kowalevski_cas.paper.claims.maps import Images
+from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.pool import HERE, Pool
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.polynomial_fields import Exponents, Terms, monomials
+from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.verify.finding import Attribute, Finding
+
+Point = tuple[Fraction, ...]
+
+DEGREE = 4
+"""The highest degree, if none is given."""
+CONSTANTS = 2
+"""The largest degree of coefficients in the constants."""
+VALUES = (2, 3, 5, 7, 11, 13)
+"""For constants, one after the other."""
+TRIES = 3
+"""How many values of the constants are looked at."""
+
+
+def search(
+    elaborations: Elaborations, scene: Scene, pool: Pool = HERE, *, images: Images, degree: int = 0
+) -> Iterator[Finding]:
+    """The invariants, the lowest degrees first, and that these are all."""
+    space, degree = elaborations(scene), degree or DEGREE
+    numbers = len(scene.constants)
+    maps = [
+        MapAt(space, images, _values(scene.constants, shift))
+        for shift in range(TRIES if numbers else 1)
+    ]
+    found: list[Formula] = []
+    for size in range(1, degree + 1):
+        missing = min(_dimension(one, size) - len(_span(one, found, size)) for one in maps)
+        for formula in _candidates(space, images, size) if missing else ():
+            if any(_is_new(one, found, formula, size) for one in maps):
+                found.append(formula)
+                says = "it is the same at each point and at its image"
+                own: dict[str, Attribute] = {"images": images}
+                yield Finding(InvariantOfMap, scene, says, to_latex(formula), own)
+    for one in maps:
+        if _dimension(one, degree) == len(_span(one, found, degree)):
+            yield _all(scene, images, found, degree, one)
+            return
+
+
+def _all(scene: Scene, images: Images, found: Sequence[Formula], degree: int, at: MapAt) -> Finding:
+    """That there are no others."""
+    known = "a polynomial in these" if found else "a constant"
+    words = f"each polynomial invariant up to degree {degree} is {known}"
+    if scene.constants:
+        words += ", for almost all values of the constants"
+    attributes: dict[str, Attribute] = {
+        "images": images,
+        "invariants": tuple(map(to_latex, found)),
+        "degree": degree,
+        "values": tuple((name, str(value)) for name, value in at.values.items()),
+    }
+    return Finding(AllInvariantsOfMap, scene, words, attributes=attributes, steps=True)
+
+
+def _values(names: Sequence[str], shift: int) -> dict[str, Fraction]:
+    return {
+        name: Fraction(VALUES[(k + shift) % len(VALUES)], 1 + k // len(VALUES))
+        for k, name in enumerate(names)
+    }
+
+
+def _dimension(at: MapAt, degree: int) -> int:
+    """How many polynomials up to a degree satisfy the conditions of points, at values."""
+    return len(at.exponents(degree)) - len([*at.conditions(degree)])
+
+
+def _span(at: MapAt, known: Sequence[Formula], degree: int) -> Echelon:
+    """The products of known invariants up to a degree, at values of the constants."""
+    found = Echelon()
+    for terms in span([at.polynomial(one) for one in known], len(at.names), degree):
+        found.extend(_residues(terms))
+    return found
+
+
+def _residues(terms: Terms) -> dict[Exponents, int]:
+    return {key: residue(value) for key, value in terms.items()}
+
+
+def _is_new(at: MapAt, known: Sequence[Formula], formula: Formula, degree: int) -> bool:
+    """Whether a formula is no polynomial in known invariants."""
+    return _span(at, known, degree).extend(_residues(at.polynomial(formula)))
+
+
+def _candidates(space: Elaboration, images: Images, degree: int) -> Iterator[Formula]:
+    """Polynomials that points do not tell from invariants, those with short coefficients first."""
+    names = [name for name, _ in images]
+    ones, still = (1,) * len(names), space.constants
+    own = [one for size in range(1, degree + 1) for one in monomials(ones, size)]
+    for most in range(CONSTANTS + 1 if still else 1):
+        powers = [e for size in range(most + 1) for e in monomials((1,) * len(still), size)]
+        columns: list[dict[int, Fraction]] = [{} for _ in range(len(own) * len(powers))]
+        every = _steps(space, images)
+        for row, (point, image, values) in enumerate(islice(every, len(columns) + len(own))):
+            place = 0
+            for exponents in own:
+                change = power_of(image, exponents) - power_of(point, exponents)
+                for power in powers:
+                    if value := change * power_of(values, power):
+                        columns[place][row] = value
+                    place += 1
+        both = [(*a, *b) for a in own for b in powers]
+        solutions = [
+            {key: value for key, value in zip(both, solution, strict=True) if value}
+            for solution in kernel(columns)
+        ]
+        for terms in sorted(solutions, key=lambda one: (max(map(sum, one)), len(one))):
+            yield formula_in(_element(terms, (*names, *still), space.finder))
+
+
+def _steps(space: Elaboration, images: Images) -> Iterator[tuple[Point, Point, Point]]:
+    """Points with their images, and with values of the constants."""
+    numbers = small_numbers()
+    for _ in range(MOST):
+        values = {name: next(numbers) for name in space.constants}
+        point = tuple(next(numbers) for _ in images)
+        with suppress(Meaningless):
+            yield point, MapAt(space, images, values).image(point), (*values.values(),)
+
+
+def _element(terms: Terms, names: Sequence[str], at: Evaluation) -> Element:
+    """A polynomial with whole coefficients that have no common factor."""
+    generators = at.ring.polynomials.generators
+    order = [names.index(name) if name in names else -1 for name in generators]
+    padded = (((*e, 0), value) for e, value in primitive(terms).items())
+    return at.ring.from_terms({0: {tuple(e[k] for k in order): v for e, v in padded}})

@@ -1,0 +1,159 @@
+r"""Maps of a paper: :math:`x_{n+1}=y_n,\; y_{n+1}=-x_n`, or :math:`x'=y,\; y'=-x` by its words.
+
+The images are names that the equations define; those that no equation gives are solved for.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+from kowalevski_cas.notation import Derivative, Formula, Name, PoissonBracket, Summation
+from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.images import images_by_index, solutions
+from kowalevski_cas.paper.implied import canonical_brackets, conjugate_pairs
+from kowalevski_cas.paper.names import BRACKET
+from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.reading.comments import Said
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.known import CONVENTION, Known, StatementRole
+from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.names import Names
+from kowalevski_cas.reading.parts import Parts
+from kowalevski_cas.reading.stage import Stage
+from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
+from kowalevski_cas.reading.unprinted import unprinted
+
+_STEP = re.compile(r"([a-z])(?:\+\d)")
+
+
+def primed_images(paper: SourcePaper, said: Said) -> frozenset[str]:
+    """The names with primes that are images: words, or a comment, say so of their equations.
+
+    They are none if the same names are derived by primes elsewhere.
+    """
+    rows = [one for one in paper.items if one in paper.maps or said.verb(one) == "map"]
+    rows = [one for one in rows if "prime" in one.marks]
+    before = (one for one in paper.items if rows and one.order < rows[0].order)
+    elsewhere = {name for one in before if "prime" in one.marks for name in one.rates}
+    names = {name for one in rows for name in _primed(one.formula)}
+    return frozenset() if names & elsewhere else frozenset(f"{name}'" for name in names)
+
+
+def _primed(formula: Formula | None) -> Iterator[str]:
+    """The names that stand under primes."""
+    for node in formula.nodes() if formula is not None else ():
+        match node:
+            case Derivative(Name(name), "prime"):
+                yield name
+
+
+def find_maps(paper: SourcePaper, names: Names, said: Said) -> list[Law]:
+    """The maps of a paper, in its order: closed sets of equations for images."""
+    found: list[Law] = []
+    finder = _MapFinder(paper, names, said)
+    for item in finder.rows:
+        known = {name for law in found for pair in law.images for name in pair}
+        if not {*finder.images([item]).values()} <= known:
+            if (law := finder.grown(item)) is not None:
+                found.append(law)
+    return found
+
+
+class _MapFinder:
+    """The equations with images of a paper, and which of them belong together."""
+
+    def __init__(self, paper: SourcePaper, names: Names, said: Said) -> None:
+        self.names, self.primed = names, paper.primed
+        self.linked = {symbol(name).index for item in paper.items for name in item.rates}
+        """The indices of what is derived: they count links of a chain, and no steps."""
+        self.rows = [
+            item
+            for item in paper.items
+            if self._may_be_row(item) and said.verb(item) in ("", "law", "map")
+        ]
+
+    def _may_be_row(self, item: SourceStatement) -> bool:
+        """Whether a statement may be an equation for images."""
+        if len(item.members) != 2 or item.derives or not self.images([item]):
+            return False
+        nodes = item.formula.nodes() if item.formula is not None else ()
+        return not any(isinstance(node, Summation | PoissonBracket) for node in nodes)
+
+    def images(self, items: Sequence[SourceStatement]) -> dict[str, str]:
+        """The variables that stand in statements with their images."""
+        names = sorted({name for item in items for name in item.names})
+        primed = {name[:-1]: name for name in names if name in self.primed}
+        primed |= {name: f"{name}'" for name in names if f"{name}'" in self.primed}
+        steps = {step[1] for name in names if (step := _STEP.fullmatch(symbol(name).index))}
+        found = [images_by_index(names, n) for n in sorted(steps - self.linked)]
+        return primed | {x: new for own in found for x, new in own.items()}
+
+    def grown(self, first: SourceStatement) -> Law | None:
+        """A map from an equation on, with those that follow until all its images have one."""
+        own = [first]
+        while True:
+            images = self.images(own)
+            new = [name for name in images.values() if name not in images]
+            unknown = self._without_image(own, images)
+            if len(own) == len(new) and not unknown:
+                return Law(tuple(own), self.names, images=(*images.items(),))
+            wanted = {*new, *unknown.values()}
+            others = [one for one in self.rows if one not in own and one.names & wanted]
+            near = sorted(
+                others, key=lambda one: (one.typed is not first.typed, abs(one.order - first.order))
+            )
+            if not near or len(own) > len(new):
+                return None
+            own = sorted([*own, near[0]], key=lambda one: one.order)
+
+    def _without_image(
+        self, items: Sequence[SourceStatement], images: dict[str, str]
+    ) -> dict[str, str]:
+        """The names in equations of which others have images, with these."""
+        every = self.images(self.rows)
+        names = {name for item in items for name in item.names}
+        known = {*images, *images.values()}
+        return {name: every[name] for name in names & every.keys() if name not in known}
+
+
+def enter_maps(parts: Parts) -> None:
+    """Solve for the images that no equation gives, and keep canonical brackets."""
+    for place, known in enumerate(parts.known):
+        for number, law in enumerate((one for one in known.laws if one.images), 1):
+            suffix = f"-{place + 1}-{number}"
+            try:
+                found = [*_solved(law, known, suffix)]
+            except (ValueError, Meaningless) as error:
+                known.lost |= dict.fromkeys(law.unsolved, str(error))
+                found = []
+            law.solved = tuple(found)
+            brackets = [*_brackets(law, known, suffix)]
+            for item in (*found, *brackets):
+                parts.places[item] = place
+                why = "follows from the map" if item in found else "the canonical bracket"
+                parts.enter(item, StatementRole(CONVENTION, why, "", item.printed.heads.names))
+
+
+def _solved(law: Law, known: Known, suffix: str) -> Iterator[SourceStatement]:
+    """What gives the images that no equation gives alone."""
+    if not (left := law.unsolved):
+        return
+    scene = Stage(known).scene(law.items, law=law).scene
+    implicit = [one.printed for one in law.items if one not in law.given.values()]
+    for number, tex in enumerate(solutions(scene, left, implicit), 1):
+        yield unprinted(known.paper, f"image-{number}{suffix}", tex, law.first, "the map gives it")
+
+
+def _brackets(law: Law, known: Known, suffix: str) -> Iterator[SourceStatement]:
+    """The canonical brackets of a map of which words speak, if none are printed."""
+    printed = any(name.startswith(BRACKET) for name in known.definitions)
+    if printed or not cue("symplectic", known.paper.prose.text):
+        return
+    names = [x for x, _ in law.images]
+    try:
+        pairs = conjugate_pairs(names)
+    except ValueError:
+        pairs = [(names[0], names[1])] if len(names) == 2 else []
+    for number, tex in enumerate(canonical_brackets(pairs), 1):
+        yield unprinted(known.paper, f"bracket-{number}{suffix}", tex, law.first)

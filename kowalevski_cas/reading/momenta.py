@@ -1,0 +1,61 @@
+r"""Momenta of a paper: :math:`\mathbf M=I\boldsymbol\omega`, beside :math:`\dot{\mathbf M}=\ldots`.
+
+The rate of a vector is printed, and the vector is given by another one that has no rate: this one
+moves, wherever in the paper the first is given.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from kowalevski_cas.notation import Name, Number, Vector
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.names import Names
+from kowalevski_cas.reading.statements import SourceStatement
+
+
+def find_momenta(
+    items: Sequence[SourceStatement], rows: Sequence[SourceStatement], names: Names
+) -> dict[SourceStatement, str]:
+    """The statements that give a vector with a printed rate by one that has none, with this one.
+
+    Where each of the two is given by the other, the first that is printed counts.
+    """
+    rated = {name for row in rows for name in names.scalars(row.rates)}
+    giving = [one for one in items if _gives(one)]
+    found: dict[SourceStatement, str] = {}
+    for one in giving:
+        if (name := one.bare[0]) in names.vectors:
+            others = (other for other in giving if other.order < one.order or not _has(other, name))
+            given = {other.bare[0] for other in others}
+            in_law = {names.whole(n) for row in _rows_of(name, rows, names) for n in row.names}
+            inner = {names.whole(n) for n in one.members[1].names()}
+            moving = inner & in_law & {*names.vectors} - given
+            if len(moving) == 1 and rated.isdisjoint(names.scalars(moving)):
+                found[one] = moving.pop()
+    return found
+
+
+def _gives(item: SourceStatement) -> bool:
+    """Whether a statement has a name alone on its left, and an expression on its right."""
+    if len(item.members) != 2 or item.rates or not item.bare or cue("if", item.lead):
+        return False
+    match item.members:
+        case (Name(), Name()):
+            return False
+        case (Name(), Vector(entries)):
+            return not all(isinstance(entry, Name | Number) for entry in entries)
+    return isinstance(item.members[0], Name)
+
+
+def _has(item: SourceStatement, name: str) -> bool:
+    """Whether a name stands in what a statement gives."""
+    return name in item.members[1].names()
+
+
+def _rows_of(
+    vector: str, rows: Iterable[SourceStatement], names: Names
+) -> Iterator[SourceStatement]:
+    """The equations of motion for a vector, or for its components."""
+    parts = {*names.vectors[vector]}
+    yield from (row for row in rows if parts & {*names.scalars(row.rates)})

@@ -1,0 +1,72 @@
+"""Where a misprint may stand if a claim fails, or has no meaning, and no repair of it is known."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from typing import NamedTuple
+
+from kowalevski_cas.reading.known import DEFINITION, Known
+from kowalevski_cas.reading.statements import SourceStatement
+
+
+class Oddity(NamedTuple):
+    """A statement on which a claim stands, and what is strange there."""
+
+    item: SourceStatement
+    words: str
+
+
+def oddities(
+    item: SourceStatement, on: Iterable[SourceStatement], known: Known
+) -> Iterator[Oddity]:
+    """What is strange in the statements on which a claim stands.
+
+    A name may be defined by itself, or stand nowhere else in its part of the paper; what is
+    supposed may be another thing than was meant, or say nothing of the claim.
+    """
+    known_to_all = known.times | {r"\pi"}
+    counts = Counter(name for one in known.items for name in one.names - known_to_all)
+    for one in _stands_on(item, known):
+        circular = sorted(n for n in known.roles[one].names if _is_circular(n, one, known))
+        single = sorted(n for n in one.names if counts[n] == 1 and not known.is_defined(n))
+        if circular:
+            yield Oddity(one, f"${circular[0]}$ is defined by itself")
+        elif single:
+            yield Oddity(one, f"${single[0]}$ stands nowhere else")
+            if one is item:
+                yield from _idle_definitions(item, known)
+    for name in (name for name in item.rates if not known.moves(name)):
+        before = (one for one in known.items if one.order < item.order)
+        beside = (one for one in before if one.section is item.section and name in one.names)
+        yield from (Oddity(one, f"nothing moves ${name}$") for one in beside)
+    supposed = dict.fromkeys((*on, *known.supposed(item), *known.sets(item)))
+    yield from (Oddity(one, f"read with ${one.printed.tex}$") for one in supposed)
+
+
+def _idle_definitions(item: SourceStatement, known: Known) -> Iterator[Oddity]:
+    """The definitions before a statement, in its section, of names that nothing after them has.
+
+    What the statement names may be defined there by another letter.
+    """
+    after = [one for one in known.items if one.section is item.section]
+    for one in (one for one in after if one.order < item.order):
+        names = known.roles[one].names if known.roles[one].name == DEFINITION else ()
+        if names and not any({*names} & later.names for later in after if later.order > one.order):
+            yield Oddity(one, f"${names[0]}$ is defined and stands nowhere after it")
+
+
+def _stands_on(item: SourceStatement, known: Known) -> Iterator[SourceStatement]:
+    """A claim, the equations of motion for its names, and all that defines names of these."""
+    names = {name for own in item.names for name in known.below(own)}
+    moved = {*known.names.scalars(names)}
+    rows = [row for law in known.laws if moved & {*law.variables} for row in law.rows]
+    names |= {name for row in rows for own in row.names for name in known.below(own)}
+    defining = (one for name in sorted(names) for one in known.definitions.get(name, ()))
+    yield from dict.fromkeys((item, *rows, *defining))
+
+
+def _is_circular(name: str, one: SourceStatement, known: Known) -> bool:
+    """Whether what a statement gives for a name rests on this name."""
+    others = one.names - {name}
+    return any(name in known.below(other) for other in others if not known.moves(other))

@@ -1,0 +1,145 @@
+"""What an audit makes of formulas that their authors corrected later, each in its context.
+
+A folder has ``index.json``, a list of entries, and for each a folder with ``PAPER.tex``, a page in
+which one formula is printed as it first was. An entry has its ``id``, the ``label`` of the formula,
+the ``kind`` of the slip, and what was printed, ``wrong``, and what its author made of it,
+``right``. The pages are audited by the command, as a stranger would do it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+import sys
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from kowalevski_cas.audit.audited import OPEN
+from kowalevski_cas.cli import run as run_command
+from kowalevski_cas.cli import session
+from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, CommandError
+from kowalevski_cas.notation import to_latex
+from kowalevski_cas.reading.statements import read_statements
+from kowalevski_cas.source.files import read_source
+from kowalevski_cas.source.text import Source
+from kowalevski_cas.verify.run import FALSE_AS_READ
+from study.readings import Entry, audit_entries
+
+GREEN, NOTICED, LEFT = "green", "noticed", "not noticed"
+
+MOST = 3
+"""How many repairs are looked at."""
+
+_WITH = re.compile(r"(?:it holds|is true) with \$(.*?)\$")
+"""The words for a repair in messages."""
+
+
+@dataclass(frozen=True)
+class CorrectedFormula:
+    """A formula that its author corrected: what an audit says of it, and whether it mends it so."""
+
+    id: str
+    kind: str
+    end: str
+    repaired: bool
+    said: str
+
+
+def corrected_formula(folder: Path, entry: Entry, timeout: float) -> CorrectedFormula:
+    """What an audit says of the wrong formula of an entry.
+
+    It is noticed if it is red, corrected, named as the cause of what fails, or false as it was
+    read; it is repaired if what its author printed later is among the first repairs.
+    """
+    path = folder / entry["id"] / "PAPER.tex"
+    formulas = audit_entries(path, timeout)
+    own = [one for one in formulas if one["label"] == entry["label"]]
+    failing = [one for one in formulas if one not in own and one["verdict"] != OPEN]
+    causes = {cause for one in failing for cause in one["causes"]}
+    noticed = any(
+        one["verdict"] in ("refuted", "suspect")
+        or one["correction"]
+        or one["id"] in causes
+        or str(one["message"]).startswith(FALSE_AS_READ)
+        for one in own
+    )
+    claims = [one["verdict"] for one in own if one["role"] == "claim"]
+    green = bool(claims) and {*claims} <= {"proved", "conditional"}
+    end = NOTICED if noticed else GREEN if green else LEFT
+    said = "; ".join(f"{one['role']}, {one['verdict']}: {one['message'] or ''}" for one in own)
+    meant = meant_formulas(path, entry)
+    return CorrectedFormula(
+        entry["id"], entry["kind"], end, bool(meant & {*repairs(formulas, own)}), said
+    )
+
+
+def repairs(formulas: list[Entry], own: list[Entry]) -> list[str]:
+    """The repairs that an audit proposes for a display, by what they print."""
+    ids = {one["id"] for one in own}
+    found: list[str] = []
+    for one in formulas:
+        proposed = [one["correction"], *one["alternatives"]] if one in own else []
+        found += [repair["printed"] for repair in filter(None, proposed)][:MOST]
+        if one in own or ids & {*one["causes"]}:
+            found += _WITH.findall(str(one["message"]))
+    return found
+
+
+def meant_formulas(path: Path, entry: Entry) -> set[str]:
+    """What the author printed later, as the program prints it; nothing that stood there before."""
+    source = read_source(path)
+    before = {*_statements(source)}
+    mended = replace(source, text=source.text.replace(entry["wrong"], entry["right"], 1))
+    if mended.text == source.text:
+        raise CommandError(f"{path} has no {entry['wrong']}", NOTHING)
+    return {*_statements(mended)} - before
+
+
+def _statements(source: Source) -> Iterator[str]:
+    """The statements of a source, as the program prints them."""
+    for item in read_statements(source).items:
+        if item.formula is not None:
+            yield to_latex(item.formula)
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The arguments of the command."""
+    parser.add_argument("folder", type=Path, metavar="FOLDER", help="with index.json and the pages")
+    words = "only the entries with these ids"
+    parser.add_argument("--only", nargs="+", default=[], metavar="ID", help=words)
+    session.add_timeout(parser, 5)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Print what is said of each formula, and how many are noticed, and mended as by the author."""
+    index = arguments.folder / "index.json"
+    try:
+        entries = json.loads(index.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise CommandError(f"{index}: {error}", NOTHING) from None
+    found = []
+    for entry in entries:
+        if arguments.only and entry["id"] not in arguments.only:
+            continue
+        try:
+            one = corrected_formula(arguments.folder, entry, arguments.timeout)
+        except CommandError as error:
+            one = CorrectedFormula(entry["id"], entry["kind"], LEFT, False, str(error))
+        found.append(one)
+        mended = ", mended" if one.repaired else ""
+        print(f"{one.id} ({one.kind}): {one.end}{mended}: {one.said}", flush=True)
+    if not found:
+        raise CommandError("there is nothing to look at", NOTHING)
+    ends = Counter(one.end for one in found)
+    counts = ", ".join(f"{end} {ends[end]}" for end in (NOTICED, GREEN, LEFT))
+    print(
+        f"{len(found)} corrections: {counts}; as the author mended {sum(o.repaired for o in found)}"
+    )
+    return AS_RECORDED if ends[NOTICED] == len(found) else DIFFERENT
+
+
+if __name__ == "__main__":
+    sys.exit(run_command("python -m study.corrections", "study.corrections", sys.argv[1:]))

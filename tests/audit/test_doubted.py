@@ -1,0 +1,80 @@
+"""What is said of a claim that is false as it was read: where a misprint may stand."""
+
+import pytest
+
+from kowalevski_cas.audit.audited import OPEN
+from kowalevski_cas.audit.reading import ReadingSession, audit_reading
+from kowalevski_cas.reading import read
+from kowalevski_cas.source.files import decode
+from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.run import FALSE_AS_READ
+
+LAW = r"""The equations of motion are
+\begin{equation}\label{law}\dot x=y,\qquad \dot y=-x+z,\qquad \dot z=0.\end{equation}
+"""
+
+
+def audited(text):
+    source = decode("paper.tex", (r"\begin{document}" + text + r"\end{document}").encode())
+    return audit_reading(ReadingSession(read(source), timeout=5))
+
+
+def claim(found, label):
+    return next(formula for formula in found.formulas if formula.label == label)
+
+
+@pytest.mark.parametrize(("wrong", "cause"), [("x^2+y^2-2xz", ""), ("x^2+2y^2-2xz", "F=x^2+2y^2")])
+def test_the_formula_is_named_with_which_a_doubted_claim_would_hold(wrong, cause):
+    text = (
+        LAW
+        + rf"""\begin{{theorem}} Put $F={wrong}$. If $a>0$, then
+    \begin{{equation}}\label{{rate}}\dot F=0.\end{{equation}}\end{{theorem}}"""
+    )
+    found = claim(audited(text), "rate")
+    if not cause:
+        assert found.verdict == Verdict.PROVED and not found.causes
+    else:
+        assert found.verdict == Verdict.UNDECIDED
+        assert found.message.startswith(FALSE_AS_READ) and "it holds with" in found.message
+        assert [one.startswith("F") for one in found.causes] == [True]
+
+
+def test_a_name_that_is_defined_by_itself_is_named_where_it_stands():
+    text = LAW + r"""Put $F=Gx$, $G=Fy$. Then \begin{equation}\label{rate}\dot F=0.\end{equation}"""
+    found = claim(audited(text), "rate")
+    assert not found.verdict.startswith("proved") and "is defined by itself" in found.message
+    assert len(found.causes) == 2
+
+
+def test_a_letter_that_stands_nowhere_else_is_named_where_a_claim_fails_by_it():
+    text = (
+        LAW
+        + r"""Put $F=\kappa x^2+y$. If $z=0$, then
+    \begin{equation}\label{rate}\dot F=xy.\end{equation}"""
+    )
+    found = claim(audited(text), "rate")
+    assert found.verdict == Verdict.UNDECIDED and r"$\kappa$ stands nowhere else" in found.message
+
+
+def test_what_is_supposed_is_named_where_a_claim_fails_on_it():
+    text = (
+        LAW
+        + r"""Let $\kappa>0$. For small $x$ and with $\kappa=2$ we have in the limit
+    \begin{equation}\label{rate}\dot x\dot y=\kappa xyz^2+3x^5y^3.\end{equation}"""
+    )
+    found = claim(audited(text), "rate")
+    assert found.verdict in (OPEN, Verdict.UNDECIDED)
+    assert r"read with $\kappa=2$" in found.message
+
+
+@pytest.mark.parametrize(
+    ("defining", "words"),
+    [
+        (r"$\alpha=x^2+y^2$", r"$\alpha$ is defined and stands nowhere after it"),
+        (r"$F\kappa=x^2+y^2$", "nothing moves $F$"),
+    ],
+)
+def test_what_should_define_a_name_is_named_where_nothing_does(defining, words):
+    found = audited(LAW + rf"The derivative of {defining} is $\dot F=2yz$.").formulas[-1]
+    assert found.verdict == OPEN and words in found.message
+    assert any("x-2-y-2" in name for name in found.causes)
