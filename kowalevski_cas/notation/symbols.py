@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from contextlib import suppress
 
@@ -28,6 +29,7 @@ from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 
 TRANSPOSED = frozenset({"T", r"\mathsf{T}", r"\mathrm{T}", r"\top", r"\intercal", "t"})
 """The marks of a transposed matrix."""
+_SPACE = re.compile(r"\\[,;: ]|~")
 _DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
 
 
@@ -310,9 +312,16 @@ class Symbols(Cursor):
             piece = (Product((piece[0], other[0])), piece[1], other[2], (piece, other))
             token = self.tokens[self.at]
             function = named and self.ends_argument(token)
+        function = function or (named and self.stands_apart(piece[0], token))
         if token.kind == "slash" or (self.starts() and not function):
             raise self.error(f"how far does {operator} reach? set brackets")
         return piece
+
+    def stands_apart(self, argument: Formula, token: Token) -> bool:
+        r"""Whether a space is printed behind an argument that moves, as in \sin\theta\,(a-b)."""
+        gap = self.tex[self.tokens[self.at - 1].end : token.start]
+        moves = isinstance(argument, Name) and argument.name in self.vocabulary.moving
+        return moves and self.says_what_moves and _SPACE.search(gap) is not None
 
     def ends_argument(self, token: Token) -> bool:
         """Whether no argument of a function goes on here: at another function, or at a rate."""

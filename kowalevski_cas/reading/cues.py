@@ -116,6 +116,8 @@ CUES: dict[str, str] = {
         constrain\w+
         (?:lie|stay|move|remain|slide)s?\s+(?:\w+\s+){0,2}on\s+(?:the|an?)\s+(?:\w+\s+){0,4}(?:sphere|surface|curve|line|paraboloid|ellipsoid|cylinder|cone)\b
         (?:движ|скольз)\w+\s+(?:\w+\s+){0,2}по\s+(?:\w+\s+){0,2}(?:сфер|поверхност|крив|параболоид|эллипсоид|цилиндр|конус)\w*
+        \bon\s+(?:the|an?)\s+(?:\w+\s+){0,4}(?:sphere|surface|curve|line|paraboloid|ellipsoid|cylinder|cone)\s*$
+        \bна\s+(?:\w+\s+){0,2}(?:сфер|поверхност|крив|параболоид|эллипсоид|цилиндр|конус)\w*\s*$
         connected\s+by subject\s+to связ(?:ь|и|ью|ями)\b стеснен\w+""",
     "approximate": r"""
         terms?\s+of\s+(?:the\s+)?(?:first|second|higher|lowest)\s+order

@@ -13,9 +13,11 @@ from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import EQUATIONS
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, SETS, Known
 from kowalevski_cas.reading.ladder import Rung
+from kowalevski_cas.reading.laws import is_row
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
+from kowalevski_cas.reading.phrases import integral_words
 from kowalevski_cas.reading.statements import SourceStatement
 
 _INDEXED = re.compile(r"_\{?[ijk]\b")
@@ -48,6 +50,8 @@ def doubt_of(
         return Doubt.ALWAYS
     if _has_usual_bracket(item, rung, known) or _is_conditioned(item, rung, known):
         return Doubt.ALWAYS
+    if _is_below_other_rates(item, known):
+        return Doubt.ALWAYS
     unclear = any(_implied(rung, known))
     beside = {one for other in candidates for one in other.on}
     if unclear or _is_constrained(rung, known) or _has_case(item, rung, beside, known):
@@ -57,6 +61,7 @@ def doubt_of(
     sure = sure and not _has_level(item, rung, known) and not _has_constant(item, rung, known)
     sure = sure and _is_plain(rung, item, parts) and not _is_below_unread(item, known)
     sure = sure and not _has_basis(rung, known)
+    sure = sure and not (role.names and role.kind == "integral" and not integral_words(item))
     sure = sure and not any(one.title == "abstract" for one in item.sections)
     return None if sure and (role.kind == "integral" or item.derives) else Doubt.UNLESS_MENDED
 
@@ -99,7 +104,7 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
             return True
         if one.sentence == item.sentence and set_there:
             return True
-        if one.sentence == item.sentence and one.members and cue("suppose", one.lead):
+        if one.sentence == item.sentence and one.members and cue("suppose", one.before):
             gives = role is not None and role.name == DEFINITION
             if not gives and not {*(role.names if role else ())} & {*rung.claim.scene.definitions}:
                 return True
@@ -140,6 +145,31 @@ def _is_below_unread(item: SourceStatement, known: Known) -> bool:
         and any(cue(name, one.before) for name in ("suppose", "level", "restricted"))
         for one in known.items
     )
+
+
+def _is_below_other_rates(item: SourceStatement, known: Known) -> bool:
+    """Whether its section prints a rate before it with constants that no law has: a force, perhaps.
+
+    What moves by the law may move there by another one, that was not read.
+    """
+    mentioned = {name for law in known.laws for name in known.names.scalars(law.mentions)}
+    below = {name for own in mentioned for name in known.names.scalars(known.below(own))}
+    return any(
+        one.order < item.order
+        and one.section is item.section
+        and is_row(one)
+        and known.law_of(one) is None
+        and all(map(known.moves, one.rates))
+        and _is_of_highest_order(one, known)
+        and not {*known.names.scalars(one.names)} <= mentioned | below
+        for one in known.items
+    )
+
+
+def _is_of_highest_order(one: SourceStatement, known: Known) -> bool:
+    """Whether a row has derivatives as high as the laws of the same names."""
+    rows = [row for law in known.laws for row in law.rows if {*row.rates} & {*one.rates}]
+    return any(one.rates.get(name, 0) >= n for row in rows for name, n in row.rates.items())
 
 
 def _has_level(item: SourceStatement, rung: Rung, known: Known) -> bool:

@@ -8,14 +8,14 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
-from kowalevski_cas.notation import Name, NotationError, Number
+from kowalevski_cas.notation import Name, NotationError
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.reading.clauses import Clauses
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.names import Names
-from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
+from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, is_numerical
 
 
 class StatementRole(NamedTuple):
@@ -89,7 +89,7 @@ class Known:
         found: dict[str, list[SourceStatement]] = {}
         for item in self.items:
             if item.bare and item.members[0] == Name(item.bare[0]) and not item.derives:
-                if not any(isinstance(member, Number) for member in item.members):
+                if not any(map(is_numerical, item.members)):
                     found.setdefault(item.bare[0], []).append(item)
         return found
 

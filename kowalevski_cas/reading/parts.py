@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 
+from kowalevski_cas.notation import Name
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.grammar import Directive
@@ -94,12 +95,43 @@ class Parts:
             self.enter(item, StatementRole(OTHER, f"{item.printed.display.source} gives it"))
 
     def cite(self, item: SourceStatement) -> None:
-        """Let names that are cited from another part have their meaning in that of a statement."""
+        """Let names have their meaning in the part of a statement that another part gives them.
+
+        They are cited there, or the same variables move in both, as where a force is added, and
+        the statement does not define them anew.
+        """
         known = self.of(item)
+        for one in self._inherited(item, known):
+            known.borrow(one, self.roles[one])
         for one in known.cited(item):
             role = self.roles.get(one)
             if role is not None and role.name in NAMING and self.of(one) is not known:
                 known.borrow(one, role)
+
+    def _inherited(self, item: SourceStatement, known: Known) -> Iterator[SourceStatement]:
+        """What defines names of a statement in the part before, if the same variables move there."""
+        place = self.places[item]
+        if not place or not self._moves_alike(place):
+            return
+        waiting = [name for name in item.names if item.members[:1] != (Name(name),)]
+        met: set[str] = set()
+        while waiting:
+            name = waiting.pop()
+            if name in met or name in known.definitions or known.moves(name):
+                continue
+            met.add(name)
+            for one in self.known[place - 1].definitions.get(name, ()):
+                if self.roles[one].name in NAMING:
+                    yield one
+                    waiting += one.names
+
+    def _moves_alike(self, place: int) -> bool:
+        """Whether the same variables move in a part and in the one before it."""
+        one, other = (
+            {name for law in self.known[k].laws for name in law.variables}
+            for k in (place - 1, place)
+        )
+        return bool(one) and one == other
 
     @cached_property
     def named_apart(self) -> list[frozenset[str]]:

@@ -77,7 +77,7 @@ def integral_words(item: SourceStatement) -> str:
     ):
         if last_cue("claim", item.lead[-30:]) < 0 or not item.typed.inline:
             return said
-    if said := cue("integral", _own_lead(item)):
+    if said := cue("integral", last_clause(_own_lead(item))):
         return said
     if item.typed.inline:
         return ""
@@ -105,7 +105,7 @@ _NONE = re.compile(r"\W*(?:no|none|neither|ни|никак\w+)\b", re.IGNORECASE
 def announced(item: SourceStatement) -> str:
     """The words by which a display was announced to be an integral: as one more, or as “it”."""
     words = item.before
-    if is_row(item):
+    if is_row(item) or _ANOTHER_CLAUSE.search(words):
         return ""
     if said := cue("its constant", item.lead):
         return said
@@ -140,6 +140,20 @@ _LISTS = re.compile(
 )
 """How words end behind which a display lists what is something."""
 _CLAUSE = re.compile(r"[,;:.]|\b(?:and|but|и|а|но)\b")
+
+
+_ANOTHER_CLAUSE = re.compile(
+    r";|[,:]\s*(?:and|but|while|whereas|и|а|но)\s+"
+    r"(?:it|this|that|they|these|we|one|there|он|она|оно|они|это|мы)\b"
+    r"(?!\s+(?:reads?|equals?|(?:is|are)\s+(?:given|equal)|ha(?:s|ve)\s+the\s+form|име\w+|рав\w+))",
+    re.IGNORECASE,
+)
+"""What ends a clause behind which another one says something else."""
+
+
+def last_clause(words: str) -> str:
+    """The last of the clauses of some words that have subjects of their own."""
+    return _ANOTHER_CLAUSE.split(words)[-1]
 
 
 def right_behind(item: SourceStatement) -> str:
