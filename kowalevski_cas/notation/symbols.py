@@ -79,7 +79,7 @@ class Symbols(Cursor):
             name, on.primes = primed, 0
         if name in LETTERS and self.is_free(name) and self.tokens[self.at].kind == "open":
             return self.application(LETTERS[name], token.start, on.power)
-        if self.is_applied(name):
+        if self.is_applied(name) and not (accents and self.is_factor(name)):
             if on.primes or accents:
                 raise self.error(
                     f"by what is {name} derived? print \\partial {name}/\\partial x", token
@@ -164,6 +164,12 @@ class Symbols(Cursor):
         if name not in self.vocabulary.functions:
             return False
         return self.upright(name) or self.tokens[self.at].kind == "open"
+
+    def is_factor(self, name: str) -> bool:
+        """Whether the bracket behind a rate is a factor: what is in it is more than an argument."""
+        behind = self.tokens[self.at + 1 : self.at + 3]
+        alone = behind[0].kind == "letter" and behind[-1].kind in ("close", "comma", "_")
+        return name in self.vocabulary.moving and name in self.names and not alone
 
     def upright(self, name: str) -> bool:
         """Whether a name is a function that needs no brackets."""

@@ -23,7 +23,7 @@ CUES: dict[str, str] = {
         do(?:es)?\s+not\s+(?:change|depend\s+on\s+(?:the\s+)?time) интеграл\w* сохраня\w+
         постоян(?:на|но|ны|ен)\b не\s+меня\w+""",
     "energy": r"""
-        \benergy\b(?!\s+levels?)(?:\s+(?!satisf|chang|equation)\w+){0,5}[\s:,]*$
+        (?<!instead\sof\sthe\s)\benergy\b(?!\s+levels?)(?:\s+(?!satisf|chang|equation)\w+){0,5}[\s:,]*$
         \bэнерги[яи]\b(?:\s+\w+){0,4}[\s:,—-]*$""",
     "its constant": r"""
         (?<=\w)(?<!\band)\s+with\s+the\s+constants?[\s:]*$
@@ -44,7 +44,7 @@ CUES: dict[str, str] = {
         \bfor(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?\s*$ \bput\b(?!\s+together) \bsetting\b
         (?:we|us|and|now|^\s*)\s*set\s*$
         provided choos\w+ choice
-        \bunder\b in\s+the\s+case \bcase\b restrict\w+ \bconsider\b \bwith\b
+        \bunder\b in\s+the\s+case \bcase\b restrict\w+ \bconsider\b \bwith\b(?!\s+respect)
         on\s+the\s+(?:\w+\s+)?levels? пусть предполож\w+ полож\w+ полага\w+ если при\s*$ допуст\w+
         в\s+случае будем\s+считать считая возьм\w+ выбер\w+ \bпри\b""",
     "define": r"""

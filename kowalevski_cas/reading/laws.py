@@ -216,8 +216,10 @@ class _LawFinder:
 
     def _relates(self, one: SourceStatement, row: SourceStatement, moving: Collection[str]) -> bool:
         """Whether an equation before a row gives what the row derives by what moves already."""
-        if one.order >= row.order or not one.members or one in self.rows:
+        if one.order >= row.order or not one.members:
             return False
+        if one in self.rows and not (one.bare and {*self.scalars(one)} <= {*moving}):
+            return False  # but p=m\dot q gives p where q moves already
         return bool({*row.rates} & one.names - {*moving}) and bool(
             {*self.names.scalars(one.names)} & {*moving}
         )
