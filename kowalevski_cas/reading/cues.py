@@ -196,10 +196,10 @@ CUES: dict[str, str] = {
         \b(?:independent\s+of|without)\s*$ не\s+(?:завис\w+\s+от|содерж\w+)\s*$""",
     "except": r"""
         \b(?:except(?:ing)?|unless)(?:\s+(?:for|when|if|where|at|in\s+the\s+cases?(?:\s+of)?|that))*\s*$
-        \b(?:кроме|за\s+исключением)\s+(?:случа\w+|того)(?:,?\s+когда)?\s*$""",
+        \b(?:кроме|за\s+исключением)\s+(?:случа\w+(?:,?\s+когда)?|того,?\s+когда)\s*$""",
     "excepted": r"""
         \b(?:except(?:ing)?|unless)(?:\s+(?:for|when|if|where|at|in\s+the\s+cases?(?:\s+of)?|that))*\s*§
-        \b(?:кроме|за\s+исключением)\s+(?:случа\w+|того)(?:,?\s+когда)?\s*§""",
+        \b(?:кроме|за\s+исключением)\s+(?:случа\w+(?:,?\s+когда)?|того,?\s+когда)\s*§""",
     "region": r"""
         \b(?:region|domain|interval|strip|half-?plane|half-?space|quadrant|where)\s*$
         (?:област\w+|интервал\w*|полос\w+|полуплоскост\w+|полупространств\w+|где)\s*$""",
@@ -220,6 +220,9 @@ CUES: dict[str, str] = {
 _CITED = re.compile(r"[\s~]*(?:[^\W\d]+[\s~]*)?\(?\\(?:eq|c|C|auto)?ref(?![A-Za-z])")
 """A citation behind words: they say what is cited, and nothing of what follows."""
 
+_VERB = re.compile(r"lineari[sz](?:ing|e)|neglecting|differentiating|линеаризу\w+", re.IGNORECASE)
+"""Words that do something with what is cited behind them."""
+
 _OF = re.compile(r"[\s~]*(?:of|for|in|to|системы|для)\b", re.IGNORECASE)
 """Words behind which a citation says to what the words before belong."""
 
@@ -232,7 +235,8 @@ def _pattern(cue: str) -> re.Pattern[str]:
 def cues(name: str, words: str, start: int = 0) -> Iterator[re.Match[str]]:
     """The places, from an offset on, at which some words give a cue."""
     for found in _pattern(name).finditer(words, start):
-        if not _CITED.match(words, found.end()) or _OF.match(words, found.end()):
+        cited = _CITED.match(words, found.end()) and not _OF.match(words, found.end())
+        if not cited or _VERB.match(found[0]):
             yield found
 
 

@@ -105,14 +105,14 @@ _NONE = re.compile(r"\W*(?:no|none|neither|ни|никак\w+)\b", re.IGNORECASE
 def announced(item: SourceStatement) -> str:
     """The words by which a display was announced to be an integral: as one more, or as “it”."""
     words = item.before
-    if is_row(item) or _ANOTHER_CLAUSE.search(words):
+    if is_row(item):
         return ""
     if said := cue("its constant", item.lead):
         return said
     found = _ONE_MORE.search(words)
     if found and (said := cue("integral", words[: found.start()])):
         return said if "§" in words[: found.start()] else ""
-    for before in item.earlier:
+    for before in item.earlier if last_clause(item.before) == item.before else ():
         if not (_ONE_MORE.search(words) or _IT_IS.match(words)) or cue("denied", words):
             return ""
         if said := cue("integral", before):
