@@ -47,6 +47,8 @@ CUES: dict[str, str] = {
         \bunder\b in\s+the\s+case \bcase\b restrict\w+ \bconsider\b \bwith\b(?!\s+respect)
         on\s+the\s+(?:\w+\s+)?levels? пусть предполож\w+ полож\w+ полага\w+ если при\s*$ допуст\w+
         в\s+случае будем\s+считать считая возьм\w+ выбер\w+ \bпри\b""",
+    "when": r"""
+        \bif\b \bwhen\b \bsuppos\w+ \blet\b \bесли\b \bкогда\b \bпусть\b""",
     "define": r"""
         \blet\b denot\w+ defin\w+ introduc\w+ \bput\b(?!\s+together) \bset\b notation
         \bwrite\b \bwhere\b \bhere\b \bcall(?:ed)?\b new\s+variables? in\s+the\s+variables?

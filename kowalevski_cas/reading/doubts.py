@@ -17,7 +17,7 @@ from kowalevski_cas.reading.laws import is_row
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
-from kowalevski_cas.reading.phrases import integral_words
+from kowalevski_cas.reading.phrases import integral_words, is_conditional
 from kowalevski_cas.reading.statements import SourceStatement
 
 _INDEXED = re.compile(r"_\{?[ijk]\b")
@@ -104,7 +104,7 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
             return True
         if one.sentence == item.sentence and set_there:
             return True
-        if one.sentence == item.sentence and one.members and cue("suppose", one.before):
+        if one.sentence == item.sentence and one.members and _is_supposed(one):
             gives = role is not None and role.name == DEFINITION
             if not gives and not {*(role.names if role else ())} & {*rung.claim.scene.definitions}:
                 return True
@@ -113,6 +113,11 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
         if proved and not apart and role is not None and role.name == ASSUMPTION and one.members:
             return True
     return False
+
+
+def _is_supposed(one: SourceStatement) -> bool:
+    """Whether words right before a statement suppose it, or the clause that its sentence begins."""
+    return bool(cue("suppose", one.lead)) or is_conditional(one)
 
 
 def _has_two_meanings(item: SourceStatement, rung: Rung, known: Known) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kowalevski_cas.notation import Name
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, LEVEL, SETS, Known
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, SETS, Known
 from kowalevski_cas.reading.phrases import right_behind
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.statements import SourceStatement
@@ -62,13 +62,7 @@ def _is_value(one: SourceStatement, known: Known) -> bool:
     moving = [name for name in one.bare if known.moves(name)]
     others = [member for member in one.members if member not in [*map(Name, moving)]]
     names = {name for member in others for name in member.names()}
-    return bool(moving) and not one.derives and not any(map(known.varies, names - _levels(known)))
-
-
-def _levels(known: Known) -> set[str]:
-    """The names of the values of integrals: they stand for what moves, and are constant."""
-    own = (role for role in known.roles.values() if role.kind == "integral" or role.name == LEVEL)
-    return {name for role in own for name in role.names}
+    return bool(moving) and not one.derives and not any(map(known.varies, names - known.levels))
 
 
 def _place_words(item: SourceStatement) -> str:

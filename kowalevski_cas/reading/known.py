@@ -127,6 +127,12 @@ class Known:
 
     # -- names ---------------------------------------------------------------------
 
+    @property
+    def levels(self) -> set[str]:
+        """The names of the values of integrals: they stand for what moves, and are constant."""
+        own = (one for one in self.roles.values() if one.kind == "integral" or one.name == LEVEL)
+        return {name for role in own for name in role.names}
+
     def law_of(self, item: SourceStatement) -> Law | None:
         """The law of which a statement is a part."""
         return next((law for law in self.laws if item in law.printed), None)

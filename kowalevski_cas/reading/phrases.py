@@ -42,11 +42,19 @@ def clause(item: SourceStatement) -> str:
     return f"{_own_lead(item)[-60:]} § {_CLAUSE.split(tail, maxsplit=1)[0][:30]}"
 
 
+def is_conditional(item: SourceStatement) -> bool:
+    """Whether a statement stands in a clause that supposes something, as its sentence began."""
+    over = max(last_cue("then", item.before), last_cue("claim", item.before))
+    return last_cue("when", item.before) > over
+
+
 def supposing(item: SourceStatement) -> str:
     """The words by which something is supposed right before a statement."""
     said = cue("suppose", f"{item.lead} ")
     if said:
         return said.strip()
+    if is_conditional(item) and cue("then", item.tail[:12]):
+        return cue("when", item.before)
     before = item.before.rsplit("§", 1)[0] if "§" in item.before else ""
     between = item.lead.strip(" ,;~")
     joined = between in ("", "and", "и", "or", "или", ", and")
@@ -55,7 +63,7 @@ def supposing(item: SourceStatement) -> str:
 
 def reach(item: SourceStatement) -> str:
     """How far it reaches what is supposed of what moves."""
-    if cue("here", f"{item.before} "):
+    if cue("here", f"{item.before} ") or (is_conditional(item) and cue("then", item.tail[:12])):
         return "set of the sentence"
     return "set in force" if cue("suppose", item.lead) else "set"
 

@@ -216,7 +216,7 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     formulas = [*by_names(typed)]
     prose = Prose(expanded.text, expanded.body, formulas)
     words = vocabulary_of(formulas)
-    words = replace(words, scalars=words.scalars | primed)
+    words = replace(words, scalars=words.scalars | primed, moving=words.moving | primed)
     displays: list[tuple[Display, TypedFormula]] = []
     items: list[SourceStatement] = []
     period = period_in(expanded.text[prose.start :])
