@@ -324,10 +324,10 @@ class Symbols(Cursor):
         return piece
 
     def stands_apart(self, argument: Formula, token: Token) -> bool:
-        r"""Whether a space is printed behind an argument that moves, as in \sin\theta\,(a-b)."""
+        r"""Whether a space ends a letter as the argument, as in \sin\theta\,(a-b); not before t."""
         gap = self.tex[self.tokens[self.at - 1].end : token.start]
-        moves = isinstance(argument, Name) and argument.name in self.vocabulary.moving
-        return moves and self.says_what_moves and _SPACE.search(gap) is not None
+        apart = token.text not in self.vocabulary.times and token.kind in ("open", "letter")
+        return isinstance(argument, Name) and apart and _SPACE.search(gap) is not None
 
     def ends_argument(self, token: Token) -> bool:
         """Whether no argument of a function goes on here: at another function, or at a rate."""

@@ -1,4 +1,4 @@
-"""Cases of which a paper speaks again: “in the case of Clebsch”, “in case (i)”, “in the second case”.
+"""Cases of which a paper speaks again: “in the case of Clebsch”, “in the second case”.
 
 What was supposed where the case was introduced is in force where words name it.
 """

@@ -13,8 +13,8 @@ from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import EQUATIONS
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, SETS, Known
 from kowalevski_cas.reading.ladder import Rung
-from kowalevski_cas.reading.laws import is_row
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.laws import is_row
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.phrases import integral_words, is_conditional
@@ -40,30 +40,60 @@ def doubt_of(
         return Doubt.ALWAYS
     if role.kind == SAID:
         return None
-    if _is_unread_summary(item, known) or item in known.paper.approximate:
+    if _is_said_elsewhere(item, known) or _stands_apart(item, rung, candidates, known):
         return Doubt.ALWAYS
-    if {"dot", "prime"} <= item.marks and not known.clocks:  # the prime of another frame, perhaps
-        return Doubt.ALWAYS
-    if role.kind == "identity" and not item.derives and cue("lasting", item.lead):
-        return Doubt.ALWAYS
-    if not rung.given and cue("restricted", item.words):
-        return Doubt.ALWAYS
-    if _has_usual_bracket(item, rung, known) or _is_conditioned(item, rung, known):
-        return Doubt.ALWAYS
-    if _is_below_other_rates(item, known):
-        return Doubt.ALWAYS
-    unclear = any(_implied(rung, known))
+    if role.kind != "integral" and not item.derives:
+        return Doubt.UNLESS_MENDED
+    return None if _is_sure(item, rung, candidates, parts) else Doubt.UNLESS_MENDED
+
+
+def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
+    """Whether words, or signs, leave open of what a statement is made, or by which law."""
+    return (
+        _is_unread_summary(item, known)
+        or item in known.paper.approximate
+        or ({"dot", "prime"} <= item.marks and not known.clocks)  # the prime of another frame
+        or (
+            known.roles[item].kind == "identity"
+            and not item.derives
+            and bool(cue("lasting", item.lead))
+        )
+        or _is_below_other_rates(item, known)
+    )
+
+
+def _stands_apart(
+    item: SourceStatement, rung: Rung, candidates: Sequence[Rung], known: Known
+) -> bool:
+    """Whether a claim leaves aside what its words, or its section, say of where it holds."""
     beside = {one for other in candidates for one in other.on}
-    if unclear or _is_constrained(rung, known) or _has_case(item, rung, beside, known):
-        return Doubt.ALWAYS
+    return (
+        (not rung.given and bool(cue("restricted", item.words)))
+        or _has_usual_bracket(item, rung, known)
+        or _is_conditioned(item, rung, known)
+        or any(_implied(rung, known))
+        or _is_constrained(rung, known)
+        or _has_case(item, rung, beside, known)
+    )
+
+
+def _is_sure(item: SourceStatement, rung: Rung, candidates: Sequence[Rung], parts: Parts) -> bool:
+    """Whether nothing is left open by which a rate, or an integral, might be another one."""
+    known, role = parts.of(item), parts.roles[item]
     given = any({*one.given} - {*known.bound} for one in candidates)
-    sure = not (given or rung.constants or cue("on it", item.words))
-    sure = sure and not _has_level(item, rung, known) and not _has_constant(item, rung, known)
-    sure = sure and _is_plain(rung, item, parts) and not _is_below_unread(item, known)
-    sure = sure and not _has_basis(rung, known)
-    sure = sure and not (role.names and role.kind == "integral" and not integral_words(item))
-    sure = sure and not any(one.title == "abstract" for one in item.sections)
-    return None if sure and (role.kind == "integral" or item.derives) else Doubt.UNLESS_MENDED
+    further_off = role.kind == "integral" and role.names and not integral_words(item)
+    return not (
+        given
+        or further_off
+        or rung.constants
+        or cue("on it", item.words)
+        or _has_level(item, rung, known)
+        or _has_constant(item, rung, known)
+        or not _is_plain(rung, item, parts)
+        or _is_below_unread(item, known)
+        or _has_basis(rung, known)
+        or any(one.title == "abstract" for one in item.sections)
+    )
 
 
 def _is_unread_summary(item: SourceStatement, known: Known) -> bool:

@@ -197,8 +197,8 @@ class Known:
 
         They hold to the end of their section, or of their theorem with its proof; a later one
         about the same constants takes the place of an earlier one. One that stands behind a claim
-        of its sentence, as in “F is an integral if a=0”, is of this claim only. A case that words name
-        comes before all.
+        of its sentence, as in “F is an integral if a=0”, is of this claim only. A case that words
+        name comes before all.
         """
         found = self._named(item)
         taken = {name for one in found for name in self.roles[one].names}

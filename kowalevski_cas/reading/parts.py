@@ -109,7 +109,7 @@ class Parts:
                 known.borrow(one, role)
 
     def _inherited(self, item: SourceStatement, known: Known) -> Iterator[SourceStatement]:
-        """What defines names of a statement in the part before, if the same variables move there."""
+        """What defines names of a statement in the part before, where the same variables move."""
         place = self.places[item]
         if not place or not self._moves_alike(place):
             return
