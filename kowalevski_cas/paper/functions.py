@@ -22,9 +22,7 @@ def _check_known_elsewhere(
 ) -> None:
     """Refuse a value at other arguments, if these stand below a name or in a derivative."""
     if any(isinstance(n, Partial) and n.by in arguments for n in body.nodes()):
-        raise Meaningless(
-            f"{function} is printed by a derivative: it is known at no other argument"
-        )
+        raise Meaningless(f"{function} is printed by a derivative: it is not known elsewhere")
     met, waiting = set[str](), [*body.names()]
     while waiting:
         name = waiting.pop()
