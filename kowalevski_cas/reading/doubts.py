@@ -74,6 +74,7 @@ def _stands_apart(
         or any(_implied(rung, known))
         or _is_constrained(rung, known)
         or _has_case(item, rung, beside, known)
+        or _has_statement_below(item, rung, known)
     )
 
 
@@ -148,6 +149,23 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
 def _is_supposed(one: SourceStatement) -> bool:
     """Whether words right before a statement suppose it, or the clause that its sentence begins."""
     return bool(cue("suppose", one.lead)) or is_conditional(one)
+
+
+def _has_statement_below(item: SourceStatement, rung: Rung, known: Known) -> bool:
+    """Whether it stands on a display that no words call a definition, and that is used once.
+
+    Such a display may state something, and be wrong itself.
+    """
+    places = {*rung.claim.scene.definitions.values()}
+    for one, role in known.roles.items():
+        plain = role.name == DEFINITION and not role.kind and not one.typed.inline
+        words = one.lead if one.lead.strip(" ,;") else one.before
+        if not plain or one.printed not in places or one is item or cue("define", words):
+            continue
+        users = [o for o in known.items if o.members and {*role.names} & o.names and o is not one]
+        if users == [item] and known.varying(one.names - {*role.names}):
+            return True
+    return False
 
 
 def _has_two_meanings(item: SourceStatement, rung: Rung, known: Known) -> bool:
