@@ -18,6 +18,7 @@ _OF = re.compile(
     r"|\b(?:[Вв]\s+случае|[Пп]ри\s+услови\w+)\s+(?P<genitive>[А-ЯЁ]\w{3,})"
 )
 _IS_CASE = re.compile(r"\bcase|\bcondition|случа|услови", re.IGNORECASE)
+_CASES = re.compile(r"\bcases\b|\bслуча(?:и|ях|ев|ями)\b", re.IGNORECASE)
 _STEM = 5
 """The letters of a name that stay where it is declined."""
 _ENTRY = re.compile(r"\bcases?\s+\((?P<label>\w{1,4})\)|\bслуча\w+\s+\((?P<label_>\w{1,4})\)")
@@ -47,9 +48,10 @@ def named_case(
 
 
 def _of_name(name: str, before: Sequence[SourceStatement]) -> Iterator[SourceStatement]:
-    """The assumptions of the sentence that calls a case by a name."""
+    """The assumptions of the sentence that calls a case by a name; not of one with several."""
     for one in before:
-        if name[:_STEM] in one.words and _IS_CASE.search(one.words):
+        several = _CASES.search(one.words)
+        if name[:_STEM] in one.words and _IS_CASE.search(one.words) and not several:
             yield one
 
 

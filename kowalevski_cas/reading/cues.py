@@ -60,7 +60,8 @@ CUES: dict[str, str] = {
         \bfor\b(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?\s*(?:§[^§]*)*$
         \bпри\b(?:\s+\w+){0,2}\s*(?:§[^§]*)*$""",
     "where": r"""
-        \bwhere\b \bhere\b (?<!\bcase\s)(?<!\bone\s)(?<!\bthat\s)\bin\s+which\b \bгде\b \bздесь\b""",
+        \bwhere\b \bhere\b (?<!\bcase\s)(?<!\bone\s)(?<!\bthat\s)\bin\s+which\b
+        \bгде\b \bздесь\b""",
     "claim": r"""
         therefore hence thus follow\w* whence we\s+(?:have|find|get|obtain)
         one\s+(?:has|finds|gets|obtains) (?:so|such)\s+that consequently lead\w*\s+to gives?

@@ -156,7 +156,7 @@ def _has_statement_below(item: SourceStatement, rung: Rung, known: Known) -> boo
 
     Such a display may state something, and be wrong itself.
     """
-    places = {*rung.claim.scene.definitions.values()}
+    places = set() if item.derives else {*rung.claim.scene.definitions.values()}
     for one, role in known.roles.items():
         plain = role.name == DEFINITION and not role.kind and not one.typed.inline
         words = one.lead if one.lead.strip(" ,;") else one.before

@@ -109,15 +109,16 @@ class Parts:
                 known.borrow(one, role)
 
     def _inherited(self, item: SourceStatement, known: Known) -> Iterator[SourceStatement]:
-        """What defines names of a statement in the part before, where the same variables move."""
+        """What defines names of a statement in the part before, if its law goes on here."""
         place = self.places[item]
-        if not place or not self._moves_alike(place):
+        if not place or not self._goes_on(place):
             return
+        mentioned = {name for law in known.laws for name in law.mentions}
         waiting = [name for name in item.names if item.members[:1] != (Name(name),)]
-        met: set[str] = set()
+        met = mentioned | known.definitions.keys()
         while waiting:
             name = waiting.pop()
-            if name in met or name in known.definitions or known.moves(name):
+            if name in met or known.moves(name):
                 continue
             met.add(name)
             for one in self.known[place - 1].definitions.get(name, ()):
@@ -125,13 +126,23 @@ class Parts:
                     yield one
                     waiting += one.names
 
-    def _moves_alike(self, place: int) -> bool:
-        """Whether the same variables move in a part and in the one before it."""
-        one, other = (
-            {name for law in self.known[k].laws for name in law.variables}
-            for k in (place - 1, place)
-        )
-        return bool(one) and one == other
+    def _goes_on(self, place: int) -> bool:
+        """Whether a part has the law of the one before with something added, as a force.
+
+        The same variables move, and all constants of the old law are in the new one.
+        """
+        before, here = self.known[place - 1], self.known[place]
+        constants = []
+        for known in (before, here):
+            mentioned = {
+                n for law in known.laws for name in law.mentions for n in before.below(name)
+            }
+            constants.append({n for n in mentioned if not before.is_defined(n)})
+        moving = [
+            {name for law in known.laws for name in law.variables} for known in (before, here)
+        ]
+        constants = [own - moving[0] for own in constants]
+        return moving[0] == moving[1] and bool(constants[0]) and constants[0] <= constants[1]
 
     @cached_property
     def named_apart(self) -> list[frozenset[str]]:
