@@ -137,13 +137,15 @@ def derivative(exponents: Exponents, rates: Sequence[Terms], factor: Terms) -> T
 
 def monomials(weights: Sequence[int], weight: int) -> Iterator[Exponents]:
     """All exponents of names with these positive weights that have this weight together."""
-    if not weights:
-        if weight == 0:
-            yield ()
-        return
-    for first in range(weight // weights[0], -1, -1):
-        for rest in monomials(weights[1:], weight - first * weights[0]):
-            yield (first, *rest)
+    match weights:
+        case []:
+            yield from () if weight else ((),)
+        case [last]:
+            yield from () if weight % last else ((weight // last,),)
+        case [first, *others]:
+            for power in range(weight // first, -1, -1):
+                for rest in monomials(others, weight - power * first):
+                    yield (power, *rest)
 
 
 def number_of_monomials(weights: Sequence[int], weight: int) -> int:
