@@ -205,24 +205,25 @@ def _is_below_other_rates(item: SourceStatement, known: Known) -> bool:
 
     What moves by the law may move there by another one, that was not read.
     """
-    mentioned = {name for law in known.laws for name in known.names.scalars(law.mentions)}
-    below = {name for own in mentioned for name in known.names.scalars(known.below(own))}
+    of_laws = {name for law in known.laws for own in law.mentions for name in known.below(own)}
+    before = (one for one in known.items if one.order < item.order and is_row(one))
+    others = (one for one in before if one.section is item.section and known.law_of(one) is None)
     return any(
-        one.order < item.order
-        and one.section is item.section
-        and is_row(one)
-        and known.law_of(one) is None
-        and all(map(known.moves, one.rates))
-        and _is_of_highest_order(one, known)
-        and not {*known.names.scalars(one.names)} <= mentioned | below
-        for one in known.items
+        _is_of_highest_order(one, known)
+        and not all(
+            name in of_laws or known.moves(name) or known.is_defined(name) or name in known.times
+            for name in known.names.scalars(one.names)
+        )
+        for one in others
     )
 
 
 def _is_of_highest_order(one: SourceStatement, known: Known) -> bool:
-    """Whether a row has derivatives as high as the laws of the same names."""
-    rows = [row for law in known.laws for row in law.rows if {*row.rates} & {*one.rates}]
-    return any(one.rates.get(name, 0) >= n for row in rows for name, n in row.rates.items())
+    """Whether a row has derivatives of variables, printed as in a law, and as high as there."""
+    rows = [row for law in known.laws for row in law.rows if row.marks & one.marks]
+    alike = [row for row in rows if {*row.rates} & {*one.rates}]
+    same = any(one.rates.get(name, 0) >= n for row in alike for name, n in row.rates.items())
+    return same and all(map(known.moves, one.rates))
 
 
 def _has_level(item: SourceStatement, rung: Rung, known: Known) -> bool:
