@@ -78,6 +78,8 @@ class Symbols(Cursor):
         if name in LETTERS and self.is_free(name) and self.tokens[self.at].kind == "open":
             return self.application(LETTERS[name], token.start, on.power)
         if self.is_applied(name):
+            if on.primes and not accents and on.power is None and self.named_argument():
+                return self.derived_function(name, token.start, on.primes)
             if on.primes or accents:
                 raise self.error(
                     f"by what is {name} derived? print \\partial {name}/\\partial x", token
@@ -179,6 +181,27 @@ class Symbols(Cursor):
         if power is not None:
             return (Power(piece[0], power[0]), start, end, (piece, power))
         return self.scripts(piece) if opened else piece
+
+    def named_argument(self) -> str:
+        """The name in brackets that stands here alone, as an argument by which is derived."""
+        start, level = self.at, self.level
+        try:
+            listed = self.read_list()
+        except NotationError:
+            return ""
+        finally:
+            self.at, self.level = start, level
+        argument = listed[0][0]
+        return argument.name if len(listed) == 1 and isinstance(argument, Name) else ""
+
+    def derived_function(self, name: str, start: int, primes: int) -> Piece:
+        """The derivative of a function by its argument, as :math:`V'(q)`."""
+        piece = self.application(name, start, None)
+        argument = piece[3][0][0]
+        assert isinstance(argument, Name)
+        for _ in range(primes):
+            piece = (Partial(piece[0], argument.name), start, piece[2], (piece,))
+        return self.scripts(piece)
 
     def phase(self) -> Piece | None:
         r"""Constants and what moves, as in \cos\omega t or \sin kx; ``None``, and no move, else.

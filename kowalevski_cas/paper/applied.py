@@ -31,6 +31,9 @@ def printed_arguments(texts: Iterable[str], vectors: Collection[str] = ()) -> di
     >>> printed_arguments([r"H=\frac12(p_1^2+p_2^2)+V(q_1,q_2), V=q_1^2q_2"])
     {'V': 'q_1,q_2'}
 
+    >>> printed_arguments([r"H(q,p)=p_1^2+q_1q_2"])
+    {'H': 'q,p'}
+
     What stands in brackets may be a factor, where it is not in the definition.
 
     >>> printed_arguments(["a=b+c, y=a(x)"]), printed_arguments(["V=x^2+y, y=2V(x)"])
@@ -44,9 +47,24 @@ def printed_arguments(texts: Iterable[str], vectors: Collection[str] = ()) -> di
                 for name, by in map(head, place.names):
                     if by and place.matrix and symbol(by[0]).letter in SPECTRAL and len(by) == 1:
                         found[name] = by[0]
+                    elif by and _stand_for_all(name, by, texts):
+                        found[name] = ",".join(by)
                     elif not by and (listed := _arguments(name, texts, vectors)):
                         found[name] = listed
     return found
+
+
+def _stand_for_all(name: str, by: Collection[str], texts: Iterable[str]) -> bool:
+    """Whether arguments say which names with an index stand in a definition, as q in H(q)=q_1^2."""
+    listed = r"\s*,\s*".join(map(re.escape, by))
+    head_of = rf"(?<![A-Za-z\\]){re.escape(name)}\s*(?:\\left\s*)?\(\s*{listed}\s*(?:\\right\s*)?\)"
+    bodies = [m[1] for tex in texts for m in re.finditer(head_of + r"\s*&?\s*=([^=]*)", tex)]
+    return bool(bodies) and all(
+        re.search(rf"(?<![A-Za-z\\]){re.escape(one)}\s*_", body)
+        and not re.search(rf"(?<![A-Za-z\\]){re.escape(one)}(?!\s*_)(?![A-Za-z])", body)
+        for one in by
+        for body in bodies
+    )
 
 
 def _arguments(name: str, texts: Iterable[str], vectors: Collection[str]) -> str:

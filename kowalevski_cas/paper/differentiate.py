@@ -25,22 +25,32 @@ ZERO, TWO = Number(0), Number(2)
 
 
 def derivative(
-    formula: Formula, rates: Mapping[str, Formula], step: Callable[[str], Step | None]
+    formula: Formula,
+    rates: Mapping[str, Formula],
+    step: Callable[[str], Step | None],
+    inside: frozenset[str] = frozenset(),
 ) -> Formula:
     """The derivative of a formula, in which names have ``rates``; all others stay as they are.
 
     ``step`` tells what defines a name. Raises :class:`Meaningless` for an operation that is not
-    one of arithmetic.
+    one of arithmetic, and for a name that is defined by itself: it stands ``inside`` of its own.
     """
 
     def of(part: Formula) -> Formula:
-        return derivative(part, rates, step)
+        return derivative(part, rates, step, inside)
+
+    def of_defined(part: Formula) -> Formula:
+        return derivative(part, rates, step, inside | formula.names())
 
     match formula:
         case Number():
             return ZERO
+        case Name(name) if name in rates:
+            return rates[name]
+        case Name(name) if name in inside:
+            raise Meaningless(f"{name} is defined by itself", name)
         case Name(name):
-            return rates[name] if name in rates else _by_definition(formula, step(name), of)
+            return _by_definition(formula, step(name), of_defined)
         case Negative(argument):
             return _negative(of(argument))
         case Sum(terms):

@@ -39,6 +39,12 @@ from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives, 
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.answers import ClaimInParts, Function, SystemClaim, in_html
+from kowalevski_cas.system.beside import (
+    with_bold_columns,
+    with_upright_unit,
+    without_chains,
+    without_initial_values,
+)
 from kowalevski_cas.system.equations import (
     components,
     constraints_in,
@@ -55,7 +61,9 @@ from kowalevski_cas.system.indices import (
     has_permutation,
     with_counts,
     with_length,
+    with_range_of_names,
     with_ranges,
+    with_symmetry,
 )
 from kowalevski_cas.system.inverses import without_inverses
 from kowalevski_cas.system.maps import (
@@ -136,7 +144,10 @@ class Field:
         self._by_index = ""
         self.functions: list[Unknown] = []
         self._barred = False
-        tex = with_rates(field) if isinstance(field, str) else self._rows(field)
+        if isinstance(field, str):
+            tex = with_bold_columns(with_upright_unit(with_rates(field)))
+        else:
+            tex = self._rows(field)
         self._by_index = derived_in_index([tex])
         """The variable by which indices derive, if they do."""
         self._barred = map and has_bars(tex)
@@ -145,7 +156,12 @@ class Field:
         self.counts = counts(tex)
         """The letters that say how far indices run, with their numbers."""
         tex = with_counts(tex, self.counts)
-        tex = tex if map else with_partials(with_length(tex), moving_names(tex))
+        moving = () if map else moving_names(tex)
+        chains = without_chains(tex if map else without_initial_values(tex, moving), moving)
+        tex = chains.tex
+        if not map:
+            tex = with_range_of_names(with_symmetry(with_length(tex)))
+            tex = with_partials(tex, moving_names(tex))
         self.applied = printed_arguments([tex], vectors or ())
         """The arguments of names that are defined; they are called by their names alone."""
         self.functions = unknown_functions(tex)
@@ -185,10 +201,21 @@ class Field:
         if jets:
             self._stand_on(with_jets(self.scene, jets))
         check_said(said, self.scene.constants)
+        for equality in chains.equalities:
+            self._check_equal(*equality)
         self.implied = frozenset(_brackets(self.scene.definitions)) - printed
         """The canonical brackets, which equations of Hamilton imply and nobody has printed."""
         check_field(self.scene)
         self.section.title = self._echo("${}$".format)
+
+    def _check_equal(self, left: str, right: str) -> None:
+        """Raise ``ValueError`` if the members of a chain are not seen to be equal."""
+        aside = copy(self)
+        aside.section = Section("1", "", copied=None, scenes={**self.section.scenes})
+        says = "both sides are the same function"
+        claim = aside.states(Identity, "chain", says, printed=f"{left}={right}")
+        if not claim.verdict.green:
+            raise ValueError(f"{left} and {right} are not seen to be equal: leave one of them out")
 
     def _rows(self, field: Mapping[Any, Any]) -> str:
         """Equations of motion by their right sides."""
