@@ -31,26 +31,37 @@ def printed_arguments(texts: Iterable[str], vectors: Collection[str] = ()) -> di
     >>> printed_arguments([r"H=\frac12(p_1^2+p_2^2)+V(q_1,q_2), V=q_1^2q_2"])
     {'V': 'q_1,q_2'}
 
-    >>> printed_arguments([r"H(q,p)=p_1^2+q_1q_2"])
-    {'H': 'q,p'}
-
     What stands in brackets may be a factor, where it is not in the definition.
 
     >>> printed_arguments(["a=b+c, y=a(x)"]), printed_arguments(["V=x^2+y, y=2V(x)"])
     ({}, {'V': 'x'})
     """
     texts = [*texts]
-    found: dict[str, str] = {}
+    found = collective_arguments(texts)
     for tex in texts:
         with suppress(NotationError, IndexError):
             for place in defined_names(tex):
                 for name, by in map(head, place.names):
                     if by and place.matrix and symbol(by[0]).letter in SPECTRAL and len(by) == 1:
                         found[name] = by[0]
-                    elif by and _stand_for_all(name, by, texts):
-                        found[name] = ",".join(by)
                     elif not by and (listed := _arguments(name, texts, vectors)):
                         found[name] = listed
+    return found
+
+
+def collective_arguments(texts: Iterable[str]) -> dict[str, str]:
+    r"""The names that displays define at letters which stand for all names with an index.
+
+    >>> collective_arguments(["H(q,p)=p_1^2+q_1q_2", "F(x)=x^2+x_1"])
+    {'H': 'q,p'}
+    """
+    texts, found = [*texts], dict[str, str]()
+    for tex in texts:
+        with suppress(NotationError, IndexError):
+            for place in defined_names(tex):
+                for name, by in map(head, place.names):
+                    if by and _stand_for_all(name, by, texts):
+                        found[name] = ",".join(by)
     return found
 
 

@@ -63,27 +63,36 @@ _COLUMN = re.compile(
 )
 
 
-def with_bold_columns(tex: str) -> str:
-    r"""A display with the vectors in bold that are printed in italics beside their components.
+def columns(tex: str) -> dict[str, tuple[str, ...]]:
+    r"""The vectors that are printed in italics beside their components, with these.
 
     They are those of which the rate is a gradient, perhaps times a matrix.
 
-    >>> with_bold_columns(r"\dot q=J\nabla H, H=q_1^2+q_2^2")
-    '\\dot {\\mathbf{q}}=J\\nabla H, H=q_1^2+q_2^2,\\quad \\mathbf{q}=(q_1,q_2)'
+    >>> columns(r"\dot q=J\nabla H, H=q_1^2+q_2^2"), columns(r"\dot q=-\nabla V")
+    ({'q': ('q_1', 'q_2')}, {})
     """
+    found = dict[str, tuple[str, ...]]()
     for start, end in {*split_display(tex)} if r"\nabla" in tex else ():
         column = _COLUMN.match(tex[start:end].strip())
-        if column is None or r"\nabla" not in column["force"]:
-            continue
-        name = column["braced"] or column["name"]
-        numbers = {int(n) for n in re.findall(rf"(?<![A-Za-z\\]){name}\s*_\s*\{{?\s*(\d)", tex)}
-        if numbers and numbers == {*range(1, len(numbers) + 1)}:
-            parts = ",".join(f"{name}_{number}" for number in sorted(numbers))
-            # a function of the vector is one of its components, and is called by its name alone
-            tex = re.sub(rf"(?<![A-Za-z\\])([A-Z])\s*\(\s*{name}\s*\)", r"\1", tex)
-            bare = rf"(?<![A-Za-z\\{{]){name}(?![A-Za-z])(?!\s*_)|\{{\s*{name}\s*\}}(?!\s*_)"
-            tex = re.sub(bare, rf"{{\\mathbf{{{name}}}}}", tex)
-            tex += rf",\quad \mathbf{{{name}}}=({parts})"
+        if column is not None and r"\nabla" in column["force"]:
+            name = column["braced"] or column["name"]
+            index = rf"(?<![A-Za-z\\]){name}\s*_\s*\{{?\s*(\d)"
+            numbers = sorted({int(number) for number in re.findall(index, tex)})
+            if numbers and numbers == [*range(1, len(numbers) + 1)]:
+                found[name] = tuple(f"{name}_{number}" for number in numbers)
+    return found
+
+
+def with_columns_in_bold(tex: str, names: Collection[str]) -> str:
+    r"""A formula with these names in bold; a function of them is one of their components.
+
+    >>> with_columns_in_bold(r"\dot q=J\nabla H(q)", ["q"])
+    '\\dot {\\mathbf{q}}=J\\nabla H'
+    """
+    for name in names:
+        tex = re.sub(rf"(?<![A-Za-z\\])([A-Z])\s*\(\s*{name}\s*\)", r"\1", tex)
+        bare = rf"(?<![A-Za-z\\{{]){name}(?![A-Za-z])(?!\s*_)|\{{\s*{name}\s*\}}(?!\s*_)"
+        tex = re.sub(bare, rf"{{\\mathbf{{{name}}}}}", tex)
     return tex
 
 
@@ -105,18 +114,17 @@ def without_chains(tex: str, moving: Collection[str] = ()) -> Chains:
     changed = tex
     for start, end in places:
         members = _members(tex[start:end])
-        given = [one for one in members if _is_given(one)]
-        others = [one for one in members if one not in given and not _is_constant(one)]
-        if len(given) == len(members) > 1 and not any(map(_is_indexed, members)):
+        rest = _names(_without(tex, [(start, end)])) | {*moving}
+        given, others = _sides(members, rest)
+        if not others and not any(map(_is_indexed, members)):
             if moving and all(_head(one) not in {*map(_head, moving)} for one in members):
                 rows = [f"{one}=+{members[-1]}" for one in members[:-1]]
                 changed = changed[:start] + r",\quad ".join(rows) + changed[end:]
             continue
         rates = [one for one in given if _IS_RATE.fullmatch(one)]
-        if members[0] not in given or len(others) < (1 if rates and len(given) > 1 else 2):
+        if not given or len(others) < (1 if rates and len(given) > 1 else 2):
             continue
         *between, last = others
-        rest = _names(_without(tex, [(start, end)]))
         known = rest | _names(" , ".join((*given, last)))
         equalities += [(one, last) for one in between if _names(one) & known]
         rows = [f"{one}={last}" for one in given]
@@ -134,6 +142,20 @@ def _members(statement: str) -> list[str]:
             found.append(statement[last : token.start])
             last = token.end
     return [one.strip(" &\n\t.;") for one in (*found, statement[last:])]
+
+
+def _sides(members: list[str], known: Collection[str]) -> tuple[list[str], list[str]]:
+    """What a chain gives, and by what: rates, and names before all else; no new name behind."""
+    given, others = list[str](), list[str]()
+    for member in members:
+        is_rate = bool(_IS_RATE.fullmatch(member))
+        if _is_constant(member):
+            continue
+        if is_rate or (_is_given(member) and not others and not any(map(_IS_RATE.fullmatch, given))):
+            given.append(member)
+        elif not re.fullmatch(_NAME, member) or not {*known}.isdisjoint(_names(member)):
+            others.append(member)
+    return (given, others) if members and members[0] in given else ([], others)
 
 
 def _is_given(member: str) -> bool:

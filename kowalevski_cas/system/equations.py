@@ -216,7 +216,9 @@ def with_row(scene: Scene, place: Printed, formula: Formula) -> Scene:
 
 
 def _suppose(scene: Scene, place: Printed, formula: Formula) -> Scene | None:
-    """A scene with what is supposed not to vanish, or with the imaginary unit."""
+    """A scene with what is supposed not to vanish, or to be positive, or the imaginary unit."""
+    if is_inequality(formula):
+        return with_roots(scene, place.display).assuming(place)
     match formula:
         case Relation((left, right), (r"\ne",)):
             return scene.having(nonzero=(to_latex(minus((left, right))),))
@@ -372,8 +374,6 @@ def _root(formula: Formula) -> Root | None:
 def restrict(scene: Scene, place: Printed) -> Scene:
     """A scene with what a relation says of its constants."""
     formula = read(place.tex, vocabulary((scene,)), OpenParser)
-    if is_inequality(formula):
-        return scene.assuming(place)
     if (supposing := _suppose(scene, place, formula)) is not None:
         return supposing
     # A name that is a square is not negative: as the root of it, the other one would be left out.

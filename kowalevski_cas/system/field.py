@@ -19,7 +19,11 @@ from kowalevski_cas.notation import (
     split_display,
     to_plain,
 )
-from kowalevski_cas.paper.applied import printed_arguments, without_arguments
+from kowalevski_cas.paper.applied import (
+    collective_arguments,
+    printed_arguments,
+    without_arguments,
+)
 from kowalevski_cas.paper.claims import (
     Casimir,
     Claim,
@@ -40,7 +44,8 @@ from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.answers import ClaimInParts, Function, SystemClaim, in_html
 from kowalevski_cas.system.beside import (
-    with_bold_columns,
+    columns,
+    with_columns_in_bold,
     with_upright_unit,
     without_chains,
     without_initial_values,
@@ -92,6 +97,7 @@ from kowalevski_cas.system.unknown import (
     said_functions,
     unknown_functions,
     with_jets,
+    with_rates_of_functions,
     without_argument,
     without_said_functions,
 )
@@ -142,12 +148,18 @@ class Field:
         self.counts: dict[str, str] = {}
         self.applied: dict[str, str] = {}
         self._by_index = ""
+        self.columns: dict[str, tuple[str, ...]] = {}
         self.functions: list[Unknown] = []
         self._barred = False
         if isinstance(field, str):
-            tex = with_bold_columns(with_upright_unit(with_rates(field)))
+            tex = with_rates_of_functions(with_upright_unit(with_rates(field)))
         else:
             tex = self._rows(field)
+        self.columns = columns(tex)
+        """The vectors that are printed in italics, with their components."""
+        tex = with_columns_in_bold(tex, self.columns)
+        rows = (rf"\mathbf{{{one}}}=({','.join(parts)})" for one, parts in self.columns.items())
+        tex = r",\quad ".join((tex, *rows))
         self._by_index = derived_in_index([tex])
         """The variable by which indices derive, if they do."""
         self._barred = map and has_bars(tex)
@@ -446,9 +458,11 @@ class Field:
         if isinstance(formula, str):
             jets = {name for name, _, _ in self.scene.jets}
             moving = {*self.scene.variables} - jets - {self.scene.time}
-            plain = with_partials(with_counts(with_rates(formula), self.counts), moving)
+            plain = with_columns_in_bold(with_rates(formula), self.columns)
+            plain = with_partials(with_counts(plain, self.counts), moving)
             plain = with_derivatives(plain, self._by_index)
-            plain = without_arguments(without_argument(plain, self.functions), self.applied)
+            applied = {**collective_arguments([plain]), **self.applied}
+            plain = without_arguments(without_argument(plain, self.functions), applied)
             plain = with_primes(plain) if self._barred else plain
             return with_ranges(plain, self._names, self._convention)
         if not isinstance(formula, Function):
