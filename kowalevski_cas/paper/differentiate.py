@@ -45,12 +45,10 @@ def derivative(
     match formula:
         case Number():
             return ZERO
-        case Name(name) if name in rates:
-            return rates[name]
-        case Name(name) if name in inside:
-            raise Meaningless(f"{name} is defined by itself", name)
         case Name(name):
-            return _by_definition(formula, step(name), of_defined)
+            if name in inside and name not in rates:
+                raise Meaningless(f"{name} is defined by itself", name)
+            return rates[name] if name in rates else _by_definition(formula, step(name), of_defined)
         case Negative(argument):
             return _negative(of(argument))
         case Sum(terms):

@@ -19,11 +19,8 @@ from kowalevski_cas.notation import (
     split_display,
     to_plain,
 )
-from kowalevski_cas.paper.applied import (
-    collective_arguments,
-    printed_arguments,
-    without_arguments,
-)
+from kowalevski_cas.paper.applied import collective_arguments, printed_arguments, without_arguments
+from kowalevski_cas.paper.chains import without_chains
 from kowalevski_cas.paper.claims import (
     Casimir,
     Claim,
@@ -47,7 +44,6 @@ from kowalevski_cas.system.beside import (
     columns,
     with_columns_in_bold,
     with_upright_unit,
-    without_chains,
     without_initial_values,
 )
 from kowalevski_cas.system.equations import (
