@@ -17,7 +17,10 @@ from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
 NAME = r"(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?"
-RATE = rf"\\d{{0,3}}ot\s*(?:\{{\s*{NAME}\s*\}}(?:_(?:\w|\{{[^{{}}]*\}}))?|\s{NAME}|\\[A-Za-z]+(?:_\w)?)"
+RATE = (
+    rf"\\d{{0,3}}ot\s*(?:\{{\s*{NAME}\s*\}}(?:_(?:\w|\{{[^{{}}]*\}}))?"
+    rf"|\s{NAME}|\\[A-Za-z]+(?:_\w)?)"
+)
 _IS_RATE = re.compile(rf"{RATE}|\\frac\s*\{{\s*d(?:\^\d)?\s*{NAME}\s*\}}\s*\{{[^{{}}]*\}}")
 _CALLED = re.compile(rf"(?P<name>{NAME})\s*(?:\\left\s*)?\([^()]*\)")
 
@@ -32,8 +35,8 @@ class Chains(NamedTuple):
 def without_chains(tex: str, moving: Collection[str] = ()) -> Chains:
     r"""A display where each name and each rate is given once.
 
-    >>> without_chains(r"\dot q=\frac{\partial H}{\partial p}=p, \dot p=-q, H=T-V=p^2+q^2")
-    Chains(tex='\\dot q=p, \\dot p=-q, H=p^2+q^2', equalities=(('\\frac{\\partial H}{\\partial p}', 'p'),))
+    >>> without_chains(r"\dot q=H_p=p, \dot p=-q, H=T-V=p^2+q^2", {"q", "p"})
+    Chains(tex='\\dot q=p, \\dot p=-q, H=p^2+q^2', equalities=(('H_p', 'p'),))
     """
     places = sorted({*split_display(tex)}, reverse=True)
     equalities = list[tuple[str, str]]()

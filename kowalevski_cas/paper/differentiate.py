@@ -39,16 +39,11 @@ def derivative(
     def of(part: Formula) -> Formula:
         return derivative(part, rates, step, inside)
 
-    def of_defined(part: Formula) -> Formula:
-        return derivative(part, rates, step, inside | formula.names())
-
     match formula:
         case Number():
             return ZERO
         case Name(name):
-            if name in inside and name not in rates:
-                raise Meaningless(f"{name} is defined by itself", name)
-            return rates[name] if name in rates else _by_definition(formula, step(name), of_defined)
+            return rates[name] if name in rates else _of_defined(formula, rates, step, inside)
         case Negative(argument):
             return _negative(of(argument))
         case Sum(terms):
@@ -84,6 +79,19 @@ def _of_quotient(above: Formula, below: Formula, of: Callable[[Formula], Formula
         return _over(of(above), below)
     turned = _total([_times(below, of(above)), _negative(times(above, rate))])
     return Quotient(turned, Power(below, TWO))
+
+
+def _of_defined(
+    name: Name,
+    rates: Mapping[str, Formula],
+    step: Callable[[str], Step | None],
+    inside: frozenset[str],
+) -> Formula:
+    """The derivative of a name by its definition."""
+    if name.name in inside:
+        raise Meaningless(f"{name.name} is defined by itself", name.name)
+    within = inside | {name.name}
+    return _by_definition(name, step(name.name), lambda part: derivative(part, rates, step, within))
 
 
 def _by_definition(name: Name, step: Step | None, of: Callable[[Formula], Formula]) -> Formula:

@@ -1,4 +1,4 @@
-r"""What authors print of equations of motion in passing: initial values, columns in italics."""
+r"""What authors print of equations of motion in passing: an upright i, columns in italics."""
 
 from __future__ import annotations
 
@@ -6,30 +6,6 @@ import re
 from collections.abc import Collection
 
 from kowalevski_cas.notation import split_display
-from kowalevski_cas.paper.chains import NAME, RATE, names_in, without
-
-_START = r"\(\s*(?:[A-Za-z]_\{?[0A-Za-z]\}?|0)\s*\)"
-_INITIAL = re.compile(
-    rf"(?P<left>{RATE}|{NAME})\s*{_START}\s*=\s*(?P<value>{RATE}|{NAME})", re.ASCII
-)
-
-
-def without_initial_values(tex: str, moving: Collection[str]) -> str:
-    r"""A display without the names of initial values, which may be any.
-
-    >>> without_initial_values(r"\ddot x=-x, x(t_0)=x_0, \dot x(t_0)=\dot x_0", {"x"})
-    '\\ddot x=-x, , '
-    """
-    found = [
-        (start, end, match)
-        for start, end in {*split_display(tex)}
-        if (match := _INITIAL.fullmatch(tex[start:end].strip(" .;~\n")))
-        and names_in(match["left"]) <= {*moving}
-    ]
-    rest = without(tex, [(start, end) for start, end, _ in found])
-    free = [one for one in found if names_in(one[2]["value"]).isdisjoint(names_in(rest))]
-    return without(tex, [(start, end) for start, end, _ in free])
-
 
 _UPRIGHT = re.compile(r"\\(?:mathrm|operatorname|rm)\s*(?:\{\s*i\s*\}|i(?![A-Za-z]))")
 

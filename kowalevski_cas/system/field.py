@@ -33,6 +33,7 @@ from kowalevski_cas.paper.claims import (
 from kowalevski_cas.paper.claims.maps import OF_MAPS
 from kowalevski_cas.paper.constraints import equations_on
 from kowalevski_cas.paper.derivation import Section
+from kowalevski_cas.paper.initial_values import without_initial_values
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.relations import solve_for_constant
 from kowalevski_cas.paper.scene import Scene
@@ -40,12 +41,7 @@ from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives, 
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.answers import ClaimInParts, Function, SystemClaim, in_html
-from kowalevski_cas.system.beside import (
-    columns,
-    with_columns_in_bold,
-    with_upright_unit,
-    without_initial_values,
-)
+from kowalevski_cas.system.beside import columns, with_columns_in_bold, with_upright_unit
 from kowalevski_cas.system.equations import (
     components,
     constraints_in,

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from itertools import groupby
+from itertools import groupby, product
 
 from kowalevski_cas.notation import NotationError, Vocabulary, split_display
 from kowalevski_cas.notation.cursor import Cursor
@@ -81,9 +81,10 @@ def with_length(tex: str) -> str:
     chains = {(one["index"], int(one["length"])) for one in parts if one}
     heads = {one["head"] for one in _CHAIN.finditer(tex)}
     for index, length in sorted(chains):
-        for head in heads:  # what is two places before is named by what is behind
-            before = re.compile(rf"({re.escape(head)}\s*\{{\s*{index}\s*)-\s*([2-9])(?=\s*\}})")
-            tex = before.sub(lambda one, n=length: f"{one[1]}+{n - int(one[2]) % n}", tex)
+        for head, k in product(heads, range(2, length)):
+            # what stands two places before is what stands behind
+            before = rf"({re.escape(head)}\s*\{{\s*{index}\s*)-\s*{k}(?=\s*\}})"
+            tex = re.sub(before, rf"\g<1>+{length - k}", tex)
         if not re.search(rf"(?<![\w\\]){index}\s*(?:=|,[^=]*=|\\in(?![A-Za-z]))(?!=)", tex):
             tex += rf",\quad {index}={','.join(map(str, range(1, length + 1)))}"
     return tex

@@ -129,14 +129,10 @@ def with_rates_of_functions(tex: str) -> str:
             for start, end in split_display(tex)
         )
         if not given and not re.search(known, bare):
-            tex = _DOTTED.sub(
-                lambda one, name=name: (
-                    f"{name}{PRIME * len(one['dots'])}(t)"
-                    if (one["braced"] or one["name"]) == name
-                    else one[0]
-                ),
-                tex,
-            )
+            own, plain = rf"(?:\{{\s*{known}\s*\}}|\s{known})", name.replace("\\", r"\\")
+            for dots in ("d", "dd", "ddd"):
+                rate = rf"\\{dots}ot\s*{own}\s*\(\s*t\s*\)"
+                tex = re.sub(rate, f"{plain}{PRIME * len(dots)}(t)", tex)
     return tex
 
 
