@@ -43,6 +43,8 @@ def without_chains(tex: str, moving: Collection[str] = ()) -> Chains:
     changed = tex
     for start, end in places:
         members = _members(tex[start:end])
+        if len(members) < 2:
+            continue
         rest = names_in(without(tex, [(start, end)])) | {*moving}
         given, others = _sides(members, rest)
         if not others and not any(map(_is_indexed, members)):

@@ -156,8 +156,8 @@ def test_a_column_may_be_printed_in_italics(J):
     a, b = J.split("&")
     matrix = rf"\begin{{pmatrix}}{a}&{b}\\-{b}&0\end{{pmatrix}}"
     system = System(rf"\dot x={matrix}\nabla H(x),\ H(x)=x_1^4+\log x_2")
-    assert system.identity(rf"\dot x_1=4\cdot{a}x_1^3+\frac{{{b}}}{{x_2}}").verdict.green
-    assert system.identity(rf"\dot x_2=4\cdot{b}x_1^3").verdict == "refuted"
+    assert system.identity(rf"\dot x_1=4\cdot {a}x_1^3+\frac{{{b}}}{{x_2}}").verdict.green
+    assert system.identity(rf"\dot x_2=4\cdot {b}x_1^3").verdict == "refuted"
 
 
 def test_an_upright_i_is_the_imaginary_unit():
