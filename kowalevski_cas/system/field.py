@@ -214,12 +214,16 @@ class Field:
 
     def _check_equal(self, left: str, right: str) -> None:
         """Raise ``ValueError`` if the members of a chain are not seen to be equal."""
-        aside = copy(self)
-        aside.section = Section("1", "", copied=None, scenes={**self.section.scenes})
         says = "both sides are the same function"
-        claim = aside.states(Identity, "chain", says, printed=f"{left}={right}")
+        claim = self._aside().states(Identity, "chain", says, printed=f"{left}={right}")
         if not claim.verdict.green:
             raise ValueError(f"{left} and {right} are not seen to be equal: leave one of them out")
+
+    def _aside(self) -> Self:
+        """The system, of which something is asked that is claimed nowhere."""
+        aside = copy(self)
+        aside.section = Section("1", "", copied=None, scenes={**self.section.scenes})
+        return aside
 
     def _rows(self, field: Mapping[Any, Any]) -> str:
         """Equations of motion by their right sides."""
