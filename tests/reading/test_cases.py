@@ -137,7 +137,7 @@ def test_special_values_of_what_a_law_has_in_general_are_supposed_in_their_secti
 
 def test_a_momentum_of_which_something_is_denied_is_named():
     text = (
-        r"\section{A} The motion is $\ddot x=-x+y,\ \ddot y=x-y^2$. The momentum $p=\dot x$ is not "
+        r"\section{A} The motion is \[ \ddot x=-x+y,\ \ddot y=x-y^2. \] The momentum $p=\dot x$ is not "
         r"constant; it obeys \[ \dot p=-x+y. \] "
     )
     found = {f.item.printed.tex.strip(" .,"): f.role.name for f in reading(text).formulas}
@@ -149,7 +149,7 @@ def test_a_momentum_of_which_something_is_denied_is_named():
 @pytest.mark.parametrize(("mass", "holds"), [(3, True), (2, False)])
 def test_what_is_supposed_of_a_name_is_supposed_of_what_it_stands_for(mass, holds):
     text = (
-        r"\section{A} The motion is $\dot x=(M-3m)xy,\ \dot y=-x$. We write $\mu=M/m$. "
+        r"\section{A} The motion is \[ \dot x=(M-3m)xy,\ \dot y=-x. \] We write $\mu=M/m$. "
         rf"Let $\mu={mass}$. Then \[ \dot x=0. \]"
     )
     assert verdicts(text)[r"\dot x=0"].green is holds
