@@ -22,6 +22,7 @@ from kowalevski_cas.problem.space import (
     Meaningless,
     Raised,
     Setting,
+    Space,
     Step,
     generators,
 )
@@ -310,6 +311,13 @@ class Evaluation(Fold):
             with suppress(Meaningless):
                 found.append(self.image(element))
         return found
+
+    @cached_property
+    def defined(self) -> list[Element]:
+        """What the names of a space stand for: at a point of it all of that is defined."""
+        steps = self.setting.steps if isinstance(self.setting, Space) else ()
+        names = [Name(step.name) for step in steps if isinstance(step, Let)]
+        return [element for name in names for element in self.components(name)]
 
     @property
     def norms(self) -> list[Element]:
