@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from contextlib import nullcontext
 from typing import Self
 
+from .division import is_number
 from .formulas import Formulas
 from .polynomials import Element, Ring
 from .reading import (
@@ -127,7 +128,7 @@ class Space(Formulas):
         for factor in factors(tree) or [0]:
             with self.statement(granted):
                 element = self.scalar(factor)
-            need(element.value() is None, "a number is assumed not to vanish")
+            need(not is_number(element), "a number is assumed not to vanish")
             with self.granting() if granted else nullcontext():
                 self.enter(element, say(factor))
 
