@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import chain
 from operator import add, mul
+from random import Random
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
@@ -22,6 +23,9 @@ from kowalevski_cas.search.branches import (
     reduce_solutions,
     replace_solved,
 )
+
+SMALLEST, LARGEST = 10**3, 10**4
+"""Between these are the numbers that stand for constants in general position."""
 
 
 @dataclass(frozen=True)
@@ -51,16 +55,20 @@ class Ansatze:
     def solve(self, leading: Exponents) -> list[Branch]:
         """The cases in which the equations of an ansatz hold: a task for a pool.
 
-        Those of the highest degree are solved first, if the constants are in general position: a
-        case in which an unknown is no rational function of them is left early.
+        If the constants are in general position, they are numbers first: what is zero there is zero
+        for all of them, and few unknowns are left.
         """
         ansatz = self.of(leading)
         granted = tuple(ansatz.in_constants(terms) for terms in self.granted)
         levels = ansatz.equations()
         if self.special:
             return [*branches(chain.from_iterable(levels), ansatz.places, granted)]
-        start, places = Branch((), (), granted), ansatz.places[: ansatz.unknowns]
-        return [*maximal([*_rational_cases(levels, places, start)])]
+        if not self.constants:
+            return ansatz.rational_cases(levels, granted)
+        found: list[Branch] = []
+        for zeros in ansatz.zeros(levels):
+            found += ansatz.rational_cases([zeros, *levels], granted)
+        return [*maximal(found)]
 
     def _below(self, leading: Exponents) -> Iterator[Exponents]:
         """The monomials before another one that have the same weights."""
@@ -111,6 +119,33 @@ class Ansatz:
             equation = polynomial_of(self.context, found[exponents])
             levels.setdefault(sum(exponents), []).append(equation)
         return [*levels.values()]
+
+    def rational_cases(
+        self, levels: Sequence[Sequence[fmpq_mpoly]], granted: tuple[fmpq_mpoly, ...]
+    ) -> list[Branch]:
+        """The cases in which unknowns are rational functions of the constants.
+
+        The equations of the highest degree are solved first, so that others are left early.
+        """
+        start, places = Branch((), (), granted), self.places[: self.unknowns]
+        return [*maximal([*_rational_cases(levels, places, start)])]
+
+    def zeros(self, levels: Sequence[Sequence[fmpq_mpoly]]) -> list[list[fmpq_mpoly]]:
+        """The unknowns that are zero in each case, where the constants are certain numbers."""
+        random = Random(1)
+        names = [self.context.name(place) for place in range(self.unknowns, self.width)]
+        numbers = {name: random.randrange(SMALLEST, LARGEST) for name in names}
+        there = [[equation.subs(numbers) for equation in level] for level in levels]
+        cases = self.rational_cases(there, ())
+        if any(case.rest for case in cases):  # all equations at once may leave none
+            every = chain.from_iterable(there)
+            cases = [*branches(every, self.places[: self.unknowns])]
+        found = (
+            tuple(place for place, equation in case.solved if len(equation) == 1)
+            for case in cases
+            if not case.rest  # which nobody solves
+        )
+        return [[self.context.gen(place) for place in zero] for zero in dict.fromkeys(found)]
 
     def _product(self, *places: int) -> Exponents:
         """The monomial of unknowns at different places; at −1 there is the coefficient 1."""
