@@ -12,12 +12,13 @@ from itertools import chain
 from operator import add, mul
 from random import Random
 
-from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz
 
 from kowalevski_cas.algebra.flint import polynomial_of
 from kowalevski_cas.problem.polynomial_fields import Exponents, Terms, derivative, monomials
 from kowalevski_cas.search.branches import (
     Branch,
+    Solved,
     branches,
     maximal,
     reduce_solutions,
@@ -134,17 +135,16 @@ class Ansatz:
         """The unknowns that are zero in each case, where the constants are certain numbers."""
         random = Random(1)
         names = [self.context.name(place) for place in range(self.unknowns, self.width)]
-        numbers = {name: random.randrange(SMALLEST, LARGEST) for name in names}
+        numbers: dict[str | int, int | fmpz | fmpq] = {
+            name: random.randrange(SMALLEST, LARGEST) for name in names
+        }
         there = [[equation.subs(numbers) for equation in level] for level in levels]
         cases = self.rational_cases(there, ())
         if any(case.rest for case in cases):  # all equations at once may leave none
             every = chain.from_iterable(there)
-            cases = [*branches(every, self.places[: self.unknowns])]
-        found = (
-            tuple(place for place, equation in case.solved if len(equation) == 1)
-            for case in cases
-            if not case.rest  # which nobody solves
-        )
+            cases = [*cases, *branches(every, self.places[: self.unknowns])]
+        solved = chain.from_iterable(map(_separate, cases))
+        found = (tuple(place for place, equation in case if len(equation) == 1) for case in solved)
         return [[self.context.gen(place) for place in zero] for zero in dict.fromkeys(found)]
 
     def _product(self, *places: int) -> Exponents:
@@ -154,6 +154,22 @@ class Ansatz:
             if place >= 0:
                 exponents[place] = 1
         return tuple(exponents)
+
+
+def _separate(case: Branch) -> Iterator[Solved]:
+    """What a case with numbers says of all unknowns; two that are left have to be rational."""
+    if not case.rest:
+        yield case.solved
+        return
+    degrees = [map(int, equation.degrees()) for equation in case.rest]
+    left = [place for place, column in enumerate(zip(*degrees, strict=True)) if any(column)]
+    if len(left) != 2 or len(case.rest) < 2:
+        return
+    one, other, *_ = sorted(case.rest, key=len)
+    eliminant = one.resultant(other, one.context().name(left[0]))
+    for branch in branches([eliminant, *case.rest], left, case.nonzero):
+        if not branch.rest:
+            yield reduce_solutions((*case.solved, *branch.solved))
 
 
 def _rational_cases(
