@@ -123,7 +123,7 @@ class PointFinder:
         among: int,
         squares: bool,
     ) -> tuple[Height, Point] | None:
-        """How simple it is, and a real point: elements vanish, nothing is divided by 0, all is good.
+        """How simple it is, and a real point: elements vanish, none is divided by 0, all is good.
 
         It is sought among points in general position, and if ``most`` is not 0 where all variables
         vanish, and then where some do, or all but some, as many as ``most``; and at last, if these
