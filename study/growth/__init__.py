@@ -109,15 +109,22 @@ def draw(rows: Sequence[Row]) -> Figure:
 
 def _name_lines(axes: Axes) -> None:
     """Write the name of each line above its last point, side by side where several end together."""
-    lines = [line for line in axes.lines if not str(line.get_label()).startswith("_")]
-    last = sorted(((line.get_xdata()[-1], line) for line in lines), key=itemgetter(0))
+    from numpy import asarray
+
+    named = [(str(line.get_label()), line) for line in axes.lines]
+    ends = [
+        (float(asarray(line.get_xdata())[-1]), name, line.get_color())
+        for name, line in named
+        if not name.startswith("_")
+    ]
+    ends.sort(key=itemgetter(0))
     left, right = axes.get_xlim()
     room = (right - left) * ROOM
-    places = [min(x, right - room / 2) for x, _ in last]
+    places = [min(x, right - room / 2) for x, *_ in ends]
     for k in range(len(places) - 2, -1, -1):
         places[k] = min(places[k], places[k + 1] - room)
-    for place, (_, line) in zip(places, last, strict=True):
+    for place, (_, name, colour) in zip(places, ends, strict=True):
         axes.text(
-            place, 1.02, line.get_label(), color=line.get_color(), size=7, rotation=90,
+            place, 1.02, name, color=colour, size=7, rotation=90,
             ha="center", va="bottom", transform=axes.get_xaxis_transform(),
         )  # fmt: skip
