@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import Final
 
 from kowalevski_cas.notation import Formula, to_plain
-from kowalevski_cas.report.document import Block, Judgement, Paragraph
+from kowalevski_cas.report.document import Block, Inline, Judgement, Paragraph
 from kowalevski_cas.report.findings import Findings, Slip, lacks
 from kowalevski_cas.report.sentences import (
     Phrases,
@@ -20,6 +20,9 @@ from kowalevski_cas.verify.outcome import Outcome, Verdict
 
 SHORT: Final = 30
 """The signs of a printed formula and its correction that are shown whole in the first lines."""
+
+LONGEST: Final = 160
+"""The signs of a point, and of what fails there, that are shown in the first lines."""
 
 _OPEN: Final = {
     Verdict.PROBABLE: "true but for a named chance of error",
@@ -60,7 +63,16 @@ def _misprint(phrases: Phrases, slip: Slip) -> Judgement:
 
 def _is_short(formulas: Sequence[Formula]) -> bool:
     """Whether a formula and what it should be are read faster than what was changed in it."""
-    return len(formulas) == 2 and sum(len(to_plain(formula)) for formula in formulas) <= SHORT
+    return len(formulas) == 2 and _length(formulas) <= SHORT
+
+
+def _length(text: Sequence[Inline]) -> int:
+    """How many signs a text without links has."""
+    return sum(
+        len(part if isinstance(part, str) else to_plain(part))
+        for part in text
+        if isinstance(part, str | Formula)
+    )
 
 
 def _falsehood(phrases: Phrases, outcome: Outcome) -> Judgement:
@@ -68,6 +80,8 @@ def _falsehood(phrases: Phrases, outcome: Outcome) -> Judgement:
     words, found = phrases.words(outcome.words.rstrip(".")), outcome.counterexample
     said = (*phrases.found([outcome.claim]), " is false", *((": “", *words, "”") if words else ()))
     why = phrases.values(found) if found else ()
+    if _length(why) > LONGEST:
+        why = ()
     return Judgement(outcome.verdict, "", (*said, ".", *((" ", *why) if why else ())))
 
 
