@@ -158,7 +158,7 @@ def time_limit(seconds: float | None) -> Iterator[None]:
     number = here.limits
     if number in here.given_up:
         raise here.given_up[number]
-    here.tell("begin", number, min(now + seconds, here.until))
+    here.tell("begin", number, min(now + seconds, here.until), waited())
     try:
         yield
     finally:

@@ -234,7 +234,7 @@ class _Process(Generic[Item, Result]):
             del self.unread[: LENGTH + size]
             match kind:
                 case "begin":
-                    self.limits[words[0]], self.waited[words[0]] = words[1], waited(self.pid)
+                    self.limits[words[0]], self.waited[words[0]] = words[1], words[2]
                 case "end":
                     del self.limits[words[0]], self.waited[words[0]]
                 case "words":

@@ -26,8 +26,7 @@ def oddities(
     A name may be defined by itself, move by two equations, or stand nowhere else in its part of the
     paper; what is supposed may be another thing than was meant, or say nothing of the claim.
     """
-    known_to_all = known.times | {r"\pi"}
-    counts = Counter(name for one in known.items for name in one.names - known_to_all)
+    counts = Counter(name for one in known.items for name in one.names - {r"\pi"})
     for one in _stands_on(item, known):
         twice = sorted(n for n in one.rates if _moves_twice(n, one, known))
         circular = sorted(n for n in known.roles[one].names if _is_circular(n, one, known))
@@ -66,7 +65,9 @@ def _stands_on(item: SourceStatement, known: Known) -> Iterator[SourceStatement]
     """A claim, the equations of motion for its names, and all that defines names of these."""
     names = {name for own in item.names for name in known.below(own)}
     moved = {*known.names.scalars(names)}
-    rows = [row for law in known.laws if moved & {*law.variables} for row in law.rows]
+    rows = [
+        row for law in known.laws if moved & {*law.variables, *law.mentions} for row in law.rows
+    ]
     names |= {name for row in rows for own in row.names for name in known.below(own)}
     defining = (one for name in sorted(names) for one in known.definitions.get(name, ()))
     yield from dict.fromkeys((item, *rows, *defining))

@@ -11,6 +11,7 @@ FALSE = r"Then \[ \frac{d}{dt}(x^2+2y^2)=0. \] "
 AS_READ = r"At some places \[ x^2+y^2=3x. \] "
 UNREAD = r"Here is \[ \oint x\,dy\frown y. \] "
 CLAIMS_UNREAD = r"An integral is \[ \oint x\,dy\frown y. \] "
+BESIDE = LAW + TRUE + "An integral is\n"
 SENTENCE = r"There are no other integrals of the second degree. "
 SKIPPED = "%kc: skip sentence\n"
 SKIP = "%kc: skip\n"
@@ -22,7 +23,7 @@ PAPERS = [
     ("a false claim beside one that is not read", LAW + CLAIMS_UNREAD + FALSE, DIFFERENT, DIFFERENT),
     ("a claim that is false as it was read", LAW + TRUE + AS_READ, UNDECIDED, UNDECIDED),
     ("a claiming formula that is not read", LAW + TRUE + CLAIMS_UNREAD, UNDECIDED, UNDECIDED),
-    ("the same, skipped", LAW + TRUE + "An integral is\n" + SKIP + UNREAD[8:], AS_RECORDED, AS_RECORDED),
+    ("the same, skipped", BESIDE + SKIP + UNREAD[8:], AS_RECORDED, AS_RECORDED),
     ("a formula that is not read and claims nothing", LAW + TRUE + UNREAD, AS_RECORDED, UNDECIDED),
     ("a sentence that claims and is not read", LAW + TRUE + "\n" + SENTENCE, UNDECIDED, UNDECIDED),
     ("the same, skipped", LAW + TRUE + "\n" + SKIPPED + SENTENCE, AS_RECORDED, AS_RECORDED),
