@@ -70,7 +70,12 @@ def clock() -> float:
 
     By it a limit of time means nearly the same on a machine that has other work to do.
     """
-    return monotonic() - waited()
+    before = waited()
+    while True:
+        now, after = monotonic(), waited()
+        if after == before:  # else it has waited just here
+            return now - after
+        before = after
 
 
 def is_watched() -> bool:
