@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from collections.abc import Sequence
+from contextlib import suppress
 from importlib import invalidate_caches
+from importlib.machinery import ModuleSpec, PathFinder, SourceFileLoader
 from importlib.util import find_spec, module_from_spec, spec_from_file_location
 from pathlib import Path
 from types import ModuleType
+from typing import TYPE_CHECKING
 
 from kowalevski_cas import UserError
 from kowalevski_cas.exit_guard import no_exit
 from kowalevski_cas.notation.errors import Undeclared
 from kowalevski_cas.paper.derivation import Derivation, Section
 from kowalevski_cas.paper.scene import Scene
+
+if TYPE_CHECKING:
+    from _typeshed import ReadableBuffer
 
 
 class LibraryError(UserError, ValueError):
@@ -137,13 +142,16 @@ def load(name: str, anew: bool = True) -> Derivation:
     if anew:
         _clear(path)
     below = [str(folder)] if inside else None
-    spec = spec_from_file_location(module_name, file, submodule_search_locations=below)
+    loader = _loader(module_name, str(file))
+    spec = spec_from_file_location(
+        module_name, file, loader=loader, submodule_search_locations=below
+    )
     assert spec is not None and spec.loader is not None
     module = module_from_spec(spec)
     sys.modules[module_name] = module
     MADE.clear()
     try:
-        with _without_bytecode(not file.is_relative_to(library())), no_exit():
+        with no_exit():
             spec.loader.exec_module(module)
         return _derivation(module, file, folder.stem)
     except (LibraryError, KeyboardInterrupt):
@@ -166,15 +174,36 @@ def _clear(path: list[str]) -> None:
     invalidate_caches()
 
 
-@contextmanager
-def _without_bytecode(wanted: bool) -> Iterator[None]:
-    """Keep no compiled code: Python takes it for current if a file is saved twice in a second."""
-    before = sys.dont_write_bytecode
-    sys.dont_write_bytecode = before or wanted
-    try:
-        yield
-    finally:
-        sys.dont_write_bytecode = before
+class _Anew(SourceFileLoader):
+    """Keeps no compiled code: Python takes it for current if a file is saved twice in a second."""
+
+    def set_data(self, path: str, data: ReadableBuffer, *, _mode: int = 0) -> None:
+        """Write nothing."""
+
+
+class _OnShelf(PathFinder):
+    """Finds the modules of derivations, each with its loader."""
+
+    @classmethod
+    def find_spec(
+        cls, fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None
+    ) -> ModuleSpec | None:
+        """Where a module of a derivation is, and how it is loaded."""
+        if not fullname.startswith(f"{SHELF}."):
+            return None
+        spec = super().find_spec(fullname, path, target)
+        if spec is not None and spec.origin and isinstance(spec.loader, SourceFileLoader):
+            spec.loader = _loader(fullname, spec.origin)
+        return spec
+
+
+def _loader(name: str, file: str) -> SourceFileLoader:
+    """How a module is loaded: those of a user may have been saved a moment ago."""
+    own = Path(file).is_relative_to(library())
+    return (SourceFileLoader if own else _Anew)(name, file)
+
+
+sys.meta_path.insert(0, _OnShelf)
 
 
 def owner(scene: Scene) -> tuple[Path, str] | None:

@@ -159,19 +159,19 @@ def test_what_it_rests_on_and_is_not_there_is_an_error(tmp_path):
         load(str(tmp_path))
 
 
-@pytest.mark.parametrize("folder", [False, True])
-def test_what_is_loaded_is_what_was_saved_last(tmp_path, monkeypatch, folder):
+@pytest.mark.parametrize("saved", ["circle.py", "circle/__init__.py", "circle/section1.py"])
+def test_what_is_loaded_is_what_was_saved_last(tmp_path, monkeypatch, saved):
     """Also if it is saved twice in a second, with the same number of letters."""
     monkeypatch.setattr(sys, "dont_write_bytecode", False)
     said = "from kowalevski_cas import System\nsystem = System(r'{}')\n"
-    place = tmp_path / ("circle" if folder else "circle.py")
-    file = place / "__init__.py" if folder else place
+    file = tmp_path / saved
     file.parent.mkdir(exist_ok=True)
+    (file.parent / "__init__.py").write_text("from .section1 import system\n")
     titles = []
     for field in (r"\dot x=y,\dot y=-x", r"\dot u=v,\dot v=-u"):
         file.write_text(said.format(field))
         os.utime(file, (1, 1))
-        titles.append(load(str(place)).sections[0].title)
+        titles.append(load(str(tmp_path / saved.split("/")[0])).sections[0].title)
     assert "$x$" in titles[0] and "$u$" in titles[1]
 
 

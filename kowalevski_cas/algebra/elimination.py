@@ -125,10 +125,10 @@ def _blocks(vectors: Sequence[Vector]) -> list[list[int]]:
     for k, vector in enumerate(vectors):
         top = k
         for place in vector:
-            other = first.setdefault(place, k)
-            while above[other] != other:
-                above[other] = other = above[above[other]]
-            above[max(top, other)] = top = min(top, other)
+            if (other := first.setdefault(place, top)) != top:
+                while above[other] != other:
+                    above[other] = other = above[above[other]]
+                above[max(top, other)] = top = min(top, other)
     groups = defaultdict[int, list[int]](list)
     for k in range(len(vectors)):
         above[k] = top = above[above[k]]  # the tops of those before are known

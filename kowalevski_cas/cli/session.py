@@ -207,8 +207,8 @@ def pool(arguments: argparse.Namespace, folders: Sequence[Path] = ()) -> Pool:
 
     package = Path(__file__).parents[1]
     read = {source(folder) for folder in folders}.union(*(folder.rglob("*") for folder in folders))
-    files = sorted(read.union(package.rglob("*.py")))
-    saved = [(str(file), file.stat().st_mtime_ns) for file in files]
+    files = read.union(package.rglob("*.py"))
+    saved = sorted((str(file), file.stat().st_mtime_ns) for file in files)
     asked = {k: v for k, v in vars(arguments).items() if k not in HOW and not callable(v)}
     words = repr((saved, Path.cwd(), sorted(asked.items())))
     caches = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")

@@ -278,10 +278,6 @@ class Derivation:
                 found.setdefault(printed, claim.id)
         return found
 
-    def section_of(self, claim: Claim) -> Section:
-        """The section in which a claim stands."""
-        return next(s for s in self.sections if any(stated.id == claim.id for stated in s.claims))
-
     def displays(self) -> Iterator[Display]:
         """All displays in the order of the paper."""
         for section in self.sections:

@@ -24,7 +24,7 @@ from kowalevski_cas.problem.residues import ResidueField, Residues, Weighted, di
 DEGREE = 1_000
 """The largest degree that is looked at, of the checker as well."""
 
-LARGEST = 50_000
+LARGEST = 100_000
 """The largest number of monomials that anybody looks at."""
 
 

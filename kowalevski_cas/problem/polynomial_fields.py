@@ -7,7 +7,7 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import product
 from math import comb
-from operator import mul
+from operator import add, mul
 
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.algebra.weights import whole_solutions
@@ -124,30 +124,28 @@ class PolynomialField:
 
 def derivative(exponents: Exponents, rates: Sequence[Terms], factor: Terms) -> Terms:
     """The derivative of a monomial if variables have these rates, less a multiple of it."""
-    total: Terms = {
-        tuple(a + b for a, b in zip(exponents, other, strict=True)): -value
-        for other, value in factor.items()
-    }
+    total: Terms = {tuple(map(add, exponents, other)): -value for other, value in factor.items()}
     for k, rate in enumerate(rates):
         if not exponents[k]:
             continue
+        lower = (*exponents[:k], exponents[k] - 1, *exponents[k + 1 :])
         for other, value in rate.items():
-            key = tuple(
-                a + b - (j == k) for j, (a, b) in enumerate(zip(exponents, other, strict=True))
-            )
-            total[key] = total.get(key, Fraction(0)) + exponents[k] * value
+            key, more = tuple(map(add, lower, other)), exponents[k] * value
+            total[key] = total[key] + more if key in total else more
     return {key: value for key, value in total.items() if value}
 
 
 def monomials(weights: Sequence[int], weight: int) -> Iterator[Exponents]:
     """All exponents of names with these positive weights that have this weight together."""
-    if not weights:
-        if weight == 0:
-            yield ()
-        return
-    for first in range(weight // weights[0], -1, -1):
-        for rest in monomials(weights[1:], weight - first * weights[0]):
-            yield (first, *rest)
+    match weights:
+        case []:
+            yield from () if weight else ((),)
+        case [last]:
+            yield from () if weight % last else ((weight // last,),)
+        case [first, *others]:
+            for power in range(weight // first, -1, -1):
+                for rest in monomials(others, weight - power * first):
+                    yield (power, *rest)
 
 
 def number_of_monomials(weights: Sequence[int], weight: int) -> int:

@@ -102,7 +102,7 @@ class Ansatz:
             for exponents, value in derivative((*own, *others), self.rates, {}).items():
                 key = (*self._product(place)[: self.unknowns], *exponents[size:])
                 terms = found.setdefault(exponents[:size], {})
-                terms[key] = terms.get(key, Fraction(0)) + value
+                terms[key] = terms[key] + value if key in terms else value
             for k, factor in enumerate(self.cofactors, len(self.monomials) - 1):
                 terms = found.setdefault(tuple(map(add, own, factor)), {})
                 terms[self._product(place, k)] = Fraction(-1)

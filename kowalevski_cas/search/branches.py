@@ -42,8 +42,11 @@ class Branch:
 
     def is_part(self, other: Branch) -> bool:
         """Whether the equations of another branch are seen to hold here, and to be solved."""
-        slopes = (equation.derivative(place) for place, equation in other.solved)
-        return all(map(self.vanishes, other.equations)) and not any(map(self.vanishes, slopes))
+        own = dict(self.solved)
+        others = [(k, equation) for k, equation in other.solved if own.get(k) != equation]
+        equations = (*(equation for _, equation in others), *other.rest)
+        slopes = (equation.derivative(place) for place, equation in others)
+        return all(map(self.vanishes, equations)) and not any(map(self.vanishes, slopes))
 
 
 def branches(
@@ -271,9 +274,11 @@ def reduce_solutions(solved: Solved) -> Solved:
     """Equations for unknowns without those that later equations are solved for."""
     found: list[tuple[int, fmpq_mpoly]] = []
     for place, equation in reversed(solved):
-        equation = replace_solved(equation, found)
-        own = next(factor for factor in _factors(equation) if factor.degrees[place])
-        found.insert(0, (place, own.polynomial))
+        if len(equation) > 1:  # else the unknown is zero
+            equation = replace_solved(equation, found)
+            own = next(factor for factor in _factors(equation) if factor.degrees[place])
+            equation = own.polynomial
+        found.insert(0, (place, equation))
     return tuple(found)
 
 
@@ -316,11 +321,11 @@ class Elimination:
 
 def replace_solved(polynomial: fmpq_mpoly, solved: Iterable[tuple[int, fmpq_mpoly]]) -> fmpq_mpoly:
     """A polynomial times coefficients of unknowns, which are replaced one after the other."""
-    degrees = polynomial.degrees()
+    degrees = _degrees(polynomial)
     for place, equation in solved:
-        if (degree := int(degrees[place])) > 0:  # it is −1 of what vanishes
+        if (degree := degrees[place]) > 0:  # it is −1 of what vanishes
             polynomial = Elimination(place, equation)(polynomial, degree)
-            degrees = polynomial.degrees()
+            degrees = _degrees(polynomial)
     return polynomial
 
 

@@ -8,7 +8,7 @@ the motion is homogeneous, so is K, and the parts of F are Darboux polynomials: 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product, tee
@@ -17,7 +17,7 @@ from random import Random
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz
 
 from kowalevski_cas.algebra.elimination import PRIME, Echelon, TooLarge
-from kowalevski_cas.algebra.flint import polynomial_of, terms_of
+from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_fraction
 from kowalevski_cas.algebra.polynomials import primitive
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.pool import HERE, Pool
@@ -31,7 +31,7 @@ from kowalevski_cas.problem.polynomial_fields import (
 )
 from kowalevski_cas.problem.residues import ResidueField, Residues, product_of, unpack
 from kowalevski_cas.search.ansatz import Ansatz, Ansatze
-from kowalevski_cas.search.branches import Branch
+from kowalevski_cas.search.branches import Branch, Elimination
 
 LARGEST = 500
 """The largest number of unknown coefficients."""
@@ -203,27 +203,35 @@ class _Solutions:
         values = {k: ring.number(n) for k, n in enumerate(open_values)} | {-1: ring.one}
         equations = []
         for place, equation in branch.solved:
-            slope = equation.derivative(place)
-            value = self._element(slope * self.context.gens()[place] - equation, open_values)
-            value = value / self._element(slope, open_values)
+            solved = Elimination(place, equation)
+            above = self._element(solved.value, open_values)
+            value = above if above.is_zero else above / self._element(solved.slope, open_values)
             if place < self.unknowns:
                 values[place] = value
             else:
                 name = field.names[field.size + place - self.unknowns]
                 equations.append((ring.generator(name), value))
-        terms = [values[k] * self._monomial(e) for k, e in enumerate(self.ansatz.monomials, -1)]
-        later = enumerate(self.ansatz.cofactors, len(self.ansatz.monomials) - 1)
-        factor = [values[k] * self._monomial(e) for k, e in later]
-        cofactor = sum(factor, ring.zero) / field.multiple
-        return Darboux(sum(terms, ring.zero), cofactor, tuple(equations))
+        polynomial = self._combination(values, enumerate(self.ansatz.monomials, -1))
+        factors = enumerate(self.ansatz.cofactors, len(self.ansatz.monomials) - 1)
+        cofactor = self._combination(values, factors) / field.multiple
+        return Darboux(polynomial, cofactor, tuple(equations))
 
-    def _monomial(self, exponents: Exponents) -> Element:
-        others = (0,) * (self.ansatz.width - self.unknowns)
-        return self.field.element({(*exponents, *others): Fraction(1)})
+    def _combination(
+        self, values: Mapping[int, Element], monomials: Iterable[tuple[int, Exponents]]
+    ) -> Element:
+        """The monomials, each multiplied by the value at its place."""
+        field, others = self.field, (0,) * (self.ansatz.width - self.unknowns)
+        terms = (
+            values[k] * field.element({(*exponents, *others): Fraction(1)})
+            for k, exponents in monomials
+            if not values[k].is_zero
+        )
+        return sum(terms, field.at.ring.zero)
 
     def _open_values(self, branch: Branch) -> list[int]:
         """Numbers for all unknowns, zeros if the branch can be solved where they are zero."""
         slopes = [equation.derivative(place) for place, equation in branch.solved]
+        slopes = [slope for slope in slopes if not slope.is_constant()]
         degrees = [slope.degrees()[: self.unknowns] for slope in slopes]
         most = [sum(map(int, column)) for column in zip(*degrees, strict=True)]
         # As many numbers as degrees, and one more: at some of them no coefficient vanishes.
@@ -236,6 +244,8 @@ class _Solutions:
 
     def _element(self, polynomial: fmpq_mpoly, values: Sequence[int]) -> Element:
         """A polynomial in the constants, with values for all unknowns."""
+        if polynomial.is_constant():
+            return self.field.at.ring.number(to_fraction(polynomial.leading_coefficient()))
         degrees = polynomial.degrees()
         given: dict[str | int, int | fmpz | fmpq] = {
             k: value for k, value in enumerate(values) if degrees[k]

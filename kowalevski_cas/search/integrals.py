@@ -152,9 +152,13 @@ class _IntegralSearch:
         for weight, own in enumerate(by_weight, first):
             solved.update(islice(waiting, len(own.keys() - solved)))
             yield {
-                grade: (group, [s for s in solved[grade] if weight_of(s, self.weights) == weight])
+                grade: (group, [s for s in solved[grade] if self._weight_of(s) == weight])
                 for grade, group in own.items()
             }
+
+    def _weight_of(self, solution: Combination) -> int:
+        """The weight of the heaviest monomial of a combination, which comes first."""
+        return sum(map(mul, self.weights, next(iter(solution))))
 
     def _solve_groups(
         self, by_weight: Iterable[Collection[Exponents]], groups: Mapping[Exponents, Group]
@@ -226,9 +230,12 @@ def _stages(weights: Sequence[int], last: int) -> list[int]:
 
 
 def _combinations(field: ResidueField, group: Sequence[Exponents]) -> list[Combination]:
-    """A basis of the combinations of monomials that the motion multiplies by the factor."""
+    """A basis of the combinations of monomials that the motion multiplies by the factor.
+
+    In each the last monomials of the group come first.
+    """
     found = relations([field.derivative(exponents) for exponents in group])
-    return [{group[k]: value for k, value in relation.items()} for relation in found]
+    return [{group[k]: relation[k] for k in sorted(relation, reverse=True)} for relation in found]
 
 
 def _solutions(rates: Sequence[Terms], factor: Terms, group: Sequence[Exponents]) -> list[Terms]:

@@ -40,6 +40,9 @@ class Interpretation:
         """What the derivation accepts in place of what is printed."""
         self.bases = {base.name: base for base in derivation.bases()}
         self._order = {claim.id: k for k, claim in enumerate(derivation.claims)}
+        self._sections = {
+            claim.id: section.number for section in derivation.sections for claim in section.claims
+        }
         self._established = derivation.established
         self._establishing = defaultdict[str, list[tuple[int, str]]](list)
         """The claims that establish something at a display, by its id, with their order."""
@@ -65,6 +68,10 @@ class Interpretation:
         read = {place: f for place, f in self.accepted.items() if place not in about}
         texts = texts or self.texts
         return self.elaborations.under(texts.reading(read) if read else texts)
+
+    def section_of(self, claim: Claim) -> str:
+        """The number of the section in which a claim stands."""
+        return self._sections[claim.id]
 
     def statement(self, claim: Claim, texts: Texts | None = None) -> Statement:
         """What a claim says, under these texts or others."""

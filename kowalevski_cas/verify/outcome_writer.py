@@ -127,7 +127,7 @@ class OutcomeWriter:
         granted = dict.fromkeys(tex for scene in claim.scenes() for tex in scene.nonzero)
         return Outcome(
             claim=claim.id,
-            section=self._interpretation.derivation.section_of(claim).number,
+            section=self._interpretation.section_of(claim),
             scene=claim.scene.name,
             formulas=formulas,
             source=r",\quad ".join(sources),

@@ -23,7 +23,7 @@ BITS = 192
 class ClosedO4:
     """The closed form of one motion, for times up to ``largest``."""
 
-    block = 1024
+    block = 8192
 
     def __init__(self, motion: MotionO4, largest: float) -> None:
         known = motion.parameters

@@ -8,15 +8,16 @@ inverse of the matrix of the means both integrals become :math:`\psi_k+{}` sines
 :math:`=\theta_k`, with phases θ that are linear in time. The map ψ ↦ θ is a diffeomorphism of the
 torus, for its determinant has the factor :math:`n_1v_2-n_2v_1`.
 
-Newton's method with damping mostly finds ψ. Where a double root is near, whole regions of the torus
-are passed in no time; then two bisections find it: with n − ev in place of v, e between the
-arcs, each equation is monotone, the first one in :math:`\psi_2`, and the second one in
-:math:`\psi_1` when the first holds.
+Newton's method from a table, with damping, mostly finds ψ. Where a double root is near, whole
+regions of the torus are passed in no time; then two bisections find it: with n − ev in place of v,
+e between the arcs, each equation is monotone, the first one in :math:`\psi_2`, and the second one
+in :math:`\psi_1` when the first holds.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import cached_property
 
 import numpy as np
 from flint import arb, arb_mat
@@ -25,6 +26,7 @@ from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.jacobi import JacobiFunctions
 from kowalevski_cas.motion.o4.arithmetic import FLOATS, Pair
 from kowalevski_cas.motion.o4.series import DifferentialSeries, matrix
+from kowalevski_cas.motion.o4.sines import SumsOfSines
 from kowalevski_cas.motion.o4.uniformization import Uniformization
 from kowalevski_cas.motion.parameters import MethodError
 
@@ -38,11 +40,14 @@ NEAR = 1e-10
 STEPS, HALVINGS = 20, 6
 """Newton steps, and halvings of one, after which bisections go on; it takes about four."""
 
-NODES = 257
-"""Angles at which a phase is tabulated as if the other angle had no part in it."""
+NODES = 64
+"""Phases, of either variable, at which the angles are tabulated: a power of two."""
 
 LAST = 2.0**-51
 """The length of a bracket, relative to π, in which nothing is to be found any more."""
+
+
+Derived = tuple[Array, Array, Array]
 
 
 class Quadratures:
@@ -56,7 +61,7 @@ class Quadratures:
         means = matrix([integral.means() for integral in series], signs)
         inverse = means.inv()
         self.rates = means.solve(arb_mat([[0], [-1]])).entries()
-        self._series = []
+        self._amplitudes = []
         for sign, integral in zip(signs, series, strict=True):
             found = inverse * arb_mat([[sign * x for x in row] for row in integral.sines()])
             coefficients = np.array(found.tolist(), dtype=float)
@@ -64,65 +69,61 @@ class Quadratures:
             terms = int(large[-1]) + 1 if len(large) else 1
             if 2 * terms > coefficients.shape[1]:
                 raise MethodError("half of the values do not tell the series of the quadratures")
-            self._series.append((coefficients[:, :terms], np.arange(1, terms + 1)))
+            self._amplitudes.append(coefficients[:, :terms])
         self._forms = np.array(
             (_monotone_forms([integral.by for integral in series]) * means).tolist(), dtype=float
         )
-        self._tables = [self._table(place) for place in (0, 1)]
+        self._sums = [SumsOfSines(amplitudes) for amplitudes in self._amplitudes]
 
     def phases(self, angles: Array) -> Array:
         """The phases θ (2, N) by the angles ψ."""
-        return self._with_slopes(angles)[0]
+        (one, _), (two, _) = (self._part(place, angle) for place, angle in enumerate(angles))
+        return one + two
 
     def angles(self, phases: Array) -> Array:
         """The angles ψ (2, N) by the phases θ."""
         turns = 2 * np.pi * np.rint(phases / (2 * np.pi))
         aim = phases - turns
-        found = np.array(
-            [np.interp(phase, *table) for phase, table in zip(aim, self._tables, strict=True)]
-        )
-        left, here = np.arange(phases.shape[1]), found.copy()
-        reached, slopes = self._with_slopes(here)
-        rest = aim - reached
+        found: Array = self._solve(aim, self._interpolated(aim))
+        return found + turns
+
+    def _solve(self, aim: Array, start: Array) -> Array:
+        """The angles by the phases, by Newton's method from some nearby."""
+        found: Array = np.empty_like(aim)
+        left, here = np.arange(aim.shape[1]), start
+        rest, slopes = self._missing(here, aim)
         for _ in range(STEPS):
-            (a, b), (c, d) = slopes
-            step = np.array([d * rest[0] - b * rest[1], a * rest[1] - c * rest[0]])
-            step /= a * d - b * c
-            last = np.hypot(*step) <= NEAR
-            if last.any():
+            step = _solution(slopes, rest)
+            last = _squares(step) <= NEAR**2
+            if 2 * np.count_nonzero(last) >= len(left):  # sorting out fewer takes longer
                 found[:, left[last]] = here[:, last] + step[:, last]
                 left = left[~last]
                 here, step, rest, aim = (x[:, ~last] for x in (here, step, rest, aim))
             if not len(left):
                 break
-            step, rest, slopes = self._damp(here, step, rest, aim)
-            here = here + step
+            here, rest, slopes = self._damp(here, step, rest, aim)
         else:
             found[:, left] = self._bisect(aim)
-        angles: Array = found + turns
-        return angles
+        return found
 
-    def _damp(
-        self, start: Array, step: Array, rest: Array, aim: Array
-    ) -> tuple[Array, Array, Array]:
-        """As much of a step as diminishes the rest; what then is left, and the slopes there."""
-        before = np.hypot(*rest)
-        reached, slopes = self._with_slopes(start + step)
-        after = aim - reached
+    def _damp(self, start: Array, step: Array, rest: Array, aim: Array) -> Derived:
+        """Where as much of a step leads as diminishes the rest; what then is left, and slopes."""
+        before, here = _squares(rest), start + step
+        after, slopes = self._missing(here, aim)
         for _ in range(HALVINGS):
-            worse = (np.hypot(*after) > before) & (np.hypot(*step) > NEAR)
+            worse = (_squares(after) > before) & (_squares(step) > NEAR**2)
             if not worse.any():
                 break
             step[:, worse] /= 2
-            reached, slopes[:, :, worse] = self._with_slopes(start[:, worse] + step[:, worse])
-            after[:, worse] = aim[:, worse] - reached
-        return step, after, slopes
+            here[:, worse] = start[:, worse] + step[:, worse]
+            after[:, worse], slopes[:, :, worse] = self._missing(here[:, worse], aim[:, worse])
+        return here, after, slopes
 
     def _bisect(self, aim: Array) -> Array:
         """The angles by two monotone equations, one inside the other."""
         wanted, (by_first, by_second) = self._forms @ aim, self._forms[0]
-        reach = 1 + sum(np.sum(np.abs(c[0])) for c, _ in self._series)
-        reach_of_form = sum(np.sum(np.abs(self._forms[0] @ c)) for c, _ in self._series)
+        reach = 1 + sum(np.sum(np.abs(a[0])) for a in self._amplitudes)
+        reach_of_form = sum(np.sum(np.abs(self._forms[0] @ a)) for a in self._amplitudes)
         half = 0.1 + reach_of_form / abs(by_second)
         second = np.empty_like(aim[1])
 
@@ -147,27 +148,42 @@ class Quadratures:
         values, slopes = self._part(place, angle)
         return self._forms @ values, self._forms @ slopes
 
-    def _with_slopes(self, angles: Array) -> tuple[Array, Array]:
-        """The phases (2, N), and their derivatives (2, 2, N) by either angle."""
-        (one, by_one), (two, by_two) = (self._part(k, angle) for k, angle in enumerate(angles))
-        return one + two, np.stack([by_one, by_two], axis=1)
+    def _missing(self, angles: Array, aim: Array) -> tuple[Array, Array]:
+        """What the phases lack of those aimed at, and their slopes (variable, phase, N)."""
+        slopes = np.empty((2, *angles.shape))
+        rest = aim
+        for place, angle in enumerate(angles):
+            values, slopes[place] = self._part(place, angle)
+            rest = rest - values
+        return rest, slopes
 
     def _part(self, place: int, angle: Array) -> tuple[Array, Array]:
         """The part of one angle in both phases (2, N), and its derivatives."""
-        coefficients, orders = self._series[place]
-        cosines, sines = _multiples(angle, len(orders))
-        values, slopes = coefficients @ sines, (coefficients * orders) @ cosines
+        values, slopes = self._sums[place](angle)
         values[place] += angle
         slopes[place] += 1.0
         return values, slopes
 
-    def _table(self, place: int) -> tuple[Array, Array]:
-        """A phase and its angle, as if it were a function of this angle alone."""
-        coefficients, orders = self._series[place]
-        angle = np.linspace(-np.pi, np.pi, NODES)
-        _, sines = _multiples(angle, len(orders))
-        # np.interp needs a table that rises, which one angle alone need not give
-        return np.maximum.accumulate(angle + coefficients[place] @ sines), angle
+    @cached_property
+    def _grid(self) -> Array:
+        """The angles less the phases at equidistant phases."""
+        nodes = 2 * np.pi / NODES * np.arange(NODES)
+        phases = np.array(np.meshgrid(nodes, nodes, indexing="ij")).reshape(2, -1)
+        phases -= 2 * np.pi * np.rint(phases / (2 * np.pi))
+        difference: Array = self._solve(phases, phases) - phases
+        return difference
+
+    def _interpolated(self, phases: Array) -> Array:
+        """The angles by the phases, almost."""
+        places = phases * (NODES / (2 * np.pi))
+        low = np.floor(places)
+        (x, y), (i, j) = places - low, low.astype(np.int64)
+        rows, columns = ([k & NODES - 1, k + 1 & NODES - 1] for k in (i, j))
+        found: Array = phases.copy()
+        for row, by_x in zip(rows, (1 - x, x), strict=True):
+            for column, by_y in zip(columns, (1 - y, y), strict=True):
+                found += self._grid.take(row * NODES + column, axis=1) * (by_x * by_y)
+        return found
 
 
 class Halves:
@@ -186,6 +202,21 @@ class Halves:
         c, s = self._by.pair(functions, np.where(rest < 0, -1.0, 1.0), FLOATS)
         sign = np.where(turns % 2, -1.0, 1.0)
         return sign * c, sign * s
+
+
+def _solution(slopes: Array, rest: Array) -> Array:
+    """The step (2, N) that by these slopes makes up for a rest; half a turn where it is longer."""
+    (a, c), (b, d) = slopes
+    step = np.array([d * rest[0] - b * rest[1], a * rest[1] - c * rest[0]])
+    with np.errstate(divide="ignore"):
+        step /= a * d - b * c
+    return np.clip(step, -np.pi, np.pi, out=step)
+
+
+def _squares(vectors: Array) -> Array:
+    """The squares of the lengths of vectors (2, N)."""
+    found: Array = vectors[0] * vectors[0] + vectors[1] * vectors[1]
+    return found
 
 
 def _monotone_forms(arcs: Sequence[Uniformization]) -> arb_mat:
@@ -220,21 +251,3 @@ def _monotone_root(
         if np.all((np.abs(after - place) <= LAST * np.pi) | (high - low <= LAST * np.pi)):
             return after
         place = after
-
-
-def _multiples(angle: Array, count: int) -> tuple[Array, Array]:
-    """The cosines and sines (count, N) of the first multiples, by doubling."""
-    cosines, sines = np.empty((2, count, len(angle)))
-    cosines[0], sines[0] = np.cos(angle), np.sin(angle)
-    # a recursion by one angle would add up its rounding errors k times, doubling only log k times
-    known = 1
-    while known < count:
-        new = slice(known, min(2 * known, count))
-        some = slice(0, new.stop - known)
-        c, s = cosines[known - 1], sines[known - 1]
-        np.multiply(cosines[some], c, out=cosines[new])
-        cosines[new] -= sines[some] * s
-        np.multiply(sines[some], c, out=sines[new])
-        sines[new] += cosines[some] * s
-        known = new.stop
-    return cosines, sines

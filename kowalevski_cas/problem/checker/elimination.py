@@ -38,10 +38,10 @@ def _blocks(vectors: list[Vector]) -> list[list[Vector]]:
     for k, vector in enumerate(vectors):
         top = k
         for place in vector:
-            other = first.setdefault(place, k)
-            while above[other] != other:
-                above[other] = other = above[above[other]]
-            above[max(top, other)] = top = min(top, other)
+            if (other := first.setdefault(place, top)) != top:
+                while above[other] != other:
+                    above[other] = other = above[above[other]]
+                above[max(top, other)] = top = min(top, other)
     groups = defaultdict[int, list[Vector]](list)
     for k, vector in enumerate(vectors):
         above[k] = top = above[above[k]]  # the tops of those before are known

@@ -187,9 +187,13 @@ class Kernel(Goal):
         if last < 0:
             yield ()
             return
-        for e in range(degree // self.weights[last] + 1):
-            for rest in self._exponents(last - 1, degree - e * self.weights[last]):
-                yield (*rest, e)
+        weight = self.weights[last]
+        for e in range(degree // weight + 1):
+            if last:
+                for rest in self._exponents(last - 1, degree - e * weight):
+                    yield (*rest, e)
+            else:
+                yield (e,)
 
     def _rank(self, vectors: list[Residues]) -> int:
         return rank(vectors, self.ring.budget)
