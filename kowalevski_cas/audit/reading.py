@@ -282,6 +282,7 @@ def _skipped(reading: Reading) -> Iterator[JudgedStatement]:
 
 def _as_read(audited: Audited, formula: JudgedStatement | None) -> None:
     """Give a formula the role that it was read in."""
+    audited.message = audited.message.removeprefix(f"{audited.id}: ")
     if formula is None:
         audited.role, audited.reason = "unread", audited.message
         audited.verdict = OPEN if audited.verdict == UNREADABLE else audited.verdict
