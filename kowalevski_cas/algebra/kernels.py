@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from math import isqrt
 from typing import Any, TypeVar
 
-from kowalevski_cas.algebra.elimination import PRIME, relations
+from flint import fmpq_mat
+
+from kowalevski_cas.algebra.elimination import PRIME, Echelon, relations
+from kowalevski_cas.algebra.flint import to_flint, to_fraction
 
 Column = Mapping[Any, Fraction]
 Key = TypeVar("Key")
@@ -33,6 +36,35 @@ def kernel(columns: Sequence[Column]) -> list[list[Fraction]]:
         if _vanishes(lifted, columns):
             vectors.append([lifted.get(k, Fraction(0)) for k in range(len(columns))])
     return vectors
+
+
+def rank(vectors: Iterable[Column]) -> int:
+    """The rank modulo the prime, which is at most the true one."""
+    found = Echelon()
+    for vector in vectors:
+        found.extend({key: residue(value) for key, value in vector.items()})
+    return len(found)
+
+
+def coordinates(vectors: Sequence[Column], keys: Sequence[Key]) -> list[dict[Key, Fraction]]:
+    """Linear forms f_j in entries, with v = Σ f_j(v) v_j for each v that is a sum of the vectors.
+
+    A vector that is a sum of others may have no form.
+    """
+    size = len(vectors)
+    rows = [
+        [*(to_flint(v.get(key, 0)) for key in keys), *(to_flint(int(j == k)) for k in range(size))]
+        for j, v in enumerate(vectors)
+    ]
+    reduced, _ = fmpq_mat(rows).rref()
+    forms: list[dict[Key, Fraction]] = [{} for _ in vectors]
+    for row in range(size):
+        for pivot in (key for k, key in enumerate(keys) if reduced[row, k]):
+            for j, form in enumerate(forms):
+                if value := to_fraction(reduced[row, len(keys) + j]):
+                    form[pivot] = value
+            break
+    return forms
 
 
 def lift(relation: Mapping[Key, int]) -> dict[Key, Fraction]:

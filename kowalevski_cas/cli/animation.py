@@ -49,7 +49,10 @@ def run(arguments: argparse.Namespace) -> int:
 def _page(motion: AnyMotion) -> str:
     """The page of a motion on N⁴."""
     if not isinstance(motion, Motion):
-        raise CommandError("the page is one of motions on N⁴, and this one is not")
+        raise CommandError(
+            "the page is one of motions on N⁴, and this one is not; "
+            "--output FILE.gif shows any motion"
+        )
     return page(motion)
 
 

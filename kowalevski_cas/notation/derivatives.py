@@ -5,7 +5,7 @@ from __future__ import annotations
 from kowalevski_cas.notation.atoms import Atoms
 from kowalevski_cas.notation.cursor import Piece
 from kowalevski_cas.notation.errors import NotationError
-from kowalevski_cas.notation.formula import Derivative, Name, Partial, Quotient
+from kowalevski_cas.notation.formula import Application, Derivative, Name, Partial, Quotient
 
 _DIFFERENTIALS = ("d", r"\partial")
 
@@ -56,9 +56,23 @@ class Derivatives(Atoms):
             if self.at != below - braced:
                 raise self.unexpected()
             self.at = behind
-            end = self.tokens[behind - 1].end
+            if d != "d":
+                piece = self.at_arguments(piece, by)
+            end = self.tokens[self.at - 1].end
         piece = _derivative(piece, d, by, start, end)
         return piece if applied else self.scripts(piece)
+
+    def at_arguments(self, piece: Piece, by: list[str]) -> Piece:
+        r"""A function at the names behind its derivative, as \frac{\partial H}{\partial p}(q,p)."""
+        start, level, function = self.at, self.level, piece[0]
+        if isinstance(function, Name) and self.is_applied(function.name):
+            listed = self.read_list()
+            names = tuple(one[0] for one in listed)
+            if len(names) > 1 and {*by} <= {one.name for one in names if isinstance(one, Name)}:
+                end = self.tokens[self.at - 1].end
+                return (Application(function.name, names), piece[1], end, listed)
+            self.at, self.level = start, level
+        return piece
 
     def factor(self) -> Piece:
         """An atom with its powers and primes, or a derivative with a slash, as dx/dt."""

@@ -212,7 +212,7 @@ ROTATED = {CIRCULAR: EXPONENTIAL, EXPONENTIAL: CIRCULAR, JACOBI: JACOBI}
 FAMILIES = (CIRCULAR, EXPONENTIAL, JACOBI, WEIERSTRASS, LEGENDRE, THIRD_KIND)
 
 DERIVATIVES = {
-    "ln": r"\frac{1}{\sqrt{x}^2}",
+    "ln log": r"\frac{1}{\sqrt{x}^2}",
     "arcsin": r"\frac{1}{\sqrt{1-x^2}}",
     "arccos": r"-\frac{1}{\sqrt{1-x^2}}",
     "arctan arctg": r"\frac{1}{1+x^2}",
@@ -236,7 +236,7 @@ AT_AMPLITUDE = {
 SIGN = r"\mathrm{sign}"
 """The sign of what is not zero."""
 
-_OTHERS = ("log", "max", "min", "det", "tr Tr", "sign sgn sg")
+_OTHERS = ("max", "min", "det", "tr Tr", "sign sgn sg")
 _MACROS = frozenset(
     """sin cos tan cot sec csc sinh cosh tanh coth arcsin arccos arctan exp ln log max min
     det""".split()
@@ -282,7 +282,7 @@ SPELLING = {
     printed: canonical(names[0])
     for names in _LINES
     for name in names
-    for printed in [rf"\mathrm{{{name}}}", *([rf"\{name}"] if name in _SHORT else [])]
+    for printed in [rf"\mathrm{{{name}}}", *([rf"\{name}"] if name in _SHORT | _MACROS else [])]
     if printed != canonical(names[0])
 }
 """How they are read, by the other ways to print them."""

@@ -78,11 +78,7 @@ class Symbols(Cursor):
         if name in LETTERS and self.is_free(name) and self.tokens[self.at].kind == "open":
             return self.application(LETTERS[name], token.start, on.power)
         if self.is_applied(name):
-            if on.primes or accents:
-                raise self.error(
-                    f"by what is {name} derived? print \\partial {name}/\\partial x", token
-                )
-            return self.application(name, token.start, on.power)
+            return self.applied(name, token, on, bool(accents))
         if (primed := name + "'" * on.primes) in self.names:  # as k', which no motion derives
             piece: Piece = (self.names[primed], token.start, max(on.name_end, on.primes_end), ())
             on.primes = 0
@@ -179,6 +175,36 @@ class Symbols(Cursor):
         if power is not None:
             return (Power(piece[0], power[0]), start, end, (piece, power))
         return self.scripts(piece) if opened else piece
+
+    def applied(self, name: str, token: Token, on: _Scripts, accented: bool) -> Piece:
+        r"""A function with its argument; with primes, as in :math:`V'(q)`, derived by it.
+
+        Beside another time than t primes are derivatives by that.
+        """
+        start = token.start
+        if not (on.primes or accented):
+            return self.application(name, start, on.power)
+        clear = not accented and on.power is None and self.vocabulary.times <= {"t"}
+        by = self.named_argument() if clear else ""
+        if not by:
+            message = f"by what is {name} derived? print \\partial {name}/\\partial x"
+            raise self.error(message, token)
+        piece = self.application(name, start, None)
+        for _ in range(on.primes):
+            piece = (Partial(piece[0], by), start, piece[2], (piece,))
+        return self.scripts(piece)
+
+    def named_argument(self) -> str:
+        """The name in brackets that stands here alone, as an argument by which is derived."""
+        start, level = self.at, self.level
+        try:
+            listed = self.read_list()
+        except NotationError:
+            return ""
+        finally:
+            self.at, self.level = start, level
+        argument = listed[0][0]
+        return argument.name if len(listed) == 1 and isinstance(argument, Name) else ""
 
     def phase(self) -> Piece | None:
         r"""Constants and what moves, as in \cos\omega t or \sin kx; ``None``, and no move, else.

@@ -37,7 +37,7 @@ def printed_arguments(texts: Iterable[str], vectors: Collection[str] = ()) -> di
     ({}, {'V': 'x'})
     """
     texts = [*texts]
-    found: dict[str, str] = {}
+    found = collective_arguments(texts)
     for tex in texts:
         with suppress(NotationError, IndexError):
             for place in defined_names(tex):
@@ -47,6 +47,35 @@ def printed_arguments(texts: Iterable[str], vectors: Collection[str] = ()) -> di
                     elif not by and (listed := _arguments(name, texts, vectors)):
                         found[name] = listed
     return found
+
+
+def collective_arguments(texts: Iterable[str]) -> dict[str, str]:
+    r"""The names that displays define at letters which stand for all names with an index.
+
+    >>> collective_arguments(["H(q,p)=p_1^2+q_1q_2", "F(x)=x^2+x_1"])
+    {'H': 'q,p'}
+    """
+    texts, found = [*texts], dict[str, str]()
+    for tex in texts:
+        with suppress(NotationError, IndexError):
+            for place in defined_names(tex):
+                for name, by in map(head, place.names):
+                    if by and _stand_for_all(name, by, texts):
+                        found[name] = ",".join(by)
+    return found
+
+
+def _stand_for_all(name: str, by: Collection[str], texts: Iterable[str]) -> bool:
+    """Whether arguments say which names with an index stand in a definition, as q in H(q)=q_1^2."""
+    listed = r"\s*,\s*".join(map(re.escape, by))
+    head_of = rf"(?<![A-Za-z\\]){re.escape(name)}\s*(?:\\left\s*)?\(\s*{listed}\s*(?:\\right\s*)?\)"
+    bodies = [m[1] for tex in texts for m in re.finditer(head_of + r"\s*&?\s*=([^=]*)", tex)]
+    return bool(bodies) and all(
+        re.search(rf"(?<![A-Za-z\\]){re.escape(one)}\s*_", body)
+        and not re.search(rf"(?<![A-Za-z\\]){re.escape(one)}(?!\s*_)(?![A-Za-z])", body)
+        for one in by
+        for body in bodies
+    )
 
 
 def _arguments(name: str, texts: Iterable[str], vectors: Collection[str]) -> str:

@@ -25,22 +25,25 @@ ZERO, TWO = Number(0), Number(2)
 
 
 def derivative(
-    formula: Formula, rates: Mapping[str, Formula], step: Callable[[str], Step | None]
+    formula: Formula,
+    rates: Mapping[str, Formula],
+    step: Callable[[str], Step | None],
+    inside: frozenset[str] = frozenset(),
 ) -> Formula:
     """The derivative of a formula, in which names have ``rates``; all others stay as they are.
 
     ``step`` tells what defines a name. Raises :class:`Meaningless` for an operation that is not
-    one of arithmetic.
+    one of arithmetic, and for a name that is defined by itself: it stands ``inside`` of its own.
     """
 
     def of(part: Formula) -> Formula:
-        return derivative(part, rates, step)
+        return derivative(part, rates, step, inside)
 
     match formula:
         case Number():
             return ZERO
         case Name(name):
-            return rates[name] if name in rates else _by_definition(formula, step(name), of)
+            return rates[name] if name in rates else _of_defined(formula, rates, step, inside)
         case Negative(argument):
             return _negative(of(argument))
         case Sum(terms):
@@ -76,6 +79,19 @@ def _of_quotient(above: Formula, below: Formula, of: Callable[[Formula], Formula
         return _over(of(above), below)
     turned = _total([_times(below, of(above)), _negative(times(above, rate))])
     return Quotient(turned, Power(below, TWO))
+
+
+def _of_defined(
+    name: Name,
+    rates: Mapping[str, Formula],
+    step: Callable[[str], Step | None],
+    inside: frozenset[str],
+) -> Formula:
+    """The derivative of a name by its definition."""
+    if name.name in inside:
+        raise Meaningless(f"{name.name} is defined by itself", name.name)
+    within = inside | {name.name}
+    return _by_definition(name, step(name.name), lambda part: derivative(part, rates, step, within))
 
 
 def _by_definition(name: Name, step: Step | None, of: Callable[[Formula], Formula]) -> Formula:

@@ -221,7 +221,11 @@ class Elaboration(Moving):
             # where i has another square, as in a mutant, conjugates are none of complex numbers
             if step.square != Negative(Number(1)):
                 return ()
-        return self.scene.conjugates
+        pairs = [*self.scene.conjugates]
+        for a, b in pairs:  # the velocities of conjugates are conjugate too, and stand behind
+            if a in self.velocities and b in self.velocities:
+                pairs.append((self.velocities[a], self.velocities[b]))
+        return tuple(pairs)
 
     @cached_property
     def finder(self) -> Evaluation:

@@ -21,6 +21,7 @@ from kowalevski_cas.notation.functions import MEANING
 from kowalevski_cas.paper.arguments import Monomial, product_of, single_name
 from kowalevski_cas.paper.differentiate import derivative
 from kowalevski_cas.paper.families import Generators, outside
+from kowalevski_cas.paper.functions import value_of
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.scene import Change
@@ -58,7 +59,23 @@ def functions_of(setting: Meaning) -> Transcendental:
     printed = [formula for _, formulas in squares for formula in formulas]
     free, expanded = free_names(setting, [*own, *printed]), partial(_expand, setting)
     values, formulas = _values(setting), [*own, *defined, *printed]
+    formulas += _applied(setting, formulas)
     return Transcendental(formulas, free, moving, constants, time, expanded, values, radicals)
+
+
+def _applied(setting: Meaning, formulas: Iterable[Formula]) -> list[Formula]:
+    """What defined functions are at the arguments at which they stand in formulas."""
+    functions = {function for function, given in map(head, setting.scene.definitions) if given}
+    found = dict[Application, Formula]()
+    waiting = [*formulas] if functions else []
+    while waiting:
+        for node in waiting.pop().nodes():
+            known = isinstance(node, Application) and node.function in functions
+            if isinstance(node, Application) and known and node not in found:
+                with suppress(Meaningless):
+                    found[node] = value_of(node, setting)
+                    waiting.append(found[node])
+    return [*found.values()]
 
 
 def _squares(setting: Meaning) -> Iterator[tuple[str, Sequence[Formula]]]:

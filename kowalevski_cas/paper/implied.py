@@ -9,7 +9,7 @@ them.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -109,6 +109,15 @@ def _coordinate(momentum: str, names: Sequence[str]) -> str:
     if printed:
         return printed[0] if printed[0] == same[0] or len(printed) == 1 else ""
     return same[0] if index else ""
+
+
+def momenta_at_rest(formulas: Iterable[Formula], moving: Collection[str]) -> list[str]:
+    """The momenta of what moves that stand in a Hamiltonian, and have no equation of motion."""
+    energies = [one for one in formulas if {*_heads(one)} & {*HAMILTONIANS}]
+    names = sorted(name for name in set[str]().union(*(one.names() for one in energies)))
+    momenta = [name for name in names if symbol(name).letter in ("p", "P") and name not in moving]
+    known = [*moving, *names]
+    return [name for name in momenta if _coordinate(name, known) in moving]
 
 
 def _heads(formula: Formula) -> Iterator[str]:

@@ -103,7 +103,7 @@ def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[EquationOfMot
     found: dict[str, Printed] = {}
     others: list[Equation] = []
     for printed in places:
-        left, right = setting.texts.sides(printed)
+        left, right = setting.texts.ends(printed)
         row, force = _row(left, setting), setting.plain(right)
         if row is None or _rests_on_rates(force, setting):
             others += pairwise(sides((left, right), setting))

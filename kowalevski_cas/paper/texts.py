@@ -237,6 +237,11 @@ class Texts:
             raise NotationError(message, statement.tex, statement.start)
         return members[0], members[1]
 
+    def ends(self, printed: Printed) -> tuple[Formula, Formula]:
+        """What a chain of equalities begins and ends with."""
+        members = self.relation(printed).members
+        return members[0], members[-1]
+
     def time_change(self, printed: Printed) -> TimeChange:
         """What a printed equation says of another time."""
         change = time_change(*self.sides(printed))

@@ -12,6 +12,7 @@ from kowalevski_cas.algebra.squares import sum_of_squares
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Product, Sum
 from kowalevski_cas.paper.meaning import Meaning
+from kowalevski_cas.paper.scene import Change as ChangeOfScene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Adjoined, Meaningless, Space
@@ -19,7 +20,7 @@ from kowalevski_cas.problem.space import Adjoined, Meaningless, Space
 
 def validate(setting: Meaning) -> None:
     """Raise :class:`Meaningless` for a setting in which anything or nothing could be shown."""
-    for examine in (_pairs, _clock, _roots, _values, _assumptions, _time):
+    for examine in (_pairs, _clock, _roots, _values, _assumptions, _time, _chains):
         examine(setting)
 
 
@@ -76,6 +77,16 @@ def _time(setting: Meaning) -> None:
     if setting.finder.time_sign < 0:
         what = "the rates of what is real are imaginary"
         raise _refuse(setting, what, "print the motion of real and imaginary parts")
+
+
+def _chains(setting: Meaning) -> None:
+    """What stands in the middle of an equation of motion is the rate that its end is."""
+    for printed in () if isinstance(setting.scene.field, ChangeOfScene) else setting.scene.field:
+        *between, last = setting.texts.relation(printed).members[1:]
+        rate = setting.finder.scalar(setting.plain(last)) if between else None
+        if rate is not None and any(not _same(setting, rate, setting.plain(m)) for m in between):
+            what = f"{printed.place} gives one rate twice, and not as the same"
+            raise _refuse(setting, what, "leave one of both out, or mend it")
 
 
 def _roots(setting: Meaning) -> None:

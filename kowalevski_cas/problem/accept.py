@@ -96,7 +96,7 @@ class Judge(Examiner):
     ) -> None:
         self.accepted.starts(goal)
         self.accepted.uses([*values.values()])
-        self.accepted.divides(law(goal, at))
+        self.accepted.divides([*at.hypotheses, *law(goal, at)])
         rule = _RULES.get((type(goal), type(evidence), sign))
         if rule is None:
             raise Unproved("it is no evidence for this goal")

@@ -22,6 +22,7 @@ from kowalevski_cas.problem.space import (
     Meaningless,
     Raised,
     Setting,
+    Space,
     Step,
     generators,
 )
@@ -311,10 +312,24 @@ class Evaluation(Fold):
                 found.append(self.image(element))
         return found
 
+    @cached_property
+    def hypotheses(self) -> list[Element]:
+        """What a space supposes beside its goals: what roots are taken of, and what is granted."""
+        if not isinstance(self.setting, Space):
+            return []
+        return [*self.roots.values(), *map(self.scalar, self.setting.nonzero)]
+
+    @cached_property
+    def defined(self) -> list[Element]:
+        """What is defined at each point of a space, whatever its goals are about."""
+        steps = self.setting.steps if isinstance(self.setting, Space) else ()
+        lets = [Name(step.name) for step in steps if isinstance(step, Let)]
+        return [*(element for name in lets for element in self.components(name)), *self.hypotheses]
+
     @property
     def norms(self) -> list[Element]:
         """The norms of what is granted with roots: by these it is divided, if it ever is."""
-        with_roots = (element for element in self.granted if element.parts.keys() != {0})
+        with_roots = (element for element in self.granted if element.parts.keys() - {0})
         return self.ring.divisors_of([element.inverse() for element in with_roots])
 
     def _rate_of_generator(self, name: str, rates: Field) -> Element:

@@ -74,7 +74,8 @@ class Examiner:
         """Refuse evidence that divides by what may vanish: it would show nothing there."""
         from kowalevski_cas.algebra.factors import vanishes_with
 
-        away = {id(element) for element in self.accepted.away[-1]}
+        # what is supposed beside the goal would leave nothing of its set
+        away = {id(element) for element in (*self.accepted.away[-1], *at.hypotheses)}
         stated = [e for e in self.accepted.divided[-1][1] if id(e) not in away]
         known = {index for element in stated for index in element.denominator}
         known = set() if at.ring.roots else known  # they may be those of norms

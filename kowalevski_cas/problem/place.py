@@ -116,6 +116,8 @@ class PointEvaluation:
         for element in (*at.granted, *at.norms):
             if self.knows(element) and self(element).is_zero:
                 raise Misplaced("what is taken for granted not to vanish does")
+        if not self.defines([element for element in at.defined if self.knows(element)]):
+            raise Misplaced("what a name stands for is not defined there")
 
     def _check_step(self, step: Step | None, value: Element) -> None:
         """Check that a root, or a power, is one there."""

@@ -6,20 +6,26 @@ so at some values of the constants: then it is so at almost all.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from itertools import islice
+from math import prod
 
 from kowalevski_cas.algebra.elimination import Echelon
 from kowalevski_cas.algebra.kernels import kernel, residue
 from kowalevski_cas.algebra.polynomials import primitive
-from kowalevski_cas.algebra.present import formula_in
+from kowalevski_cas.algebra.present import formula_in, fraction_formula
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, to_latex
+from kowalevski_cas.notation import Formula, Name, to_latex
 from kowalevski_cas.paper.claims import AllInvariantsOfMap, InvariantOfMap
-from kowalevski_cas.paper.claims.all_invariants import MOST, MapAt, power_of, small_numbers, span
-from kowalevski_cas.paper.claims.maps import Images
+from kowalevski_cas.paper.claims.all_invariants import (
+    at_values,
+    exponents_up_to,
+    products_of,
+    terms_of,
+)
+from kowalevski_cas.paper.claims.maps import Images, expand_definitions
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
@@ -39,6 +45,10 @@ VALUES = (2, 3, 5, 7, 11, 13)
 """For constants, one after the other."""
 TRIES = 3
 """How many values of the constants are looked at."""
+MOST = 4000
+"""How many points are tried."""
+MORE = 8
+"""How many points in a row have to say nothing new."""
 
 
 def search(
@@ -90,13 +100,13 @@ def _values(names: Sequence[str], shift: int) -> dict[str, Fraction]:
 
 def _dimension(at: MapAt, degree: int) -> int:
     """How many polynomials up to a degree satisfy the conditions of points, at values."""
-    return len(at.exponents(degree)) - len([*at.conditions(degree)])
+    return len(exponents_up_to(len(at.names), degree)) - len([*at.conditions(degree)])
 
 
 def _span(at: MapAt, known: Sequence[Formula], degree: int) -> Echelon:
     """The products of known invariants up to a degree, at values of the constants."""
     found = Echelon()
-    for terms in span([at.polynomial(one) for one in known], len(at.names), degree):
+    for terms in products_of(at.polynomials(known), len(at.names), degree).values():
         found.extend(_residues(terms))
     return found
 
@@ -107,7 +117,8 @@ def _residues(terms: Terms) -> dict[Exponents, int]:
 
 def _is_new(at: MapAt, known: Sequence[Formula], formula: Formula, degree: int) -> bool:
     """Whether a formula is no polynomial in known invariants."""
-    return _span(at, known, degree).extend(_residues(at.polynomial(formula)))
+    (terms,) = at.polynomials([formula])
+    return _span(at, known, degree).extend(_residues(terms))
 
 
 def _candidates(space: Elaboration, images: Images, degree: int) -> Iterator[Formula]:
@@ -152,3 +163,74 @@ def _element(terms: Terms, names: Sequence[str], at: Evaluation) -> Element:
     order = [names.index(name) if name in names else -1 for name in generators]
     padded = (((*e, 0), value) for e, value in primitive(terms).items())
     return at.ring.from_terms({0: {tuple(e[k] for k in order): v for e, v in padded}})
+
+
+class MapAt:
+    """A map by rational functions, at values of its constants."""
+
+    def __init__(self, space: Elaboration, images: Images, values: Mapping[str, Fraction]) -> None:
+        if space.roots or space.transcendental.groups:
+            raise Meaningless("invariants of a map with functions or roots are not looked for")
+        self.space, self.values = space, values
+        self.names = [name for name, _ in images]
+        self.images = [space.plain(expand_definitions(space, Name(new))) for _, new in images]
+
+    def image(self, point: Point) -> Point:
+        """The image of a point; raises :class:`Meaningless` if it has none."""
+        at = self._at({**self.values, **dict(zip(self.names, point, strict=True))})
+        return tuple(_number(at, image) for image in self.images)
+
+    def _at(self, values: Mapping[str, Fraction]) -> Evaluation:
+        at = self.space.free([])
+        return at.binding({name: at.ring.number(value) for name, value in values.items()})
+
+    def steps(self) -> Iterator[tuple[Point, Point]]:
+        """Points in general position with their images, as far as they have some."""
+        numbers = small_numbers()
+        for _ in range(MOST):
+            point = tuple(next(numbers) for _ in self.names)
+            with suppress(Meaningless):
+                yield point, self.image(point)
+
+    def conditions(self, degree: int) -> Iterator[list[Fraction]]:
+        """The independent conditions on coefficients, as far as points give them."""
+        exponents, found, idle = exponents_up_to(len(self.names), degree), Echelon(), 0
+        for point, image in self.steps():
+            row = [power_of(image, one) - power_of(point, one) for one in exponents]
+            new = found.extend({k: residue(value) for k, value in enumerate(row) if value})
+            idle = 0 if new else idle + 1
+            if new:
+                yield row
+            if idle == MORE:
+                return
+
+    def polynomials(self, known: Sequence[Formula]) -> list[Terms]:
+        """The coefficients of functions; raises :class:`Meaningless` if one is no polynomial."""
+        numbers = {name: fraction_formula(value) for name, value in self.values.items()}
+        plain = at_values(self.space, known, numbers)
+        return [terms_of(self.space, one, [*map(Name, self.names)]) for one in plain]
+
+
+def small_numbers() -> Iterator[Fraction]:
+    """Small numbers without a rule, always the same ones."""
+    state = 1
+    while True:
+        state = (state * 1103515245 + 12345) % 2**31
+        yield Fraction((state >> 16) % 41 - 20, 1 + (state >> 24) % 3)
+
+
+def power_of(point: Sequence[Fraction], exponents: Exponents) -> Fraction:
+    """A monomial at a point."""
+    return prod((x**k for x, k in zip(point, exponents, strict=True)), start=Fraction(1))
+
+
+def _number(at: Evaluation, formula: Formula) -> Fraction:
+    """The value of a formula in which all names have values."""
+    element = at.scalar(formula)
+    terms = element.terms().get(0, {})
+    whole = sum((Fraction(value) for value in terms.values()), Fraction(0))
+    below = at.ring.divisor_product(element.denominator)
+    if below is None:
+        return whole
+    rest = [*at.ring.polynomials.terms(below).values()]
+    return whole / sum(map(Fraction, rest), Fraction(0))

@@ -15,6 +15,8 @@ from kowalevski_cas.notation.primed import primed_names
 from kowalevski_cas.notation.symbol import BOLD
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.paper.applied import printed_arguments, without_arguments
+from kowalevski_cas.paper.chains import without_new_names
+from kowalevski_cas.paper.initial_values import names_under_dots, without_initial_values
 from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives
 from kowalevski_cas.paper.summation import without_sums
@@ -32,8 +34,9 @@ def by_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
     texts = [formula.tex for formula in formulas]
     by = derived_in_index(texts)
     known = printed_arguments(texts, _lists(formulas))
-    for formula in formulas:
-        tex = with_derivatives(formula.tex, by)
+    moving = set[str]().union(*map(names_under_dots, texts))
+    for formula, text in zip(formulas, without_new_names(texts), strict=True):
+        tex = with_derivatives(without_initial_values(text, moving), by)
         with suppress(ValueError):  # at other arguments it cannot be read
             tex = without_arguments(tex, known)
         yield formula if tex == formula.tex else replace(formula, tex=tex)

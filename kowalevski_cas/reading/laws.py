@@ -309,13 +309,21 @@ def is_row(item: SourceStatement) -> bool:
     What is a name on the left is a definition, unless it gives a multiple of one rate, as
     :math:`p=m\dot q`. With either sign of a term it is no law: with both, nothing might move.
     """
-    if len(item.members) != 2 or not item.rates or _EITHER_SIGN.search(item.printed.tex):
+    if not item.rates or _EITHER_SIGN.search(item.printed.tex):
+        return False
+    if len(item.members) != 2 and not _is_chain(item.members):
         return False
     highest = max(item.rates.values())
     nodes = [node for member in item.members for node in member.nodes()]
     if any(isinstance(node, Power) and _order(node.base) >= highest for node in nodes):
         return False
     return not isinstance(item.members[0], Name) or _is_multiple(item.members[1])
+
+
+def _is_chain(members: Sequence[Formula]) -> bool:
+    r"""Whether equalities begin with their only rate, :math:`\dot q=\partial H/\partial p=p`."""
+    rates = [member for member in members if _order(member)]
+    return len(members) > 2 and rates == [*members[:1]] and isinstance(members[0], Derivative)
 
 
 def _is_multiple(formula: Formula) -> bool:

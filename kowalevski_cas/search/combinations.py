@@ -81,10 +81,11 @@ class Combinations:
             return None
         flat, one = self.flat, self.ring.one
         for factors in _multiples(self.units, self.conditions):
-            row = self.basis.cofactors(self._grade(prod((target, *factors), start=one)))
+            whole = prod((target, *factors), start=one)  # a unit may be a fraction, too
+            row = self.basis.cofactors(self._grade(whole))
             if row is not None:
                 over = (factor.inverse() for factor in factors)
-                return self._entries(row, prod(over, start=flat.inverse_denominator(target)))
+                return self._entries(row, prod(over, start=flat.inverse_denominator(whole)))
         return None
 
     def division_row(self, target: Element) -> list[Element] | None:

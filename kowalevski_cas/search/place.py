@@ -109,7 +109,7 @@ class PointFinder:
         may be ``squares``, among points at which variables are square roots. It is the simplest
         ``among`` the first of one kind.
         """
-        avoid = [*at.granted, *at.norms, *at.ring.divisors_of(divided)]
+        avoid = [*at.granted, *at.norms, *at.ring.divisors_of([*divided, *at.defined])]
         names = all_names(at.setting)
         norms = [self._norm(at, element) for element in (*zero, *_imaginary_parts(at, names))]
         rational: Iterator[Iterator[Place]] = (

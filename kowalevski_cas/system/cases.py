@@ -32,7 +32,7 @@ def cases_of(equation: Any) -> tuple[EquationOfCase, ...]:
     >>> [*map(tuple, cases_of(r"|x|=\begin{cases}x,&x\ge0,\\-x,&\text{otherwise}\end{cases}"))]
     [('|x|=x', 'x\\ge0'), ('|x|=-x', '')]
 
-    Raises ``ValueError`` for a condition that is no inequality with one sign.
+    Raises ``ValueError`` for a condition that is no inequality, or chain of two.
     """
     found = _CASES.fullmatch(equation) if isinstance(equation, str) else None
     if found is None:
@@ -41,12 +41,22 @@ def cases_of(equation: Any) -> tuple[EquationOfCase, ...]:
     for row in filter(str.strip, re.split(r"\\\\", found["rows"])):
         value, _, condition = row.partition("&")
         condition = _WORDS.sub("", _OTHERWISE.sub("", condition)).strip(" ,.;\n~")
-        if len(_SIGN.findall(condition)) != (not _OTHERWISE.search(row)):
-            raise ValueError(
-                rf"{row.strip()}: print one inequality behind &, or \text{{otherwise}}"
-            )
+        signs = len(_SIGN.findall(condition))
+        if signs > 2 or bool(signs) == bool(_OTHERWISE.search(row)):
+            raise ValueError(rf"{row.strip()}: print an inequality behind &, or \text{{otherwise}}")
         cases.append(EquationOfCase(f"{found['left']}={value.strip(' ,;')}", condition))
     return tuple(cases)
+
+
+def parts(condition: str) -> list[str]:
+    r"""The inequalities of a chain.
+
+    >>> parts(r"0<k\le1"), parts("x<y")
+    (['0<k', 'k\\le1'], ['x<y'])
+    """
+    sides = _SIGN.split(condition)
+    signs = _SIGN.findall(condition)
+    return [f"{a}{sign}{b}" for a, sign, b in zip(sides, signs, sides[1:], strict=False)]
 
 
 def opposite(condition: str) -> str:

@@ -56,6 +56,7 @@ from kowalevski_cas.system.refused import (
     check_ends,
     check_indices,
     check_marks,
+    check_momenta,
     check_motion,
     check_stars,
     check_unit,
@@ -140,9 +141,10 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
     moving = _without_momenta(formulas, laws, moving, vectors)
     others = [place for place in formulas if place not in laws]
     heads_of = [head(one) for place in others for one in place.heads.names or place.heads.squares]
-    defined = {one for f, given in heads_of for one in (f, *given, *summation_indices(given))} - {
-        *moving
-    }
+    check_momenta(formulas.values(), moving)
+    in_laws = {one for place in laws for one in formulas[place].names()}
+    arguments = {one for _, given in heads_of for one in (*given, *summation_indices(given))}
+    defined = ({f for f, _ in heads_of} | arguments - in_laws) - {*moving}
     nodes = (node for formula in printed.values() for node in formula.nodes())
     names = [node.name for node in nodes if isinstance(node, Name)]
     check_marks(formulas.values())
@@ -214,7 +216,9 @@ def with_row(scene: Scene, place: Printed, formula: Formula) -> Scene:
 
 
 def _suppose(scene: Scene, place: Printed, formula: Formula) -> Scene | None:
-    """A scene with what is supposed not to vanish, or with the imaginary unit."""
+    """A scene with what is supposed not to vanish, or to be positive, or the imaginary unit."""
+    if is_inequality(formula):
+        return with_roots(scene, place.display).assuming(place)
     match formula:
         case Relation((left, right), (r"\ne",)):
             return scene.having(nonzero=(to_latex(minus((left, right))),))
@@ -321,7 +325,7 @@ def with_levels(scene: Scene, place: Printed) -> Scene:
     new = {one for own in names if own.isdisjoint({*known, *heads}) for one in own}
     if known.isdisjoint(one for own in names for one in own):
         return scene  # of nothing that moves it is no value
-    return scene.having(constants=tuple(sorted(new)))
+    return scene.having(constants=tuple(sorted(new - {*scene.names()})))
 
 
 def with_roots(scene: Scene, display: Display) -> Scene:
@@ -370,8 +374,6 @@ def _root(formula: Formula) -> Root | None:
 def restrict(scene: Scene, place: Printed) -> Scene:
     """A scene with what a relation says of its constants."""
     formula = read(place.tex, vocabulary((scene,)), OpenParser)
-    if is_inequality(formula):
-        return scene.assuming(place)
     if (supposing := _suppose(scene, place, formula)) is not None:
         return supposing
     # A name that is a square is not negative: as the root of it, the other one would be left out.

@@ -19,7 +19,8 @@ from kowalevski_cas.notation import (
     split_display,
     to_plain,
 )
-from kowalevski_cas.paper.applied import printed_arguments, without_arguments
+from kowalevski_cas.paper.applied import collective_arguments, printed_arguments, without_arguments
+from kowalevski_cas.paper.chains import without_chains
 from kowalevski_cas.paper.claims import (
     Casimir,
     Claim,
@@ -32,6 +33,7 @@ from kowalevski_cas.paper.claims import (
 from kowalevski_cas.paper.claims.maps import OF_MAPS
 from kowalevski_cas.paper.constraints import equations_on
 from kowalevski_cas.paper.derivation import Section
+from kowalevski_cas.paper.initial_values import without_initial_values
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.relations import solve_for_constant
 from kowalevski_cas.paper.scene import Scene
@@ -39,6 +41,7 @@ from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives, 
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.answers import ClaimInParts, Function, SystemClaim, in_html
+from kowalevski_cas.system.beside import columns, with_columns_in_bold, with_upright_unit
 from kowalevski_cas.system.equations import (
     components,
     constraints_in,
@@ -55,7 +58,9 @@ from kowalevski_cas.system.indices import (
     has_permutation,
     with_counts,
     with_length,
+    with_range_of_names,
     with_ranges,
+    with_symmetry,
 )
 from kowalevski_cas.system.inverses import without_inverses
 from kowalevski_cas.system.maps import (
@@ -84,6 +89,7 @@ from kowalevski_cas.system.unknown import (
     said_functions,
     unknown_functions,
     with_jets,
+    with_rates_of_functions,
     without_argument,
     without_said_functions,
 )
@@ -134,9 +140,18 @@ class Field:
         self.counts: dict[str, str] = {}
         self.applied: dict[str, str] = {}
         self._by_index = ""
+        self.columns: dict[str, tuple[str, ...]] = {}
         self.functions: list[Unknown] = []
         self._barred = False
-        tex = with_rates(field) if isinstance(field, str) else self._rows(field)
+        if isinstance(field, str):
+            tex = with_rates_of_functions(with_upright_unit(with_rates(field)))
+        else:
+            tex = self._rows(field)
+        self.columns = columns(tex)
+        """The vectors that are printed in italics, with their components."""
+        tex = with_columns_in_bold(tex, self.columns)
+        rows = (rf"\mathbf{{{one}}}=({','.join(parts)})" for one, parts in self.columns.items())
+        tex = r",\quad ".join((tex, *rows))
         self._by_index = derived_in_index([tex])
         """The variable by which indices derive, if they do."""
         self._barred = map and has_bars(tex)
@@ -145,7 +160,12 @@ class Field:
         self.counts = counts(tex)
         """The letters that say how far indices run, with their numbers."""
         tex = with_counts(tex, self.counts)
-        tex = tex if map else with_partials(with_length(tex), moving_names(tex))
+        moving = () if map else moving_names(tex)
+        chains = without_chains(tex if map else without_initial_values(tex, moving), moving)
+        tex = chains.tex
+        if not map:
+            tex = with_range_of_names(with_symmetry(with_length(tex)))
+            tex = with_partials(tex, moving_names(tex))
         self.applied = printed_arguments([tex], vectors or ())
         """The arguments of names that are defined; they are called by their names alone."""
         self.functions = unknown_functions(tex)
@@ -185,10 +205,25 @@ class Field:
         if jets:
             self._stand_on(with_jets(self.scene, jets))
         check_said(said, self.scene.constants)
+        for equality in chains.equalities:
+            self._check_equal(*equality)
         self.implied = frozenset(_brackets(self.scene.definitions)) - printed
         """The canonical brackets, which equations of Hamilton imply and nobody has printed."""
         check_field(self.scene)
         self.section.title = self._echo("${}$".format)
+
+    def _check_equal(self, left: str, right: str) -> None:
+        """Raise ``ValueError`` if the members of a chain are not seen to be equal."""
+        says = "both sides are the same function"
+        claim = self._aside().states(Identity, "chain", says, printed=f"{left}={right}")
+        if not claim.verdict.green:
+            raise ValueError(f"{left} and {right} are not seen to be equal: leave one of them out")
+
+    def _aside(self) -> Self:
+        """The system, of which something is asked that is claimed nowhere."""
+        aside = copy(self)
+        aside.section = Section("1", "", copied=None, scenes={**self.section.scenes})
+        return aside
 
     def _rows(self, field: Mapping[Any, Any]) -> str:
         """Equations of motion by their right sides."""
@@ -419,9 +454,11 @@ class Field:
         if isinstance(formula, str):
             jets = {name for name, _, _ in self.scene.jets}
             moving = {*self.scene.variables} - jets - {self.scene.time}
-            plain = with_partials(with_counts(with_rates(formula), self.counts), moving)
+            plain = with_columns_in_bold(with_rates(formula), self.columns)
+            plain = with_partials(with_counts(plain, self.counts), moving)
             plain = with_derivatives(plain, self._by_index)
-            plain = without_arguments(without_argument(plain, self.functions), self.applied)
+            applied = {**collective_arguments([plain]), **self.applied}
+            plain = without_arguments(without_argument(plain, self.functions), applied)
             plain = with_primes(plain) if self._barred else plain
             return with_ranges(plain, self._names, self._convention)
         if not isinstance(formula, Function):

@@ -11,13 +11,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from itertools import groupby
+from itertools import groupby, product
 
 from kowalevski_cas.notation import NotationError, Vocabulary, split_display
 from kowalevski_cas.notation.cursor import Cursor
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.ranges import without_ranges
-from kowalevski_cas.notation.sums import SIGNS, SumSign
+from kowalevski_cas.notation.sums import SIGNS, SumSign, outside_sums
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.notation.tensors import permuted, repeated
 from kowalevski_cas.notation.tokens import Token
@@ -79,9 +79,71 @@ def with_length(tex: str) -> str:
     """
     parts = (_CHAIN.fullmatch(tex[start:end].strip(" .;")) for start, end in split_display(tex))
     chains = {(one["index"], int(one["length"])) for one in parts if one}
+    heads = {one["head"] for one in _CHAIN.finditer(tex)}
     for index, length in sorted(chains):
+        for head, k in product(heads, range(2, length)):
+            # what stands two places before is what stands behind
+            before = rf"({re.escape(head)}\s*\{{\s*{index}\s*)-\s*{k}(?=\s*\}})"
+            tex = re.sub(before, rf"\g<1>+{length - k}", tex)
         if not re.search(rf"(?<![\w\\]){index}\s*(?:=|,[^=]*=|\\in(?![A-Za-z]))(?!=)", tex):
             tex += rf",\quad {index}={','.join(map(str, range(1, length + 1)))}"
+    return tex
+
+
+_SYMMETRIC = re.compile(
+    r"(?P<head>(?:\\[A-Za-z]+|[A-Za-z])\s*_)\s*\{\s*(?P<i>[a-z])\s*(?P<j>[a-z])\s*\}\s*=\s*"
+    r"(?P<sign>-?)\s*(?P=head)\s*\{\s*(?P=j)\s*(?P=i)\s*\}"
+)
+
+
+def with_symmetry(tex: str) -> str:
+    r"""A display with the coefficients that a symmetry gives by the others.
+
+    >>> with_symmetry(r"\dot x_i=\sum_{j=1}^2a_{ij}x_j, i=1,2, a_{ij}=-a_{ji}")
+    '\\dot x_i=\\sum_{j=1}^2a_{ij}x_j, i=1,2, a_{11}=0,\\quad a_{21}=-a_{12},\\quad a_{22}=0'
+    """
+    places = [(start, end) for start, end in {*split_display(tex)}]
+    if not any(_SYMMETRIC.fullmatch(tex[start:end].strip()) for start, end in places):
+        return tex
+    tokens, ranges = without_ranges(scan(tex), tex)
+    values = {**_printed_values(tokens), **{one: [*known] for one, known in ranges.items()}}
+    for start, end in sorted(places, reverse=True):
+        one = _SYMMETRIC.fullmatch(tex[start:end].strip())
+        if one is None:
+            continue
+        known = values.get(one["i"]) or values.get(one["j"])
+        if not known or values.get(one["j"], known) != known:
+            raise NotationError(f"print {one['i']},{one['j']}=1,2,3 behind", tex, start)
+        rows = [
+            f"{one['head']}{{{b}{a}}}={one['sign'] or '+'}{one['head']}{{{a}{b}}}" if a < b
+            else f"{one['head']}{{{a}{a}}}=0"
+            for b in known for a in known if a < b or (a == b and one["sign"])
+        ]  # fmt: skip
+        tex = tex[:start] + r",\quad ".join(rows) + tex[end:]
+    return tex
+
+
+def with_range_of_names(tex: str) -> str:
+    r"""A display with the values of an index that a sum prints, or that stands on the same names.
+
+    >>> with_range_of_names(r"\dot x_i=\sum_{j=1}^3\sin(x_j-x_i)")
+    '\\dot x_i=\\sum_{j=1}^3\\sin(x_j-x_i),\\quad i=1,2,3'
+    """
+    try:
+        tokens, ranges = without_ranges(scan(tex), tex)
+        values = _printed_values(tokens)
+    except NotationError:
+        return tex  # who reads it says so
+    of = dict[str, set[str]]()
+    for head, index in Cursor(tex, tokens, Vocabulary()).letters():
+        of.setdefault(index[1:], set()).add(head)
+    free = {token.text for token in outside_sums(tokens)}
+    for index in sorted(of):
+        if re.fullmatch("[i-n]", index) and index not in ranges and index in free:
+            beside = [j for j in values if index == j or of[index] & of.get(j, set())]
+            listed = {(*values[j],) for j in beside}
+            if len(listed) == 1 and len(known := min(listed)) > 1:
+                tex += rf",\quad {index}={','.join(map(str, known))}"
     return tex
 
 

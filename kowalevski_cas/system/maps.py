@@ -51,6 +51,9 @@ def index_of_map(tex: str) -> str:
     >>> index_of_map(r"H=\sum_{i=1}^2q_iq_{i+1}"), index_of_map(r"x_{n+1}=2x_n, n=0,1,2")
     ('', 'n')
     """
+    # Brackets say nothing of steps, as those of a closed chain.
+    for start, end in reversed(split_display(tex) if r"\{" in tex else ()):
+        tex = tex[:start] + tex[end:] if tex[start:end].lstrip().startswith(r"\{") else tex
     tokens = scan(tex)
     letters = [letter + index for letter, index in Cursor(tex, tokens, Vocabulary()).letters()]
     if any(token.kind in ("prime", "accent") or token.text == "d" for token in tokens):

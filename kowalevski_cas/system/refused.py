@@ -14,11 +14,13 @@ from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.claims.forms import moving
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.implied import momenta_at_rest
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.paper.vocabulary import vocabulary
 
 _INDEX, _NEXT = re.compile("[i-n]"), re.compile(r"[a-z][-+]\d+")
+_MIXED = re.compile(r"(?=.*\d)(?=.*[i-n])[\di-n]{2,}")
 _SEVERAL, _SUM = re.compile("[i-n]{2,}"), "print the sums, and {}=1,2,3 behind"
 _MACRO = re.compile(
     r"\\(?:[a-z]*(?:text|rm|it|sf|box|operatorname|begin|end)\s*\{[^{}]*\}|[A-Za-z]+)"
@@ -74,6 +76,12 @@ def check_marks(formulas: Iterable[Formula]) -> None:
         )
 
 
+def check_momenta(formulas: Iterable[Formula], moving: Collection[str]) -> None:
+    """Refuse a Hamiltonian of which a momentum would be a constant, as none moves it."""
+    for name in momenta_at_rest([*formulas], moving):
+        raise ValueError(f"{name} stands in the Hamiltonian, and nothing moves it: print its rate")
+
+
 def check_indices(names: Sequence[str], moving: Collection[str] = ()) -> None:
     """Refuse an index that may stand for numbers which other indices are."""
     symbols = {name: symbol(name) for name in names}
@@ -85,6 +93,11 @@ def check_indices(names: Sequence[str], moving: Collection[str] = ()) -> None:
             raise ValueError(f"{name} is a name here: print the sums, and {low[0]},{low[1]}=1,2,3")
         if _NEXT.fullmatch(low):
             raise ValueError(f"{name} has an index that runs: print {low[0]}=1,2,3 behind")
+        if _MIXED.fullmatch(low) and any(
+            one.head == head and one.index.isdigit() and len(one.index) == len(low)
+            for one in symbols.values()
+        ):
+            raise ValueError(f"{name} stands beside names with numbers: print what runs in it")
         beside = {one.index for one in symbols.values() if one.head == head and one.index != low}
         if not _INDEX.fullmatch(low):
             if running & {*low} and _SEVERAL.fullmatch(low):

@@ -14,10 +14,10 @@ them: ``kowalevski-cas verify lorenz.py``.
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from copy import copy
 from dataclasses import replace
-from typing import Any
+from typing import Any, Self
 
 from kowalevski_cas.paper.claims import (
     Casimir,
@@ -44,7 +44,7 @@ from kowalevski_cas.pool import HERE
 from kowalevski_cas.processes import each
 from kowalevski_cas.questions import collect, forecast, question
 from kowalevski_cas.system.answers import ClaimInParts, Function, SystemClaim, SystemClaims
-from kowalevski_cas.system.cases import EquationOfCase, cases_of, opposite
+from kowalevski_cas.system.cases import EquationOfCase, cases_of, opposite, parts
 from kowalevski_cas.system.field import Field, Tex, Texs, listed, several
 from kowalevski_cas.system.signs import alternatives
 from kowalevski_cas.verify.finding import Finding
@@ -170,19 +170,27 @@ class System(Field):
         self, cases: tuple[EquationOfCase, ...], given: tuple[Tex, ...], expect: str
     ) -> SystemClaim:
         """Each equation where its inequality holds; and the last one does where no other does."""
-        claims, left = [], copy(self)
+        claims, left = [], [copy(self)]
         for equation, condition in cases:
-            case = self.supposing(condition) if condition else left
-            claims.append(
-                case.implication(equation, given, expect)
-                if given
-                else case.identity(equation, expect)
-            )
-            if (equation, condition) == cases[-1]:
-                claims += [left.inequality(condition, given, expect)] if condition else []
+            for case in [self.supposing(condition)] if condition else left:
+                claims.append(
+                    case.implication(equation, given, expect)
+                    if given
+                    else case.identity(equation, expect)
+                )
+            if (equation, condition) == cases[-1] and condition:
+                claims += [one.inequality(condition, given, expect) for one in left]
             elif condition:
-                left = left.supposing(opposite(condition))
+                left = [rest for one in left for rest in one._without(condition)]
         return ClaimInParts(tuple(claims))
+
+    def _without(self, condition: str) -> Iterator[Self]:
+        """The system where a chain of inequalities does not hold, by the first that does not."""
+        here = self
+        for inequality in parts(condition):
+            if not here._aside().inequality(inequality).verdict.green:
+                yield here.supposing(opposite(inequality))
+            here = here.supposing(inequality)
 
     def _either(
         self, equations: tuple[str, ...], given: tuple[Tex, ...], expect: str

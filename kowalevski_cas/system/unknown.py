@@ -25,7 +25,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display
 from kowalevski_cas.system.partials import derivatives_of_functions, gradients, moving_names
 
-TIMES = ("t", r"\tau")
+TIMES, PRIME = ("t", r"\tau"), "'"
 BEYOND = {1: 4, 2: 2, 3: 2}
 """How many derivatives are known beyond those that are printed, by the number of arguments."""
 _NAME = r"(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?"
@@ -101,6 +101,39 @@ def unknown_functions(tex: str) -> list[Unknown]:
             most = max([len(match["primes"]) for match in matches] + [*orders.values()])
             functions.append(Unknown(name, arguments, most))
     return functions
+
+
+_DOTTED = re.compile(
+    rf"\\(?P<dots>d{{0,3}})ot\s*(?:\{{\s*(?P<braced>{_NAME})\s*\}}|\s(?P<name>{_NAME}))\s*\(\s*t\s*\)"
+)
+
+
+def with_rates_of_functions(tex: str) -> str:
+    r"""A display with primes for dots over functions of the time that no equation gives.
+
+    They are printed with the time everywhere, where something else that moves is not.
+
+    >>> with_rates_of_functions(r"\ddot x=-(g+\ddot h(t))\sin x")
+    "\\ddot x=-(g+h''(t))\\sin x"
+    >>> with_rates_of_functions(r"\dot x(t)=y(t), \dot y(t)=-x(t)")
+    '\\dot x(t)=y(t), \\dot y(t)=-x(t)'
+    """
+    dotted = {one["braced"] or one["name"] for one in _DOTTED.finditer(tex)}
+    bare = re.sub(rf"(?:{_DOTTED.pattern})|{_NAME}\s*\(\s*t\s*\)", " ", tex)
+    if not dotted or not moving_names(bare):
+        return tex
+    for name in sorted(dotted):
+        known = rf"(?<![A-Za-z\\]){re.escape(name)}(?![A-Za-z_])"
+        given = any(
+            re.match(rf"\s*(?:\\d{{0,3}}ot\s*)?\{{?\s*{known}", tex[start:end])
+            for start, end in split_display(tex)
+        )
+        if not given and not re.search(known, bare):
+            own, plain = rf"(?:\{{\s*{known}\s*\}}|\s{known})", name.replace("\\", r"\\")
+            for dots in ("d", "dd", "ddd"):
+                rate = rf"\\{dots}ot\s*{own}\s*\(\s*t\s*\)"
+                tex = re.sub(rate, f"{plain}{PRIME * len(dots)}(t)", tex)
+    return tex
 
 
 def said_functions(tex: str) -> list[str]:

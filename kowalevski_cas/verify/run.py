@@ -52,19 +52,23 @@ def decide_together(
             one.elsewhere[other.derivation.name] = other
     chosen = [(session, session.chosen(only)) for session in sessions]
     tasks = [(session, claim) for session, claims in chosen for claim in claims]
-    begun = count()
+    begun, first = count(), 0
 
     def decide_one(number: int) -> Outcome:
         session, claim = tasks[number]
         tell(claim.id)
-        return session.outcome(claim)
+        return session.decide(claim)
 
     def hear(claim: str, _: int) -> None:
         progress(claim, next(begun), len(tasks))
 
-    outcomes = enumerate(each(received(decide_one), range(len(tasks)), heard=hear))
-    found = iter([receive(outcome, tasks[k][0].decider.timeout) for k, outcome in outcomes])
-    return [[next(found) for _ in claims] for _, claims in chosen]
+    while numbers := range(first, first := len(tasks)):
+        outcomes = each(received(decide_one), numbers, heard=hear)
+        for (session, claim), outcome in zip(tasks[numbers.start :], outcomes, strict=True):
+            session.decided[claim.id] = receive(outcome, session.decider.timeout)
+        behind = (pair for k in numbers for pair in tasks[k][0].behind(tasks[k][1]))
+        tasks += dict.fromkeys(pair for pair in behind if pair[1].id not in pair[0].decided)
+    return [[session.outcome(claim) for claim in claims] for session, claims in chosen]
 
 
 def correct_together(
@@ -109,6 +113,8 @@ class Session:
         )  # fmt: skip
         self.elsewhere: dict[str, Session] = {}
         """The runs of derivations on which this one rests, as far as they were asked."""
+        self.decided: dict[str, Outcome] = {}
+        """What other processes say of claims, and the checker has accepted here."""
         self._outcomes: dict[str, Outcome] = {}
         self._standing: dict[str, bool] = {}
 
@@ -116,7 +122,8 @@ class Session:
         """A run like this of what claims say under other texts."""
         session = copy(self)
         session.decider = self.decider.under(interpretation)
-        session._outcomes, session._standing, session.elsewhere = {}, {}, {}
+        session.decided, session.elsewhere = {}, {}
+        session._outcomes, session._standing = {}, {}
         return session
 
     @property
@@ -187,7 +194,7 @@ class Session:
         """The outcome for one claim; it is undecided if something that it rests on is."""
         known = self._outcomes
         if claim.id not in known:
-            known[claim.id] = self.decide(claim)
+            known[claim.id] = self.decided.get(claim.id) or self.decide(claim)
             known[claim.id] = self.decider.writer.resting(claim, known[claim.id], self.stands)
         return known[claim.id]
 
@@ -205,17 +212,28 @@ class Session:
             self._standing[id] = self._is_proved(id)
         return self._standing[id]
 
-    def _is_proved(self, id: str) -> bool:
+    def behind(self, claim: Claim) -> Iterator[tuple[Session, Claim]]:
+        """The claims whose accepted corrections one that is decided rests on, with their runs."""
+        pairs = map(self._accepting, self.decided[claim.id].corrected)
+        return (pair for pair in pairs if pair is not None)
+
+    def _accepting(self, id: str) -> tuple[Session, Claim] | None:
+        """The claim with this id, in a derivation before this one if it names one, and its run."""
         name, _, claim_id = id.rpartition("/")
         derivation = self.interpretation.bases[name] if name else self.derivation
         claim = next((c for c in derivation.claims if c.id == claim_id), None)
         if claim is None:
-            return False
+            return None
         if name and name not in self.elsewhere:
             kept = load_certificates(library() / name)
             limit = self.decider.timeout
             self.elsewhere[name] = Session(derivation, ["flint"], certificates=kept, timeout=limit)
-        session = self.elsewhere[name] if name else self
+        return self.elsewhere[name] if name else self, claim
+
+    def _is_proved(self, id: str) -> bool:
+        if (accepting := self._accepting(id)) is None:
+            return False
+        session, claim = accepting
         outcome = session.outcome(claim)
         # in a worker nobody has checked the certificate yet, and verdicts rest on what it proves
         return session.decider.corrector.confirms(

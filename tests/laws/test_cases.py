@@ -70,3 +70,15 @@ def test_absolute_values_and_signs_are_read_in_papers():
     )
     (true,), (false,) = (verdicts(text % k).values() for k in ("", "2"))
     assert true == "conditional" and false == "refuted"
+
+
+CHAINED = r"|k|=\begin{cases}k,&%s\\k,&%s\end{cases}"
+
+
+@pytest.mark.parametrize("order", [("k>1", r"0<k\le1"), (r"0<k\le1", "k>1")])
+def test_a_case_may_lie_between_two_ends_and_all_cover_what_is_supposed(order):
+    positive = System(r"\dot x=-kx").where("k>0")
+    assert positive.identity(CHAINED % order).verdict.green
+    left_out = tuple(one.replace(r"\le1", "<1") for one in order)
+    assert positive.identity(CHAINED % left_out).verdict == "refuted"
+    assert not System(r"\dot x=-kx").identity(CHAINED % order).verdict.green

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 
 from kowalevski_cas import System
 from kowalevski_cas.audit.reading import ReadingSession
+from kowalevski_cas.notation import to_latex
 from kowalevski_cas.reading import read
 from kowalevski_cas.source.files import decode
 
@@ -229,3 +230,30 @@ def test_what_is_defined_may_be_said_to_be_constant():
     oscillator = System(r"\dot x=y,\quad \dot y=-x")
     assert oscillator.integral(oscillator.define(r"H=x^2+y^2=\mathrm{const}")).verdict == "proved"
     assert oscillator.integral(oscillator.define(r"F=x^2-y^2=\mathrm{const}")).verdict == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("hypothesis", "claim", "verdict"),
+    [
+        (r"\frac4a>b", "b<5", "refuted"),
+        (r"\frac4a>b", r"\frac4a\ge b", "conditional"),
+        (r"\frac4a>b", r"\frac{x^2}{a^2}\ge0", "conditional"),
+    ],
+)
+def test_what_a_hypothesis_is_divided_by_does_not_vanish(hypothesis, claim, verdict):
+    system = System(r"\dot x=ax+b").where(hypothesis)
+    outcome = system.inequality(claim).outcome
+    assert outcome.verdict == verdict, outcome.message
+    assert [to_latex(c.expression) for c in outcome.conditions] == ["a"] * (
+        verdict == "conditional"
+    )
+
+
+@given(st.sampled_from(["a", "a-1", "a+x", "a^2+1"]), st.sampled_from(["<", r"\le", r"\ne"]))
+def test_an_identity_has_the_conditions_of_its_hypotheses(below, sign):
+    r"""Judge and checker have the same, also where nothing else is divided by it."""
+    system = System(r"\dot x=ax+b").where(rf"b{sign}\frac4{{{below}}}")
+    outcome = system.identity(r"x=\frac{xa}a").outcome
+    conditions = {to_latex(c.expression) for c in outcome.conditions}
+    assert outcome.verdict == "conditional", outcome.message
+    assert "a" in conditions and len(conditions) == (1 if below in ("a", "a^2+1") else 2)

@@ -1,11 +1,15 @@
 """Maps as they are printed: what they preserve is proved, and what they do not is refuted."""
 
+import json
 import random
+from contextlib import suppress
+from hashlib import sha256
 
 import pytest
 
 from kowalevski_cas import System
 from kowalevski_cas.paper.claims import AllInvariantsOfMap
+from kowalevski_cas.problem import checker
 from kowalevski_cas.verify.outcome import Verdict
 from tests.laws.test_prints import FEW
 
@@ -209,4 +213,70 @@ def test_all_polynomial_invariants_of_a_map_are_found(seed):
         fewer = tuple(one for one in invariants if one != left_out)
         says = "there are no others"
         own = {"images": law.images, "invariants": fewer, "degree": 4, "values": values}
-        assert law.states(AllInvariantsOfMap, "all", says, **own).verdict == "refuted", (tex, fewer)
+        verdict = "error" if values else "refuted"  # others at these values may be none elsewhere
+        assert law.states(AllInvariantsOfMap, "all", says, **own).verdict == verdict, (tex, fewer)
+
+
+def all_invariants(tex, degree, *known, **values):
+    """What is said of the claim that a map has no other invariants, at values of its constants."""
+    law = System(tex)
+    own = {"images": law.images, "invariants": known, "degree": degree}
+    return law.states(AllInvariantsOfMap, "all", "", **own, values=tuple(values.items())).outcome
+
+
+@pytest.mark.parametrize(
+    ("tex", "degree", "known", "values", "verdict"),
+    [
+        # what is invariant under the identity is what there is
+        (r"x_{n+1}=x_n,\ y_{n+1}=y_n", 2, ("x_n", "y_n"), {}, "proved"),
+        (r"x_{n+1}=x_n,\ y_{n+1}=y_n", 2, ("x_n",), {}, "refuted"),
+        # nothing is said of degree 0, nor of a value at which there is no map
+        (r"x_{n+1}=y_n,\ y_{n+1}=-x_n", 0, (), {}, "error"),
+        (r"x_{n+1}=y_n,\ y_{n+1}=\frac{x_n}{a-2}", 2, (), {"a": "2"}, "error"),
+        (r"x_{n+1}=y_n,\ y_{n+1}=\frac{x_n}{a-2}", 2, (), {"a": "5"}, "conditional"),
+        # at a = 3 the map only exchanges x and y, of which nothing follows for others
+        (r"x_{n+1}=y_n,\ y_{n+1}=\frac{x_n}{a-2}", 2, (), {"a": "3"}, "error"),
+        (r"x_{n+1}=y_n,\ y_{n+1}=\frac{x_n}{a-2}", 2, (), {}, "error"),
+        # a function that vanishes at all small numbers is not zero
+        (r"x_{n+1}=x_n+x_n(x_n-1)(x_n+1)(x_n-2)(x_n+2)", 1, (), {}, "proved"),
+        # what is printed has to be an invariant, and a polynomial that is not constant
+        (r"x_{n+1}=y_n,\ y_{n+1}=-x_n", 2, ("x_n", "y_n"), {}, "refuted"),
+        (r"x_{n+1}=y_n,\ y_{n+1}=-x_n", 2, ("7",), {}, "error"),
+        (r"x_{n+1}=y_n,\ y_{n+1}=-x_n", 2, (r"\frac1{x_n^2+y_n^2}",), {}, "error"),
+        # of invariants that depend on each other each is a polynomial
+        (r"x_{n+1}=y_n,\ y_{n+1}=-x_n", 2, ("x_n^2+y_n^2", "3x_n^2+3y_n^2"), {}, "proved"),
+        # names of coefficients are none of the map's
+        (r"c_{n+1}=k_n,\ k_{n+1}=-c_n+c_1", 1, (), {"c_1": "1"}, "proved"),
+    ],
+)
+def test_that_there_are_no_other_invariants(tex, degree, known, values, verdict):
+    assert all_invariants(tex, degree, *known, **values).verdict == verdict
+
+
+def parts(tree):
+    """The places of numbers and names in data, each with what would stand there instead."""
+    for place, part in enumerate(tree) if isinstance(tree, list) else tree.items():
+        if isinstance(part, list | dict):
+            yield from parts(part)
+        elif isinstance(part, int) and not isinstance(part, bool):
+            yield tree, place, part + 1
+
+
+def test_of_a_map_the_certificate_says_what_it_is():
+    """No number in what is stated can be another one."""
+    outcome = all_invariants(r"x_{n+1}=3x_n-2y_n,\ y_{n+1}=2x_n-y_n", 2, "x_n-y_n")
+    assert outcome.verdict == "proved"
+    data = json.loads(outcome.certificate)
+    lets = [step for step in data["spaces"][0]["steps"] if step[0] == "let"]
+    assert [name for _, name, _ in lets] == ["x_{n+1}", "y_{n+1}"]
+    accepted = []
+    for tree, place, other in parts({key: data[key] for key in ("spaces", "goals")}):
+        before, tree[place] = tree[place], other
+        statement = {key: data[key] for key in ("spaces", "goals")}
+        text = json.dumps(statement, sort_keys=True).encode()
+        forged = data | {"digest": sha256(text).hexdigest()[:16]}
+        with suppress(checker.Rejected):
+            checker.check(json.dumps(forged))
+            accepted.append((tree, place))
+        tree[place] = before
+    assert not accepted

@@ -2,14 +2,17 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, Motion, MotionO4, frequencies, load
+from kowalevski_cas.motion.frequencies import shift_basis
 from tests.motion.o4.levels import KNOWN
 from tests.motion.o4.levels import motion as on_O4
+from tests.motion.o4.test_edges import edges as edges_on_O4
 from tests.motion.regions import EVERY_REGIME, SEPARATING
 from tests.motion.regions import motion as on_N4
+from tests.motion.test_limits import edges as edges_on_N4
 from tests.sample import sampled
 
 closed = load("closed")
@@ -18,6 +21,15 @@ TORI = [on_N4(*region) for region in EVERY_REGIME] + [on_O4(known) for known in 
 
 POINTS, STEP = 1 << 15, 0.11
 LARGEST = 60
+
+
+def of_constants(known):
+    """The motion on O⁴ with these constants, if there is one."""
+    try:
+        return MotionO4.of(*known)
+    except Inadmissible:
+        assume(False)
+        raise
 
 
 def peaks(signal, step, count):
@@ -93,6 +105,23 @@ def test_in_another_unit_of_time_frequencies_and_actions_are_multiplied(moving, 
     first, second = frequencies(moving), frequencies(after)
     np.testing.assert_allclose(second.frequencies, unit * np.array(first.frequencies), rtol=1e-9)
     np.testing.assert_allclose(second.actions, unit * np.array(first.actions), rtol=1e-8)
+
+
+BASES = {str(one.regime): shift_basis(one) for one in TORI}
+
+
+@settings(max_examples=10, deadline=None)
+@given(st.one_of(edges_on_N4(), edges_on_O4().map(of_constants)))
+def test_towards_every_edge_the_lattice_is_that_of_the_regime_and_frequencies_are_given(moving):
+    """However small the circle of one variable is there, or the fields are beside ω²."""
+    try:
+        found = frequencies(moving)
+    except Inadmissible as error:
+        assert "fills no torus" in str(error)
+        assume(False)
+    assert all(0 < rate < np.inf for rate in found.frequencies)
+    unit = moving.parameters.unit
+    np.testing.assert_array_equal(shift_basis(moving.in_unit(unit)), BASES[str(moving.regime)])
 
 
 def test_a_motion_that_tends_to_rest_has_none():

@@ -14,14 +14,25 @@ from kowalevski_cas.motion import (
     load,
     regime_of,
 )
+from kowalevski_cas.motion.attitude import quaternions
 from kowalevski_cas.motion.formulas import values_of_offer
-from kowalevski_cas.motion.pictures import ON_N4, PICTURES, orbit, poincare, sections, third
+from kowalevski_cas.motion.pictures import (
+    ON_N4,
+    PICTURES,
+    animation,
+    orbit,
+    poincare,
+    sections,
+    third,
+)
 from kowalevski_cas.motion.pictures import load as picture
 from kowalevski_cas.motion.pictures.atlas import examples
 from kowalevski_cas.motion.pictures.bifurcation import separating_curves
 from kowalevski_cas.motion.pictures.space import View
 from kowalevski_cas.motion.plane import regime_at
 from kowalevski_cas.pictures import save, style
+from tests.motion.o4.levels import KNOWN
+from tests.motion.o4.levels import motion as on_O4
 from tests.motion.regions import EVERY_REGIME, SEPARATING, motion
 from tests.sample import sampled
 
@@ -140,6 +151,15 @@ def test_in_space_the_kinetic_moment_changes_by_the_moment_of_the_fields_only():
     torque[:, :3] = np.cross((1, 0, 0), alpha) + np.cross((0, 1, 0), beta)
     expected = orbit.in_space(torque)[1]
     np.testing.assert_allclose((after - before) / (2 * step), expected, atol=1e-8)
+
+
+@pytest.mark.parametrize(
+    "one", sampled([(one,) for one in (UNSTABLE, ASYMPTOTIC, THIRD, *map(on_O4, KNOWN))], 5)
+)
+def test_from_frame_to_frame_of_an_animation_the_body_turns_a_little(one):
+    """Also where one angle makes many turns in one of the other: by forty degrees at most."""
+    found = quaternions(animation._states(one, animation.FRAMES))
+    assert np.min(np.sum(found[1:] * found[:-1], axis=1)) > np.cos(np.radians(20))
 
 
 def test_a_view_keeps_lengths():

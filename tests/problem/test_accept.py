@@ -119,15 +119,19 @@ def number(tree, place):
     return place["r"] if op == "sqrt" else reduce({"+": add, "*": mul, "/": truediv}[op], values)
 
 
-@given(FORMULAS, st.sampled_from([0, 1, 4]), st.integers(-2, 2))
-def test_a_point_is_none_of_a_statement_if_anything_vanishes_by_which_it_is_divided(tree, x, y):
-    """However deep it stands, and for either root; the judge has it so, and the checker."""
-    space = Space(("x", "y"), steps=(Adjoined("r", Name("x")),))
+@given(FORMULAS, st.sampled_from([0, 1, 4]), st.integers(-2, 2), st.booleans())
+def test_a_point_is_none_of_a_statement_if_anything_vanishes_by_which_it_is_divided(
+    tree, x, y, named
+):
+    """However deep it stands, and for either root; the judge has it so, and the checker.
+
+    So it is of what a name of the space stands for, also where nothing is said of that.
+    """
+    names = (Let("g", decode(tree)),) if named else ()
+    space = Space(("x", "y"), steps=(Adjoined("r", Name("x")), *names))
     place = {"x": x, "y": y, "r": {0: 0, 1: 1, 4: -2}[x]}
-    goal, evidence = (
-        follows(["r", "r"], [tree, tree], space=space),
-        Entailment(Proof(), at(**place)),
-    )
+    said = [] if named else [[tree, tree]]
+    goal, evidence = (follows(["r", "r"], *said, space=space), Entailment(Proof(), at(**place)))
     try:
         number(tree, place), number(tree, {**place, "r": -place["r"]})
     except ZeroDivisionError:

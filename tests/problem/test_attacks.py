@@ -144,6 +144,13 @@ class TestDivisors:
         rejected([{**XY, "nonzero": [divisor]}], [goal], [entry], why)
         rejected([XY], [goal], [{**entry, "away": [divisor]}], why)
 
+    def test_what_is_granted_may_be_divided_by_what_is_then_a_condition(self):
+        goal, entry = follows(["x", "x"]), {"point": at(x=1, y=1)}
+        space = {**XY, "nonzero": [["/", ["+", "x", "y"], "x"]]}
+        assert accepted([space], [goal], [entry])[0].where == ["x", "(x + y) / x"]
+        rejected([space], [goal], [{"point": ORIGIN}], "condition fails")
+        rejected([space], [goal], [{"point": at(x=1, y=-1)}], "condition fails")
+
     @pytest.mark.parametrize("product", [["*", "x"], ["*"], ["^", "x", -1], ["^", "x", True],
         ["^", "x", 10**9], ["^", "x", "y"], ["^", "x"], ["*", "x", ["^", "y", 0]], ["*", "x", None]])  # fmt: skip
     def test_odd_products_of_conditions(self, product):

@@ -8,8 +8,11 @@ import pytest
 
 from study.prints import PrintReading, read, typed
 
-PRINTS = Path(__file__).parent.parent / "data" / "prints" / "prints.json"
-ENTRIES = {entry["id"]: entry for entry in json.loads(PRINTS.read_text(encoding="utf-8"))}
+PRINTS = Path(__file__).parent.parent / "data" / "prints"
+ENTRIES, PUBLIC = (
+    {entry["id"]: entry for entry in json.loads((PRINTS / name).read_text(encoding="utf-8"))}
+    for name in ("prints.json", "public.json")
+)
 MEANT = {"open": 25, "held": 20}
 """How many of each half are read as meant, with every claim decided rightly."""
 
@@ -19,6 +22,19 @@ pytestmark = pytest.mark.usefixtures("uncorrected")
 def test_each_half_has_thirty():
     assert Counter(entry["half"] for entry in ENTRIES.values()) == {"open": 30, "held": 30}
     assert all(entry["true"] and entry["false"] for entry in ENTRIES.values())
+
+
+@pytest.mark.parametrize("id", ["gni-lotka-volterra-2", "pds-kuramoto", "wsu-norton"])
+def test_a_print_of_a_public_source_is_read_as_it_is_meant(id):
+    assert read(PUBLIC[id], 30).reading == PrintReading.MEANT
+
+
+@pytest.mark.slow
+def test_no_print_of_a_public_source_is_misread():
+    found = {id: read(entry, 30) for id, entry in PUBLIC.items()}
+    assert not [id for id, one in found.items() if one.reading == PrintReading.MISREAD]
+    count = Counter(one.reading for one in found.values())
+    assert count[PrintReading.MEANT] >= 35, found
 
 
 @pytest.mark.parametrize("id", ["duffing-strogatz", "uniform-field-landau", "toda-lax-matrix"])

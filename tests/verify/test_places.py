@@ -45,4 +45,4 @@ def test_only_decides_and_reports_the_claim_alone(derivation, certificates):
     alone = Session(derivation, ["flint"], certificates=certificates)
     (run,) = run_together([alone], ["eq10.5"], lambda *told: seen.append(told))
     assert [o.claim for o in run.outcomes] == ["eq10.5"]
-    assert seen == [("eq10.5", 0, 1)]
+    assert seen == [("eq10.5", 0, 1), ("eq9.i", 1, 2)]  # on which it rests

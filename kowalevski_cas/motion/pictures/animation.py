@@ -12,13 +12,16 @@ from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.attitude import frames
 from kowalevski_cas.motion.general import AnyMotion, General
 from kowalevski_cas.motion.methods import load
-from kowalevski_cas.motion.pictures.orbit import in_space, orbit
+from kowalevski_cas.motion.pictures.orbit import in_space, periods, times
 from kowalevski_cas.motion.pictures.space import View, blank, triad
 from kowalevski_cas.motion.units import unit_of
 from kowalevski_cas.pictures import INK, mark, new_figure, style
 
 TURNS, FRAMES, RATE = 2.0, 160, 20
 """How often the slower angle turns, in how many frames, of which so many pass in a second."""
+
+SMOOTH = 40
+"""Frames that a turn of the quicker angle has at least: if there are too few, less is shown."""
 
 LONG = 40.0
 """How long a motion without angles is followed, for a state of size 1."""
@@ -77,6 +80,9 @@ def write(motion: AnyMotion, path: Path, count: int | None = None, dots: int = D
 def _states(motion: AnyMotion, count: int) -> Array:
     """The states of the frames, by the closed form or, where there is none, by an integrator."""
     if not isinstance(motion, General):
-        return orbit(motion, TURNS, count)
+        whole = times(motion, TURNS, count)
+        quicker = min((period for period in periods(motion) if period), default=np.inf)
+        share = min(1.0, count / SMOOTH * quicker / (whole[-1] - whole[0]))
+        return load("closed")(motion, share * whole)
     last = LONG * 2.0 ** -float(unit_of(np.array(motion.point)))
     return load("dop853")(motion, np.linspace(0.0, last, count))

@@ -1,38 +1,27 @@
 r"""That all polynomial invariants of a map up to a degree are known.
 
-A polynomial that is invariant has the same value at points and at their images: that is linear in
-its coefficients, and at enough points nothing else satisfies it than what is known.
+What a polynomial with unknown coefficients changes by under the map is a fraction, whose numerator
+vanishes identically where all its coefficients do: these are linear in the unknown ones.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import suppress
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import product
-from math import prod
+from itertools import chain, count, product
 
-from kowalevski_cas.algebra.present import formula_in
-from kowalevski_cas.notation import Formula, Name
-from kowalevski_cas.paper.claims.forms import function, vanishes
-from kowalevski_cas.paper.claims.maps import Images, OfMap, expand_definitions
+from kowalevski_cas.algebra.present import fraction_formula, polynomial_formula, power_formula
+from kowalevski_cas.notation import Formula, Name, substitute, times, total
+from kowalevski_cas.paper.claims.forms import ONE, function, minus, vanishes
+from kowalevski_cas.paper.claims.maps import OfMap, expand_definitions, invariance
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.goals import Follows, Goal
+from kowalevski_cas.problem.goals import Follows, Goal, identity
 from kowalevski_cas.problem.polynomial_fields import Exponents, Terms, monomials
 from kowalevski_cas.problem.space import Meaningless
-
-Values = dict[str, Fraction]
-Step = tuple[tuple[Fraction, ...], tuple[Fraction, ...]]
-"""A point with its image."""
-
-MOST = 4000
-"""How many points are tried."""
-MORE = 8
-"""How many points in a row have to say nothing new."""
 
 
 class AllInvariantsOfMap(OfMap):
@@ -47,145 +36,153 @@ class AllInvariantsOfMap(OfMap):
     values: tuple[tuple[str, ...], ...] = ()
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
-        space = on(self.scene)
+        r"""What the map is at the values, how a polynomial changes under it, and which do not.
+
+        With F = Σ c_k x^k and a divisor D of the map, D (F(φ(x)) − F(x)) = Σ r_m x^m. Where all
+        r_m are zero, F = Σ e_j K_j with the products K_j of the printed invariants, coefficient by
+        coefficient. Of a sum of these the e_j, which are linear in the c_k as well, are its own.
+        """
+        from kowalevski_cas.algebra.kernels import coordinates, rank  # no library is read with it
+
         values = {name: Fraction(value) for name, value in self.values}
-        if self.degree < 0 or {*values} != {*self.scene.constants}:
-            raise Meaningless("a degree is not negative, and all constants have values")
-        map_ = MapAt(space, self.images, values)
-        known = [map_.polynomial(function(on, space, place)) for place in self.invariants]
-        exponents = map_.exponents(self.degree)
-        names = [f"c_{k}" if k < 10 else f"c_{{{k}}}" for k in range(1, len(exponents) + 1)]
-        unknown = on(Scene("the coefficients", variables=tuple(names)))
-        rows = [*map_.conditions(self.degree)]
-        left = annihilators(span(known, len(self.images), self.degree), exponents)
-        if left:
-            given = tuple(vanishes(_linear(row, names, unknown.finder)) for row in rows)
-            conclusion = tuple(vanishes(_linear(row, names, unknown.finder)) for row in left)
-            yield Follows(unknown, (conclusion,), given)
+        if self.degree < 1 or {*values} != {*self.scene.constants}:
+            raise Meaningless("a degree is at least 1, and all constants have values")
+        exponents = exponents_up_to(len(self.images), self.degree)
+        names = unused_names(self.scene, len(exponents))
+        space = on(self.scene.having(constants=names))
+        numbers = {name: fraction_formula(value) for name, value in values.items()}
+        variables = [Name(x) for x, _ in self.images]
+        new = [Name(image) for _, image in self.images]
+        printed = [space.plain(function(on, space, place)) for place in self.invariants]
+        images, known = (at_values(space, part, numbers) for part in (new, printed))
+        special = tuple((Name(name), number) for name, number in numbers.items())
+        named = tuple(zip((*new, *printed), (*images, *known), strict=True))
+        yield Follows(space, (named,), special)
+        if printed:
+            yield identity(space, *(invariance(space, one, self.images) for one in printed))
+
+        coefficients = dict(zip(exponents, map(Name, names), strict=True))
+        here, there = (_combination(coefficients, point) for point in (variables, images))
+        divisor, rows = _conditions(space, minus((there, here)), variables, coefficients)
+        conditions = {m: _linear(row, coefficients) for m, row in rows.items()}
+        changes = (times(r, _monomial(variables, m)) for m, r in conditions.items())
+        yield identity(space, (times(divisor, minus((there, here))), total(changes)))
+
+        terms = [terms_of(space, one, variables) for one in known]
+        products = products_of(terms, len(variables), self.degree)
+        if values and rank(rows.values()) + rank(products.values()) < len(exponents):
+            raise Meaningless("there are others at these values, and may be none elsewhere")
+        found = coordinates([*products.values()], exponents)
+        forms = dict(zip(products, (_linear(form, coefficients) for form in found), strict=True))
+        sums = {
+            k: total(
+                times(fraction_formula(part[k]), forms[j])
+                for j, part in products.items()
+                if k in part
+            )
+            for k in exponents
+        }
+        same = tuple((coefficients[k], sums[k]) for k in exponents)
+        yield Follows(space, (same,), tuple(map(vanishes, conditions.values())))
+        whole = total(times(e, _monomial(known, j)) for j, e in forms.items())
+        yield identity(space, (_combination(sums, variables), whole))
 
     def establishes(self) -> Iterator[Printed]:
         yield from self.invariants
 
 
-class MapAt:
-    """A map by rational functions, at values of its constants."""
-
-    def __init__(self, space: Elaboration, images: Images, values: Values) -> None:
-        if space.roots or space.transcendental.groups:
-            raise Meaningless("invariants of a map with functions or roots are not looked for")
-        self.space, self.values = space, values
-        self.names = [name for name, _ in images]
-        self.images = [space.plain(expand_definitions(space, Name(new))) for _, new in images]
-
-    def exponents(self, degree: int) -> list[Exponents]:
-        """The monomials up to a degree, the constant one first."""
-        ones = (1,) * len(self.names)
-        return [one for size in range(degree + 1) for one in monomials(ones, size)]
-
-    def image(self, point: Sequence[Fraction]) -> tuple[Fraction, ...]:
-        """The image of a point; raises :class:`Meaningless` if it has none."""
-        at = self._at({**self.values, **dict(zip(self.names, point, strict=True))})
-        return tuple(_number(at, image) for image in self.images)
-
-    def _at(self, values: Values) -> Evaluation:
-        at = self.space.free([])
-        return at.binding({name: at.ring.number(value) for name, value in values.items()})
-
-    def steps(self) -> Iterator[Step]:
-        """Points in general position with their images, as far as they have some."""
-        numbers = small_numbers()
-        for _ in range(MOST):
-            point = tuple(next(numbers) for _ in self.names)
-            with suppress(Meaningless):
-                yield point, self.image(point)
-
-    def conditions(self, degree: int) -> Iterator[list[Fraction]]:
-        """The independent conditions on coefficients, as far as points give them."""
-        from kowalevski_cas.algebra.elimination import Echelon
-        from kowalevski_cas.algebra.kernels import residue
-
-        exponents, found, idle = self.exponents(degree), Echelon(), 0
-        for point, image in self.steps():
-            row = [power_of(image, one) - power_of(point, one) for one in exponents]
-            new = found.extend({k: residue(value) for k, value in enumerate(row) if value})
-            idle = 0 if new else idle + 1
-            if new:
-                yield row
-            if idle == MORE:
-                return
-
-    def polynomial(self, formula: Formula) -> Terms:
-        """The coefficients of a function; raises :class:`Meaningless` if it is no polynomial."""
-        at = self._at(self.values)
-        element = at.scalar(self.space.plain(expand_definitions(self.space, formula)))
-        if element.denominator or {*element.terms()} - {0}:
-            raise Meaningless("an invariant that is no polynomial")
-        places = [at.ring.names.index(name) for name in self.names]
-        terms = element.terms().get(0, {})
-        return {tuple(key[k] for k in places): Fraction(value) for key, value in terms.items()}
+def exponents_up_to(width: int, degree: int) -> list[Exponents]:
+    """Those of the monomials up to a degree, of the constant one first."""
+    return [one for size in range(degree + 1) for one in monomials((1,) * width, size)]
 
 
-def span(known: Sequence[Terms], width: int, degree: int) -> list[Terms]:
-    """The products of polynomials in some variables up to a degree, 1 among them."""
+def unused_names(scene: Scene, number: int) -> tuple[str, ...]:
+    """Names of coefficients of which a scene has none."""
+    known = {*scene.names(), *scene.definitions}
+    letters = chain("ckCK", (f"c^{{({n})}}" for n in count()))
+    indices = [str(k) if k < 10 else f"{{{k}}}" for k in range(1, number + 1)]
+    choices = (tuple(f"{letter}_{index}" for index in indices) for letter in letters)
+    return next(names for names in choices if known.isdisjoint(names))
+
+
+def at_values(
+    space: Elaboration, formulas: Sequence[Formula], values: Mapping[str, Formula]
+) -> list[Formula]:
+    """Formulas in variables only, with values in the place of constants."""
+    return [space.plain(substitute(expand_definitions(space, one), values)) for one in formulas]
+
+
+def _linear(form: Terms, names: Mapping[Exponents, Formula]) -> Formula:
+    return total(times(fraction_formula(value), names[k]) for k, value in form.items())
+
+
+def _monomial(point: Sequence[Formula], exponents: Exponents) -> Formula:
+    return times(*(power_formula(x, k) for x, k in zip(point, exponents, strict=True) if k))
+
+
+def _combination(coefficients: Mapping[Exponents, Formula], point: Sequence[Formula]) -> Formula:
+    """The value of a polynomial at a point."""
+    return total(times(c, _monomial(point, k)) for k, c in coefficients.items())
+
+
+def _conditions(
+    space: Elaboration,
+    change: Formula,
+    variables: Sequence[Name],
+    coefficients: Mapping[Exponents, Name],
+) -> tuple[Formula, dict[Exponents, Terms]]:
+    """The divisor of a fraction, and the linear forms in a polynomial's coefficients above it.
+
+    They come by the monomials before which they stand.
+    """
+    element = space.finder.scalar(change)
+    ring, generators = element.ring, element.ring.polynomials.generators
+    if {*element.terms()} - {0}:
+        raise Meaningless("invariants of a map with functions or roots are not looked for")
+    below = ring.divisor_product(element.denominator)
+    parts = {} if below is None else ring.polynomials.terms(below)
+    divisor = polynomial_formula(parts, [*map(Name, generators)]) if parts else ONE
+    places = [generators.index(x.name) for x in variables]
+    units = {generators.index(c.name): key for key, c in coefficients.items()}
+    found = defaultdict[Exponents, Terms](dict)
+    for exponents, value in element.terms().get(0, {}).items():
+        (place, size), *others = ((k, e) for k, e in enumerate(exponents) if e and k not in places)
+        if others or size != 1 or place not in units:
+            raise Meaningless("in the images there is what neither moves nor is a constant")
+        found[tuple(exponents[k] for k in places)][units[place]] = Fraction(value)
+    return divisor, found
+
+
+def terms_of(space: Elaboration, formula: Formula, variables: Sequence[Name]) -> Terms:
+    """The coefficients of a polynomial; raises :class:`Meaningless` if it is none."""
+    element = space.finder.scalar(formula)
+    places = [element.ring.polynomials.generators.index(x.name) for x in variables]
+    terms = element.terms().get(0, {})
+    plain = all(sum(e) == sum(e[k] for k in places) for e in terms)
+    if element.denominator or {*element.terms()} - {0} or not plain:
+        raise Meaningless("an invariant that is no polynomial")
+    return {tuple(e[k] for k in places): Fraction(value) for e, value in terms.items()}
+
+
+def products_of(known: Sequence[Terms], width: int, degree: int) -> dict[Exponents, Terms]:
+    """The products of polynomials up to a degree, 1 among them, by their exponents."""
     sizes = [max(map(sum, one), default=0) for one in known]
     if not all(sizes):
         raise Meaningless("a constant is no invariant")
     ranges = (range(degree // size + 1) for size in sizes)
-    found = []
+    found = {}
     for powers in product(*ranges):
         if sum(k * size for k, size in zip(powers, sizes, strict=True)) <= degree:
-            whole = {(0,) * width: Fraction(1)}
+            whole: Terms = {(0,) * width: Fraction(1)}
             for one, k in zip(known, powers, strict=True):
                 for _ in range(k):
                     whole = _times(whole, one)
-            found.append(whole)
+            found[powers] = whole
     return found
 
 
-def annihilators(vectors: Sequence[Terms], exponents: Sequence[Exponents]) -> list[list[Fraction]]:
-    """The linear forms of coefficients that vanish on some polynomials."""
-    from kowalevski_cas.algebra.kernels import kernel
-
-    columns = [{k: one[key] for k, one in enumerate(vectors) if key in one} for key in exponents]
-    return kernel(columns)
-
-
-def small_numbers() -> Iterator[Fraction]:
-    """Small numbers without a rule, always the same ones."""
-    state = 1
-    while True:
-        state = (state * 1103515245 + 12345) % 2**31
-        yield Fraction((state >> 16) % 41 - 20, 1 + (state >> 24) % 3)
-
-
 def _times(left: Terms, right: Terms) -> Terms:
-    found: Terms = {}
+    found = defaultdict[Exponents, Fraction](Fraction)
     for (a, x), (b, y) in product(left.items(), right.items()):
-        key = tuple(map(sum, zip(a, b, strict=True)))
-        found[key] = found.get(key, Fraction(0)) + x * y
+        found[tuple(map(sum, zip(a, b, strict=True)))] += x * y
     return {key: value for key, value in found.items() if value}
-
-
-def power_of(point: Sequence[Fraction], exponents: Exponents) -> Fraction:
-    """A monomial at a point."""
-    return prod((x**k for x, k in zip(point, exponents, strict=True)), start=Fraction(1))
-
-
-def _number(at: Evaluation, formula: Formula) -> Fraction:
-    """The value of a formula in which all names have values."""
-    element = at.scalar(formula)
-    terms = element.terms().get(0, {})
-    whole = sum((Fraction(value) for value in terms.values()), Fraction(0))
-    below = at.ring.divisor_product(element.denominator)
-    if below is None:
-        return whole
-    rest = [*at.ring.polynomials.terms(below).values()]
-    return whole / sum(map(Fraction, rest), Fraction(0))
-
-
-def _linear(row: Sequence[Fraction], names: Sequence[str], at: Evaluation) -> Formula:
-    """A linear form of names."""
-    total = at.ring.zero
-    for value, name in zip(row, names, strict=True):
-        total = total + at.ring.number(value) * at.ring.generator(name)
-    return formula_in(total)

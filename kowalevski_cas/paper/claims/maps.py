@@ -53,7 +53,7 @@ class InvariantOfMap(OfMap):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
         printed = _printed_function(on, space, self.own)
-        yield identity(space, _invariance(space, printed, self.images))
+        yield identity(space, invariance(space, printed, self.images))
         yield Rank(space, (space.plain(printed),), (), 1)
 
 
@@ -148,9 +148,7 @@ class IntegrableMap(OfMap):
         if len(variables) > 2:
             yield from Jacobi(self.id, self.scene, "").goals(on)
             yield identity(space, *commutation(space, functions))
-        yield identity(
-            space, *(_invariance(space, function, self.images) for function in functions)
-        )
+        yield identity(space, *(invariance(space, function, self.images) for function in functions))
         plain = tuple(map(space.plain, functions))
         yield Rank(space, plain, (), len(plain))
         yield Fails(space, ((vanishes(pfaffian(space, variables)),),))
@@ -172,7 +170,7 @@ def _at_image(formula: Formula, images: Images) -> Formula:
     return substitute(formula, {x: Name(new) for x, new in images})
 
 
-def _invariance(space: Elaboration, formula: Formula, images: Images) -> Equation:
+def invariance(space: Elaboration, formula: Formula, images: Images) -> Equation:
     """That a function, in which no defined name stands any more, has its value at the image."""
     whole = expand_definitions(space, formula)
     return space.plain(_at_image(whole, images)), space.plain(whole)

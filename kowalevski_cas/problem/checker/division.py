@@ -25,6 +25,14 @@ def primitive(element: Element) -> tuple[Fraction, Element]:
     return Fraction(common, element.below), Element(element.ring, rest, 1, element.bits)
 
 
+def is_number(element: Element) -> bool:
+    """Whether a fraction is a number wherever it is defined."""
+    if not element.under:
+        return element.value() is not None
+    below = element.ring.denominator(element.under)
+    return primitive(element)[1].terms == primitive(below)[1].terms
+
+
 def quotient(element: Element, divisor: Element) -> Element | None:
     """A polynomial over a primitive one, if that is a polynomial; neither has roots."""
     ring = element.ring

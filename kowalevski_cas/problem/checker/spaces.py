@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import nullcontext
 from typing import Self
 
+from .division import is_number
 from .formulas import Formulas
 from .polynomials import Element, Ring
 from .reading import (
@@ -116,19 +118,19 @@ class Space(Formulas):
         for names, tree in conditions:
             self.ring.spend(1 + (len(names) >> 3))
             if names <= self.env.keys():
-                with self.granting():
-                    self.assume(tree)
+                self.assume(tree, granted=True)
             else:
                 waiting.append((names, tree))
         return waiting
 
-    def assume(self, tree: Json) -> None:
-        """Know that no factor of a formula vanishes."""
+    def assume(self, tree: Json, granted: bool = False) -> None:
+        """Know that no factor of a formula vanishes; what is granted is part of the statement."""
         for factor in factors(tree) or [0]:
-            with self.statement(False):
+            with self.statement(granted):
                 element = self.scalar(factor)
-            need(element.value() is None, "a number is assumed not to vanish")
-            self.enter(element, say(factor))
+            need(not is_number(element), "a number is assumed not to vanish")
+            with self.granting() if granted else nullcontext():
+                self.enter(element, say(factor))
 
     # motion
 
