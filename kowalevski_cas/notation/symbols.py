@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from contextlib import suppress
 
@@ -28,6 +29,7 @@ from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 
 TRANSPOSED = frozenset({"T", r"\mathsf{T}", r"\mathrm{T}", r"\top", r"\intercal", "t"})
 """The marks of a transposed matrix."""
+_SPACE = re.compile(r"\\[,;: ]|~")
 _DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
 
 
@@ -77,7 +79,7 @@ class Symbols(Cursor):
             name, on.primes = primed, 0
         if name in LETTERS and self.is_free(name) and self.tokens[self.at].kind == "open":
             return self.application(LETTERS[name], token.start, on.power)
-        if self.is_applied(name):
+        if self.is_applied(name) and not (accents and self.is_factor(name)):
             return self.applied(name, token, on, bool(accents))
         if (primed := name + "'" * on.primes) in self.names:  # as k', which no motion derives
             piece: Piece = (self.names[primed], token.start, max(on.name_end, on.primes_end), ())
@@ -158,6 +160,12 @@ class Symbols(Cursor):
         if name not in self.vocabulary.functions:
             return False
         return self.upright(name) or self.tokens[self.at].kind == "open"
+
+    def is_factor(self, name: str) -> bool:
+        """Whether the bracket behind a rate is a factor: what is in it is more than an argument."""
+        behind = self.tokens[self.at + 1 : self.at + 3]
+        alone = behind[0].kind == "letter" and behind[-1].kind in ("close", "comma", "_")
+        return name in self.vocabulary.moving and name in self.names and not alone
 
     def upright(self, name: str) -> bool:
         """Whether a name is a function that needs no brackets."""
@@ -336,9 +344,16 @@ class Symbols(Cursor):
             piece = (Product((piece[0], other[0])), piece[1], other[2], (piece, other))
             token = self.tokens[self.at]
             function = named and self.ends_argument(token)
+        function = function or (named and self.stands_apart(piece[0], token))
         if token.kind == "slash" or (self.starts() and not function):
             raise self.error(f"how far does {operator} reach? set brackets")
         return piece
+
+    def stands_apart(self, argument: Formula, token: Token) -> bool:
+        r"""Whether a space ends a letter as the argument, as in \sin\theta\,(a-b); not before t."""
+        gap = self.tex[self.tokens[self.at - 1].end : token.start]
+        apart = token.text not in self.vocabulary.times and token.kind in ("open", "letter")
+        return isinstance(argument, Name) and apart and _SPACE.search(gap) is not None
 
     def ends_argument(self, token: Token) -> bool:
         """Whether no argument of a function goes on here: at another function, or at a rate."""

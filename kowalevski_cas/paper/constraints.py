@@ -66,16 +66,20 @@ def constraints(
     return found
 
 
-def multipliers(scene: Scene, places: Sequence[Printed]) -> Iterator[str]:
-    """Equations that give the multipliers of constraints.
+def multipliers(
+    scene: Scene, places: Sequence[Printed], called: Collection[str] = ()
+) -> Iterator[str]:
+    """Equations that give the multipliers of constraints: those that are ``called`` so, or by λ, μ.
 
     Raises ``ValueError`` if there are not as many as constraints, or if they do not follow.
     """
     space, words = _space(scene), vocabulary((scene,))
     used = {name for formula in space.printed_field for name in formula.names()}
-    names = [n for n in scene.constants if n in used and symbol(n).letter == MULTIPLIERS[0]]
-    if len(names) < len(places):
-        names += [n for n in scene.constants if n in used and symbol(n).letter == MULTIPLIERS[1]]
+    letters = {n: symbol(n).letter for n in scene.constants if n in used}
+    names = [n for n in called if n in letters]
+    names = names or [n for n, letter in letters.items() if letter == MULTIPLIERS[0]]
+    if not called and len(names) < len(places):
+        names += [n for n, letter in letters.items() if letter == MULTIPLIERS[1]]
     functions = [f for place in places for f in _functions(place, space)]
     if len(names) != len(functions):
         said = ", ".join(names) or "none"

@@ -2,11 +2,38 @@ r"""The functions that a paper defines, as :math:`\varphi(s)=4ms^2`, at their ar
 
 from __future__ import annotations
 
-from kowalevski_cas.notation import Application, Formula, Modulus, Name, Quotient, substitute
+from kowalevski_cas.notation import (
+    Application,
+    Formula,
+    Modulus,
+    Name,
+    Partial,
+    Quotient,
+    substitute,
+)
 from kowalevski_cas.notation.functions import DERIVATIVE_OF, SIGN
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.names import head
 from kowalevski_cas.problem.space import Meaningless
+
+
+def _check_known_elsewhere(
+    function: str, body: Formula, arguments: set[str], setting: Meaning
+) -> None:
+    """Refuse a value at other arguments, if these stand below a name or in a derivative."""
+    if any(isinstance(n, Partial) and n.by in arguments for n in body.nodes()):
+        raise Meaningless(f"{function} is printed by a derivative: it is not known elsewhere")
+    met, waiting = set[str](), [*body.names()]
+    while waiting:
+        name = waiting.pop()
+        if name in met or name in arguments or name not in setting.scene.definitions:
+            continue
+        met.add(name)
+        below = setting.definition(name).names()
+        if below & arguments:
+            said = f"{name} stands in {function}, and has {min(below & arguments)} in it"
+            raise Meaningless(f"{said}: print it as a function of that, too")
+        waiting += below
 
 
 def value_of(formula: Application, setting: Meaning) -> Formula:
@@ -25,6 +52,7 @@ def value_of(formula: Application, setting: Meaning) -> Formula:
                 return body
             if not all(isinstance(argument, Name) for argument in expressions):
                 raise Meaningless(f"{name} is used with other velocities: define it anew")
+            _check_known_elsewhere(name, body, {*arguments}, setting)
             return substitute(body, values)
     if formula.function == SIGN and len(formula.arguments) == 1:
         return Quotient(formula.arguments[0], Modulus(formula.arguments[0]))

@@ -6,6 +6,7 @@ The motion is on them wherever the paper speaks of it; what they give the multip
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from itertools import islice
 
 from kowalevski_cas.notation import Constant, Name, Product
 from kowalevski_cas.notation.symbol import symbol
@@ -32,8 +33,11 @@ def constraint(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 def is_constraint(item: SourceStatement, law: Law, known: Known) -> bool:
-    """Whether a statement is one for a law: of lower order, where words or the display say so."""
-    if item in law.rows or not item.members or not [*_multipliers(law, known)]:
+    """Whether a statement is one for a law: of lower order, where words or the display say so.
+
+    Where no multiplier stands in the law, its own sentence says so behind “where”.
+    """
+    if item in law.rows or not item.members:
         return False
     first = item.members[0]
     names = {*known.names.scalars(item.names)}
@@ -42,8 +46,24 @@ def is_constraint(item: SourceStatement, law: Law, known: Known) -> bool:
     orders = orders_in(row.formula for row in law.rows if row.formula is not None)
     if item.formula is None or any(o >= orders.get(n, 0) for n, o in _derived(item)):
         return False
+    if not [*_multipliers(law, known)]:
+        same = any(row.sentence == item.sentence and row.order < item.order for row in law.rows)
+        return same and bool(cue("where", item.lead)) and names <= {*law.variables, *law.mentions}
     beside = any(row.typed is item.typed for row in law.rows)
-    return beside or bool(cue("constraint", f"{item.lead} {item.tail[:40]}"))
+    return beside or _says_constraint(item)
+
+
+def _says_constraint(item: SourceStatement) -> bool:
+    """Whether words beside a statement call it a constraint."""
+    return bool(cue("constraint", item.lead) or cue("constraint", item.tail[:40]))
+
+
+def _orders_below(item: SourceStatement, law: Law) -> int:
+    """Of how many orders a constraint and its derivatives are that are below those of its law."""
+    orders = orders_in(row.formula for row in law.rows if row.formula is not None)
+    own = dict(_derived(item))
+    names = [name for name in law.variables if name in item.names]
+    return max((orders.get(n, 0) - own.get(n, 0) for n in names), default=1)
 
 
 def _derived(item: SourceStatement) -> Iterator[tuple[str, int]]:
@@ -52,10 +72,16 @@ def _derived(item: SourceStatement) -> Iterator[tuple[str, int]]:
 
 
 def _multipliers(law: Law, known: Known) -> Iterator[str]:
-    """The names in a law that may be multipliers: nothing moves them, or gives them."""
-    for name in sorted(law.mentions):
-        if symbol(name).letter in MULTIPLIERS and name not in (*law.variables, *known.later):
-            yield name
+    """The names in a law that may be multipliers: nothing moves them, or gives them.
+
+    Words may call another letter one, if only this stands in several equations of motion.
+    """
+    free = [n for n in sorted(law.mentions) if n not in (*law.variables, *known.later)]
+    found = [name for name in free if symbol(name).letter in MULTIPLIERS]
+    if not found and any(cue("multiplier", row.words) for row in law.rows):
+        shared = [name for name in free if sum(name in row.names for row in law.rows) > 1]
+        found = shared if len(shared) == 1 else []
+    yield from found
 
 
 def unbound_multiplier(known: Known, constants: Collection[str]) -> str:
@@ -126,14 +152,16 @@ def _implied(
     if not bound:
         raise ValueError(f"{', '.join(names)}: a multiplier, and no constraint is read")
     stage, places = Stage(known), [one.printed for one in bound]
-    for number, tex in enumerate(multipliers(stage.scene(bound, law=law).scene, places), 1):
+    scene = stage.scene(bound, law=law).scene
+    for number, tex in enumerate(multipliers(scene, places, names) if names else (), 1):
         item = unprinted(known.paper, f"multiplier-{number}{suffix}", tex, law.first, SAYS)
         role = StatementRole(DEFINITION, "follows from the constraints", "", item.bare[:1])
         known.enter(item, role)
         yield item, role
     scene = Stage(known).scene([*bound, *law.items], law=law).scene
     for one in bound:
-        for number, tex in enumerate([*equations_on(scene, (one.printed,))][1:], 1):
+        derived = islice(equations_on(scene, (one.printed,)), _orders_below(one, law))
+        for number, tex in enumerate([*derived][1:], 1):
             id = f"derivative-{number}-of-{one.printed.display.id}{one.printed.number}{suffix}"
             item = unprinted(known.paper, id, tex, one, "the derivative of a constraint")
             yield item, StatementRole(ASSUMPTION, "the derivative of a constraint", CONSTRAINT)

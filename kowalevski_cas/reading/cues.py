@@ -23,7 +23,7 @@ CUES: dict[str, str] = {
         do(?:es)?\s+not\s+(?:change|depend\s+on\s+(?:the\s+)?time) интеграл\w* сохраня\w+
         постоян(?:на|но|ны|ен)\b не\s+меня\w+""",
     "energy": r"""
-        \benergy\b(?!\s+levels?)(?:\s+(?!satisf|chang|equation)\w+){0,5}[\s:,]*$
+        (?<!instead\sof\sthe\s)\benergy\b(?!\s+levels?)(?:\s+(?!satisf|chang|equation)\w+){0,5}[\s:,]*$
         \bэнерги[яи]\b(?:\s+\w+){0,4}[\s:,—-]*$""",
     "its constant": r"""
         (?<=\w)(?<!\band)\s+with\s+the\s+constants?[\s:]*$
@@ -44,9 +44,11 @@ CUES: dict[str, str] = {
         \bfor(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?\s*$ \bput\b(?!\s+together) \bsetting\b
         (?:we|us|and|now|^\s*)\s*set\s*$
         provided choos\w+ choice
-        \bunder\b in\s+the\s+case \bcase\b restrict\w+ \bconsider\b \bwith\b
+        \bunder\b in\s+the\s+case \bcase\b restrict\w+ \bconsider\b \bwith\b(?!\s+respect)
         on\s+the\s+(?:\w+\s+)?levels? пусть предполож\w+ полож\w+ полага\w+ если при\s*$ допуст\w+
         в\s+случае будем\s+считать считая возьм\w+ выбер\w+ \bпри\b""",
+    "when": r"""
+        \bif\b \bwhen\b \bsuppos\w+ \blet\b \bесли\b \bкогда\b \bпусть\b""",
     "define": r"""
         \blet\b denot\w+ defin\w+ introduc\w+ \bput\b(?!\s+together) \bset\b notation
         \bwrite\b \bwhere\b \bhere\b \bcall(?:ed)?\b new\s+variables? in\s+the\s+variables?
@@ -58,7 +60,8 @@ CUES: dict[str, str] = {
         \bfor\b(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?\s*(?:§[^§]*)*$
         \bпри\b(?:\s+\w+){0,2}\s*(?:§[^§]*)*$""",
     "where": r"""
-        \bwhere\b \bhere\b \bin\s+which\b \bгде\b \bздесь\b""",
+        \bwhere\b \bhere\b (?<!\bcase\s)(?<!\bone\s)(?<!\bthat\s)\bin\s+which\b
+        \bгде\b \bздесь\b""",
     "claim": r"""
         therefore hence thus follow\w* whence we\s+(?:have|find|get|obtain)
         one\s+(?:has|finds|gets|obtains) (?:so|such)\s+that consequently lead\w*\s+to gives?
@@ -116,6 +119,8 @@ CUES: dict[str, str] = {
         constrain\w+
         (?:lie|stay|move|remain|slide)s?\s+(?:\w+\s+){0,2}on\s+(?:the|an?)\s+(?:\w+\s+){0,4}(?:sphere|surface|curve|line|paraboloid|ellipsoid|cylinder|cone)\b
         (?:движ|скольз)\w+\s+(?:\w+\s+){0,2}по\s+(?:\w+\s+){0,2}(?:сфер|поверхност|крив|параболоид|эллипсоид|цилиндр|конус)\w*
+        \bon\s+(?:the|an?)\s+(?:\w+\s+){0,4}(?:sphere|surface|curve|line|paraboloid|ellipsoid|cylinder|cone)\s*$
+        \bна\s+(?:\w+\s+){0,2}(?:сфер|поверхност|крив|параболоид|эллипсоид|цилиндр|конус)\w*\s*$
         connected\s+by subject\s+to связ(?:ь|и|ью|ями)\b стеснен\w+""",
     "approximate": r"""
         terms?\s+of\s+(?:the\s+)?(?:first|second|higher|lowest)\s+order
@@ -194,10 +199,10 @@ CUES: dict[str, str] = {
         \b(?:independent\s+of|without)\s*$ не\s+(?:завис\w+\s+от|содерж\w+)\s*$""",
     "except": r"""
         \b(?:except(?:ing)?|unless)(?:\s+(?:for|when|if|where|at|in\s+the\s+cases?(?:\s+of)?|that))*\s*$
-        \b(?:кроме|за\s+исключением)\s+(?:случа\w+|того)(?:,?\s+когда)?\s*$""",
+        \b(?:кроме|за\s+исключением)\s+(?:случа\w+(?:,?\s+когда)?|того,?\s+когда)\s*$""",
     "excepted": r"""
         \b(?:except(?:ing)?|unless)(?:\s+(?:for|when|if|where|at|in\s+the\s+cases?(?:\s+of)?|that))*\s*§
-        \b(?:кроме|за\s+исключением)\s+(?:случа\w+|того)(?:,?\s+когда)?\s*§""",
+        \b(?:кроме|за\s+исключением)\s+(?:случа\w+(?:,?\s+когда)?|того,?\s+когда)\s*§""",
     "region": r"""
         \b(?:region|domain|interval|strip|half-?plane|half-?space|quadrant|where)\s*$
         (?:област\w+|интервал\w*|полос\w+|полуплоскост\w+|полупространств\w+|где)\s*$""",
@@ -218,6 +223,9 @@ CUES: dict[str, str] = {
 _CITED = re.compile(r"[\s~]*(?:[^\W\d]+[\s~]*)?\(?\\(?:eq|c|C|auto)?ref(?![A-Za-z])")
 """A citation behind words: they say what is cited, and nothing of what follows."""
 
+_VERB = re.compile(r"lineari[sz](?:ing|e)|neglecting|differentiating|линеаризу\w+", re.IGNORECASE)
+"""Words that do something with what is cited behind them."""
+
 _OF = re.compile(r"[\s~]*(?:of|for|in|to|системы|для)\b", re.IGNORECASE)
 """Words behind which a citation says to what the words before belong."""
 
@@ -230,7 +238,8 @@ def _pattern(cue: str) -> re.Pattern[str]:
 def cues(name: str, words: str, start: int = 0) -> Iterator[re.Match[str]]:
     """The places, from an offset on, at which some words give a cue."""
     for found in _pattern(name).finditer(words, start):
-        if not _CITED.match(words, found.end()) or _OF.match(words, found.end()):
+        cited = _CITED.match(words, found.end()) and not _OF.match(words, found.end())
+        if not cited or _VERB.match(found[0]):
             yield found
 
 

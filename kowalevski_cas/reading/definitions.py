@@ -18,6 +18,7 @@ from kowalevski_cas.notation import (
     Vector,
 )
 from kowalevski_cas.paper.names import BRACKET, head
+from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import (
     ASSUMPTION,
@@ -33,8 +34,10 @@ from kowalevski_cas.reading.known import (
 from kowalevski_cas.reading.phrases import (
     integral_words,
     is_number,
+    last_clause,
     plain,
     reach_of_constants,
+    supposing,
     words_behind,
 )
 from kowalevski_cas.reading.statements import SourceStatement, derived_names, is_closing
@@ -103,6 +106,9 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(ASSUMPTION, why, reach_of_constants(item), tuple(fresh))
     if cue("if", item.lead):
         return StatementRole(ASSUMPTION, "supposed in its sentence", "set", tuple(fresh))
+    if said := _specialising(item, known, fresh):
+        why = f"“{said}” gives what was general before"
+        return StatementRole(ASSUMPTION, why, reach_of_constants(item), tuple(fresh))
     if len(others) == 1 and isinstance(others[0], Derivative) and not _is_law_left(item):
         return StatementRole(LEVEL, f"names the rate {plain(fresh[0])}", "", tuple(fresh))
     role = _integral_that_defines(item, known, fresh)
@@ -116,6 +122,20 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
     return StatementRole(
         DEFINITION, f"first with {plain(fresh[0])} alone on a side", "", tuple(fresh)
     )
+
+
+def _specialising(item: SourceStatement, known: Known, fresh: list[str]) -> str:
+    """The words that give constants special values, of which laws in other sections have spoken.
+
+    They are in force to the end of their section, as what is supposed is.
+    """
+    names = [head(name)[0] for name in fresh]
+    of_laws = {name for law in known.laws for name in (*law.mentions, *law.names.vectors)}
+    before = [known.seen.get(name) for name in names]
+    apart = all(one is not None and one.section not in item.sections for one in before)
+    if not apart or not {*names} <= of_laws or known.varying(item.names - {*names}):
+        return ""
+    return supposing(item) or cue("lasting", item.before)
 
 
 def _level(
@@ -195,7 +215,7 @@ def square(item: SourceStatement, known: Known) -> StatementRole | None:
 def _is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
     """Whether nothing has said yet what a name is."""
     function, arguments = head(name)
-    if function == BRACKET:
+    if function == BRACKET or (function == PI and item.members[0] != Name(PI)):
         return False
     if found := known.definitions.get(function) or known.definitions.get(
         known.names.whole(function)
@@ -274,7 +294,7 @@ def _integral_further_off(item: SourceStatement, known: Known) -> str:
     """The words of the sentence of a display that call it an integral, or the energy."""
     if item.typed.inline or cue("follows", item.lead) or cue("deduced", item.lead):
         return ""
-    if said := cue("integral", item.before) or cue("energy", item.lead):
+    if said := cue("integral", last_clause(item.before)) or cue("energy", item.lead):
         return said
     before = [one for one in known.roles if one.typed is item.typed and one.order < item.order]
     integrals = any(known.roles[one].kind == "integral" for one in before)

@@ -14,8 +14,10 @@ from kowalevski_cas.reading.hypotheses import EQUATIONS
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, SETS, Known
 from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.laws import is_row
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
+from kowalevski_cas.reading.phrases import integral_words, is_conditional
 from kowalevski_cas.reading.statements import SourceStatement
 
 _INDEXED = re.compile(r"_\{?[ijk]\b")
@@ -38,27 +40,61 @@ def doubt_of(
         return Doubt.ALWAYS
     if role.kind == SAID:
         return None
-    if _is_unread_summary(item, known) or item in known.paper.approximate:
+    if _is_said_elsewhere(item, known) or _stands_apart(item, rung, candidates, known):
         return Doubt.ALWAYS
-    if {"dot", "prime"} <= item.marks and not known.clocks:  # the prime of another frame, perhaps
-        return Doubt.ALWAYS
-    if role.kind == "identity" and not item.derives and cue("lasting", item.lead):
-        return Doubt.ALWAYS
-    if not rung.given and cue("restricted", item.words):
-        return Doubt.ALWAYS
-    if _has_usual_bracket(item, rung, known) or _is_conditioned(item, rung, known):
-        return Doubt.ALWAYS
-    unclear = any(_implied(rung, known))
+    if role.kind != "integral" and not item.derives:
+        return Doubt.UNLESS_MENDED
+    return None if _is_sure(item, rung, candidates, parts) else Doubt.UNLESS_MENDED
+
+
+def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
+    """Whether words, or signs, leave open of what a statement is made, or by which law."""
+    return (
+        _is_unread_summary(item, known)
+        or item in known.paper.approximate
+        or ({"dot", "prime"} <= item.marks and not known.clocks)  # the prime of another frame
+        or (
+            known.roles[item].kind == "identity"
+            and not item.derives
+            and bool(cue("lasting", item.lead))
+        )
+        or _is_below_other_rates(item, known)
+    )
+
+
+def _stands_apart(
+    item: SourceStatement, rung: Rung, candidates: Sequence[Rung], known: Known
+) -> bool:
+    """Whether a claim leaves aside what its words, or its section, say of where it holds."""
     beside = {one for other in candidates for one in other.on}
-    if unclear or _is_constrained(rung, known) or _has_case(item, rung, beside, known):
-        return Doubt.ALWAYS
+    return (
+        (not rung.given and bool(cue("restricted", item.words)))
+        or _has_usual_bracket(item, rung, known)
+        or _is_conditioned(item, rung, known)
+        or any(_implied(rung, known))
+        or _is_constrained(rung, known)
+        or _has_case(item, rung, beside, known)
+        or _has_statement_below(item, rung, known)
+    )
+
+
+def _is_sure(item: SourceStatement, rung: Rung, candidates: Sequence[Rung], parts: Parts) -> bool:
+    """Whether nothing is left open by which a rate, or an integral, might be another one."""
+    known, role = parts.of(item), parts.roles[item]
     given = any({*one.given} - {*known.bound} for one in candidates)
-    sure = not (given or rung.constants or cue("on it", item.words))
-    sure = sure and not _has_level(item, rung, known) and not _has_constant(item, rung, known)
-    sure = sure and _is_plain(rung, item, parts) and not _is_below_unread(item, known)
-    sure = sure and not _has_basis(rung, known)
-    sure = sure and not any(one.title == "abstract" for one in item.sections)
-    return None if sure and (role.kind == "integral" or item.derives) else Doubt.UNLESS_MENDED
+    further_off = role.kind == "integral" and role.names and not integral_words(item)
+    return not (
+        given
+        or further_off
+        or rung.constants
+        or cue("on it", item.words)
+        or _has_level(item, rung, known)
+        or _has_constant(item, rung, known)
+        or not _is_plain(rung, item, parts)
+        or _is_below_unread(item, known)
+        or _has_basis(rung, known)
+        or any(one.title == "abstract" for one in item.sections)
+    )
 
 
 def _is_unread_summary(item: SourceStatement, known: Known) -> bool:
@@ -99,13 +135,35 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
             return True
         if one.sentence == item.sentence and set_there:
             return True
-        if one.sentence == item.sentence and one.members and cue("suppose", one.lead):
+        if one.sentence == item.sentence and one.members and _is_supposed(one):
             gives = role is not None and role.name == DEFINITION
             if not gives and not {*(role.names if role else ())} & {*rung.claim.scene.definitions}:
                 return True
         proved = item.theorem is not None and one.theorem == item.theorem
         apart = item.entry is not None and one.entry is not None and one.entry != item.entry
         if proved and not apart and role is not None and role.name == ASSUMPTION and one.members:
+            return True
+    return False
+
+
+def _is_supposed(one: SourceStatement) -> bool:
+    """Whether words right before a statement suppose it, or the clause that its sentence begins."""
+    return bool(cue("suppose", one.lead)) or is_conditional(one)
+
+
+def _has_statement_below(item: SourceStatement, rung: Rung, known: Known) -> bool:
+    """Whether it stands on a display that no words call a definition, and that is used once.
+
+    Such a display may state something, and be wrong itself.
+    """
+    places = set() if item.derives else {*rung.claim.scene.definitions.values()}
+    for one, role in known.roles.items():
+        plain = role.name == DEFINITION and not role.kind and not one.typed.inline
+        words = one.lead if one.lead.strip(" ,;") else one.before
+        if not plain or one.printed not in places or one is item or cue("define", words):
+            continue
+        users = [o for o in known.items if o.members and {*role.names} & o.names and o is not one]
+        if users == [item] and known.varying(one.names - {*role.names}):
             return True
     return False
 
@@ -140,6 +198,32 @@ def _is_below_unread(item: SourceStatement, known: Known) -> bool:
         and any(cue(name, one.before) for name in ("suppose", "level", "restricted"))
         for one in known.items
     )
+
+
+def _is_below_other_rates(item: SourceStatement, known: Known) -> bool:
+    """Whether its section prints a rate before it with constants that no law has: a force, perhaps.
+
+    What moves by the law may move there by another one, that was not read.
+    """
+    of_laws = {name for law in known.laws for own in law.mentions for name in known.below(own)}
+    before = (one for one in known.items if one.order < item.order and is_row(one))
+    others = (one for one in before if one.section is item.section and known.law_of(one) is None)
+    return any(
+        _is_of_highest_order(one, known)
+        and not all(
+            name in of_laws or known.moves(name) or known.is_defined(name) or name in known.times
+            for name in known.names.scalars(one.names)
+        )
+        for one in others
+    )
+
+
+def _is_of_highest_order(one: SourceStatement, known: Known) -> bool:
+    """Whether a row has derivatives of variables, printed as in a law, and as high as there."""
+    rows = [row for law in known.laws for row in law.rows if row.marks & one.marks]
+    alike = [row for row in rows if {*row.rates} & {*one.rates}]
+    same = any(one.rates.get(name, 0) >= n for row in alike for name, n in row.rates.items())
+    return same and all(map(known.moves, one.rates))
 
 
 def _has_level(item: SourceStatement, rung: Rung, known: Known) -> bool:

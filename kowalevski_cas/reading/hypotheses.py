@@ -68,7 +68,8 @@ def _is_value(one: SourceStatement, known: Known) -> bool:
     """Whether a statement gives variables by constants."""
     moving = [name for name in one.bare if known.moves(name)]
     others = [member for member in one.members if member not in [*map(Name, moving)]]
-    return bool(moving) and not one.derives and not any(known.varying(m.names()) for m in others)
+    names = {name for member in others for name in member.names()}
+    return bool(moving) and not one.derives and not any(map(known.varies, names - known.levels))
 
 
 def _place_words(item: SourceStatement) -> str:

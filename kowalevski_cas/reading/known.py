@@ -8,14 +8,15 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
-from kowalevski_cas.notation import Name, NotationError, Number
+from kowalevski_cas.notation import Name, NotationError
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.names import BRACKET, head
+from kowalevski_cas.reading.cases import named_case
 from kowalevski_cas.reading.clauses import Clauses
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.names import Names
-from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
+from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, is_numerical
 
 
 class StatementRole(NamedTuple):
@@ -89,7 +90,7 @@ class Known:
         found: dict[str, list[SourceStatement]] = {}
         for item in self.items:
             if item.bare and item.members[0] == Name(item.bare[0]) and not item.derives:
-                if not any(isinstance(member, Number) for member in item.members):
+                if not any(map(is_numerical, item.members)):
                     found.setdefault(item.bare[0], []).append(item)
         return found
 
@@ -125,6 +126,12 @@ class Known:
             found += [item] if item not in found else []
 
     # -- names ---------------------------------------------------------------------
+
+    @property
+    def levels(self) -> set[str]:
+        """The names of the values of integrals: they stand for what moves, and are constant."""
+        own = (one for one in self.roles.values() if one.kind == "integral" or one.name == LEVEL)
+        return {name for role in own for name in role.names}
 
     def law_of(self, item: SourceStatement) -> Law | None:
         """The law of which a statement is a part."""
@@ -190,10 +197,11 @@ class Known:
 
         They hold to the end of their section, or of their theorem with its proof; a later one
         about the same constants takes the place of an earlier one. One that stands behind a claim
-        of its sentence, as in “F is an integral if a=0”, is of this claim only.
+        of its sentence, as in “F is an integral if a=0”, is of this claim only. A case that words
+        name comes before all.
         """
-        found: list[SourceStatement] = []
-        taken: set[str] = set()
+        found = self._named(item)
+        taken = {name for one in found for name in self.roles[one].names}
         for one in sorted(self.assumptions, key=lambda one: -one.order):
             if not self._is_in_force(one, item):
                 continue
@@ -209,6 +217,12 @@ class Known:
                 found.append(one)
             taken |= names
         return found
+
+    def _named(self, item: SourceStatement) -> list[SourceStatement]:
+        """What is supposed of constants in the case that the words before a statement name."""
+        about = ("", "of the sentence")
+        fixed = [one for one in self.assumptions if self.roles[one].kind in about]
+        return named_case(item, fixed, self.paper.prose)
 
     def _is_in_force(self, one: SourceStatement, item: SourceStatement) -> bool:
         clauses = self._clauses(one.sentence)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Sequence
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Number, Power, Product, Relation
+from kowalevski_cas.notation import Derivative, Formula, Name, Power, Product, Relation
 from kowalevski_cas.reading.changes import find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
@@ -17,7 +17,7 @@ from kowalevski_cas.reading.said_rows import (
     rows_of_differentials,
     rows_of_matrices,
 )
-from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
+from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, is_numerical
 from kowalevski_cas.reading.unprinted import implied_rows
 
 
@@ -93,7 +93,7 @@ class _LawFinder:
         """Whether a statement gives a name an expression, and is neither a row nor of one."""
         if not item.bare or item in self.rows or item in self.momenta:
             return False
-        if any(isinstance(member, Number) for member in item.members):
+        if any(map(is_numerical, item.members)):
             return False
         rated = (row for row in self.rows if row.order < item.order)
         return not any(item.bare[0] in row.rates for row in rated if row.section in item.sections)
@@ -216,8 +216,10 @@ class _LawFinder:
 
     def _relates(self, one: SourceStatement, row: SourceStatement, moving: Collection[str]) -> bool:
         """Whether an equation before a row gives what the row derives by what moves already."""
-        if one.order >= row.order or not one.members or one in self.rows:
+        if one.order >= row.order or not one.members:
             return False
+        if one in self.rows and not (one.bare and {*self.scalars(one)} <= {*moving}):
+            return False  # but p=m\dot q gives p where q moves already
         return bool({*row.rates} & one.names - {*moving}) and bool(
             {*self.names.scalars(one.names)} & {*moving}
         )

@@ -19,16 +19,24 @@ def find_momenta(
 ) -> dict[SourceStatement, str]:
     """The statements that give a vector with a printed rate by one that has none, with this one.
 
-    Where each of the two is given by the other, the first that is printed counts.
+    Where each of the two is given by the other, the first that is printed counts; what another
+    section says of it is a special case.
     """
-    rated = {name for row in rows for name in names.scalars(row.rates)}
     giving = [one for one in items if _gives(one)]
     found: dict[SourceStatement, str] = {}
     for one in giving:
         if (name := one.bare[0]) in names.vectors:
-            others = (other for other in giving if other.order < one.order or not _has(other, name))
+            others = (
+                other
+                for other in giving
+                if other.order < one.order
+                or (one.section in other.sections and not _has(other, name))
+            )
             given = {other.bare[0] for other in others}
-            in_law = {names.whole(n) for row in _rows_of(name, rows, names) for n in row.names}
+            own = [*_rows_of(name, rows, names)]
+            in_law = {names.whole(n) for row in own for n in row.names}
+            beside = (row for row in rows for at in own[:1] if at.section in row.sections)
+            rated = {n for row in beside for n in names.scalars(row.rates)}
             inner = {names.whole(n) for n in one.members[1].names()}
             moving = inner & in_law & {*names.vectors} - given
             if len(moving) == 1 and rated.isdisjoint(names.scalars(moving)):

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 
+from kowalevski_cas.notation import Name
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.grammar import Directive
@@ -94,12 +95,54 @@ class Parts:
             self.enter(item, StatementRole(OTHER, f"{item.printed.display.source} gives it"))
 
     def cite(self, item: SourceStatement) -> None:
-        """Let names that are cited from another part have their meaning in that of a statement."""
+        """Let names have their meaning in the part of a statement that another part gives them.
+
+        They are cited there, or the same variables move in both, as where a force is added, and
+        the statement does not define them anew.
+        """
         known = self.of(item)
+        for one in self._inherited(item, known):
+            known.borrow(one, self.roles[one])
         for one in known.cited(item):
             role = self.roles.get(one)
             if role is not None and role.name in NAMING and self.of(one) is not known:
                 known.borrow(one, role)
+
+    def _inherited(self, item: SourceStatement, known: Known) -> Iterator[SourceStatement]:
+        """What defines names of a statement in the part before, if its law goes on here."""
+        place = self.places[item]
+        if not place or not self._goes_on(place):
+            return
+        mentioned = {name for law in known.laws for name in law.mentions}
+        waiting = [name for name in item.names if item.members[:1] != (Name(name),)]
+        met = mentioned | known.definitions.keys()
+        while waiting:
+            name = waiting.pop()
+            if name in met or known.moves(name):
+                continue
+            met.add(name)
+            for one in self.known[place - 1].definitions.get(name, ()):
+                if self.roles[one].name in NAMING:
+                    yield one
+                    waiting += one.names
+
+    def _goes_on(self, place: int) -> bool:
+        """Whether a part has the law of the one before with something added, as a force.
+
+        The same variables move, and all constants of the old law are in the new one.
+        """
+        before, here = self.known[place - 1], self.known[place]
+        constants = []
+        for known in (before, here):
+            mentioned = {
+                n for law in known.laws for name in law.mentions for n in before.below(name)
+            }
+            constants.append({n for n in mentioned if not before.is_defined(n)})
+        moving = [
+            {name for law in known.laws for name in law.variables} for known in (before, here)
+        ]
+        constants = [own - moving[0] for own in constants]
+        return moving[0] == moving[1] and bool(constants[0]) and constants[0] <= constants[1]
 
     @cached_property
     def named_apart(self) -> list[frozenset[str]]:

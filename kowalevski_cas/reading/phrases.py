@@ -42,11 +42,19 @@ def clause(item: SourceStatement) -> str:
     return f"{_own_lead(item)[-60:]} § {_CLAUSE.split(tail, maxsplit=1)[0][:30]}"
 
 
+def is_conditional(item: SourceStatement) -> bool:
+    """Whether a statement stands in a clause that supposes something, as its sentence began."""
+    over = max(last_cue("then", item.before), last_cue("claim", item.before))
+    return last_cue("when", item.before) > over
+
+
 def supposing(item: SourceStatement) -> str:
     """The words by which something is supposed right before a statement."""
     said = cue("suppose", f"{item.lead} ")
     if said:
         return said.strip()
+    if is_conditional(item) and cue("then", item.tail[:12]):
+        return cue("when", item.before)
     before = item.before.rsplit("§", 1)[0] if "§" in item.before else ""
     between = item.lead.strip(" ,;~")
     joined = between in ("", "and", "и", "or", "или", ", and")
@@ -55,7 +63,7 @@ def supposing(item: SourceStatement) -> str:
 
 def reach(item: SourceStatement) -> str:
     """How far it reaches what is supposed of what moves."""
-    if cue("here", f"{item.before} "):
+    if cue("here", f"{item.before} ") or (is_conditional(item) and cue("then", item.tail[:12])):
         return "set of the sentence"
     return "set in force" if cue("suppose", item.lead) else "set"
 
@@ -77,7 +85,7 @@ def integral_words(item: SourceStatement) -> str:
     ):
         if last_cue("claim", item.lead[-30:]) < 0 or not item.typed.inline:
             return said
-    if said := cue("integral", _own_lead(item)):
+    if said := cue("integral", last_clause(_own_lead(item))):
         return said
     if item.typed.inline:
         return ""
@@ -112,7 +120,7 @@ def announced(item: SourceStatement) -> str:
     found = _ONE_MORE.search(words)
     if found and (said := cue("integral", words[: found.start()])):
         return said if "§" in words[: found.start()] else ""
-    for before in item.earlier:
+    for before in item.earlier if last_clause(item.before) == item.before else ():
         if not (_ONE_MORE.search(words) or _IT_IS.match(words)) or cue("denied", words):
             return ""
         if said := cue("integral", before):
@@ -140,6 +148,20 @@ _LISTS = re.compile(
 )
 """How words end behind which a display lists what is something."""
 _CLAUSE = re.compile(r"[,;:.]|\b(?:and|but|и|а|но)\b")
+
+
+_ANOTHER_CLAUSE = re.compile(
+    r";|[,:]\s*(?:and|but|while|whereas|и|а|но)\s+"
+    r"(?:it|this|that|they|these|we|one|there|он|она|оно|они|это|мы)\b"
+    r"(?!\s+(?:reads?|equals?|(?:is|are)\s+(?:given|equal)|ha(?:s|ve)\s+the\s+form|име\w+|рав\w+))",
+    re.IGNORECASE,
+)
+"""What ends a clause behind which another one says something else."""
+
+
+def last_clause(words: str) -> str:
+    """The last of the clauses of some words that have subjects of their own."""
+    return _ANOTHER_CLAUSE.split(words)[-1]
 
 
 def right_behind(item: SourceStatement) -> str:

@@ -18,7 +18,15 @@ from kowalevski_cas.reading.definitions import (
     unit,
 )
 from kowalevski_cas.reading.index_ranges import is_range
-from kowalevski_cas.reading.known import CLAIM, NOTATION, OTHER, UNREAD, Known, StatementRole
+from kowalevski_cas.reading.known import (
+    CLAIM,
+    DEFINITION,
+    NOTATION,
+    OTHER,
+    UNREAD,
+    Known,
+    StatementRole,
+)
 from kowalevski_cas.reading.obey import said_role
 from kowalevski_cas.reading.phrases import VERB, clause, listed_words, words_of
 from kowalevski_cas.reading.propositions import (
@@ -88,6 +96,8 @@ def unjudged(item: SourceStatement, known: Known) -> StatementRole | None:
     if said := cue("only if", item.lead) or cue("only if", _ONE_CLAUSE.split(item.tail)[0]):
         return StatementRole(OTHER, f"“{said}” says more than is judged", "asked")
     if said := cue("denied", clause(item)):
+        if names := _named(item, known):
+            return StatementRole(DEFINITION, f"named here; “{said}” is said of it", "", names)
         return StatementRole(
             OTHER, f"“{said}” stands beside it: it is not claimed as printed", "denied"
         )
@@ -98,6 +108,15 @@ def unjudged(item: SourceStatement, known: Known) -> StatementRole | None:
     if item.after.endswith("?") or known.paper.prose.text[: item.sentence[1]].rstrip()[-1:] == "?":
         return StatementRole(OTHER, "it is asked, not claimed", "asked")
     return None
+
+
+def _named(item: SourceStatement, known: Known) -> tuple[str, ...]:
+    """The name that an equation gives before words say that it is not something."""
+    heads = item.printed.heads.names
+    new = bool(heads) and item.bare[:1] == heads[:1] and not known.is_known(heads[0])
+    said = VERB.match(item.tail) and not cue("denied", item.lead[-60:])
+    gives = len(item.members) == 2 and known.varying(item.names)
+    return heads[:1] if new and said and gives else ()
 
 
 def other(item: SourceStatement, known: Known) -> StatementRole | None:

@@ -18,9 +18,11 @@ from kowalevski_cas.notation import (
     Relation,
     Root,
     rank,
+    read,
     to_latex,
 )
 from kowalevski_cas.notation.functions import FAMILY_OF, SIGN
+from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.amplitudes import conjugate_name, with_conjugates
 from kowalevski_cas.paper.claims.forms import minus
@@ -107,8 +109,9 @@ class Stage:
         """The assumptions about some names, and the inequalities that hang together with these."""
         of = {one: {*self.known.roles[one].names} for one in assumptions}
         for one in of:
-            if self.known.roles[one].kind == "inequality":
-                of[one] |= {inner for name in of[one] for inner in self.known.below(name)}
+            stands_for = (name for name in of[one] if self.known.is_defined(name))
+            below = of[one] if self.known.roles[one].kind == "inequality" else stands_for
+            of[one] |= {inner for name in [*below] for inner in self.known.below(name)}
         found, reached = dict[SourceStatement, None](), {*names}
         while new := [one for one in of if one not in found and of[one] & reached]:
             found |= dict.fromkeys(new)
@@ -256,6 +259,9 @@ class Stage:
         scene = Scene(
             title, vectors, closure.variables, constants, rows, definitions=places, powers=powers
         )
+        squared = {name for place in squares for name in place.heads.squares}
+        first = [root for root in roots if squared.isdisjoint(self._below(root))]
+        scene = scene.adjoining(*(root for root in first if root not in scene.definitions))
         scene = self._with_unit(scene.adjoining(*squares), closure, clock)
         used: list[SourceStatement] = []
         for one in sorted(about, key=lambda one: one.order):
@@ -350,6 +356,11 @@ class Stage:
                 case Application(function, (argument,)) if function == SIGN:
                     yield to_latex(Root(Power(argument, Number(2))))
 
+    def _below(self, root: str) -> set[str]:
+        """The names in a root, and all that they stand for: squares may, that come first then."""
+        names = read(root, self.known.paper.words, OpenParser).names()
+        return {inner for name in names for inner in self.known.below(name)}
+
     def _is_real(self, formula: Formula) -> bool:
         """Whether an absolute value is a root of a square: of a vector, or where all is real."""
         return rank(formula, self.known.paper.words) == VECTOR or not self.known.units
@@ -385,8 +396,11 @@ def with_assumption(scene: Scene, item: SourceStatement, known: Known) -> Scene:
 
 
 def _with_relation(scene: Scene, item: SourceStatement) -> Scene:
-    """A scene with an equation of its constants, solved for one of them; itself, if it is none."""
-    if len(item.members) != 2 or not item.names <= {*scene.constants}:
+    r"""A scene with an equation of its constants, solved for one of them; itself, if it is none.
+
+    What is defined by constants may stand in it, as in :math:`\mu=3` behind :math:`\mu=M/m`.
+    """
+    if len(item.members) != 2 or not item.names <= {*scene.constants, *scene.definitions}:
         return scene
     display = item.printed.display
     with suppress(ValueError):

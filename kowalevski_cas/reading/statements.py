@@ -12,6 +12,7 @@ from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation
 from kowalevski_cas.notation.symbol import name_of_rate, symbol
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.times import time_change
+from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue, cues
 from kowalevski_cas.reading.formulas import by_names, read_formula, vocabulary_of
 from kowalevski_cas.reading.index_ranges import period_in, with_ranges
@@ -215,7 +216,7 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     formulas = [*by_names(typed)]
     prose = Prose(expanded.text, expanded.body, formulas)
     words = vocabulary_of(formulas)
-    words = replace(words, scalars=words.scalars | primed)
+    words = replace(words, scalars=words.scalars | primed, moving=words.moving | primed)
     displays: list[tuple[Display, TypedFormula]] = []
     items: list[SourceStatement] = []
     period = period_in(expanded.text[prose.start :])
@@ -280,6 +281,11 @@ def _id(formula: TypedFormula, ids: Counter[str]) -> str:
     letters = letters.strip("-")[:LONGEST_ID].strip("-") or "formula"
     ids[letters] += 1
     return letters if ids[letters] == 1 else f"{letters}_{ids[letters]}"
+
+
+def is_numerical(formula: Formula) -> bool:
+    r"""Whether a formula is a number, as :math:`\\pi/3` is, or a list of numbers."""
+    return formula.names() <= {PI}
 
 
 def is_closing(item: SourceStatement) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kowalevski_cas.notation import Name, Number, Relation
+from kowalevski_cas.notation import Name, Number, Relation, Vector
 from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.reading.cues import cue, last_cue
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, OTHER, Known, StatementRole
@@ -47,12 +47,18 @@ def _says_first(item: SourceStatement, known: Known) -> bool:
 
 def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
     """What is supposed of constants, in force to the end of the section."""
-    if not item.members or item.derives or known.varying(item.names - {*item.bare}):
+    if not item.members or item.derives:
+        return None
+    if known.varying(item.names - {*item.bare} - known.levels):
         return None
     names = [name for name in item.bare if not known.varies(name)]
     moving = [name for name in item.bare if known.moves(name)]
     said = supposing(item)
-    if moving and said and is_number(m for m in item.members if not isinstance(m, Name)):
+    others = [member for member in item.members if not isinstance(member, Name)]
+    names_of = {name for member in others for name in member.names()}
+    given = isinstance(others[0], Vector) if others else False
+    given = given and not any(map(known.varies, names_of - known.levels))
+    if moving and said and (is_number(others) or (given and is_value(others[0]))):
         if cue("invariant", item.words) or cue("equilibrium", item.words):
             return None
         words = f"“{said}” supposes it of what moves"

@@ -10,18 +10,23 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import chain
 from operator import add, mul
+from random import Random
 
-from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz
 
 from kowalevski_cas.algebra.flint import polynomial_of
 from kowalevski_cas.problem.polynomial_fields import Exponents, Terms, derivative, monomials
 from kowalevski_cas.search.branches import (
     Branch,
+    Solved,
     branches,
     maximal,
     reduce_solutions,
     replace_solved,
 )
+
+SMALLEST, LARGEST = 10**3, 10**4
+"""Between these are the numbers that stand for constants in general position."""
 
 
 @dataclass(frozen=True)
@@ -51,16 +56,20 @@ class Ansatze:
     def solve(self, leading: Exponents) -> list[Branch]:
         """The cases in which the equations of an ansatz hold: a task for a pool.
 
-        Those of the highest degree are solved first, if the constants are in general position: a
-        case in which an unknown is no rational function of them is left early.
+        If the constants are in general position, they are numbers first: what is zero there is zero
+        for all of them, and few unknowns are left.
         """
         ansatz = self.of(leading)
         granted = tuple(ansatz.in_constants(terms) for terms in self.granted)
         levels = ansatz.equations()
         if self.special:
             return [*branches(chain.from_iterable(levels), ansatz.places, granted)]
-        start, places = Branch((), (), granted), ansatz.places[: ansatz.unknowns]
-        return [*maximal([*_rational_cases(levels, places, start)])]
+        if not self.constants:
+            return ansatz.rational_cases(levels, granted)
+        found: list[Branch] = []
+        for zeros in ansatz.zeros(levels):
+            found += ansatz.rational_cases([zeros, *levels], granted)
+        return [*maximal(found)]
 
     def _below(self, leading: Exponents) -> Iterator[Exponents]:
         """The monomials before another one that have the same weights."""
@@ -112,6 +121,32 @@ class Ansatz:
             levels.setdefault(sum(exponents), []).append(equation)
         return [*levels.values()]
 
+    def rational_cases(
+        self, levels: Sequence[Sequence[fmpq_mpoly]], granted: tuple[fmpq_mpoly, ...]
+    ) -> list[Branch]:
+        """The cases in which unknowns are rational functions of the constants.
+
+        The equations of the highest degree are solved first, so that others are left early.
+        """
+        start, places = Branch((), (), granted), self.places[: self.unknowns]
+        return [*maximal([*_rational_cases(levels, places, start)])]
+
+    def zeros(self, levels: Sequence[Sequence[fmpq_mpoly]]) -> list[list[fmpq_mpoly]]:
+        """The unknowns that are zero in each case, where the constants are certain numbers."""
+        random = Random(1)
+        names = [self.context.name(place) for place in range(self.unknowns, self.width)]
+        numbers: dict[str | int, int | fmpz | fmpq] = {
+            name: random.randrange(SMALLEST, LARGEST) for name in names
+        }
+        there = [[equation.subs(numbers) for equation in level] for level in levels]
+        cases = self.rational_cases(there, ())
+        if any(case.rest for case in cases):  # all equations at once may leave none
+            every = chain.from_iterable(there)
+            cases = [*cases, *branches(every, self.places[: self.unknowns])]
+        solved = chain.from_iterable(map(_separate, cases))
+        found = (tuple(place for place, equation in case if len(equation) == 1) for case in solved)
+        return [[self.context.gen(place) for place in zero] for zero in dict.fromkeys(found)]
+
     def _product(self, *places: int) -> Exponents:
         """The monomial of unknowns at different places; at −1 there is the coefficient 1."""
         exponents = [0] * self.width
@@ -119,6 +154,22 @@ class Ansatz:
             if place >= 0:
                 exponents[place] = 1
         return tuple(exponents)
+
+
+def _separate(case: Branch) -> Iterator[Solved]:
+    """What a case with numbers says of all unknowns; two that are left have to be rational."""
+    if not case.rest:
+        yield case.solved
+        return
+    degrees = [map(int, equation.degrees()) for equation in case.rest]
+    left = [place for place, column in enumerate(zip(*degrees, strict=True)) if any(column)]
+    if len(left) != 2 or len(case.rest) < 2:
+        return
+    one, other, *_ = sorted(case.rest, key=len)
+    eliminant = one.resultant(other, one.context().name(left[0]))
+    for branch in branches([eliminant, *case.rest], left, case.nonzero):
+        if not branch.rest:
+            yield reduce_solutions((*case.solved, *branch.solved))
 
 
 def _rational_cases(

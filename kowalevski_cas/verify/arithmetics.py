@@ -21,6 +21,10 @@ if TYPE_CHECKING:
     from kowalevski_cas.problem.sampled import Sampled
 
 
+Evidence = Callable[[], Verdicts | None]
+"""What gives the evidence that there is for a statement."""
+
+
 class Decided(NamedTuple):
     """A statement with its evidence, and what an arithmetic accepted of it."""
 
@@ -61,15 +65,15 @@ class Arithmetics:
         return tuple(dict.fromkeys(("flint", *(n for n in self.names if n not in POINTS))))
 
     def decide(
-        self, statement: Statement, verdicts: Verdicts | None, arithmetic: str
+        self, statement: Statement, evidence: Evidence, arithmetic: str
     ) -> Decided | Screened:
-        """What one arithmetic says of a statement, with the evidence that there is."""
+        """What one arithmetic says of a statement; the evidence is searched for if it needs it."""
         points = self._points.get(arithmetic)
         if points is None:
-            return self.judge(statement, verdicts, arithmetic)
+            return self.judge(statement, evidence(), arithmetic)
         from kowalevski_cas.verify.screen import screen  # proving needs no points
 
-        return screen(statement, verdicts, points, self._stages)
+        return screen(statement, evidence, points, self._stages)
 
     def judge(self, statement: Statement, verdicts: Verdicts | None, arithmetic: str) -> Decided:
         """What an exact arithmetic accepts; raises :class:`Unproved` for evidence that fails."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import cache, partial
 from math import inf
 from traceback import format_exc
 from typing import Protocol
@@ -113,11 +114,11 @@ class Decider:
 
     def outcome(self, statement: Statement, start: float) -> Outcome:
         """The outcome for a statement, without a correction; ``start`` is when it was begun."""
-        verdicts = self.archive.evidence(statement, statement.claim.id)
+        evidence = cache(partial(self.archive.evidence, statement, statement.claim.id))
         found: dict[str, Decided | Screened] = {}
         seconds: dict[str, float] = {}
         for arithmetic in self.arithmetics.names:
-            found[arithmetic] = self.arithmetics.decide(statement, verdicts, arithmetic)
+            found[arithmetic] = self.arithmetics.decide(statement, evidence, arithmetic)
             seconds[arithmetic] = clock() - start
             start = clock()
         return self.writer.outcome(statement, found)._replace(seconds=seconds)

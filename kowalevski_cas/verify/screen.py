@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from kowalevski_cas.algebra.points import Answer, NoPoint, Points, Question
 from kowalevski_cas.algebra.programs import Program
@@ -34,7 +34,7 @@ Stages = dict[Setting, Sampled]
 
 
 def screen(
-    statement: Statement, verdicts: Verdicts | None, points: Points, stages: Stages
+    statement: Statement, evidence: Callable[[], Verdicts | None], points: Points, stages: Stages
 ) -> Screened:
     """What an arithmetic of points says about a statement.
 
@@ -45,7 +45,7 @@ def screen(
     answers: list[Answer] = []
     unseen: list[str] = []
     try:
-        for question in questions(statement, verdicts, unseen, stages):
+        for question in questions(statement, evidence, unseen, stages):
             answer = points.answer(question)
             if answer.holds is False:
                 if not all(map(decides, statement.claimed)):
@@ -75,9 +75,12 @@ def _is_refuted(answer: Answer) -> Screened:
 
 
 def questions(
-    statement: Statement, verdicts: Verdicts | None, unseen: list[str], stages: Stages
+    statement: Statement, evidence: Callable[[], Verdicts | None], unseen: list[str], stages: Stages
 ) -> Iterator[Question]:
-    """What can be asked at points; what cannot is entered as ``unseen``."""
+    """What can be asked at points; what cannot is entered as ``unseen``.
+
+    What exists has to be found first.
+    """
 
     def at(setting: Setting) -> Sampled:
         if setting not in stages:
@@ -85,10 +88,11 @@ def questions(
         return stages[setting]
 
     for place, goal in enumerate(statement.goals):
-        found = verdicts[place] if isinstance(verdicts, tuple) else None
         if isinstance(goal, Along):
             unseen.append("that two solutions are equal cannot be seen at points")
         elif isinstance(goal, Exists):
+            verdicts = evidence()
+            found = verdicts[place] if isinstance(verdicts, tuple) else None
             if not isinstance(found, Found):
                 unseen.append("what exists cannot be seen at points")
                 continue

@@ -257,3 +257,12 @@ def test_an_identity_has_the_conditions_of_its_hypotheses(below, sign):
     conditions = {to_latex(c.expression) for c in outcome.conditions}
     assert outcome.verdict == "conditional", outcome.message
     assert "a" in conditions and len(conditions) == (1 if below in ("a", "a^2+1") else 2)
+
+
+def test_what_is_supposed_of_other_letters_is_no_hypothesis():
+    """A claim that does not speak of b stands by itself, even where there is no such b."""
+    system = System(r"\dot x=ax+b").where("0<b<-1")
+    assert system.inequality(r"x^2\ge0").verdict == "proved"
+    assert system.inequality(r"x^4\ge x").verdict == "refuted"
+    for claim in (r"(x+b)^2\ge0", r"x^4\ge x+b"):  # of nothing nothing is said
+        assert system.inequality(claim).verdict == "undecided"

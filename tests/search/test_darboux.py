@@ -74,6 +74,39 @@ def test_a_circle_is_found_however_the_motion_turns_along_it(speed, rate):
     assert "x² + y² − 1" in found
 
 
+QUARTICS = {
+    "Yablonskii": (
+        r"\dot x=-4abcx-(a+b)y+3(a+b)cx^2+4xy,\ \dot y=(a+b)abx-4abcy"
+        r"+(4abc^2-\frac32(a+b)^2+4ab)x^2+8(a+b)cxy+8y^2",
+        "12xac + 12xbc + 16y − 8abc",
+    ),
+    "Filipstov": (
+        r"\dot x=6(1+a)x+2y-6(2+a)x^2+12xy,\ \dot y=15(1+a)y+3a(1+a)x^2-2(9+5a)xy+16y^2",
+        "−24xa − 48x + 48y + 30a + 30",
+    ),
+    "Chavarriga": (
+        r"\dot x=5x+6x^2+4(1+a)xy+ay^2,\ \dot y=x+2y+4xy+(2+3a)y^2", "18x + 12ya + 10y + 10"
+    ),
+    "Chavarriga, Llibre and Sorolla": (
+        r"\dot x=2(1+2x-2ax^2+6xy),\ \dot y=8-3a-14ax-2axy-8y^2", "−12xa + 8y + 8"
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(k, marks=[pytest.mark.slow] if k == "Yablonskii" else []) for k in QUARTICS],
+)
+def test_the_quartic_limit_cycles_of_quadratic_systems_need_no_relation_of_constants(name):
+    """J. Chavarriga, J. Llibre and J. Sorolla, J. Differential Equations 200 (2004) 206–244."""
+    motion, cofactor = QUARTICS[name]
+    scene = System(motion).scene
+    at = Elaborations(Texts(vocabulary((scene,))))(scene).finder
+    (one,) = darboux_polynomials(at, 4)
+    assert (shown(one.cofactor), one.equations) == (cofactor, ())
+    assert (at.derivative(one.polynomial) - one.cofactor * one.polynomial).is_zero
+
+
 def test_what_splits_is_left_out():
     assert len([*found(VOLTERRA, 3)]) == 4  # neither xyz nor (x + y + z)² is listed
     assert all(k == "0" for _, k, _ in found(EULER, 2))

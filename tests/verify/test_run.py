@@ -2,20 +2,24 @@
 
 import sys
 import time
+from collections import Counter
 
 import pytest
 
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.library import available, find, load
-from kowalevski_cas.paper.claims import Identity
+from kowalevski_cas.paper.claims import FirstIntegral, Identity
 from kowalevski_cas.paper.derivation import Derivation, Section
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.examine import Accepted
+from kowalevski_cas.problem.fold import Fold
 from kowalevski_cas.verify.arithmetics import Arithmetics, Decided
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.decider import FRAMES
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.record import differences, load_record
 from kowalevski_cas.verify.run import Session, run_together
+from kowalevski_cas.verify.statement import Statement
 from tests.paper.small import Oscillator, decide, derivation, verdicts
 from tests.sample import sampled
 
@@ -197,3 +201,32 @@ def test_what_rests_on_another_derivation_asks_the_run_of_that_one_and_no_namesa
     (outcome,) = run_together([known, Session(above, ["flint"])], ["eq2"])[1].outcomes
     assert outcome.corrected == ("below/t",)
     assert outcome.verdict == ("undecided" if own else "proved")
+
+
+def test_points_need_no_search_for_a_proof_but_for_what_exists(small, monkeypatch):
+    asked = []
+    search = Statement.search
+    monkeypatch.setattr(Statement, "search", lambda one: asked.append(one.name) or search(one))
+    small.section.claim(
+        Identity("t", small.scene, "", printed=small("x=x+v-v")),
+        Identity("f", small.scene, "", printed=small("x=v")),
+    )
+    outcomes = Session(derivation(small.section), ["modular"]).run().outcomes
+    assert [str(outcome.verdict) for outcome in outcomes] == ["probable", "refuted"] and not asked
+
+
+@pytest.mark.forged  # nothing is: the law of verdicts would evaluate it anew
+@pytest.mark.parametrize("tex", ["x^2+v^2", "kE"])
+def test_a_new_statement_is_evaluated_once(small, monkeypatch, tex):
+    """By search, judge and words together, in the evaluation that they share."""
+    evaluated = Counter()
+    pairs = Fold.pairs
+
+    def count(fold, equations):
+        evaluated.update(equations if type(fold) is Evaluation else ())
+        return pairs(fold, equations)
+
+    monkeypatch.setattr(Fold, "pairs", count)
+    small.section.claim(FirstIntegral("t", small.scene, "", printed=small(tex)))
+    (outcome,) = Session(derivation(small.section), ["flint"]).run().outcomes
+    assert str(outcome.verdict) == "proved" and evaluated and max(evaluated.values()) == 1

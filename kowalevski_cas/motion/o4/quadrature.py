@@ -8,10 +8,10 @@ inverse of the matrix of the means both integrals become :math:`\psi_k+{}` sines
 :math:`=\theta_k`, with phases θ that are linear in time. The map ψ ↦ θ is a diffeomorphism of the
 torus, for its determinant has the factor :math:`n_1v_2-n_2v_1`.
 
-Newton's method from a table, with damping, mostly finds ψ. Where a double root is near, whole
-regions of the torus are passed in no time; then two bisections find it: with n − ev in place of v,
-e between the arcs, each equation is monotone, the first one in :math:`\psi_2`, and the second one
-in :math:`\psi_1` when the first holds.
+Newton's method with damping mostly finds ψ, from a table if there are many. Where a double root
+is near, whole regions of the torus are passed in no time; then two bisections find it: with n − ev
+in place of v, e between the arcs, each equation is monotone, the first one in :math:`\psi_2`, and
+the second one in :math:`\psi_1` when the first holds.
 """
 
 from __future__ import annotations
@@ -84,7 +84,8 @@ class Quadratures:
         """The angles ψ (2, N) by the phases θ."""
         turns = 2 * np.pi * np.rint(phases / (2 * np.pi))
         aim = phases - turns
-        found: Array = self._solve(aim, self._interpolated(aim))
+        many = aim.shape[1] > NODES * NODES  # the table takes as long as so many phases
+        found: Array = self._solve(aim, self._interpolated(aim) if many else aim)
         return found + turns
 
     def _solve(self, aim: Array, start: Array) -> Array:

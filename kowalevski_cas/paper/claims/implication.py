@@ -23,7 +23,7 @@ Equations = tuple[Equation, ...]
 
 
 class Implication(Claim):
-    """The printed equation (or expression, equal to zero) follows from the ``given`` ones.
+    """The printed equation (a chain, or an expression, equal to zero) follows from the given ones.
 
     With a ``root``, it follows for one of the two values of this root, and for
     the same one as the equations in ``together``.
@@ -39,7 +39,7 @@ class Implication(Claim):
         formula = on.texts.formula(self.own)
         if not isinstance(formula, Relation):
             conclusion: Equations = (vanishes(expression(on, space, self.own)),)
-        elif are_matrices(formula, space):
+        elif len(formula.members) > 2 or are_matrices(formula, space):
             conclusion = equations(on, space, (self.own,))
         else:
             conclusion = (equation(on, space, self.own),)

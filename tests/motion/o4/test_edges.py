@@ -15,6 +15,7 @@ from kowalevski_cas.motion.general import with_constants_of_O4
 from kowalevski_cas.motion.methods import closed as closed_form
 from kowalevski_cas.motion.methods.integrators import initial_state
 from kowalevski_cas.motion.o4.closed import ClosedO4
+from kowalevski_cas.motion.o4.quadrature import NODES
 from kowalevski_cas.motion.units import numbers_in_unit, unit_of
 from kowalevski_cas.paper.closed_form import HyperellipticForm
 from tests.motion.exact import apart, integrated
@@ -122,6 +123,16 @@ def test_near_two_edges_it_is_as_exact_or_is_not_given(known):
         assert "close" in str(error) or "≠ 0" in str(error) or "digits" in str(error)
     else:
         assert apart(found, balls(motion, times)) < closed_form.PROMISE
+
+
+@settings(max_examples=3, deadline=None)
+@given(motions())
+def test_of_many_times_it_is_as_exact_as_of_a_few(moving):
+    """Angles are then found from a table."""
+    motion, (_, step, late) = moving
+    times = late + step * np.arange(NODES * NODES + 2)
+    some = [0, 777, len(times) - 1]
+    assert apart(states(motion, times)[some], balls(motion, times[some])) < closed_form.PROMISE
 
 
 @settings(max_examples=5)

@@ -1,0 +1,79 @@
+"""Cases of which a paper speaks again: “in the case of Clebsch”, “in the second case”.
+
+What was supposed where the case was introduced is in force where words name it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import groupby
+
+from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.text import Prose
+
+_OF = re.compile(
+    r"\b(?:[Ii]n|[Uu]nder|[Ff]or)\s+the\s+(?:cases?|conditions?)\s+of\s+(?P<of>[A-Z]\w{3,})"
+    r"|\b(?:[Ii]n|[Uu]nder)\s+(?:the\s+)?(?P<his>[A-Z]\w{3,})(?:['’]s)?\s+(?:case|conditions?)\b"
+    r"|\b(?:[Вв]\s+случае|[Пп]ри\s+услови\w+)\s+(?P<genitive>[А-ЯЁ]\w{3,})"
+)
+_IS_CASE = re.compile(r"\bcase|\bcondition|случа|услови", re.IGNORECASE)
+_CASES = re.compile(r"\bcases\b|\bслуча(?:и|ях|ев|ями)\b", re.IGNORECASE)
+_STEM = 5
+"""The letters of a name that stay where it is declined."""
+_ENTRY = re.compile(r"\bcases?\s+\((?P<label>\w{1,4})\)|\bслуча\w+\s+\((?P<label_>\w{1,4})\)")
+_LABEL = re.compile(r"\\item\s*\[\W*(\w+)\W*\]")
+_ORDINALS = ("first", "second", "third", "fourth"), ("перв", "втор", "трет", "четв")
+_NUMBER = re.compile(
+    r"\b[Ii]n\s+the\s+(?P<number>first|second|third|fourth)\s+(?P<what>case|one)\b"
+    r"|\b[Вв]о?\s+(?P<number_>перв|втор|трет|четв)\w+\s+случае"
+)
+
+
+def named_case(
+    item: SourceStatement, assumptions: Iterable[SourceStatement], prose: Prose
+) -> list[SourceStatement]:
+    """The assumptions of the case that the words before a statement name; none if they do not."""
+    body = [one for one in assumptions if all(s.title != "abstract" for s in one.sections)]
+    before = [one for one in body if one.order < item.order and one.members]
+    if found := _OF.search(item.before):
+        return [*_of_name(next(filter(None, found.groups())), before)]
+    if found := _ENTRY.search(item.before):
+        return [*_of_entry(found["label"] or found["label_"], before, prose)]
+    if found := _NUMBER.search(item.before):
+        spoken = found["what"] != "one" or any(map(_NUMBER.search, item.earlier[:1]))
+        if item.theorem is not None and spoken:
+            return _of_number(found["number"] or found["number_"], item, before)
+    return []
+
+
+def _of_name(name: str, before: Sequence[SourceStatement]) -> Iterator[SourceStatement]:
+    """The assumptions of the sentence that calls a case by a name; not of one with several."""
+    for one in before:
+        several = _CASES.search(one.words)
+        if name[:_STEM] in one.words and _IS_CASE.search(one.words) and not several:
+            yield one
+
+
+def _of_entry(
+    label: str, before: Sequence[SourceStatement], prose: Prose
+) -> Iterator[SourceStatement]:
+    """The assumptions of the item of a list with a label, the last one that has it."""
+    entries = [one.entry for one in before if one.entry is not None]
+    own = [entry for entry in entries if _label(entry, prose) == label]
+    yield from (one for one in before if own and one.entry == own[-1])
+
+
+def _label(entry: tuple[int, int], prose: Prose) -> str:
+    printed = _LABEL.match(prose.text, entry[0])
+    return printed[1] if printed else ""
+
+
+def _of_number(
+    number: str, item: SourceStatement, before: Sequence[SourceStatement]
+) -> list[SourceStatement]:
+    """The assumptions of a sentence of its theorem, by the order of such sentences."""
+    own = (one for one in before if one.theorem == item.theorem)
+    groups = [[*group] for _, group in groupby(own, key=lambda one: one.sentence)]
+    place = next(k for names in _ORDINALS for k, name in enumerate(names) if name == number)
+    return groups[place] if place < len(groups) else []
