@@ -9,6 +9,9 @@ from pathlib import Path
 import pytest
 from PIL import Image, ImageChops, ImageStat
 
+from kowalevski_cas.report.findings import Findings
+from kowalevski_cas.report.sentences import Phrases, in_words
+
 README_PATH = Path(__file__).parents[1] / "README.md"
 README = README_PATH.read_text(encoding="utf-8")
 
@@ -18,7 +21,8 @@ def test_its_pictures_are_of_this_version(tmp_path):
     script = README_PATH.parent / "docs" / "pictures.py"
     subprocess.run([sys.executable, script, tmp_path], check=True, capture_output=True)
     made = sorted(file.name for file in tmp_path.iterdir())
-    assert "erratum.png" in made and all(f"docs/{name}" in README for name in made)
+    pages = [README, *(page.read_text(encoding="utf-8") for page in script.parent.rglob("*.md"))]
+    assert "erratum.png" in made and all(any(name in page for page in pages) for name in made)
     for name in made:
         with Image.open(tmp_path / name) as now, Image.open(script.parent / name) as then:
             assert now.size == then.size
@@ -26,13 +30,14 @@ def test_its_pictures_are_of_this_version(tmp_path):
         assert ImageStat.Stat(differences).mean[0] < 1, f"{name} is old: make docs"
 
 
-def test_the_lines_of_python_count_tori_and_follow_a_motion():
-    names = {}
-    for lines in re.findall(r"From Python:\n\n((?:    .*\n)+)", README):
-        exec(re.sub("^    ", "", lines, flags=re.MULTILINE), names)
-    h, k, g = names["largest"].level
-    assert names["largest"].tori == 2 and (h, k > 0) == (3, True) and isinstance(g, float)
-    assert names["states"].shape == (3, 9)
+def test_its_first_words_are_what_was_found(run, derivation):
+    found = Findings(Phrases(run.vocabulary, {}), run.outcomes)
+    main = [one for one in run.outcomes if one.claim in derivation.main]
+    assert all(one.verdict.green for one in main) and "Its main results stand" in README
+    counts = [(found.slips, "formulas are misprinted"), (found.false, "sentence is false")]
+    counts.append((found.missing, "hypotheses are missing"))
+    for ones, words in counts:
+        assert f"{in_words(len(ones))} {words}" in README.lower()
 
 
 def test_the_file_of_a_system_is_as_expected(tmp_path, capsys):

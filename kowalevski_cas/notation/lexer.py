@@ -11,6 +11,8 @@ import re
 from typing import NamedTuple
 
 from kowalevski_cas.notation.errors import NotationError
+from kowalevski_cas.notation.functions import FUNCTIONS
+from kowalevski_cas.notation.functions import SPELLING as NAMED
 from kowalevski_cas.notation.letters import set_accents, set_over, with_stars
 from kowalevski_cas.notation.macros import (
     ACTIONS,
@@ -43,6 +45,7 @@ _CLOSING = re.compile(r"(?:\s|\\right(?![A-Za-z]))*(?:\\\}|\.)")
 _ORDER = re.compile(r"\s*\[\s*(\d{1,2})\s*\]")
 SHIFTS = ("$", r"\(", r"\)", r"\[", r"\]", ".", ",", ";")
 _NULL = re.compile(r"\s*\.")
+_OPENING = re.compile(r"\s*(?:\\left\s*)?\(")
 _BAR = re.compile(r"\s*(?:\||\\\||\\[vV]ert(?![A-Za-z]))")
 _OPENS = re.compile(r"\\left|\\[bB]igg?l")
 
@@ -335,6 +338,11 @@ class _Scanner:
             self.add("letter", words if len(words) == 1 else rf"\mathrm{{{words}}}", start)
         elif words in JOINING or (text and not words and text != "."):
             self.add("comma", words, start)
+        elif (name := rf"\mathrm{{{words}}}") in {*FUNCTIONS, *NAMED} and _OPENING.match(
+            self.tex, self.at
+        ):
+            self.argument()
+            self.add("letter", name, start)  # a function in the type of words
         elif words:
             told = "mathematics inside of text cannot be read"
             if words.replace(" ", "").replace(".", "").isalpha():

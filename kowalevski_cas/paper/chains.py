@@ -43,7 +43,7 @@ def without_chains(tex: str, moving: Collection[str] = ()) -> Chains:
     changed = tex
     for start, end in places:
         members = _members(tex[start:end])
-        if len(members) < 2:
+        if len(members) < 2 or any(map(_is_constant, members[:2])):
             continue
         rest = names_in(without(tex, [(start, end)])) | {*moving}
         given, others = _sides(members, rest)

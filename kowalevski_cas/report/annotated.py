@@ -38,7 +38,7 @@ from kowalevski_cas.report.sentences import list_in_words
 from kowalevski_cas.report.trust import trust
 from kowalevski_cas.source.displays import DISPLAYS, TypedFormula, find_formulas
 from kowalevski_cas.source.listing import guess
-from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.outcome import Run, Verdict
 
 _CLOSING: Final = {"$": "$", "$$": "$$", "\\[": "\\]", "\\(": "\\)"}
 _TITLE: Final = re.compile(r"\\title\s*(?:\[[^\]]*\])?\s*\{([^{}\\]*)\}")
@@ -61,7 +61,7 @@ class _Annotated:
     def __post_init__(self) -> None:
         audit, session = self.audit, self.audit.session
         derivation, texts = session.interpretation.derivation, session.interpretation.texts
-        self.run = run = audit.run
+        self.run = run = _with_reasons(audit)
         paper = sections(run, derivation, texts)
         self.file = audit.source.path.rpartition("/")[2]
         command = f"kowalevski-cas audit {self.file} --report DIR"
@@ -107,7 +107,7 @@ class _Annotated:
         digest = self._digest()
         of: Text = (f"The source {self.file} (SHA-256 {digest} …), a verdict at each formula.",)
         printed = _TITLE.search(self.text)
-        name = run.title if run.author or not printed else printed[1]
+        name = printed[1] if printed and not run.author else run.title.rpartition("/")[2]
         title = f"“{name}”, verified formula by formula"
         return Document(title, title, (*[(run.author, ".")][: bool(run.author)], of), shown)
 
@@ -119,13 +119,15 @@ class _Annotated:
         """What a source that is its own derivation takes for granted, and what rests on each."""
         if self.audit.reading is None:
             return
-        used = [assumption for assumption in assumptions_of(self.audit) if assumption.claims]
+        phrases = self.contents.phrases
+        used = [
+            (*phrases.words(f"{assumption.words}; on it rest "), *phrases.links(assumption.claims))
+            for assumption in assumptions_of(self.audit)
+            if assumption.claims
+        ]
         if used:
             yield Heading(("What is assumed",), "assumed", 2)
-        for assumption in used:
-            phrases = self.contents.phrases
-            words = phrases.words(f"{assumption.words}; on it rest ")
-            yield Paragraph((*words, *phrases.links(assumption.claims), "."))
+        yield from (Paragraph((*said, ".")) for said in dict.fromkeys(used))
 
     def _not_judged(self) -> Iterator[Block]:
         """The formulas and the sentences of such a source of which nothing is said."""
@@ -243,6 +245,19 @@ class _Annotated:
             item for item in items if display and item.display == display.id
         ]
         return own[0].anchor if own else "paper"
+
+
+def _with_reasons(audit: Audit) -> Run:
+    """The run, in which what is not decided says what the audit has found out about it."""
+    told = {claim: formula.message for formula in audit.formulas for claim in formula.claims}
+    return audit.run._replace(
+        outcomes=tuple(
+            outcome
+            if outcome.verdict.green or outcome.verdict is Verdict.REFUTED
+            else outcome._replace(message=told.get(outcome.claim) or outcome.message)
+            for outcome in audit.run.outcomes
+        )
+    )
 
 
 def _with_headings(blocks: Sequence[Block]) -> Iterator[Block]:

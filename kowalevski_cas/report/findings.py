@@ -121,7 +121,9 @@ class Findings:
             for outcome in self.open:
                 where = self.phrases.links([outcome.claim])
                 said = self.phrases.sentence(outcome.message)
-                yield Judgement(outcome.verdict, "", (*where, ": ", *said))
+                shown = Equations(outcome.formulas, outcome.source)
+                blocks = (shown,) if outcome.source else ()
+                yield Judgement(outcome.verdict, "", (*where, ": ", *said), blocks=blocks)
 
     def hypotheses(self) -> Iterator[Block]:
         """What the paper does not say and a statement needs, each condition once."""

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Final
 
-from kowalevski_cas.report.document import Block, Judgement, Paragraph
+from kowalevski_cas.notation import Formula, to_plain
+from kowalevski_cas.report.document import Block, Inline, Judgement, Paragraph
 from kowalevski_cas.report.findings import Findings, Slip, lacks
 from kowalevski_cas.report.sentences import (
     Phrases,
@@ -16,6 +17,12 @@ from kowalevski_cas.report.sentences import (
     nonzero,
 )
 from kowalevski_cas.verify.outcome import Outcome, Verdict
+
+SHORT: Final = 30
+"""The signs of a printed formula and its correction that are shown whole in the first lines."""
+
+LONGEST: Final = 160
+"""The signs of a point, and of what fails there, that are shown in the first lines."""
 
 _OPEN: Final = {
     Verdict.PROBABLE: "true but for a named chance of error",
@@ -32,11 +39,7 @@ def wrong_places(findings: Findings) -> Iterator[Block]:
     if findings.slips:
         yield Paragraph(("Misprinted (in brackets two values at a point, which should be equal):",))
         yield from (_misprint(phrases, slip) for slip in findings.slips)
-    for outcome in findings.false:
-        words = phrases.words(outcome.words.rstrip("."))
-        where = phrases.found([outcome.claim])
-        said = (*where, " is false", *((": “", *words, "”") if words else ()), ".")
-        yield Judgement(outcome.verdict, "", said)
+    yield from (_falsehood(phrases, outcome) for outcome in findings.false)
     if findings.missing:
         needed = [
             (nonzero(expression), " (for ", *phrases.links([claim for claim, _ in needing]), ")")
@@ -47,12 +50,39 @@ def wrong_places(findings: Findings) -> Iterator[Block]:
 
 def _misprint(phrases: Phrases, slip: Slip) -> Judgement:
     """Where a misprint stands, what to read, and the two values that show it."""
-    first = slip[0]
+    first, correction = slip[0], slip[0].correction
+    assert correction is not None
     where = phrases.found([outcome.claim for outcome in slip])
-    read = phrases.words(first.correction.words if first.correction else "")
+    read = phrases.words(correction.words)
+    if not correction.blamed and _is_short([*first.formulas, *correction.formulas]):
+        read = ("for ", *first.formulas, " read ", *correction.formulas)
     found = first.counterexample
     values = (" (", found.left, " ≠ ", found.right, ")") if found else ()
     return Judgement(first.verdict, "", (*where, ": ", *read, *values, "."))
+
+
+def _is_short(formulas: Sequence[Formula]) -> bool:
+    """Whether a formula and what it should be are read faster than what was changed in it."""
+    return len(formulas) == 2 and _length(formulas) <= SHORT
+
+
+def _length(text: Sequence[Inline]) -> int:
+    """How many signs a text without links has."""
+    return sum(
+        len(part if isinstance(part, str) else to_plain(part))
+        for part in text
+        if isinstance(part, str | Formula)
+    )
+
+
+def _falsehood(phrases: Phrases, outcome: Outcome) -> Judgement:
+    """What is false, and the point that shows it."""
+    words, found = phrases.words(outcome.words.rstrip(".")), outcome.counterexample
+    said = (*phrases.found([outcome.claim]), " is false", *((": “", *words, "”") if words else ()))
+    why = phrases.values(found) if found else ()
+    if _length(why) > LONGEST:
+        why = ()
+    return Judgement(outcome.verdict, "", (*said, ".", *((" ", *why) if why else ())))
 
 
 def tally(findings: Findings) -> str:
@@ -111,7 +141,7 @@ def _wrong(findings: Findings, outcomes: Sequence[Outcome]) -> list[tuple[int, s
         (sum(outcome.verdict is verdict for outcome in outcomes), what)
         for verdict, what in _OPEN.items()
     ]
-    by = f"spoiled by {count_in_words(len(slips), 'misprint')}"
+    by = f"spoiled by {'a misprint' if len(slips) == 1 else count_in_words(len(slips), 'misprint')}"
     refuted = (spoiled, by), (false, "false"), (denied, f"false, {findings.denier}")
     return [one for one in (*refuted, *open_ones) if one[0]]
 

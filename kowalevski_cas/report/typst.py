@@ -105,7 +105,7 @@ class TypstWriter(Writer):
         label = self.text(block.label)
         if block.lead:
             return f"#led([{self.text(block.lead)}], [{label}])[{shown}]{place}"
-        sticky = ", sticky: true" if block.leads else ""
+        sticky = ", sticky: true" if block.leads or block.wrong else ""
         return f"#shown({name}, [{label}]{wrong}{sticky})[{shown}]{place}"
 
     def judgement(self, block: Judgement) -> str:

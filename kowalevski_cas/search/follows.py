@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 from functools import reduce
 from itertools import product
-from operator import mul
+from operator import itemgetter, mul
 
 from kowalevski_cas.algebra.ideals import vanish_on
 from kowalevski_cas.algebra.numbers import inverse_of
@@ -21,7 +21,7 @@ from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.combinations import Combinations, combinations_of, complete
 from kowalevski_cas.search.equal_roots import proof_by_equal_roots
-from kowalevski_cas.search.place import Candidate, PointFinder, Values
+from kowalevski_cas.search.place import Candidate, Good, Height, PointFinder, Values
 from kowalevski_cas.search.real_cases import RealCases
 
 LARGEST_POWER = 3
@@ -146,10 +146,23 @@ class FollowsFinder(PointFinder):
         divided = [*law(goal, at), *known, *(e for conclusion in failing for e in conclusion)]
         divided += [condition.inverse() for condition in conditions]
         # The basis below costs more than points in general position.
-        point = self.point(at, known, divided, good, 0, SIMPLEST, squares=False)
+        found = self.simplest(at, known, divided, good, 0, SIMPLEST, False)
+        if found and found[0].fractions and not conditions:
+            found = min(found, self._whole(at, known, divided, good) or found, key=itemgetter(0))
+        point = found[1] if found else None
         if point is None and not any(all(vanish_on(conclusion, known)) for conclusion in failing):
             point = self.point(at, known, divided, good, among=SIMPLEST)
         return None if point is None else At(point)
+
+    def _whole(
+        self, at: Evaluation, known: Sequence[Element], divided: Sequence[Element], good: Good
+    ) -> tuple[Height, Point] | None:
+        """A point with whole coordinates, where one variable may vanish, or all but one."""
+
+        def whole(candidate: Candidate) -> bool:
+            return candidate.is_whole and good(candidate)
+
+        return self.simplest(at, known, divided, whole, 1, SIMPLEST, False)
 
 
 def _has_signs(goal: Follows) -> bool:

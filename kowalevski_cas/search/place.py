@@ -7,6 +7,7 @@ from contextlib import suppress
 from fractions import Fraction
 from itertools import chain, combinations, count, islice
 from operator import itemgetter
+from typing import NamedTuple
 
 from kowalevski_cas.algebra.numbers import Substitution, gaussian, is_negative, number_ring, root_in
 from kowalevski_cas.algebra.points import ExactPoint
@@ -24,10 +25,6 @@ Good = Callable[["Candidate"], bool]
 Place = tuple[ExactPoint, Mapping[str, Fraction]]
 """Rational coordinates, and the squares of the others."""
 
-Height = tuple[int, int, int, int]
-"""How many roots a point needs, how many of its constants are negative, as no moment of inertia
-is, how many of its coordinates are fractions, and its largest whole number."""
-
 Values = Callable[[Element], Element]
 """What gives elements their values."""
 
@@ -36,6 +33,15 @@ TRIES = 60
 
 ON_PIECES = 4
 """At how many of them all pieces are looked at."""
+
+
+class Height(NamedTuple):
+    """How far a point is from one that a reader would choose; no moment of inertia is negative."""
+
+    roots: int
+    negative_constants: int
+    fractions: int
+    largest: int
 
 
 class Candidate:
@@ -53,6 +59,7 @@ class Candidate:
         squares: Mapping[str, Fraction] = {},  # it is only read
     ) -> None:
         self.at, self.squares = at, squares
+        self.is_whole = all(part.denominator == 1 for value in point.values() for part in value)
         self.numbers = number_ring(at.polynomials)
         values = {name: gaussian(self.numbers, *value) for name, value in point.items()}
         for name, square in squares.items():
@@ -102,7 +109,21 @@ class PointFinder:
         among: int = 1,
         squares: bool = True,
     ) -> Point | None:
-        """A real point where elements vanish, nothing is divided by zero, and all is good.
+        """The point of :meth:`simplest`."""
+        found = self.simplest(at, zero, divided, good, most, among, squares)
+        return found[1] if found else None
+
+    def simplest(
+        self,
+        at: Evaluation,
+        zero: Sequence[Element],
+        divided: Sequence[Element],
+        good: Good,
+        most: int,
+        among: int,
+        squares: bool,
+    ) -> tuple[Height, Point] | None:
+        """How simple it is, and a real point: elements vanish, none is divided by 0, all is good.
 
         It is sought among points in general position, and if ``most`` is not 0 where all variables
         vanish, and then where some do, or all but some, as many as ``most``; and at last, if these
@@ -125,7 +146,7 @@ class PointFinder:
             )
             found = islice(_points(tried, names, avoid, zero, good), among)
             if simplest := min(found, key=itemgetter(0), default=None):
-                return simplest[1]
+                return simplest
         return None
 
     def on_pieces(self, known: Sequence[Element], certain: Callable[[Values], bool]) -> Good:
@@ -202,11 +223,10 @@ def _points(
 
 
 def _height(candidate: Candidate, point: Point) -> Height:
-    """How far a point is from one that a reader would choose."""
     constants = (point.values[name] for name in candidate.at.setting.constants)
     parts = [part for value in point.values.values() for part in value.nodes()]
     numbers = [part.value for part in parts if isinstance(part, Number)]
-    return (
+    return Height(
         len(candidate.numbers.roots),
         sum(isinstance(value, Negative) for value in constants),
         sum(isinstance(part, Quotient) for part in parts),

@@ -112,7 +112,7 @@ def check_indices(names: Sequence[str], moving: Collection[str] = ()) -> None:
 def check_ends(tex: str, constants: Iterable[str], moving: Iterable[str]) -> None:
     r"""Refuse what only an index such as i+1 names, and what no row moves: the ends of a chain."""
     printed = {letter + index for letter, index in Cursor(tex, scan(tex), Vocabulary()).letters()}
-    chains = {symbol(one).head for one in moving}
+    chains = {symbol(one).head for one in moving if symbol(one).index}
     for name in constants:
         if symbol(name).head in chains and name not in printed:
             link = symbol(name).head

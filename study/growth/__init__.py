@@ -5,17 +5,19 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterable, Sequence
 from functools import partial
+from operator import itemgetter
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 from kowalevski_cas.pictures import INK, new_figure
-from study.charts import curve, display_name, legend_below, seconds, size
+from study.charts import curve, display_name, seconds, size
 from study.growth.programs import LIBRARIES, PROGRAMS, write_program
 from study.process import race
 from study.step import Measured, Row, Task
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 TITLE = "how cost grows"
@@ -40,6 +42,9 @@ CAPTION = (
     "rational expressions in Maxima. Residues look at points, prove nothing, and reach "
     f"{MOST} in both."
 )
+
+ROOM = 0.05
+"""How much of the width of a panel the name of a line takes."""
 
 WORK = Path(__file__).with_name("work.py")
 
@@ -95,8 +100,31 @@ def draw(rows: Sequence[Row]) -> Figure:
             ends = [row["steps"][-1] for row in here if row["method"] != "modular"]
             axes.set_xlim(-0.3, max(ends, default=MOST) + 0.6)
     for axes, case, number in zip(panels[0], CASES, ("(15)", "(16)"), strict=True):
-        axes.set_title(f"{case} variables: {number}", size=8.5)
+        axes.set_title(f"{case} variables: {number}", size=8.5, pad=62)
+        _name_lines(axes)
     for axes in panels[1]:
         axes.set_xlabel("$k$, the order of the derivative")
-    legend_below(figure, panels[0, 0], 3)
     return figure
+
+
+def _name_lines(axes: Axes) -> None:
+    """Write the name of each line above its last point, side by side where several end together."""
+    from numpy import asarray
+
+    named = [(str(line.get_label()), line) for line in axes.lines]
+    ends = [
+        (float(asarray(line.get_xdata())[-1]), name, line.get_color())
+        for name, line in named
+        if not name.startswith("_")
+    ]
+    ends.sort(key=itemgetter(0))
+    left, right = axes.get_xlim()
+    room = (right - left) * ROOM
+    places = [min(x, right - room / 2) for x, *_ in ends]
+    for k in range(len(places) - 2, -1, -1):
+        places[k] = min(places[k], places[k + 1] - room)
+    for place, (_, name, colour) in zip(places, ends, strict=True):
+        axes.text(
+            place, 1.02, name, color=colour, size=7, rotation=90,
+            ha="center", va="bottom", transform=axes.get_xaxis_transform(),
+        )  # fmt: skip

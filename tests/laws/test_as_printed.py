@@ -181,3 +181,20 @@ def test_an_inequality_may_stand_beside_equations():
     assert System(r"\ddot x=-\sqrt{k^2}x,\ k\ge0").integral(r"\dot x^2+kx^2").verdict.green
     assert System(r"\ddot x=-\sqrt{k^2}x,\ k<0").integral(r"\dot x^2+kx^2").verdict == "refuted"
     assert not System(r"\ddot x=-kx,\ k>1,\ k<0").integral(r"\dot x^2+kx^2").verdict.green
+
+
+def test_a_function_may_be_in_the_type_of_words():
+    words, upright = (System(rf"\ddot x=-\{one}{{sign}}(x)") for one in ("textrm", "operatorname"))
+    assert field(words) == field(upright)
+    with pytest.raises(NotationError, match="the words “sign”"):
+        System(r"\ddot x=-\text{sign} x")
+
+
+def test_a_number_of_centres_may_stand_beside_their_sum():
+    force = r"\ddot {0}=-\sum_{{i=1}}^N\frac{{\gamma_i({0}-{0}_i)}}{{D_i^3}}"
+    rows = (
+        rf"{force.format('x')},\ {force.format('y')},\ D_i=\sqrt{{(x-x_i)^2+(y-y_i)^2+d^2}},\ N=2"
+    )
+    scene = System(rows).scene
+    assert {"x_1", "x_2", "y_1", "y_2", r"\gamma_1", r"\gamma_2", "d"} == {*scene.constants}
+    assert {"D_1", "D_2"} <= {*scene.definitions}

@@ -136,3 +136,18 @@ def test_a_source_that_is_its_own_derivation_says_what_is_not_judged() -> None:
     told = [said(b) for b in document.blocks[places["unjudged"] + 1 : places["paper"]]]
     assert "an integral cannot be read" in told[0]
     assert "There are no other integrals." in told[-1]
+
+
+def test_what_is_not_decided_stands_with_its_formula_and_the_reason() -> None:
+    text = (
+        r"\begin{document}The motion is $$\dot p=aqr,\quad \dot q=brp,\quad \dot r=cpq.$$ "
+        r"At some moment $p+q=5$.\end{document}"
+    )
+    found = audit_reading(ReadingSession(read(decode("a/b.tex", text.encode())), timeout=20))
+    document = annotate(found)
+    assert document.title.startswith("“b.tex”")
+    (place,) = (k for k, b in enumerate(document.blocks) if getattr(b, "anchor", "") == "open")
+    told = document.blocks[place + 1]
+    assert isinstance(told, Judgement) and "alse as it was read" in said(told.head)
+    assert any(isinstance(block, Equations) for block in told.blocks)
+    assert "stands nowhere else (line 1)" in said(told.head)

@@ -177,7 +177,7 @@ class TestWrong:
             ),
             (
                 [claim("a", "1", "x=x", "", P), claim("b", "1", "x=y", "", R, correction=correction("x=x", "", P, place="b"))],
-                "Of two formulas and statements, one holds as printed. One is spoiled by one misprint.",
+                "Of two formulas and statements, one holds as printed. One is spoiled by a misprint.",
             ),
             (
                 [claim("a", "1", "x=y", "", R), claim("b", "1", "x=y", "", Verdict.TIMEOUT)],

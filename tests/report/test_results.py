@@ -86,6 +86,21 @@ def test_a_misprint_has_its_two_values_beside_it() -> None:
     assert isinstance(line, Judgement) and " ≠ " in said(line.head)
 
 
+def test_a_short_misprint_is_shown_as_printed_and_as_meant() -> None:
+    for print_, short in (("x=2x", True), ("x=" + "+".join(["x"] * 20), False)):
+        wrong = misprint("m")._replace(formulas=read(print_))
+        (_, line) = wrong_places(Findings(Phrases(WORDS, {}), [wrong]))
+        said_whole = ("for ", *read(print_), " read ", *read("x=x"), ".")
+        assert isinstance(line, Judgement) and (line.head[-5:] == said_whole) == short
+
+
+def test_what_is_false_has_its_point_beside_it() -> None:
+    fails = counterexample(point({"x": "1"}), "1", "2", "it is not so there")
+    wrong = claim("b", "1", "x=y", "it is so", R, counterexample=fails)
+    (false,) = wrong_places(Findings(Phrases(WORDS, {}), [wrong]))
+    assert isinstance(false, Judgement) and said(false.head).endswith("it is not so there.")
+
+
 def test_conditions_are_named() -> None:
     needs = claim("a", "1", "x=x", "it is so", C, conditions=(condition("x", ""),))
     (_, block) = main_results(Findings(Phrases(WORDS, {}), [needs]), ["a"])

@@ -172,6 +172,14 @@ def test_a_point_where_something_fails_is_small_and_its_constants_are_positive(m
     assert all(isinstance(found[name], Number) for name in constants)
 
 
+def test_it_is_whole_where_something_may_vanish_also_on_a_sphere():
+    """Of x² + y² + z² = 1 the points in general position are fractions."""
+    system = System(r"\dot x=wy, \dot y=-wx, \dot z=0")
+    claim = system.implication("x+y+2z=3", given="x^2+y^2+z^2=1")
+    found = claim.outcome.counterexample.point.values.values()
+    assert not any(isinstance(node, Quotient) for value in found for node in value.nodes())
+
+
 def test_the_value_of_a_polynomial():
     assert value({(2, 1): Fraction(3), (0, 0): Fraction(1)}, (Fraction(1, 2), 4)) == 4
 

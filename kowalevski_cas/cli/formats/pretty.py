@@ -88,8 +88,13 @@ def phrases_of(result: ComparedRun) -> Phrases:
 
 def _phrases(vocabulary: Vocabulary, paper: Sequence[PaperSection]) -> Phrases:
     known = names(paper).items()
-    called = {claim: name for claim, name in known if name.near or name.number.startswith("(")}
-    return Phrases(vocabulary, called)
+    printed = {claim: name for claim, name in known if name.number.startswith("(")}
+    near = {
+        claim: name._replace(number=claim)
+        for claim, name in known
+        if claim not in printed and name.near and name.several == 1
+    }
+    return Phrases(vocabulary, printed | near)
 
 
 def _errors(result: ComparedRun) -> Iterator[str]:

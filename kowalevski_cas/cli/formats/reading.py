@@ -47,7 +47,7 @@ def rest(audit: Audit, phrases: Phrases) -> Iterator[str]:
     yield from _doubts(audit, phrases)
     yield from _open(audit, phrases)
     if found := unchecked(audit):
-        shown = ", ".join(map(audit.called, found))
+        shown = ", ".join(dict.fromkeys(map(audit.called, found)))
         said = f"Definitions on which no verdict rests: {shown}."
         yield from ("", *plain.lines([Paragraph((said,))]))
 
@@ -69,15 +69,17 @@ def _comments(audit: Audit) -> Iterator[str]:
 def _assumptions(audit: Audit, phrases: Phrases) -> Iterator[str]:
     from kowalevski_cas.audit.assumed import assumptions_of
 
-    listed = [assumption for assumption in assumptions_of(audit) if assumption.claims]
-    if listed:
-        yield from ("", plain.bold("What is assumed"))
-    for assumption in listed:
-        by_claim = {id: formula for formula in audit.formulas for id in formula.claims}
+    by_claim = {id: formula for formula in audit.formulas for id in formula.claims}
+    listed = list[str]()
+    for assumption in assumptions_of(audit):
         places = (audit.called(by_claim[id]) for id in assumption.claims if id in by_claim)
         resting = ", ".join(dict.fromkeys(places))
-        words = phrases.words(f"{assumption.words}; on it rest {resting}.")
-        yield from (f"  {line}" for line in plain.wrap(plain.text(words)))
+        if assumption.claims:
+            listed.append(f"{assumption.words}; on it rest {resting}.")
+    if listed:
+        yield from ("", plain.bold("What is assumed"))
+    for words in dict.fromkeys(listed):
+        yield from (f"  {line}" for line in plain.wrap(plain.text(phrases.words(words))))
 
 
 def _doubts(audit: Audit, phrases: Phrases) -> Iterator[str]:
