@@ -37,7 +37,7 @@ CLAIMS = 12
 MISPRINTS = 0.05
 """The share of them with a token too many."""
 
-SIZES = (75, 150, 300)
+SIZES = (50, 100, 200)
 """The numbers of papers of the runs."""
 
 TASKS = 2_000

@@ -4,6 +4,7 @@ import json
 
 import pytest
 
+from benchmarks.corpus import CLAIMS, audit, paper
 from benchmarks.rows import compare
 
 
@@ -20,3 +21,10 @@ def test_half_as_much_again_as_the_committed_row_is_a_warning(ratio, told, tmp_p
 def test_what_has_no_row_is_only_shown(tmp_path, capsys):
     compare({"kowalevski-cas check": {"seconds": 5.0, "ratio": 1.0, "MB": 40}}, tmp_path / "none")
     assert "::warning" not in capsys.readouterr().out
+
+
+def test_a_paper_of_the_corpus_comes_back_with_a_verdict_and_a_certificate_for_each_claim():
+    found = audit(paper(1))
+    assert len(found.verdicts) >= CLAIMS and {*found.verdicts} <= {"proved", "refuted"}
+    assert len(found.certificates) == len(found.verdicts) and all(found.certificates)
+    assert paper(1) == paper(1) != paper(2)
