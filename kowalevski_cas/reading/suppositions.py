@@ -51,11 +51,11 @@ def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
         return None
     if known.varying(item.names - {*item.bare} - known.levels):
         return None
-    names = [name for name in item.bare if not known.varies(name)]
     moving = [name for name in item.bare if known.moves(name)]
     said = supposing(item)
     others = [member for member in item.members if not isinstance(member, Name)]
     names_of = {name for member in others for name in member.names()}
+    names = [name for name in item.bare if not known.varies(name) and name not in names_of]
     given = isinstance(others[0], Vector) if others else False
     given = given and not any(map(known.varies, names_of - known.levels))
     if moving and said and (is_number(others) or (given and is_value(others[0]))):
