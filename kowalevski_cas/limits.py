@@ -53,6 +53,31 @@ def begin(here: Watched) -> None:
     _here, _ends = here, None
 
 
+def waited(process: int | str = "thread-self") -> float:
+    """The seconds for which a process, or this thread, was ready to work and had no processor.
+
+    Linux tells them; elsewhere there are none.
+    """
+    try:
+        with open(f"/proc/{process}/schedstat", encoding="ascii") as told:
+            return int(told.read().split()[1]) / 1e9
+    except (OSError, IndexError, ValueError):
+        return 0.0
+
+
+def clock() -> float:
+    """Seconds that pass here, without those of waiting for a processor.
+
+    By it a limit of time means nearly the same on a machine that has other work to do.
+    """
+    before = waited()
+    while True:
+        now, after = monotonic(), waited()
+        if after == before:  # else it has waited just here
+            return now - after
+        before = after
+
+
 def is_watched() -> bool:
     """Whether somebody watches this process, so that limits hold in it."""
     return _here is not None
@@ -120,8 +145,9 @@ def early_end() -> list[int]:
 def time_limit(seconds: float | None) -> Iterator[None]:
     """A limit for a block, in a process that is watched; there is none elsewhere or with ``None``.
 
-    Limits nest. The blocks of a work have to come in the same order whenever it is done. None
-    reaches beyond the limit of the run.
+    Limits nest, and do not count how long the process waits for a processor. The blocks of a
+    work have to come in the same order whenever it is done. None reaches beyond the limit of the
+    run.
 
     Raises:
         TimeoutError: the block takes longer; it is not entered.
@@ -137,7 +163,7 @@ def time_limit(seconds: float | None) -> Iterator[None]:
     number = here.limits
     if number in here.given_up:
         raise here.given_up[number]
-    here.tell("begin", number, min(now + seconds, here.until))
+    here.tell("begin", number, min(now + seconds, here.until), waited())
     try:
         yield
     finally:

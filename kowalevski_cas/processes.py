@@ -31,6 +31,7 @@ from kowalevski_cas.limits import (
     early_end,
     is_watched,
     run_end,
+    waited,
 )
 
 Item = TypeVar("Item")
@@ -168,6 +169,8 @@ class _Process(Generic[Item, Result]):
         """Begin a process that waits for an item."""
         self.limits: dict[int, float] = {}
         """The limits under which it works, and when they end."""
+        self.waited: dict[int, float] = {}
+        """For how long it had waited for a processor when they began, or were prolonged."""
         self.unread = bytearray()
         sys.stdout.flush()
         sys.stderr.flush()
@@ -210,6 +213,15 @@ class _Process(Generic[Item, Result]):
         """When the next of its limits ends."""
         return min(*self.limits.values(), self.until) if self.limits else inf
 
+    def is_late(self) -> bool:
+        """Whether it has come to a limit, which does not count its waiting for a processor."""
+        if self.deadline <= monotonic():
+            now = waited(self.pid)
+            for limit, before in self.waited.items():
+                self.limits[limit] += now - before
+                self.waited[limit] = now
+        return self.deadline <= monotonic()
+
     def hear(self, heard: Callable[..., None]) -> None:
         """Read what it has told; it may have come to its end."""
         data = os.read(self.reading, CHUNK)
@@ -222,9 +234,9 @@ class _Process(Generic[Item, Result]):
             del self.unread[: LENGTH + size]
             match kind:
                 case "begin":
-                    self.limits[words[0]] = words[1]
+                    self.limits[words[0]], self.waited[words[0]] = words[1], words[2]
                 case "end":
-                    del self.limits[words[0]]
+                    del self.limits[words[0]], self.waited[words[0]]
                 case "words":
                     heard(*words, self.place)
                 case "result":
@@ -288,7 +300,7 @@ def _listen(
     for one in running:
         if one.reading in ready:
             one.hear(heard)
-        elif not ready and one.deadline <= monotonic():
+        elif not ready and one.is_late():
             one.give_up(min(one.limits, key=lambda n: one.limits[n]), TimeoutError())
 
 

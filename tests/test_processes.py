@@ -7,8 +7,9 @@ import sys
 import threading
 from importlib import import_module
 from itertools import pairwise
+from pathlib import Path
 from tempfile import TemporaryDirectory
-from time import monotonic, sleep
+from time import monotonic, process_time, sleep
 
 import pytest
 from flint import Ordering, fmpq_mpoly_ctx
@@ -377,3 +378,31 @@ class TestLimits:
 
     def test_processes_of_a_process_are_watched_too(self):
         assert one(lambda: [late(lambda: sleep(LONG)), late(lambda: None)]) == [True, False]
+
+
+def spin(seconds):
+    """Work for so many seconds of a processor."""
+    until = process_time() + seconds
+    while process_time() < until:
+        pass
+
+
+@pytest.mark.skipif(not hasattr(os, "sched_setaffinity"), reason="the system does not tell")
+def test_a_limit_does_not_count_how_long_a_process_waits_for_a_processor():
+    """Else what a machine decides would depend on what else it has to do."""
+    if not Path("/proc/self/schedstat").exists():
+        pytest.skip("the system does not tell")
+
+    def decided(number):
+        os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
+        if number:
+            spin(1)
+            return True
+        try:
+            with time_limit(0.6):
+                spin(0.3)
+                return True
+        except TimeoutError:
+            return False
+
+    assert [*each(decided, range(4), jobs=4)] == [True] * 4

@@ -12,7 +12,7 @@ from functools import cached_property
 from time import perf_counter
 
 from kowalevski_cas.audit.audit import Audit
-from kowalevski_cas.audit.audited import OPEN, UNREADABLE, Audited
+from kowalevski_cas.audit.audited import GIVEN, OPEN, UNREADABLE, Audited
 from kowalevski_cas.audit.author import AuthorSession
 from kowalevski_cas.audit.causes import Causes
 from kowalevski_cas.audit.describe import Describer
@@ -25,7 +25,7 @@ from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.processes import each
 from kowalevski_cas.reading import CLAIM, LAW, UNREAD, JudgedStatement, Reading
-from kowalevski_cas.reading.obey import SAID
+from kowalevski_cas.reading.obey import SAID, SKIPPED
 from kowalevski_cas.reading.uncovered import Uncovered, sentences
 from kowalevski_cas.source.text import Region
 from kowalevski_cas.verify.blame import Blame
@@ -240,8 +240,9 @@ def audit_reading(session: ReadingSession) -> Audit:
     describe = Describer(paper.source, paper.expanded, author, {})
     found = [formula for place in places for formula in describe.formulas(place)]
     by_place = {formula.item.printed: formula for formula in reading.formulas}
+    skipped = {one.item.printed.display.id: one for one in _skipped(reading)}
     for audited in found:
-        _as_read(audited, by_place.get(audited.place) if audited.place else None)
+        _as_read(audited, by_place.get(audited.place) if audited.place else skipped.get(audited.id))
     point_at(found, session.repairs, reading)
     said = (*paper.source.refused, *paper.expanded.notes)
     notes = [(paper.source.line(offset), reason) for offset, reason in said]
@@ -267,17 +268,28 @@ def uncovered(reading: Reading) -> list[Uncovered]:
     judged = [f for f in (*reading.formulas, *reading.statements) if f.claim is not None]
     kinds = {(f.item.sentence, f.role.kind) for f in judged if f.span is None}
     covered = [*said.skipped(paper.prose), *(f.span for f in judged if f.span is not None)]
+    ends = [0, *(typed.end for _, typed in paper.displays)]
+    for one in (formula.item.typed for formula in _skipped(reading)):  # and what leads up to them
+        covered.append((max(end for end in ends if end <= one.start), one.end))
     stated = sentences(paper.prose, paper.source, paper.expanded, covered)
     return [passage for span, kind, passage in stated if (span, kind) not in kinds]
 
 
+def _skipped(reading: Reading) -> Iterator[JudgedStatement]:
+    """What the author does not want to be judged."""
+    return (formula for formula in reading.formulas if formula.role.kind == SKIPPED)
+
+
 def _as_read(audited: Audited, formula: JudgedStatement | None) -> None:
     """Give a formula the role that it was read in."""
+    audited.message = audited.message.removeprefix(f"{audited.id}: ")
     if formula is None:
         audited.role, audited.reason = "unread", audited.message
         audited.verdict = OPEN if audited.verdict == UNREADABLE else audited.verdict
         return
     audited.role, audited.reason = formula.role.name, formula.role.reason
+    if audited.verdict == UNREADABLE:  # and it need not be read
+        audited.verdict, audited.message = GIVEN, ""
     audited.on = tuple(item.printed.place for item in formula.on)
     if formula.role.name == UNREAD:
         audited.verdict = OPEN

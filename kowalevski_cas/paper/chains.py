@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable
+from contextlib import suppress
 from typing import NamedTuple
 
 from kowalevski_cas.notation import NotationError, split_display
@@ -74,7 +75,10 @@ def without_new_names(texts: Iterable[str]) -> list[str]:
     texts = [*texts]
     found = []
     for k, tex in enumerate(texts):
-        for start, end in {*split_display(tex)} if tex.count("=") > 1 else ():
+        places = set[tuple[int, int]]()
+        with suppress(NotationError):  # who reads it says so
+            places |= {*split_display(tex)} if tex.count("=") > 1 else set()
+        for start, end in places:
             members = _members(tex[start:end])
             if len(members) < 3 or not _is_given(members[0]) or _IS_RATE.fullmatch(members[0]):
                 continue

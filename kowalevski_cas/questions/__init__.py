@@ -11,10 +11,9 @@ import sys
 from collections.abc import Iterator
 from dataclasses import replace
 from importlib import import_module
-from time import monotonic
 from types import ModuleType
 
-from kowalevski_cas.limits import tell, time_limit
+from kowalevski_cas.limits import clock, tell, time_limit
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
@@ -57,10 +56,10 @@ def collect(search: Iterator[Finding], seconds: float) -> tuple[list[Finding], s
     from kowalevski_cas.algebra.elimination import TooLarge
 
     findings: list[Finding] = []
-    end = monotonic() + seconds
+    end = clock() + seconds
     try:
         while True:
-            with time_limit(end - monotonic()):
+            with time_limit(end - clock()):
                 findings.append(next(search))
             tell(f"{len(findings)} found", 0, 1)
     except StopIteration:

@@ -19,6 +19,9 @@ SECONDS = 2.0
 IDLE = "nothing moves on the set on which it seems to be claimed: it would say nothing"
 
 
+OVERDUE = "whether it holds by something else that is said was not decided in time"
+
+
 UNMOVED = "nothing moves by the equations of motion as they were read: it would say nothing"
 
 
@@ -60,7 +63,7 @@ def _basis(found: list[Rung], on: Elaborations) -> str:
 def choose(found: list[Rung], on: Elaborations) -> Choice:
     """The first claim that holds, or the one with what is in force, where none does."""
     first: int | None = None
-    message = ""
+    message, overdue = "", set[int]()
     only = found[0].idle is None and not found[0].is_stronger
     alone = len(found) == 1 and only  # there is nothing to choose from
     for place, rung in enumerate(found):
@@ -69,6 +72,8 @@ def choose(found: list[Rung], on: Elaborations) -> Choice:
         true, trouble = _trial(rung, on, alone)
         if true:
             return Choice(first, "", place) if rung.elsewhere else Choice(place)
+        overdue |= {place} if trouble == OVERDUE else set()
+        trouble = "" if trouble == OVERDUE else trouble
         message = message or trouble
         if trouble or rung.elsewhere or rung.is_stronger:
             continue
@@ -76,7 +81,9 @@ def choose(found: list[Rung], on: Elaborations) -> Choice:
             first = place
         elif not rung.given and not found[first].given and {*rung.on} > {*found[first].on}:
             first = place  # what is supposed there is not left aside where the claim fails
-    return Choice(first, "" if first is not None else message)
+    if first is not None:
+        message = OVERDUE if overdue - {first} else ""
+    return Choice(first, message)
 
 
 def _trial(rung: Rung, on: Elaborations, alone: bool) -> tuple[bool, str]:
@@ -95,7 +102,7 @@ def _trial(rung: Rung, on: Elaborations, alone: bool) -> tuple[bool, str]:
             said = said.removeprefix(f"{printed.display.id}: ")
         return False, said
     except (TimeoutError, ProcessDied):
-        pass
+        return False, OVERDUE
     return False, ""
 
 

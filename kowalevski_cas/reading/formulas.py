@@ -35,8 +35,10 @@ def by_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
     by = derived_in_index(texts)
     known = printed_arguments(texts, _lists(formulas))
     moving = set[str]().union(*map(names_under_dots, texts))
-    for formula, text in zip(formulas, without_new_names(texts), strict=True):
-        tex = with_derivatives(without_initial_values(text, moving), by)
+    for formula, tex in zip(formulas, without_new_names(texts), strict=True):
+        with suppress(NotationError):  # who reads it says so
+            tex = without_initial_values(tex, moving)
+        tex = with_derivatives(tex, by)
         with suppress(ValueError):  # at other arguments it cannot be read
             tex = without_arguments(tex, known)
         yield formula if tex == formula.tex else replace(formula, tex=tex)

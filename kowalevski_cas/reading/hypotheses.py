@@ -42,9 +42,15 @@ def just_before(item: SourceStatement, known: Known) -> SetOfEquations:
 
 
 def near(item: SourceStatement, known: Known) -> SetOfEquations:
-    """The point, or the set, near which what is linear holds: the last that gives what moves.
+    """The point, or the set, near which what is linear holds: where all is given by constants."""
+    last = last_place(item, known)
+    return last if all(_is_value(one, known) for one in last) else ()
 
-    One sentence of the paragraph gives it, by constants: that of the statement, or one before it.
+
+def last_place(item: SourceStatement, known: Known) -> SetOfEquations:
+    """What the last sentence says that gives what moves, near which what is linear holds.
+
+    It is that of the statement, or one before it in the paragraph.
     """
     start = max(item.paragraph, item.section.start)
     if not cue("linear", known.paper.prose.between(start, item.sentence[1])):
@@ -52,8 +58,9 @@ def near(item: SourceStatement, known: Known) -> SetOfEquations:
     before = [
         one
         for one in known.items
-        if start <= one.typed.start and one.order < item.order and _is_value(one, known)
-    ]
+        if start <= one.typed.start and one.order < item.order
+        and (_is_value(one, known) or _is_set(one, known))
+    ]  # fmt: skip
     return tuple(one for one in before if one.sentence == before[-1].sentence)
 
 

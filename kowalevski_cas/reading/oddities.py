@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
+from kowalevski_cas.reading.hypotheses import last_place
 from kowalevski_cas.reading.known import DEFINITION, Known
 from kowalevski_cas.reading.statements import SourceStatement
 
@@ -22,16 +23,18 @@ def oddities(
 ) -> Iterator[Oddity]:
     """What is strange in the statements on which a claim stands.
 
-    A name may be defined by itself, or stand nowhere else in its part of the paper; what is
-    supposed may be another thing than was meant, or say nothing of the claim.
+    A name may be defined by itself, move by two equations, or stand nowhere else in its part of the
+    paper; what is supposed may be another thing than was meant, or say nothing of the claim.
     """
-    known_to_all = known.times | {r"\pi"}
-    counts = Counter(name for one in known.items for name in one.names - known_to_all)
+    counts = Counter(name for one in known.items for name in one.names - {r"\pi"})
     for one in _stands_on(item, known):
+        twice = sorted(n for n in one.rates if _moves_twice(n, one, known))
         circular = sorted(n for n in known.roles[one].names if _is_circular(n, one, known))
         single = sorted(n for n in one.names if counts[n] == 1 and not known.is_defined(n))
         if circular:
             yield Oddity(one, f"${circular[0]}$ is defined by itself")
+        elif twice:
+            yield Oddity(one, f"${twice[0]}$ moves by another equation too")
         elif single:
             yield Oddity(one, f"${single[0]}$ stands nowhere else")
             if one is item:
@@ -40,7 +43,9 @@ def oddities(
         before = (one for one in known.items if one.order < item.order)
         beside = (one for one in before if one.section is item.section and name in one.names)
         yield from (Oddity(one, f"nothing moves ${name}$") for one in beside)
-    supposed = dict.fromkeys((*on, *known.supposed(item), *known.sets(item)))
+    supposed = dict.fromkeys(
+        (*on, *known.supposed(item), *known.sets(item), *last_place(item, known))
+    )
     yield from (Oddity(one, f"read with ${one.printed.tex}$") for one in supposed)
 
 
@@ -60,7 +65,9 @@ def _stands_on(item: SourceStatement, known: Known) -> Iterator[SourceStatement]
     """A claim, the equations of motion for its names, and all that defines names of these."""
     names = {name for own in item.names for name in known.below(own)}
     moved = {*known.names.scalars(names)}
-    rows = [row for law in known.laws if moved & {*law.variables} for row in law.rows]
+    rows = [
+        row for law in known.laws if moved & {*law.variables, *law.mentions} for row in law.rows
+    ]
     names |= {name for row in rows for own in row.names for name in known.below(own)}
     defining = (one for name in sorted(names) for one in known.definitions.get(name, ()))
     yield from dict.fromkeys((item, *rows, *defining))
@@ -70,3 +77,10 @@ def _is_circular(name: str, one: SourceStatement, known: Known) -> bool:
     """Whether what a statement gives for a name rests on this name."""
     others = one.names - {name}
     return any(name in known.below(other) for other in others if not known.moves(other))
+
+
+def _moves_twice(name: str, one: SourceStatement, known: Known) -> bool:
+    """Whether a statement and another row of a law give the rate of a name, and no other rate."""
+    laws = [law.rows for law in known.laws if one in law.rows]
+    alone = [row for rows in laws for row in rows if [*row.rates] == [name]]
+    return one in alone and len({*alone}) > 1

@@ -17,7 +17,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.processes import each
-from kowalevski_cas.reading.choice import Choice, Choices, choose_once
+from kowalevski_cas.reading.choice import OVERDUE, Choice, Choices, choose_once
 from kowalevski_cas.reading.comments import read_comments
 from kowalevski_cas.reading.constraints import UNBOUND, enter_constraints, unbound_multiplier
 from kowalevski_cas.reading.conventions import enter_conventions
@@ -228,6 +228,8 @@ class _DerivationReader:
         doubt, message = doubt_of(item, rung, self.candidates[item], self.parts), choice.message
         if name := unbound_multiplier(self.parts.of(item), rung.claim.scene.constants):
             doubt, message = Doubt.ALWAYS, UNBOUND.format(name)
+        if message == OVERDUE:
+            doubt = Doubt.ALWAYS
         if choice.elsewhere is not None:
             doubt, message = Doubt.ALWAYS, self._supposed_elsewhere(item, choice.elsewhere)
         return JudgedStatement(item, role, rung.claim, rung.on, rung.constants, doubt, message)

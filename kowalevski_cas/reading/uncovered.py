@@ -73,6 +73,9 @@ _APART = re.compile(
 )
 """What states nothing: headings, names and labels."""
 
+_CLOSED = re.compile(r"(?:[\s.,;]|\\[\])]|\${1,2}(?=\s)|\\end\s*\{\w+\*?\}|\\label\s*\{[^{}]*\})*")
+"""What belongs to the display before a sentence."""
+
 
 class Uncovered(NamedTuple):
     """A sentence or a formula that no verdict covers: where it begins, and what it states."""
@@ -98,8 +101,9 @@ def sentences(
             continue
         if any(part.title == "thebibliography" for part in prose.path(start)):
             continue
-        begin = start + len(words) - len(words.lstrip())
-        printed = " ".join(expanded.text[start:end].split())
+        closed = _CLOSED.match(expanded.text, start, end)
+        begin = closed.end() if closed is not None else start
+        printed = " ".join(expanded.text[begin:end].split())
         short = printed if len(printed) <= LONGEST else f"{printed[: LONGEST - 1]}…"
         line = source.line(expanded.origin(begin, begin + 1)[0])
         yield (start, end), kind, Uncovered(line, short, f"{kind}: “{match[0]}”")

@@ -11,6 +11,7 @@ from typing import Final
 
 from kowalevski_cas.audit.assumed import assumptions_of
 from kowalevski_cas.audit.audit import Audit
+from kowalevski_cas.audit.audited import OPEN
 from kowalevski_cas.notation import Formula, NotationError, Vocabulary, read_display
 from kowalevski_cas.paper.texts import Display as Printed
 from kowalevski_cas.report.contents import Contents
@@ -30,7 +31,6 @@ from kowalevski_cas.report.document import (
     Text,
     anchor,
 )
-from kowalevski_cas.report.made import written_by
 from kowalevski_cas.report.paragraphs import FIRST, FormulaBlocks
 from kowalevski_cas.report.places import ReportItem, sections
 from kowalevski_cas.report.prose import read_article
@@ -63,7 +63,9 @@ class _Annotated:
         derivation, texts = session.interpretation.derivation, session.interpretation.texts
         self.run = run = _with_reasons(audit)
         paper = sections(run, derivation, texts)
-        self.contents = Contents(run, paper)
+        self.file = audit.source.path.rpartition("/")[2]
+        command = f"kowalevski-cas audit {self.file} --report DIR"
+        self.contents = Contents(run, paper, command=command)
         self.items: dict[str, list[ReportItem]] = {}
         self.begins: dict[str, str] = {}
         for section in paper:
@@ -87,7 +89,7 @@ class _Annotated:
 
     def document(self) -> Document:
         """The page: the verdict, the paper, what stands nowhere in it."""
-        run, source = self.run, self.audit.source
+        run = self.run
         blocks = read_article(
             self._without_formulas(), [*map(self._one, self.typed)], self._labels()
         )
@@ -97,15 +99,17 @@ class _Annotated:
         if lost:
             blocks.append(Heading(("Not found in this text",), "lost"))
             blocks += [block for item in lost for block in self.contents.passages.item(item)]
-        head = [*self.contents.verdict(), *self._assumptions(), Heading(("The paper",), "paper")]
+        head = [
+            *self.contents.verdict(), *self._assumptions(), *self._not_judged(),
+            Heading(("The paper",), "paper"),
+        ]  # fmt: skip
         shown = (*head, *blocks, *trust(self.contents.phrases), *graph(self.contents.findings))
-        file = source.path.rpartition("/")[2]
-        by: Text = (*written_by(f"kowalevski-cas audit {file} --report DIR"), ".")
-        of: Text = (f"The source {file} (SHA-256 {self._digest()} …), a verdict at each formula.",)
+        digest = self._digest()
+        of: Text = (f"The source {self.file} (SHA-256 {digest} …), a verdict at each formula.",)
         printed = _TITLE.search(self.text)
         name = printed[1] if printed and not run.author else run.title.rpartition("/")[2]
         title = f"“{name}”, verified formula by formula"
-        return Document(title, title, (*[(run.author, ".")][: bool(run.author)], of, by), shown)
+        return Document(title, title, (*[(run.author, ".")][: bool(run.author)], of), shown)
 
     def _digest(self) -> str:
         """The beginning of what binds the source."""
@@ -124,6 +128,20 @@ class _Annotated:
         if used:
             yield Heading(("What is assumed",), "assumed", 2)
         yield from (Paragraph((*said, ".")) for said in dict.fromkeys(used))
+
+    def _not_judged(self) -> Iterator[Block]:
+        """The formulas and the sentences of such a source of which nothing is said."""
+        audit, words = self.audit, self.contents.phrases.words
+        if audit.reading is None:
+            return
+        unjudged = [formula for formula in audit.formulas if formula.verdict == OPEN]
+        if unjudged or audit.uncovered:
+            yield Heading(("What is not judged",), "unjudged", 2)
+        for formula in unjudged:
+            why = (formula.message or formula.reason).partition("\n")[0]
+            yield Paragraph(words(f"{audit.called(formula)}: {why}."))
+        for passage in audit.uncovered:
+            yield Paragraph((f"Line {passage.line}, without a verdict: ", Code(passage.words)))
 
     # -- formulas -------------------------------------------------------------------
 

@@ -46,6 +46,7 @@ class Contents:
         certified: the digests of the certificates that the checker accepts, by claim.
         programs: which programs confirm which certificates.
         evidence: where the certificates are, as an address.
+        command: by which it is written, if it is no report on a derivation.
     """
 
     def __init__(
@@ -55,7 +56,9 @@ class Contents:
         certified: Mapping[str, str] = MappingProxyType({}),
         programs: Sequence[Witness] = (),
         evidence: str = "",
+        command: str = "",
     ) -> None:
+        self.command = command or f"kowalevski-cas report {run.derivation}"
         self.run, self.sections, self.certified, self.programs = (
             run,
             sections,
@@ -145,7 +148,7 @@ class Contents:
         yield Paragraph(self._confirmations())
         yield Paragraph(
             (
-                *written_by(f"kowalevski-cas report {run.derivation}"),
+                *written_by(self.command),
                 "; digest of the statements ", Code(run.digest[:16]), ".",
             ),
             "note",

@@ -65,7 +65,9 @@ def read_source(path: Path, styles: Iterable[Path] = (), data: bytes | None = No
     reader.read(main, False, (path,))
     comments = path.with_suffix(COMMENTS)
     beside = None
-    if comments != path and comments.is_file():
+    if comments != path and comments.is_symlink():
+        reader.refused.append((0, f"{comments.name} is not read: it is a link"))
+    elif comments != path and comments.is_file():
         beside = decode(str(comments), _bytes(comments))
     return Source(
         str(path), "".join(reader.text), main.encoding, tuple(reader.parts), beside,

@@ -23,8 +23,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import takewhile
 from math import inf
-from time import perf_counter
 
+from kowalevski_cas.limits import clock
 from kowalevski_cas.notation import Edit, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.derivation import Derivation
@@ -184,10 +184,10 @@ class Blame:
 
         Where no slip of the pen does, a coefficient may be any number.
         """
-        end = perf_counter() + self.seconds
+        end = clock() + self.seconds
         for candidates in (changes, numbers):
             tried = candidates(failing, least, self.corrector.interpretation, self._right)
-            in_time = takewhile(lambda _: perf_counter() < end, tried)
+            in_time = takewhile(lambda _: clock() < end, tried)
             if found := self._mending(in_time, least, one):
                 return found
         return []

@@ -9,12 +9,12 @@ import json
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from math import inf
-from time import perf_counter
 from typing import NamedTuple, TypeVar
 
 from kowalevski_cas import UserError
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.limits import clock
 from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.paper.denominators import Shape, factors_below, factors_of, granted_factors
 from kowalevski_cas.problem import checker
@@ -100,7 +100,7 @@ def receive(
     Else it is an error, or a timeout, if its seconds and those of the checker are too many. What
     is ``known`` of it is accepted already. The checker has so many ``jobs``.
     """
-    start = perf_counter()
+    start = clock()
     spent = sum([*outcome.seconds.values()][:1])
     until = inf if timeout is None else start + max(timeout - spent, LEAST)
     verdict, said = Verdict.ERROR, ""
@@ -114,7 +114,7 @@ def receive(
         said = f"{outcome.claim}: it cannot be checked ({type(error).__name__}: {error})"
     if outcome.seconds:
         first = next(iter(outcome.seconds))
-        seconds = {**outcome.seconds, first: spent + perf_counter() - start}
+        seconds = {**outcome.seconds, first: spent + clock() - start}
         outcome = outcome._replace(seconds=seconds)
     if not said:
         return outcome
@@ -186,7 +186,7 @@ class Watch(checker.Budget):
 
     def end(self) -> None:
         """Take more of the rest, if there is time."""
-        if perf_counter() > self.until:
+        if clock() > self.until:
             raise checker.Exhausted(LATE)
         more = min(self.rest, LOOK - self.left)
         self.left, self.rest = self.left + more, self.rest - more
@@ -211,7 +211,7 @@ def confirm(issued: Issued, goals: Sequence[Goal] = (), until: float = inf, jobs
         raise Disagreement(
             f"flint and the checker disagree: flint accepts the evidence, the checker says: {error}"
         ) from None
-    if perf_counter() > until:
+    if clock() > until:
         raise TimeoutError(LATE)
     if (found.claim, found.digest, found.sign) != (issued.claim, issued.digest, issued.sign):
         raise Disagreement("the checker reads another statement in it")

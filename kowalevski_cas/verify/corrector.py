@@ -10,8 +10,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from itertools import islice
 from math import inf
-from time import perf_counter
 
+from kowalevski_cas.limits import clock
 from kowalevski_cas.notation import Edit, Formula, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.texts import Printed
@@ -67,10 +67,10 @@ class Corrector:
         Behind the first one others are sought for so many seconds.
         """
         ends = [inf]
-        near = self._near(printed, lambda: perf_counter() < ends[-1])
+        near = self._near(printed, lambda: clock() < ends[-1])
         for correction in islice(self._proposal(near), most):
             yield correction
-            ends.append(min(ends[-1], perf_counter() + seconds))
+            ends.append(min(ends[-1], clock() + seconds))
 
     def _proposal(self, candidates: Iterable[tuple[Neighbour, Statement]]) -> Iterator[Correction]:
         found = (self.correction_of(*candidate) for candidate in candidates)

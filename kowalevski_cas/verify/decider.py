@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
 from math import inf
-from time import perf_counter
 from traceback import format_exc
 from typing import Protocol
 
-from kowalevski_cas.limits import ProcessDied, time_limit
+from kowalevski_cas.limits import ProcessDied, clock, time_limit
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.problem.examine import Unproved
@@ -105,7 +104,7 @@ class Decider:
 
     def _with_correction(self, claim: Claim, corrections: Corrections) -> Outcome:
         """The outcome for one claim, with the nearest true statement if it is refuted."""
-        start = perf_counter()
+        start = clock()
         with time_limit(self.timeout):
             statement = self.interpretation.statement(claim)
             outcome = self.archive.anew(statement, claim.id, lambda: self.outcome(statement, start))
@@ -120,15 +119,15 @@ class Decider:
         seconds: dict[str, float] = {}
         for arithmetic in self.arithmetics.names:
             found[arithmetic] = self.arithmetics.decide(statement, evidence, arithmetic)
-            seconds[arithmetic] = perf_counter() - start
-            start = perf_counter()
+            seconds[arithmetic] = clock() - start
+            start = clock()
         return self.writer.outcome(statement, found)._replace(seconds=seconds)
 
     def correct(
         self, claim: Claim, outcome: Outcome, search: Callable[[], Sequence[Correction]]
     ) -> Outcome:
         """An outcome with the corrections that are found in time, and with what that took."""
-        first, start = self.arithmetics.names[0], perf_counter()
+        first, start = self.arithmetics.names[0], clock()
         limits = [] if self.patience is None else [PROVING * self.patience]
         limits += (
             [] if self.timeout is None else [max(self.timeout - outcome.seconds[first], LEAST)]
@@ -148,5 +147,5 @@ class Decider:
             outcome = outcome._replace(verdict=verdict, message=outcome.message or late)
         except (FormatError, Unproved, Disagreement, ProcessDied) as error:
             outcome = outcome._replace(verdict=Verdict.ERROR, message=str(error))
-        spent = outcome.seconds[first] + perf_counter() - start
+        spent = outcome.seconds[first] + clock() - start
         return outcome._replace(seconds={**outcome.seconds, first: spent})

@@ -78,3 +78,22 @@ def test_what_should_define_a_name_is_named_where_nothing_does(defining, words):
     found = audited(LAW + rf"The derivative of {defining} is $\dot F=2yz$.").formulas[-1]
     assert found.verdict == OPEN and words in found.message
     assert any("x-2-y-2" in name for name in found.causes)
+
+
+def test_an_equation_of_motion_is_named_where_a_name_moves_by_two():
+    law = LAW.replace(r"\dot z=0", r"\dot y=0")
+    found = claim(
+        audited(law + r"Then \begin{equation}\label{rate}\dot x=y.\end{equation}"), "rate"
+    )
+    assert found.verdict == OPEN and "moves by another equation too" in found.message
+    assert {"law.2", "law.3"} <= {*found.causes}
+
+
+def test_near_a_set_that_is_no_point_nothing_is_claimed_of_another_point():
+    """Else what is true near the point before would be green, and is not what is said."""
+    text = r"""The equations of motion are
+    \[ \dot x=-x+yz,\qquad \dot y=xz-y,\qquad \dot z=-z+x^2. \] Let $F=xy$. In the first approximation
+    we have near $x=y=z=0$ \[ \dot x=-x. \] Near $F=z=0$ in the same way
+    \begin{equation}\label{rate} \dot y=-y. \end{equation}"""
+    found = claim(audited(text), "rate")
+    assert found.verdict == OPEN and any("F-z" in one for one in found.causes)

@@ -7,6 +7,7 @@ import unicodedata
 import pytest
 
 from kowalevski_cas.cli import main
+from kowalevski_cas.cli.formats import OF_AUDITS
 from tests.sample import sampled
 
 PAPER = r"""\documentclass{article}\begin{document}
@@ -69,7 +70,8 @@ def harmless(text: str) -> None:
 def test_what_a_hostile_source_carries_reaches_nobody(seed, tmp_path, capfd):
     path = tmp_path / "paper.tex"
     path.write_text(hostile(seed), encoding="utf-8")
-    commands = [["--list"], ["--alone"], ["--alone", "--format", "json"], ["--alone", "--draft"]]
+    formats = [["--alone", "--format", name] for name in OF_AUDITS]
+    commands = [["--list"], *formats, ["--alone", "--draft"]]
     commands += [["--alone", "--report", str(tmp_path / "page")]]
     for options in commands:
         try:

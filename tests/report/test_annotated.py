@@ -124,6 +124,20 @@ def test_a_source_that_is_its_own_derivation_says_first_what_it_assumes() -> Non
     assert places["assumed"] < places["paper"] and "; on it rest " in said(told)
 
 
+def test_a_source_that_is_its_own_derivation_says_what_is_not_judged() -> None:
+    text = (
+        r"\begin{document}The motion is $$\dot p=q,\quad \dot q=-p.$$ Then $p^2+q^2$ is constant. "
+        r"We find $$\oint p\,dq\frown p.$$ There are no other integrals.\end{document}"
+    )
+    document = annotate(
+        audit_reading(ReadingSession(read(decode("paper.tex", text.encode())), timeout=20))
+    )
+    places = {b.anchor: k for k, b in enumerate(document.blocks) if isinstance(b, Heading)}
+    told = [said(b) for b in document.blocks[places["unjudged"] + 1 : places["paper"]]]
+    assert "an integral cannot be read" in told[0]
+    assert "There are no other integrals." in told[-1]
+
+
 def test_what_is_not_decided_stands_with_its_formula_and_the_reason() -> None:
     text = (
         r"\begin{document}The motion is $$\dot p=aqr,\quad \dot q=brp,\quad \dot r=cpq.$$ "

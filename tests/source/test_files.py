@@ -177,6 +177,13 @@ def test_a_style_that_is_a_link_is_refused(tmp_path):
         read_source(tmp_path / "paper.tex", [tmp_path / "link.sty"])
 
 
+def test_comments_that_are_a_link_are_refused_and_listed(tmp_path):
+    (tmp_path / "other").write_text("secret words\n")
+    (tmp_path / "paper.kc").symlink_to(tmp_path / "other")
+    found = paper(tmp_path, paper_tex="$a$")
+    assert found.beside is None and found.refused == ((0, "paper.kc is not read: it is a link"),)
+
+
 @pytest.mark.parametrize(
     "files",
     [{"paper_tex": "\\input{paper}"}, {"paper_tex": "\\input b ", "b_tex": "\n\\input{paper}"}],

@@ -60,7 +60,7 @@ def render_result(result: ComparedRun, claims: Iterable[str] = ()) -> str:
     run, phrases = result.run, phrases_of(result)
     copied = any(section.copied for section in result.paper)
     findings = Findings(phrases, run.outcomes, copied, run.expected)
-    named = filter(None, (run.author, run.title, run.source))
+    named = dict.fromkeys(filter(None, (run.author, run.title, run.source)))
     title = phrases.words("".join(f"{part.removesuffix('.')}. " for part in named))
     wrong = *plain.lines(findings.blocks()), *_errors(result), *claims
     return _page(plain.text(title), findings, run.main, wrong, _summary(result))
