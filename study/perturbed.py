@@ -58,8 +58,8 @@ CAPTION = (
     "with the time away from the torus. Neighbours that part like $t$ have an exponent of about "
     f"$(\\ln t)/t={np.log(RENEWED * RENEWALS) / (RENEWED * RENEWALS):.3f}$ after so long: that of "
     f"the elliptic torus means zero. Hollow: after a time {LONGER} times as long, in which it "
-    "falls as that does. On the hyperbolic torus exponents for $\\varepsilon\\le10^{-4}$ are no "
-    "more settled, and show no chaos; from $10^{-2}$ on they hardly change."
+    "falls as that does. On the hyperbolic torus exponents for $\\varepsilon\\le10^{-4}$ are not "
+    "settled, and show no chaos; from $10^{-2}$ on they change by a fifth or less."
 )
 
 

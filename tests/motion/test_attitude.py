@@ -53,7 +53,7 @@ def test_towards_every_edge_too_and_at_any_time(motion, late):
 
 
 @pytest.mark.slow
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=60, deadline=None)
 @given(near_edges, st.floats(-3, 9))
 def test_towards_every_edge_too_and_at_any_time_of_many(motion, late):
     check_turning(motion, late)

@@ -187,7 +187,7 @@ def test_towards_every_edge_a_closed_form_says_how_far_it_is_from_the_state(movi
 
 
 @pytest.mark.slow
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=60, deadline=None)
 @given(near_edges, st.floats(-1, 4), st.none() | st.floats(-12.9, -8), st.integers(0, 8))
 def test_towards_every_edge_many_closed_forms_say_how_far_they_are_from_the_state(
     moving, time, power, k

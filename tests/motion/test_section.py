@@ -79,7 +79,7 @@ def test_of_every_state_and_towards_every_edge_the_coordinate_is_largest(given, 
 
 
 @pytest.mark.slow
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=60, deadline=None)
 @given(states | near_edges, st.sampled_from(range(9)))
 def test_of_many_states_and_towards_every_edge_the_coordinate_is_largest(given, coordinate):
     check_largest(given, coordinate)
