@@ -12,7 +12,6 @@ from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import cache, partial
 from statistics import median
-from time import perf_counter
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -25,6 +24,7 @@ from kowalevski_cas.motion.units import in_unit, unit_of
 from kowalevski_cas.pictures import new_figure
 from study.charts import curve, legend_below, look
 from study.motions import INTEGRATORS, MOTIONS, Array, tolerances
+from study.process import processor_seconds
 from study.splitting import STEP, integrate
 from study.step import Measured, Row, Task
 
@@ -93,8 +93,8 @@ CAPTION = (
     "closed form there is of a state on the set, if there is one beside. Integrators at "
     + tolerances({name: INTEGRATED[name][1] for name in ("dop853", "lsoda", "taylor")})
     + f"; the splitting method, of order four, with steps of {STEP:g}. In the last panel what the "
-    "first state costs in seconds, with the start of Python (hollow) and in a process that runs "
-    f"(full), as the median of {COLD_RUNS} runs."
+    "first state costs in seconds of processor time, with the start of Python (hollow) and in a "
+    f"process that runs (full), as the median of {COLD_RUNS} runs."
 )
 
 
@@ -172,9 +172,9 @@ def start(method: str, runs: int) -> Measured:
 
 
 def _seconds(call: Callable[[], object]) -> float:
-    begin = perf_counter()
+    begin = processor_seconds()
     call()
-    return perf_counter() - begin
+    return processor_seconds() - begin
 
 
 def draw(rows: Sequence[Row]) -> Figure:

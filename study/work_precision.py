@@ -65,7 +65,8 @@ CAPTION = (
     f"integrators, {tolerances(DENSE)}, at equal steps from $t=0$ to ${WINDOW:g}$, where dense "
     "output makes them cheap. heyoka compiles before a clock starts, and keeps what it has "
     "compiled; that an integrator is built from it again is counted, and is most of what a Taylor "
-    "series costs above. Errors are against rigorous balls; their own are drawn at the roundoff."
+    "series costs above. Errors are against rigorous balls; their own are drawn at the roundoff. "
+    "The machine had other work: times are about twice those of a quiet one, and more for Radau."
 )
 
 

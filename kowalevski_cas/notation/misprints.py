@@ -161,7 +161,9 @@ def _names(
     same = [n for n in names if n != node.name and symbol(n).head == head]
     others = same if kind == "index" else [n for n in names if n != node.name and n not in same]
     known = node.name in names or node.name in vocabulary.times
-    wrong = f"${node.name}$" if known else f"${node.name}$, which is not defined,"
+    wrong = (
+        f"${node.name}$" if known else f"${node.name}$, which is not defined and may be anything,"
+    )
     for other in sorted(others, key=lambda name: -closeness(node.name, name)):
         yield kind, place.path, Name(other), f"for {wrong} read ${other}$"
 

@@ -6,8 +6,9 @@ from collections.abc import Collection, Iterator, Sequence
 from typing import Final
 
 from kowalevski_cas.notation import Formula, to_plain
-from kowalevski_cas.report.document import Block, Judgement, Paragraph, Text
+from kowalevski_cas.report.document import Block, Judgement, Paragraph, Sign, Text
 from kowalevski_cas.report.findings import Findings
+from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.sentences import (
     Phrases,
     capital,
@@ -29,7 +30,7 @@ def main_results(findings: Findings, main: Collection[str]) -> Iterator[Block]:
     results = [outcome for outcome in findings.outcomes if outcome.claim in main]
     if results:
         said = _fate([outcome.verdict for outcome in results])
-        parts = said, *_reach(findings, results), *_falsehood(findings, results)
+        parts = said, *_reach(findings, results), *_falsehood(findings, results), *_sign(results)
         yield Paragraph(parts, "lead")
         yield from (_statement(findings.phrases, outcome) for outcome in results)
 
@@ -71,6 +72,13 @@ def _falsehood(findings: Findings, results: Sequence[Outcome]) -> Text:
         return ()
     verb = "is" if len(others) == 1 else "are"
     return (f" {capital(count_in_words(len(others), 'other statement'))} {verb} false.",)
+
+
+def _sign(results: Sequence[Outcome]) -> Text:
+    """What the sign of a condition means, where it stands first."""
+    if not any(outcome.verdict is Verdict.CONDITIONAL for outcome in results):
+        return ()
+    return (" ", Sign(Verdict.CONDITIONAL), f" {MARKS[Verdict.CONDITIONAL].meaning}.")
 
 
 def _reach(findings: Findings, results: Sequence[Outcome]) -> Text:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Final
 
-from kowalevski_cas.notation import Formula, to_plain
-from kowalevski_cas.report.document import Block, Inline, Judgement, Paragraph
+from kowalevski_cas.notation import Formula, Relation, to_plain
+from kowalevski_cas.report.document import Block, Emphasis, Inline, Judgement, Paragraph, Text
 from kowalevski_cas.report.findings import Findings, Slip, lacks
 from kowalevski_cas.report.sentences import (
     Phrases,
@@ -21,7 +21,7 @@ from kowalevski_cas.verify.outcome import Outcome, Verdict
 SHORT: Final = 30
 """The signs of a printed formula and its correction that are shown whole in the first lines."""
 
-LONGEST: Final = 160
+LONGEST: Final = 200
 """The signs of a point, and of what fails there, that are shown in the first lines."""
 
 _OPEN: Final = {
@@ -37,15 +37,32 @@ def wrong_places(findings: Findings) -> Iterator[Block]:
     """Where something is misprinted, what is false, and which hypotheses are missing."""
     phrases = findings.phrases
     if findings.slips:
-        yield Paragraph(("Misprinted (in brackets two values at a point, which should be equal):",))
+        yield Paragraph((Emphasis(("Misprinted.",), strong=True), *_evidence(findings.slips)))
         yield from (_misprint(phrases, slip) for slip in findings.slips)
-    yield from (_falsehood(phrases, outcome) for outcome in findings.false)
+    if findings.false:
+        yield Paragraph((Emphasis(("False.",), strong=True),))
+        yield from (_falsehood(phrases, outcome) for outcome in findings.false)
     if findings.missing:
         needed = [
             (nonzero(expression), " (for ", *phrases.links([claim for claim, _ in needing]), ")")
             for expression, needing in findings.missing.items()
         ]
-        yield Paragraph(("Not stated, though needed: ", *list_in_words(needed), "."))
+        lead = Emphasis(("Not stated, though needed:",), strong=True)
+        yield Paragraph((lead, " ", *list_in_words(needed), "."))
+
+
+def _evidence(slips: Sequence[Slip]) -> Text:
+    """What stands in brackets beside misprints, and that their corrections are proved."""
+    corrections = [correction for (first, *_) in slips if (correction := first.correction)]
+    said: Text = ()
+    if any(first.counterexample for first, *_ in slips):
+        said = (" In brackets: the two sides at a point, which is given with the formula below.",)
+    if all(correction.verdict.green for correction in corrections):
+        named = any(correction.conditions for correction in corrections)
+        which = "The" if len(slips) == 1 else "Each"
+        where = ", under the conditions that are named there" if named else ""
+        said = (*said, f" {which} correction is proved{where}.")
+    return said
 
 
 def _misprint(phrases: Phrases, slip: Slip) -> Judgement:
@@ -56,9 +73,20 @@ def _misprint(phrases: Phrases, slip: Slip) -> Judgement:
     read = phrases.words(correction.words)
     if not correction.blamed and _is_short([*first.formulas, *correction.formulas]):
         read = ("for ", *first.formulas, " read ", *correction.formulas)
-    found = first.counterexample
-    values = (" (", found.left, " ≠ ", found.right, ")") if found else ()
-    return Judgement(first.verdict, "", (*where, ": ", *read, *values, "."))
+    return Judgement(first.verdict, "", (*where, ": ", *read, *_values(phrases, first), "."))
+
+
+def _values(phrases: Phrases, refuted: Outcome) -> Text:
+    """The two sides at a point in brackets, or in short what else fails there."""
+    found = refuted.counterexample
+    if found is None:
+        return ()
+    if found.words:
+        words = phrases.words(found.words)
+        return (" (", *words, ")") if _length(words) <= LONGEST else ()
+    if isinstance(found.left, Formula) and isinstance(found.right, Formula):
+        return (" (", Relation((found.left, found.right), (r"\ne",)), ")")
+    return (" (", found.left, " ≠ ", found.right, ")")
 
 
 def _is_short(formulas: Sequence[Formula]) -> bool:

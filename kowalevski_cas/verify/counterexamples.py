@@ -141,7 +141,8 @@ def _words(
     if right == Number(0) and any(isinstance(node, Partial) for node in left.nodes()):
         return f"a derivative of the function is ${value}$, so the point is not critical"
     sides = to_latex(equal(left, right))
-    what = f" of ${sides}$" if not order and len(sides) < SHORT else ""
+    number = _number(statement, (left, right))
+    what = f" of {number}${sides}${',' * bool(number)}" if not order and len(sides) < SHORT else ""
     if not goal.given:
         printed = statement.claim.formulas(statement.on.texts)
         said = {
@@ -154,7 +155,8 @@ def _words(
             return ""
     words = f"the left side{what} is ${value}$, not ${other}$"
     if isinstance(statement.claim, CriticalSet):
-        return f"{words}, at this critical point"
+        surface = to_latex(equal(*(printed_formula(side, setting) for side in goal.given[-1])))
+        return f"{words}, though this is a critical point on ${surface}$"
     return f"{words}, though the hypotheses hold" if goal.given else words
 
 
@@ -163,6 +165,16 @@ def _failing_equation(goal: Follows, place: PointEvaluation) -> tuple[Formula, F
     return next(
         sides for sides in goal.conclusions[-1] if not place.vanish(place.at.differences((sides,)))
     )
+
+
+def _number(statement: Statement, sides: tuple[Formula, Formula]) -> str:
+    """The number of an equation of a critical set, as its paper prints it, if it has one."""
+    claim = statement.claim
+    printed = claim.equations if isinstance(claim, CriticalSet) else ()
+    for one in printed:
+        if statement.on.texts.relation(one).members == sides and one.display.label.startswith("("):
+            return f"{one.display.label}, "
+    return ""
 
 
 def why(claim: Claim, goal: Goal, evidence: Evidence) -> str:

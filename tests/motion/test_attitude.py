@@ -2,15 +2,18 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from kowalevski_cas.cli import main
-from kowalevski_cas.motion import METHODS, Inadmissible, Motion, load, through
+from kowalevski_cas.motion import METHODS, Inadmissible, MethodError, Motion, load, through
 from kowalevski_cas.motion.attitude import quaternions
+from kowalevski_cas.motion.methods.integrators import initial_state
+from kowalevski_cas.motion.units import in_unit, unit_of
 from tests.motion.o4.levels import KNOWN
 from tests.motion.o4.levels import motion as on_O4
+from tests.motion.test_frequencies import near_edges
 
 STEP = 1e-4
 
@@ -26,6 +29,34 @@ def test_the_body_turns_with_the_angular_velocity(known, time):
     turned = (before.inv() * after).as_rotvec() / (2 * STEP)
     size = np.linalg.norm(states[1, :3])
     np.testing.assert_allclose(turned, states[1, :3], atol=1e-5 * (1 + size) ** 3)
+
+
+def check_turning(motion, late):
+    """However fast the top is, or small one of its fields, in units in which its size is 1."""
+    try:
+        unit = unit_of(initial_state(motion))
+        times = 10.0**late + STEP * np.array([-1.0, 0.0, 1.0])
+        states = in_unit(load("closed")(motion, np.ldexp(times, -unit)), unit)
+    except (Inadmissible, MethodError):
+        assume(False)
+    found = quaternions(states)
+    np.testing.assert_allclose(np.sum(found**2, axis=1), 1, rtol=0, atol=1e-15)
+    before, _, after = rotations(found)
+    turned = (before.inv() * after).as_rotvec() / float(times[2] - times[0])
+    np.testing.assert_allclose(turned, states[1, :3], atol=1e-6)
+
+
+@settings(max_examples=10, deadline=None)
+@given(near_edges, st.floats(-3, 9))
+def test_towards_every_edge_too_and_at_any_time(motion, late):
+    check_turning(motion, late)
+
+
+@pytest.mark.slow
+@settings(max_examples=60, deadline=None)
+@given(near_edges, st.floats(-3, 9))
+def test_towards_every_edge_too_and_at_any_time_of_many(motion, late):
+    check_turning(motion, late)
 
 
 STATE = [0.1, 0.2, 0.3, 1.0, 0.0, 0.0, 0.0, 0.4, 0.2]

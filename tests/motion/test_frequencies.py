@@ -32,6 +32,9 @@ def of_constants(known):
         raise
 
 
+near_edges = st.one_of(edges_on_N4(), edges_on_O4().map(of_constants))
+
+
 def peaks(signal, step, count):
     """The frequencies of the largest peaks of a signal, to a small part of the resolution."""
     window = np.hanning(len(signal))
@@ -111,7 +114,7 @@ BASES = {str(one.regime): shift_basis(one) for one in TORI}
 
 
 @settings(max_examples=10, deadline=None)
-@given(st.one_of(edges_on_N4(), edges_on_O4().map(of_constants)))
+@given(near_edges)
 def test_towards_every_edge_the_lattice_is_that_of_the_regime_and_frequencies_are_given(moving):
     """However small the circle of one variable is there, or the fields are beside ω²."""
     try:

@@ -6,17 +6,21 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import assume, given
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.optimize import brentq
 
-from kowalevski_cas.motion import Inadmissible, Motion, load
+from kowalevski_cas.motion import Inadmissible, MethodError, Motion, load, through
 from kowalevski_cas.motion.formulas import values_of_offer
 from kowalevski_cas.motion.frame import rotate
 from kowalevski_cas.motion.methods.closed import Closed
+from kowalevski_cas.motion.methods.integrators import initial_state
 from kowalevski_cas.motion.point import on_N4
+from kowalevski_cas.motion.units import unit_of
+from tests.motion.exact import apart
 from tests.motion.regions import motion
 from tests.motion.test_closed import ALL, ORIGINS, motions, relative
+from tests.motion.test_frequencies import near_edges
 from tests.sample import sampled
 
 closed, balls, dop853 = load("closed"), load("ball"), load("dop853")
@@ -160,3 +164,32 @@ def test_a_state_near_infinity_and_near_ell_zero_keeps_its_digits(m, ell, aside,
     second = on_N4(state[0].tolist())
     assert second.off < 1e-14
     assert relative(closed(second, LATER), closed(first, LATER + now)) < 1e-12
+
+
+def check_return(moving, time, power, k):
+    """Of a state on N⁴ or O⁴ or so little off: what begins elsewhere than it says is not given."""
+    try:
+        unit = unit_of(initial_state(moving))
+        state = closed(moving, np.ldexp([time], -unit))
+        if power is not None:
+            state[0, k] += np.ldexp(10.0**power, unit * (1 if k < 3 else 2))
+        found = through(state[0].tolist())
+        begun = closed(found, START)
+    except (Inadmissible, MethodError):
+        return
+    assert apart(begun, state) < 2e-13 + 1.5 * found.off
+
+
+@settings(max_examples=10, deadline=None)
+@given(near_edges, st.floats(-1, 4), st.none() | st.floats(-12.9, -8), st.integers(0, 8))
+def test_towards_every_edge_a_closed_form_says_how_far_it_is_from_the_state(moving, time, power, k):
+    check_return(moving, time, power, k)
+
+
+@pytest.mark.slow
+@settings(max_examples=60, deadline=None)
+@given(near_edges, st.floats(-1, 4), st.none() | st.floats(-12.9, -8), st.integers(0, 8))
+def test_towards_every_edge_many_closed_forms_say_how_far_they_are_from_the_state(
+    moving, time, power, k
+):
+    check_return(moving, time, power, k)

@@ -2,14 +2,17 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from kowalevski_cas.cli import main
-from kowalevski_cas.motion import Motion, MotionO4, section, through
+from kowalevski_cas.motion import Inadmissible, Motion, MotionO4, section, through
 from kowalevski_cas.motion.formulas import values_of_offer
 from kowalevski_cas.motion.methods.integrators import initial_state
+from kowalevski_cas.motion.units import in_unit, unit_of
 from tests.motion.regions import motion
+from tests.motion.test_critical import states
+from tests.motion.test_frequencies import near_edges
 
 HYPERBOLIC = motion("-0.8", "0.5")
 SOLVED = {
@@ -51,6 +54,35 @@ def test_a_section_is_where_the_coordinate_is_largest_in_any_unit_of_time(coordi
     start = STATE * np.array([unit] * 3 + [unit**2] * 6)
     (scaled,) = section.section(start[None], 20.0 / unit, coordinate)
     np.testing.assert_array_equal(scaled / np.array([unit] * 3 + [unit**2] * 6), usual)
+
+
+def check_largest(given, coordinate):
+    """On its level, to a billionth of the size of the state."""
+    try:
+        start = given if isinstance(given, np.ndarray) else initial_state(given)
+    except Inadmissible:
+        assume(False)
+    unit = unit_of(start)
+    (found,) = section.section(start[None], float(np.ldexp(10.0, -unit)), coordinate)
+    found = in_unit(found, unit)
+    moved = np.array(values_of_offer("equations")(*found.T))[coordinate]
+    assert np.max(np.abs(moved), initial=0) < 1e-9
+    values = [values_of_offer("integrals")(*x.T)[:6] for x in (in_unit(start, unit), found)]
+    for before, after in zip(*values, strict=True):
+        np.testing.assert_allclose(after, np.broadcast_to(before, after.shape), atol=1e-9)
+
+
+@settings(max_examples=10, deadline=None)
+@given(states | near_edges, st.sampled_from(range(9)))
+def test_of_every_state_and_towards_every_edge_the_coordinate_is_largest(given, coordinate):
+    check_largest(given, coordinate)
+
+
+@pytest.mark.slow
+@settings(max_examples=60, deadline=None)
+@given(states | near_edges, st.sampled_from(range(9)))
+def test_of_many_states_and_towards_every_edge_the_coordinate_is_largest(given, coordinate):
+    check_largest(given, coordinate)
 
 
 @pytest.mark.parametrize("start", [STATE, *(initial_state(one) for one in SOLVED.values())])

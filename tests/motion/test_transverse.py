@@ -1,12 +1,13 @@
 """Across N⁴: the cofactor matrix along motions, and how fast motions near N⁴ leave it."""
 
 from collections import defaultdict
+from dataclasses import replace
 from fractions import Fraction
 from itertools import product
 
 import numpy as np
 import pytest
-from hypothesis import assume, given
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.optimize import brentq
 
@@ -16,6 +17,7 @@ from kowalevski_cas.motion.methods.integrators import initial_state, integrate
 from kowalevski_cas.motion.transverse import degenerate, exponent, kind, mean
 from study.leaving import distance, transverse
 from tests.motion.regions import EVERY_REGIME, SEPARATING, motion
+from tests.motion.test_limits import edges
 from tests.sample import sampled
 
 closed = load("closed")
@@ -135,6 +137,20 @@ def test_the_exponent_is_finite_however_close_a_separating_curve(words):
             continue
         assert np.isfinite(exponent(parameters))
         assert (kind(parameters) == "elliptic") == (m > 0)
+
+
+@settings(max_examples=10, deadline=None)
+@given(edges(), st.integers(-30, 30))
+def test_towards_every_edge_the_exponent_is_that_of_the_unit_of_time(moving, power):
+    """It is real where m < 0, where it vanishes just if the torus is degenerate."""
+    known, unit = moving.parameters, Fraction(2) ** power
+    a, b, m = known.a * unit**2, known.b * unit**2, known.m / unit**2
+    other = replace(known, a=a, b=b, m=m)
+    here, there = exponent(known), exponent(other)
+    assert there == pytest.approx(here * float(unit), rel=1e-12)
+    assert (here.real, here.imag)[known.m < 0] == 0
+    assert kind(known) == kind(other)
+    assert (kind(known) == "hyperbolic") <= (here.real > 0)
 
 
 @pytest.mark.slow

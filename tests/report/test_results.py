@@ -9,9 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kowalevski_cas.notation import Relation
 from kowalevski_cas.paper.derivation import Derivation, Section
 from kowalevski_cas.report.document import Judgement, Paragraph
 from kowalevski_cas.report.findings import Findings
+from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.results import main_results
 from kowalevski_cas.report.sentences import Phrases
 from kowalevski_cas.report.tally import wrong_places
@@ -56,7 +58,8 @@ def test_without_a_main_result_nothing_is_said() -> None:
 )  # fmt: skip
 def test_the_verdict_says_whether_it_stands(verdict: Verdict, sentence: str) -> None:
     first, second = paragraphs(claim("a", "1", "x=x", "it is so", verdict), main=("a",))
-    assert first == f"The main result {sentence}."
+    sign = f" {C} {MARKS[C].meaning}." if verdict is C else ""  # where a sign needs words
+    assert first == f"The main result {sentence}.{sign}"
     assert "it is so" in second
 
 
@@ -74,16 +77,29 @@ def test_what_is_false_beside_them_is_counted() -> None:
         "The main result stands. One other statement is false."
     )
     assert "other" not in paragraphs(*both, main=("a", "b"))[0]
-    (false,) = wrong_places(findings)
+    heading, false = wrong_places(findings)
+    assert said(heading.text) == "False."
     assert isinstance(false, Judgement) and "is false: “it is not so”" in said(false.head)
 
 
 def test_a_misprint_has_its_two_values_beside_it() -> None:
     fails = counterexample(point({"x": "1"}), "1", "2")
-    (_, line) = wrong_places(
+    (lead, line) = wrong_places(
         Findings(Phrases(WORDS, {}), [misprint("m")._replace(counterexample=fails)])
     )
-    assert isinstance(line, Judgement) and " ≠ " in said(line.head)
+    assert said(lead.text) == (
+        "Misprinted. In brackets: the two sides at a point, which is given with the formula "
+        "below. The correction is proved."
+    )
+    pair = Relation((fails.left, fails.right), (r"\ne",))  # one formula, which is not broken
+    assert isinstance(line, Judgement) and line.head[-4:] == (" (", pair, ")", ".")
+
+
+def test_what_fails_elsewhere_than_in_the_misprint_is_named() -> None:
+    fails = counterexample(point({"x": "1"}), "1", "2", "the left side of another is 1, not 2")
+    wrong = misprint("m")._replace(counterexample=fails)
+    (_, line) = wrong_places(Findings(Phrases(WORDS, {}), [wrong]))
+    assert said(line.head).endswith(" (the left side of another is 1, not 2).")
 
 
 def test_a_short_misprint_is_shown_as_printed_and_as_meant() -> None:
@@ -97,7 +113,7 @@ def test_a_short_misprint_is_shown_as_printed_and_as_meant() -> None:
 def test_what_is_false_has_its_point_beside_it() -> None:
     fails = counterexample(point({"x": "1"}), "1", "2", "it is not so there")
     wrong = claim("b", "1", "x=y", "it is so", R, counterexample=fails)
-    (false,) = wrong_places(Findings(Phrases(WORDS, {}), [wrong]))
+    (_, false) = wrong_places(Findings(Phrases(WORDS, {}), [wrong]))
     assert isinstance(false, Judgement) and said(false.head).endswith("it is not so there.")
 
 

@@ -100,9 +100,12 @@ def test_a_dimension_is_that_at_a_point_and_a_combination_for_all_others(told):
 
 def test_a_counterexample_says_what_its_values_are(told):
     assert told["eq14"].counterexample.words == ""
-    assert told["critical-set"].counterexample.words.startswith("the left side of $2\\alpha_1")
+    assert told["critical-set"].counterexample.words.startswith(
+        "the left side of (19), $2\\alpha_1"
+    )
     assert told["critical-set"].counterexample.words.endswith(
-        "is $1$, not $0$, at this critical point"
+        "= 0$, is $1$, not $0$, though this is a critical point on "
+        r"$(\boldsymbol{\alpha}, \boldsymbol{\alpha}) = 1$"
     )
     (condition,) = told["eq16.invariance"].conditions
     assert re.search(r"along the motion is \$-?[1-9]\d*\$, not \$0\$$", condition.witness.words)
