@@ -23,6 +23,7 @@ def test_what_has_no_row_is_only_shown(tmp_path, capsys):
     assert "::warning" not in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_a_paper_of_the_corpus_comes_back_with_a_verdict_and_a_certificate_for_each_claim():
     found = audit(paper(1))
     assert len(found.verdicts) >= CLAIMS and {*found.verdicts} <= {"proved", "refuted"}

@@ -178,7 +178,7 @@ def verdict(name, neighbour):
         return "error"  # nothing is proved, of a claim that is none of the derivation
 
 
-@pytest.mark.parametrize(("name", "claim"), sampled(ROWS, 6))
+@pytest.mark.parametrize(("name", "claim"), sampled(ROWS, 1))
 def test_a_mutant_of_a_row_is_never_proved(name, claim):
     for neighbour in mutants(name, claim, 2):
         assert verdict(name, neighbour) in ("refuted", "undecided", "error"), neighbour.words

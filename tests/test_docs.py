@@ -73,6 +73,7 @@ def spoken(block, folder):
     return lines
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "page",
     [

@@ -92,6 +92,7 @@ def test_what_is_no_file_of_json_is_an_error_and_nobody_waits(kind, tmp_path):
             read(path)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_spoiled_certificate_is_proved_anew_and_rejected_by_the_checker(
     kind, tmp_path, capsys, monkeypatch

@@ -26,6 +26,7 @@ def test_a_file_is_found_without_its_ending(tmp_path, monkeypatch):
     assert find("circle") == find("circle.py") == Path("circle.evidence")
 
 
+@pytest.mark.slow
 def test_scenes_have_names_to_be_typed_on_a_command_line():
     scenes = [scene.name for name in available() for scene in load(name).scenes()]
     assert [name for name in scenes if {*name} & {*"$\\"}] == []

@@ -5,6 +5,7 @@ import sys
 from itertools import combinations
 from xml.etree import ElementTree
 
+import pytest
 from PIL import Image
 
 from kowalevski_cas import pictures
@@ -21,6 +22,7 @@ def figure():
     return figure
 
 
+@pytest.mark.slow
 def test_the_same_figure_gives_the_same_bytes(tmp_path):
     first = pictures.save(figure(), tmp_path / "a", "x")
     second = pictures.save(figure(), tmp_path / "b", "x")
@@ -38,6 +40,7 @@ def test_files_carry_no_date_and_no_version(tmp_path):
     assert not re.search(rb"tEXt|tIME|Matplotlib", data)
 
 
+@pytest.mark.slow
 def test_a_drawing_takes_the_ink_of_the_page_and_is_alone_in_it(tmp_path):
     first, second = (pictures.save_drawing(figure(), tmp_path, name) for name in ("x", "y"))
     drawn = first.read_text()
@@ -76,6 +79,7 @@ def test_marks_differ_in_grey_and_without_colour():
     assert all(grey(one.colour) < 0.75 for one in pictures.MARKS)  # dark enough for paper
 
 
+@pytest.mark.slow
 def test_the_users_own_settings_do_not_show_through(tmp_path):
     import matplotlib
 

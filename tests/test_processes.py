@@ -137,6 +137,7 @@ def test_items_that_are_made_one_by_one_are_taken_when_they_are_needed():
     assert [*answers] == [*range(1, 20)] == taken[1:]
 
 
+@pytest.mark.slow
 @given(st.lists(st.integers(0, 9)), st.integers(1, 4), st.booleans())
 @settings(max_examples=20, deadline=None)
 def test_every_item_is_done_once(items, jobs, known):

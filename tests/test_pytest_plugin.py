@@ -39,6 +39,7 @@ def run(tmp_path, monkeypatch):
     return run
 
 
+@pytest.mark.slow
 def test_a_claim_is_a_test_and_its_failure_reads_like_the_terminal(run):
     code, out = run({"derivation_circle.py": CIRCLE.format("")})
     assert code == 1
@@ -53,6 +54,7 @@ def test_what_is_expected_passes(run):
     assert run({"derivation_circle.py": CIRCLE.format(', expect="refuted"')})[0] == 0
 
 
+@pytest.mark.slow
 def test_a_claim_that_comes_to_no_end_fails_in_its_time(run):
     hangs = """
 from kowalevski_cas import System
@@ -69,6 +71,7 @@ circle.integral("x^2+y^2")
     assert "Not decided within 0.5 s" in out
 
 
+@pytest.mark.slow
 def test_a_broken_file_hides_no_other(run):
     good = CIRCLE.format(', expect="refuted"')
     files = {"derivation_a.py": "1 +", "derivation_b.py": good, "derivation_c.py": "x = 1"}
@@ -79,6 +82,7 @@ def test_a_broken_file_hides_no_other(run):
     assert "derivation_d.py:2: os._exit would end the program" in out
 
 
+@pytest.mark.slow
 def test_installed_packages_name_their_derivations(run):
     files = {
         "circles.py": CIRCLE.format(""),

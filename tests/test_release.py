@@ -66,6 +66,7 @@ def test_dev_has_what_the_tests_import():
     assert {"agents", "all", "cluster", "completion", "editor", "notebook"} <= named
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SCHEMAS)
 def test_it_is_what_its_schema_says(name):
     files = sorted(ROOT.glob(SCHEMAS[name]))

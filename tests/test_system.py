@@ -198,7 +198,7 @@ def test_a_constant_can_be_a_root():
 
 @pytest.mark.parametrize(
     ("field", "moves", "integral"),
-    [
+    sampled([
         (r"m\ddot x=-kx", "x moves; m, k are constant", r"m\dot x^2+kx^2"),
         (r"x'=y,\ y'=-0.5x", "x, y move", "x^2+2y^2"),
         (r"\dot x(t)=y(t),\ \dot y(t)=-x(t)", "x, y move", "x^2+y^2"),
@@ -278,7 +278,7 @@ def test_a_constant_can_be_a_root():
         (r"\dot x_i=x_i(x_{i+1}-x_{i-1}),\quad i=1,2,3,\quad x_{i+3}=x_i", "x₁, x₂, x₃ move", "x_1x_2x_3=c"),
         (r"2\ddot\alpha=e^{2\beta}, 2\ddot\beta=e^{2\beta}", "α, β move", r"\dot\beta^2-\frac12e^{2\beta}"),
         (r"\frac{\text{d}x}{\text{d}t}=y, \frac{\text{d}y}{\text{d}t}=-x", "x, y move", "x^2+y^2"),
-    ],
+    ], 5),
 )  # fmt: skip
 def test_equations_as_textbooks_print_them(field, moves, integral):
     system = System(field)
@@ -319,7 +319,7 @@ SPACE = {R: ("x", "y", "z"), P: ("u", "v", "w")}
 
 @pytest.mark.parametrize(
     ("field", "integral"),
-    [
+    sampled([
         (r"\ddot{\mathbf r}=-\frac{\mu\mathbf r}{|\mathbf r|^3}", r"\frac12\dot{\mathbf r}^2-\frac{\mu}{|\mathbf r|}"),
         (
             r"\ddot{\mathbf r}=-\frac{\mu}{r^3}\mathbf r,\quad r=|\mathbf r|",
@@ -344,7 +344,7 @@ SPACE = {R: ("x", "y", "z"), P: ("u", "v", "w")}
             r"\mathbf A\ddot{\mathbf r}=-\mathbf r,\ \mathbf A=\begin{pmatrix}2&1&0\\1&1&0\\0&0&1\end{pmatrix}",
             r"\dot{\mathbf r}\cdot\mathbf A\dot{\mathbf r}+\mathbf r^2",
         ),
-    ],
+    ], 4),
 )  # fmt: skip
 def test_equations_of_vectors_as_textbooks_print_them(field, integral):
     system = System(field, vectors=SPACE)
@@ -447,7 +447,7 @@ def test_the_modulus_of_what_is_complex_is_real():
         System(r"\dot z=\bar z")
 
 
-@pytest.mark.parametrize("unit", ["", ", i^2=-1"])
+@pytest.mark.parametrize("unit", sampled(["", ", i^2=-1"], 1))
 def test_what_moves_by_the_imaginary_unit_is_complex(unit):
     """Three waves: their amplitudes have conjugates, and :math:`a^2-b^2` is constant for real i."""
     waves = System(rf"i\dot a=\bar bc, i\dot b=\bar ac, i\dot c=ab{unit}")
@@ -460,7 +460,7 @@ def test_what_moves_by_the_imaginary_unit_is_complex(unit):
         waves.find_integrals(2)
 
 
-@pytest.mark.parametrize("number", [2, 3, 5, 6, 7])
+@pytest.mark.parametrize("number", sampled([2, 3, 5, 6, 7], 2))
 def test_roots_of_numbers_are_refuted_too(number):
     """Modulo half of all primes there is no root of the number, and no point to try."""
     root, twice = rf"\sqrt{number}", rf"\sqrt{{{4 * number}}}"
@@ -513,10 +513,10 @@ def test_vectors_have_the_components_that_are_printed(field, moves, integral):
 @pytest.mark.parametrize("claim", ["identity", "integral", "invariant"])
 @pytest.mark.parametrize(
     "formula",
-    [
+    sampled([
         r"\mathbf r={}", r"{}=\mathbf r", r"\mathbf r+{}=0", r"(\mathbf r,{})=0", r"\mathbf r\times{}=0",
         r"|\mathbf r+2{}|=x", r"3{}-y\mathbf r=0",
-    ],
+    ], 3),
 )  # fmt: skip
 @pytest.mark.parametrize("other", sampled(["(1,x)", r"\mathbf s", "(1,x,y,z)"], 1))
 def test_vectors_of_different_sizes_mean_nothing_together(claim, formula, other):
@@ -525,6 +525,7 @@ def test_vectors_of_different_sizes_mean_nothing_together(claim, formula, other)
     assert outcome.verdict is Verdict.ERROR and "components" in outcome.message
 
 
+@pytest.mark.slow
 def test_a_zero_stands_for_a_vector():
     oscillator = System(r"\ddot{\mathbf r}=-\mathbf r,\ \mathbf r=(x,y,z)")
     assert oscillator.invariant(r"\mathbf r\times\dot{\mathbf r}=0").verdict is Verdict.PROVED
@@ -851,7 +852,7 @@ circle.invariant("{function}", expect="{expected}")
     assert (said in out) == contradicted and ("as recorded" in out) != contradicted
 
 
-@pytest.mark.parametrize("form", ["pretty", "github", "junit"])
+@pytest.mark.parametrize("form", sampled(["pretty", "github", "junit"], 1))
 def test_what_is_false_is_no_misprint_and_what_is_expected_not_recorded(cli, form):
     content = FILE.replace(', expect="refuted"', "")
     code, out = cli("verify", content, "--format", form)
@@ -910,6 +911,7 @@ def test_a_derivation_and_a_system_have_one_vocabulary(lorenz):
     assert [outcome.verdict for outcome in run.outcomes] == [Verdict.PROVED]
 
 
+@pytest.mark.slow
 def test_what_is_proved_of_any_system_has_a_certificate(cli):
     """Names of roots, matrices, velocities of vectors and moduli stand in certificates too."""
     lines = ["from kowalevski_cas import System"]
@@ -1063,6 +1065,7 @@ def test_a_question_is_asked_of_a_file(tmp_path, capsys):
 # -- each save ----------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_each_save_is_verified_until_an_interruption(tmp_path):
     (tmp_path / "lorenz.py").write_text(
         "from kowalevski_cas import System, display\n"

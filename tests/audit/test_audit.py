@@ -35,6 +35,7 @@ def test_an_audit_says_what_verify_says():
     }
 
 
+@pytest.mark.slow
 def test_every_claim_of_verify_is_shown_by_its_id_once_with_its_verdict():
     shown = {f.id: f.verdict for f in audited().formulas if f.id in f.claims}
     in_words = {outcome.claim: outcome.verdict for outcome in audited().statements}
@@ -132,6 +133,7 @@ def test_a_changed_row_of_the_change_of_variables():
     assert [place.place for place in found.session.causes.places["eq9"]] == ["eq9.5"]
 
 
+@pytest.mark.slow
 def test_a_name_that_is_no_longer_defined():
     found = by_id(changed(r"J_2  = 2\omega _1", r"J_3  = 2\omega _1"))
     assert found["J.2"].verdict == "suspect"
@@ -144,6 +146,7 @@ def test_a_formula_that_cannot_be_read():
     assert "\\foo" in found["eq11"].message
 
 
+@pytest.mark.slow
 def test_a_definition_in_a_circle():
     found = by_id(changed(r"J_1  = \omega _1^2", r"J_1  = J_1"))
     assert found["J.1"].verdict == "suspect"

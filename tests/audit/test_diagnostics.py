@@ -70,6 +70,7 @@ def mend(fixes: list[Replacement]) -> None:
         path.write_text(whole[:start] + text + whole[end:], encoding="utf-8")
 
 
+@pytest.mark.slow
 def test_they_stand_where_the_formula_does(paper):
     energy, momentum = found(paper(HEAD + BODY + END))
     assert (energy.rule, energy.level, energy.id) == ("refuted", ERROR, "energy")
@@ -77,12 +78,14 @@ def test_they_stand_where_the_formula_does(paper):
     assert text_at(momentum.region).split() == ["G^2=A^2p^2-B^2q^2", "+C^2r^2"]
 
 
+@pytest.mark.slow
 def test_what_mends_them_mends_the_paper(paper):
     path = paper(HEAD + BODY + END)
     mend([fix for one in found(path) for fix in one.fixes])
     assert found(path) == []
 
 
+@pytest.mark.slow
 def test_they_stand_in_the_file_that_prints_the_formula(paper):
     Path("part.tex").write_text(BODY)
     path = paper(f"{HEAD}{{\\it An example.}} \\input{{part}} Done.\n{END}")
@@ -93,12 +96,14 @@ def test_they_stand_in_the_file_that_prints_the_formula(paper):
     assert "part" in path.read_text() and found(path) == []
 
 
+@pytest.mark.slow
 def test_they_are_known_again_wherever_they_stand(paper):
     before = [one.fingerprint for one in found(paper(HEAD + BODY + END))]
     moved = [one.fingerprint for one in found(paper(f"{HEAD}More words.\n\n{BODY} Words.{END}"))]
     assert moved == before and len({*before}) == 2
 
 
+@pytest.mark.slow
 def test_another_misprint_in_the_same_place_is_another(paper):
     before = {one.fingerprint for one in found(paper(HEAD + BODY + END))}
     other = found(paper(HEAD + BODY.replace("2T=Ap^2", "2T=-Ap^2") + END))
@@ -129,6 +134,7 @@ def unknown(model) -> set[str]:
     return keys
 
 
+@pytest.mark.slow
 def test_sarif_has_places_fixes_and_fingerprints(paper, capsys):
     value = document(capsys, "audit", str(paper(HEAD + BODY + END)), "--format", "sarif")
     assert unknown(Sarif.model_validate(value)) <= {"columnKind", "ruleIndex"}

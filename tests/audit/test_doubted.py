@@ -8,6 +8,7 @@ from kowalevski_cas.reading import read
 from kowalevski_cas.source.files import decode
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.run import FALSE_AS_READ
+from tests.sample import sampled
 
 LAW = r"""The equations of motion are
 \begin{equation}\label{law}\dot x=y,\qquad \dot y=-x+z,\qquad \dot z=0.\end{equation}
@@ -23,7 +24,9 @@ def claim(found, label):
     return next(formula for formula in found.formulas if formula.label == label)
 
 
-@pytest.mark.parametrize(("wrong", "cause"), [("x^2+y^2-2xz", ""), ("x^2+2y^2-2xz", "F=x^2+2y^2")])
+@pytest.mark.parametrize(
+    ("wrong", "cause"), sampled([("x^2+y^2-2xz", ""), ("x^2+2y^2-2xz", "F=x^2+2y^2")], 1)
+)
 def test_the_formula_is_named_with_which_a_doubted_claim_would_hold(wrong, cause):
     text = (
         LAW
@@ -46,6 +49,7 @@ def test_a_name_that_is_defined_by_itself_is_named_where_it_stands():
     assert len(found.causes) == 2
 
 
+@pytest.mark.slow
 def test_a_letter_that_stands_nowhere_else_is_named_where_a_claim_fails_by_it():
     text = (
         LAW

@@ -16,6 +16,7 @@ def wrong(text: str) -> list[str]:
     return [formula.id for formula in found.formulas if formula.wrong]
 
 
+@pytest.mark.slow
 def test_nothing_is_wrong_after_the_patch():
     assert [formula.id for formula in audited_again().formulas if formula.wrong] == []
 
@@ -45,6 +46,7 @@ def test_what_was_changed_is_mended(old, new):
     assert wrong(repair_source(changed(old, new)).text) == []
 
 
+@pytest.mark.slow
 def test_the_diff_applies(tmp_path):
     program = shutil.which("patch")
     if program is None:
@@ -60,6 +62,7 @@ def test_no_misprint_no_patch():
     assert patch(audited_again()) == ""
 
 
+@pytest.mark.slow
 def test_line_ends_of_another_system_stay():
     text = source().text.replace("\n", "\r\n")
     found = repair_source(audit(Source("paper.tex", text), base())).text

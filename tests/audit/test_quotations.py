@@ -83,6 +83,7 @@ def test_a_formula_in_a_sentence_is_compared_as_a_formula():
     assert not found.outcomes["time-unit"].verdict.green
 
 
+@pytest.mark.slow
 def test_a_formula_that_is_not_there_decides_nothing():
     text = source().text
     found = audit(

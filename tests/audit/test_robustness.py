@@ -52,6 +52,7 @@ def survive(sources: list[bytes]) -> None:
     assert [*each(survives, sources, 1)] == [None] * len(sources)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", sampled(range(200), 1))
 def test_a_byte_mutated_paper(seed):
     survive([mutated(random.Random(seed))])

@@ -53,6 +53,7 @@ def test_an_animation_is_a_gif_or_a_page(
         assert f"--output {wrong} does not end with .gif or .html" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_any_motion_is_shown_but_for_parallel_fields(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -35,6 +35,7 @@ def checked(folder):
     )  # fmt: skip
 
 
+@pytest.mark.slow
 def test_its_checker_accepts_it_alone(bundle):
     done = checked(bundle)
     assert done.returncode == 0 and done.stdout.endswith("CERTIFIED 4 of 4\n")
@@ -63,6 +64,7 @@ def test_a_verdict_is_cited_by_the_digest_of_its_statement(bundle):
     assert json.loads((bundle / f"certificates/{claim}.json").read_text())["digest"] in citation
 
 
+@pytest.mark.slow
 def test_the_bytes_are_the_same_again_and_nothing_is_mixed(bundle, tmp_path, capsys):
     arguments = ["bundle", str(find("bobenko_reyman_semenov1989")), "-o", str(tmp_path)]
     assert main(arguments) == 0

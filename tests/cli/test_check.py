@@ -32,6 +32,7 @@ def copy(tmp_path):
     return folder
 
 
+@pytest.mark.slow
 def test_a_run_with_a_report_checks_them_as_make_verify_does(copy, tmp_path, capsys, monkeypatch):
     monkeypatch.setattr("kowalevski_cas.report.pdf.has_latex", lambda: False)  # Typst is faster
     makefile = (PAPER.parents[1] / "Makefile").read_text(encoding="utf-8")
@@ -124,6 +125,7 @@ def test_a_record_that_cannot_be_read(copy, capsys):
     assert "record.json" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_files(copy, capsys):
     files = [str(path) for path in certificate_files(copy)]
     assert len(files) == 4
@@ -160,6 +162,7 @@ def test_a_derivation_that_is_not_there(capsys):
     assert "no derivation" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "code"), sampled([(b"/nowhere/\xff.json", 5), (b"/nowhere/\xff", 2)], 1)
 )

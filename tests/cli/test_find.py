@@ -153,6 +153,7 @@ def test_cases_that_only_real_numbers_exclude(asked):
     assert "proved  F' = KF for no values of the constants" in lines
 
 
+@pytest.mark.slow
 def test_a_large_question_is_said_to_be_large_beforehand_and_what_was_found_in_time_is_kept(
     system, capsys, monkeypatch
 ):
@@ -293,6 +294,7 @@ def test_what_is_written_to_the_file_is_proved_there(system, capsys):
     assert "--write needs a file in which a System" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_what_has_constants_of_its_own_is_written_and_certified_too(system, tmp_path, capsys):
     file = system(r"\dot x=y,\quad \dot y=6x^2+c")
     assert main(["find", "exponents", file, "--write"]) == 0

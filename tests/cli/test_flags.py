@@ -79,6 +79,7 @@ def hangs(tmp_path):
     return folder
 
 
+@pytest.mark.slow
 def test_a_claim_that_hangs_in_compiled_code_ends_at_its_limit(hangs):
     done = subprocess.run(
         [*KOWALEVSKI, "verify", "hangs", "--timeout", "1"],
@@ -101,6 +102,7 @@ def test_what_comes_to_no_end_does_not_block_the_record_of_the_others(hangs):
     assert '"t"' in (hangs / "record.json").read_text() and "1 claim recorded" in done.stdout
 
 
+@pytest.mark.slow
 def test_sigterm_leaves_no_process_behind(hangs):
     process = subprocess.Popen(
         [*KOWALEVSKI, "verify", "hangs"], cwd=hangs.parent, env=_environment(),

@@ -53,7 +53,7 @@ def interrupting(monkeypatch, at):
     monkeypatch.setattr(Progress, "__call__", hear)
 
 
-@pytest.mark.parametrize("at", sampled(range(1, len(CLAIMS) + 1), 3))
+@pytest.mark.parametrize("at", sampled(range(1, len(CLAIMS) + 1), 1))
 def test_what_is_decided_before_an_interruption_is_what_it_is_without_one(
     paper, monkeypatch, capsys, at
 ):
@@ -83,6 +83,7 @@ def test_the_second_interruption_ends_it_at_once(paper, monkeypatch, capsys):
     assert not out.out and "interrupted" in out.err
 
 
+@pytest.mark.slow
 def test_behind_an_interrupted_audit_nothing_is_cut_off(paper, monkeypatch, capsys):
     with monkeypatch.context() as patch:
         interrupting(patch, {1})
@@ -90,6 +91,7 @@ def test_behind_an_interrupted_audit_nothing_is_cut_off(paper, monkeypatch, caps
     assert "timeout" not in verdicts(paper, capsys)[1]
 
 
+@pytest.mark.slow
 def test_what_fails_is_told_when_it_is_read_and_is_decided_once():
     told = []
     source = Source("paper.tex", PAPER)

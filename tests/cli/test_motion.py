@@ -78,6 +78,7 @@ def test_taylor_follows_it_too_or_says_what_to_install(cli):
         assert np.max(np.abs(states(out) - states(cli(*USUAL)[1]))) < 1e-12
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("missing", "command", "extra"),
     sampled(
@@ -265,6 +266,7 @@ def test_wrong_use_gets_a_message(cli, arguments, words):
     assert words in err
 
 
+@pytest.mark.slow
 def test_following_a_motion_imports_no_pictures_and_the_command_line_no_arrays(cli):
     script = (
         "import sys; from kowalevski_cas.cli import main; main([]); "

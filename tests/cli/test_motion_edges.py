@@ -35,6 +35,7 @@ def test_where_the_closed_form_gives_up_balls_follow_the_motion_and_this_is_said
     assert "ball follows the motion" in err and '"radius"' in out
 
 
+@pytest.mark.slow
 def test_a_state_of_any_size_is_followed_and_no_constant_is_lost(capfd):
     """In another unit of time it is the same motion; what no float holds is told in digits."""
     for power in (-60, -200, 40):
@@ -48,6 +49,7 @@ def test_a_state_of_any_size_is_followed_and_no_constant_is_lost(capfd):
         assert f"a = {float(invariants['a']):.6g}"[:6] in capfd.readouterr().out
 
 
+@pytest.mark.slow
 def test_a_small_or_large_state_is_printed_in_units_of_its_size(capfd):
     for size, power in ((-6, -12), (-140, -280), (-158, -300)):
         state = [f"{x}e{size}" for x in (1, 2, 3)] + [f"{x}e{2 * size}" for x in (1, 0, 0, 0, 4, 1)]
@@ -81,6 +83,7 @@ ON = {
 }
 
 
+@pytest.mark.slow
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.sampled_from(sorted(ON)), st.integers(0, 8), st.floats(-12.9, -8))
 def test_what_is_followed_begins_at_the_given_state(capfd, name, place, power):
@@ -96,6 +99,7 @@ def test_what_is_followed_begins_at_the_given_state(capfd, name, place, power):
     assert through(state.tolist()).off < 1e-13 or "dop853 follows it" in err
 
 
+@pytest.mark.slow
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.sampled_from(sorted(ON)), st.sampled_from([-140, -60, -25, 25, 60, 140]) | WHOLE)
 def test_in_any_unit_the_closed_form_follows_a_state_that_has_one(capfd, name, power):

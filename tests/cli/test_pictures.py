@@ -18,6 +18,7 @@ def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.slow
 def test_it_writes_the_picture_and_the_list_for_the_report(reports: Path) -> None:
     written = {path.name for path in (reports / "motion").iterdir()}
     assert written == {"rectangle.png", "rectangle.svg", "figures.json"}
@@ -33,6 +34,7 @@ def test_it_writes_the_picture_and_the_list_for_the_report(reports: Path) -> Non
     assert shown == ["motion/rectangle"]
 
 
+@pytest.mark.slow
 def test_a_motion_may_be_given_and_looks_different(reports: Path, tmp_path: Path) -> None:
     given = "--a 1 --b 0.4 --m 0.8 --l 0.9".split()
     assert main(["pictures", "rectangle", *given, "--output", str(tmp_path)]) == 0

@@ -39,6 +39,7 @@ def commit():
     git("commit", "-q", "-m", "papers")
 
 
+@pytest.mark.slow
 def test_what_is_false_fails_at_its_line_until_it_is_known(repository, capsys):
     (repository / "paper.tex").write_text(WRONG)
     (repository / "chapter.tex").write_text("no paper: $x=")

@@ -27,6 +27,7 @@ circle.integral("x^2+y^2")
 """
 
 
+@pytest.mark.slow
 def test_however_many_processes_decide_the_outcomes_are_the_same(monkeypatch, capsys):
     found = []
     for jobs in (1, 3):

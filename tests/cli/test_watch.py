@@ -89,6 +89,7 @@ def test_what_is_cut_off_is_timeout_and_no_success(paper, capsys):
     assert code == 3
 
 
+@pytest.mark.slow
 def test_what_has_not_changed_is_not_searched_for_again(tmp_path, monkeypatch, capsys):
     """A claim that is changed is, with its words none is, and with the law all that rest on it."""
     path, log = tmp_path / "paper.tex", tmp_path / "log"

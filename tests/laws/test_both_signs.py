@@ -23,6 +23,7 @@ def test_signs_on_both_sides_belong_together(k, left, right, other):
     assert len(claim.parts) == 2
 
 
+@pytest.mark.slow
 @given(FACTOR, FACTOR, SIGN)
 def test_signs_on_one_side_are_one_of_two_at_each_point(k, other, sign):
     claim = oscillator().implication(f"x={sign}{k}y", given=f"x^2={other * other}y^2")

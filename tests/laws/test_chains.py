@@ -7,6 +7,7 @@ from sympy import Integer, Poly, Symbol
 
 from kowalevski_cas import System
 from tests.laws.test_prints import FEW, differ
+from tests.sample import sampled
 
 pytestmark = pytest.mark.usefixtures("uncorrected")
 
@@ -107,6 +108,7 @@ def resonance(chance):
     return tex, meant, true, [*false, norm.replace("+", "-")]
 
 
+@pytest.mark.slow
 @FEW
 def test_amplitudes_move_by_their_hamiltonian(seed):
     tex, meant, true, false = resonance(random.Random(seed))
@@ -136,7 +138,7 @@ def test_an_amplitude_may_have_its_modulus_in_its_own_equation():
     assert law.integral(r"\psi").verdict == law.integral(r"\psi^2").verdict == "refuted"
 
 
-@pytest.mark.parametrize("size", [3, 4, 5])
+@pytest.mark.parametrize("size", sampled([3, 4, 5], 1))
 def test_brackets_of_a_chain_are_closed_as_it_is(size):
     tex = (
         rf"\{{u_i,u_{{i+1}}\}}=u_iu_{{i+1}},\ u_{{i+{size}}}=u_i,\ i=1,\dots,{size},\ "

@@ -35,6 +35,7 @@ AROUND = (
 )  # fmt: skip
 
 
+@pytest.mark.slow
 @given(st.sampled_from(LEAVES), st.lists(st.sampled_from(AROUND), max_size=3))
 def test_what_is_divided_by_is_named(formula, around):
     for one in around:

@@ -20,6 +20,7 @@ SURFACES = [
 ]
 
 
+@pytest.mark.slow
 @FEW
 def test_energy_is_constant_where_the_reaction_is_normal(seed):
     chance = random.Random(seed)
@@ -50,6 +51,7 @@ def test_energy_is_constant_where_the_reaction_is_normal(seed):
     assert rough.integral(f"{kinetic}+({latex(U)})").verdict == "refuted"
 
 
+@pytest.mark.slow
 @FEW
 def test_a_body_that_does_not_turn_about_an_axis_keeps_its_energy(seed):
     """Suslov's problem, in components and with vectors."""
@@ -72,6 +74,7 @@ def test_a_body_that_does_not_turn_about_an_axis_keeps_its_energy(seed):
         assert body.integral(r"\sum_{i=1}^3I_i^2\omega_i^2").verdict == "refuted"
 
 
+@pytest.mark.slow
 def test_a_sleigh_has_a_constraint_that_is_not_integrable():
     sleigh = System(
         r"m\ddot x=\lambda\sin\varphi,\ m\ddot y=-\lambda\cos\varphi,\ I\ddot\varphi=0,\ "

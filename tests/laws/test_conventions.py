@@ -105,6 +105,7 @@ def test_a_negative_power_of_a_function_is_one_over_the_power(seed):
         System(rf"H=\frac12p^2+{function}^{{-1}}(q)")
 
 
+@pytest.mark.slow
 @FEW
 def test_a_potential_may_be_a_logarithm(seed):
     chance = random.Random(seed)
@@ -130,6 +131,7 @@ def test_it_may_be_said_what_something_is_a_function_of(seed):
         System(r"\ddot x=-\lambda x,\ \lambda=\lambda(t)")
 
 
+@pytest.mark.slow
 @FEW
 def test_a_blade_glides_where_it_points(seed):
     """Constraints with sines are read back as they are derived."""

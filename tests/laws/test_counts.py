@@ -116,6 +116,7 @@ def test_what_is_not_decided_has_a_reason(field):
     check(field, [x for x in "xy" if rf"\dot {x}" in field], MANY)
 
 
+@pytest.mark.slow
 def test_many_constants_are_no_trouble():
     constants = tuple("abcdefghklmn")
     field = rf"\dot x={'+'.join(constants)}-x"

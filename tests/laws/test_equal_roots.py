@@ -7,6 +7,7 @@ import pytest
 
 from kowalevski_cas import System
 from tests.laws.test_prints import FEW
+from tests.sample import sampled
 
 pytestmark = pytest.mark.usefixtures("uncorrected")
 
@@ -34,6 +35,7 @@ def product_of_roots(seed):
     return left, number, outside, over, roots
 
 
+@pytest.mark.slow
 @FEW
 def test_the_sign_of_a_root_is_that_of_what_others_say(seed):
     left, number, outside, over, roots = product_of_roots(seed)
@@ -64,19 +66,22 @@ def test_roots_of_what_is_manifestly_positive(seed):
 
 @pytest.mark.parametrize(
     ("tex", "verdict"),
-    [
-        (r"\sqrt{a^4}=a^2", "proved"),
-        (r"\sqrt{a^6}=a^3", "refuted"),
-        (r"\sqrt{\cosh^2a}=\cosh a", "proved"),
-        (r"\sqrt{\sinh^2a}=\sinh a", "refuted"),
-        (r"\sqrt{\cos^2a}=\cos a", "refuted"),
-        (r"\sqrt{ab}=\sqrt{-a}\sqrt{-b}", "proved"),
-        (r"\sqrt a\sqrt b=\sqrt{ab}", "proved"),
-        (r"\sqrt a\sqrt b=-\sqrt{ab}", "refuted"),
-        (r"\sqrt{\frac ab}=\frac{\sqrt{ab}}{b}", "refuted"),
-        (r"\sqrt{\frac{a}{b}}\sqrt{\frac{b}{a}}=1", "conditional"),
-        (r"\lvert ab\rvert=\lvert a\rvert\lvert b\rvert", "proved"),
-    ],
+    sampled(
+        [
+            (r"\sqrt{a^4}=a^2", "proved"),
+            (r"\sqrt{a^6}=a^3", "refuted"),
+            (r"\sqrt{\cosh^2a}=\cosh a", "proved"),
+            (r"\sqrt{\sinh^2a}=\sinh a", "refuted"),
+            (r"\sqrt{\cos^2a}=\cos a", "refuted"),
+            (r"\sqrt{ab}=\sqrt{-a}\sqrt{-b}", "proved"),
+            (r"\sqrt a\sqrt b=\sqrt{ab}", "proved"),
+            (r"\sqrt a\sqrt b=-\sqrt{ab}", "refuted"),
+            (r"\sqrt{\frac ab}=\frac{\sqrt{ab}}{b}", "refuted"),
+            (r"\sqrt{\frac{a}{b}}\sqrt{\frac{b}{a}}=1", "conditional"),
+            (r"\lvert ab\rvert=\lvert a\rvert\lvert b\rvert", "proved"),
+        ],
+        1,
+    ),
 )
 def test_the_edges(tex, verdict):
     assert System(FLOW).identity(tex).verdict == verdict

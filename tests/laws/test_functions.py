@@ -60,7 +60,7 @@ def outcome_of(tex):
     return outcome
 
 
-@pytest.mark.parametrize("tex", sampled(FALSE, 10))
+@pytest.mark.parametrize("tex", sampled(FALSE, 1))
 def test_a_false_identity_is_never_proved(tex):
     assert not outcome_of(tex).verdict.green
 
@@ -124,6 +124,7 @@ def test_poles_are_conditions(tex, function):
     assert str(outcome.verdict) == "conditional" and any(function in one for one in met)
 
 
+@pytest.mark.slow
 @given(
     st.sampled_from(["2", "3", r"\frac32", r"\frac{k}{1}", r"1+k^2"]), st.sampled_from([0, 1, 2])
 )

@@ -6,6 +6,7 @@ import pytest
 
 from tests.laws.test_prints import FEW
 from tests.reading.test_reading import roles, verdicts
+from tests.sample import sampled
 
 pytestmark = pytest.mark.usefixtures("uncorrected")
 
@@ -15,6 +16,7 @@ LAW = (
 )
 
 
+@pytest.mark.slow
 @FEW
 def test_what_is_claimed_of_constants_follows_from_what_is_supposed(seed):
     chance = random.Random(seed)
@@ -41,8 +43,8 @@ def test_what_is_claimed_of_constants_follows_from_what_is_supposed(seed):
 
 @pytest.mark.parametrize(
     ("words", "green"),
-    [(r"If $\Delta\ge0$, then $$AB\ge0.$$", True), (r"If $\Delta\le0$, then $$AB\ge0.$$", False),
-     (r"If $\Delta\ge0$, then $$A\ge0.$$", False), (r"Then $$AB\ge0.$$", False)],
+    sampled([(r"If $\Delta\ge0$, then $$AB\ge0.$$", True), (r"If $\Delta\le0$, then $$AB\ge0.$$", False),
+     (r"If $\Delta\ge0$, then $$A\ge0.$$", False), (r"Then $$AB\ge0.$$", False)], 1),
 )  # fmt: skip
 def test_a_condition_on_what_is_defined_is_one_of_what_defines_it(words, green):
     text = rf"{LAW}Put $\Delta=AB-C^2$. {words}"

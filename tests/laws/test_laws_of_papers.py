@@ -8,12 +8,14 @@ from sympy import latex
 from tests.laws.test_constraints import CURVES, SURFACES, XYZ
 from tests.laws.test_prints import FEW
 from tests.reading.test_reading import roles, verdicts
+from tests.sample import sampled
 
 pytestmark = pytest.mark.usefixtures("uncorrected")
 
 SAID = ("with the constraint", "subject to the constraint", "The point stays on the surface")
 
 
+@pytest.mark.slow
 @FEW
 def test_energy_is_constant_on_a_constraint(seed):
     chance = random.Random(seed)
@@ -47,6 +49,7 @@ HELD = (
 )  # fmt: skip
 
 
+@pytest.mark.slow
 @FEW
 def test_what_may_be_a_multiplier_refutes_nothing(seed):
     """A body whose constraint is said in words that are not read."""
@@ -75,6 +78,7 @@ def test_what_may_be_a_multiplier_refutes_nothing(seed):
     assert known[energy] == known[spin] == "refuted", (told, rows, known)
 
 
+@pytest.mark.slow
 def test_constraints_are_those_of_the_motion_in_other_coordinates():
     text = (
         r"The equations of motion are $$\ddot x=\lambda x,\quad \ddot y=\lambda y,\quad "
@@ -107,7 +111,9 @@ $$L=\begin{pmatrix}b&a\\a&-b\end{pmatrix},\qquad B=\begin{pmatrix}0&a\\-a&0\end{
 Then $\operatorname{tr}L^2$ and $%s$ are first integrals."""
 
 
-@pytest.mark.parametrize("law", [r"\dot L=[B,L]", r"\frac{dL}{dt}=BL-LB", r"\dot L=-[L,B]"])
+@pytest.mark.parametrize(
+    "law", sampled([r"\dot L=[B,L]", r"\frac{dL}{dt}=BL-LB", r"\dot L=-[L,B]"], 1)
+)
 def test_the_entries_of_a_matrix_equation_move(law):
     true, false = verdicts(TODA % (law, "a^2+b^2")), verdicts(TODA % (law, "a^2-b^2"))
     assert [*true.values()] == ["proved", "proved"] and list(false.values())[1] == "refuted"
@@ -141,7 +147,7 @@ CANONICAL = r"""The Hamiltonian is $$H=\frac12(p_1^2+p_2^2)+%s,$$ where $V=%s$. 
 $$\dot q_i=\partial_{p_i}H,\qquad \dot p_i=-\partial_{q_i}H .$$ The function $q_1p_2-q_2p_1$ is a first integral."""
 
 
-@pytest.mark.parametrize("V", ["V", "V(q_1,q_2)", r"V\left(q_1,q_2\right)"])
+@pytest.mark.parametrize("V", sampled(["V", "V(q_1,q_2)", r"V\left(q_1,q_2\right)"], 1))
 def test_a_potential_has_its_arguments_beside_it(V):
     (true,) = verdicts(CANONICAL % (V, "(q_1^2+q_2^2)^2")).values()
     (false,) = verdicts(CANONICAL % (V, "(q_1^2+2q_2^2)^2")).values()
@@ -169,7 +175,7 @@ $$%s=r\gamma'-q\gamma'',\quad %s=p\gamma''-r\gamma,\quad %s=q\gamma-p\gamma'.$$
 Then $\gamma^2+\gamma'^2+\gamma''^2$ and $Ap\gamma+Bq\gamma'%sCr\gamma''$ are first integrals."""
 
 
-@pytest.mark.parametrize("rate", [r"\dot{%s}", r"\frac{d%s}{dt}"])
+@pytest.mark.parametrize("rate", sampled([r"\dot{%s}", r"\frac{d%s}{dt}"], 1))
 def test_primes_make_names_where_their_rates_are_printed(rate):
     body = BODY
     for letter in "pqr":
@@ -180,7 +186,7 @@ def test_primes_make_names_where_their_rates_are_printed(rate):
         assert length.green and area == verdict
 
 
-@pytest.mark.parametrize("behind", ["", "=dt"])
+@pytest.mark.parametrize("behind", sampled(["", "=dt"], 1))
 def test_differentials_in_proportion_are_equations_of_motion(behind):
     text = (
         rf"The system $$\frac{{dx}}{{y}}=\frac{{dy}}{{-x}}=\frac{{dz}}{{1}}{behind}$$ "
@@ -207,6 +213,7 @@ def test_a_bracket_of_three_letters_and_a_hamiltonian_are_a_law():
     assert true == "proved" and not false.green
 
 
+@pytest.mark.slow
 def test_of_which_function_the_rate_vanishes_may_be_said_behind():
     law = r"The equations of motion are $$\dot x=y,\qquad \dot y=-ax .$$ "
     text = law + r"Then $\dot F=0$ for $F=ax^2+%sy^2$."

@@ -7,6 +7,7 @@ import pytest
 from kowalevski_cas.audit.reading import ReadingSession
 from tests.laws.test_prints import FEW
 from tests.reading.test_reading import reading, verdicts
+from tests.sample import sampled
 
 pytestmark = pytest.mark.usefixtures("uncorrected")
 
@@ -35,6 +36,7 @@ def steps(chance):
     return f"{x}_{n}", f"{y}_{n}", f"{x}_{{{n}+1}}", f"{y}_{{{n}+1}}", words
 
 
+@pytest.mark.slow
 @FEW
 def test_a_form_is_an_invariant_of_a_matrix_with_determinant_one(seed):
     chance = random.Random(seed)
@@ -83,6 +85,7 @@ def test_what_sentences_say_of_maps(seed):
     assert not in_words(law + "".join(one.replace("preserves", "does not preserve").replace("is ", "is not ") for one in says))  # fmt: skip
 
 
+@pytest.mark.slow
 def test_the_map_of_lyness_preserves_a_measure_and_no_area():
     law = r"Consider the map $$x_{n+1}x_{n-1}=x_n+a.$$ "
     invariant = r"\frac{(x_n+1)(x_{n-1}+1)(x_n+x_{n-1}+a)}{x_nx_{n-1}}"
@@ -96,6 +99,7 @@ def test_the_map_of_lyness_preserves_a_measure_and_no_area():
     assert true.green and not false.green and not area.green
 
 
+@pytest.mark.slow
 def test_a_map_is_integrable_by_the_invariants_before_it():
     law = r"Consider the mapping $$x'=y,\quad y'=-x+\frac{2ay}{1-y^2}.$$ "
     invariant = r"The function $x^2y^2-x^2-y^2+2axy$ is an invariant of the map. "
@@ -109,8 +113,8 @@ def test_a_map_is_integrable_by_the_invariants_before_it():
 @pytest.mark.parametrize("b", ["-1", "2"])
 @pytest.mark.parametrize(
     "words",
-    ["For $b=%s$ the map is area-preserving. ", "If $b=%s$, the map is area-preserving. ",
-     "Put $b=%s$. The map is area-preserving. "],
+    sampled(["For $b=%s$ the map is area-preserving. ", "If $b=%s$, the map is area-preserving. ",
+     "Put $b=%s$. The map is area-preserving. "], 1),
 )  # fmt: skip
 def test_what_is_supposed_of_constants_is_supposed_of_a_map(words, b):
     law = r"Consider the map $$x_{n+1}=1-ax_n^2+y_n,\quad y_{n+1}=bx_n.$$ "
@@ -130,8 +134,8 @@ def test_a_comment_says_that_primes_are_images():
 
 @pytest.mark.parametrize(
     "law",
-    [r"$$x_{n+1}^2=y_n,\quad y_{n+1}=x_n$$", r"$$x_{n+1}=y_n$$",
-     r"$$\dot x_n=x_{n+1}-x_{n-1}$$", r"$$x_{n+1}=\sum_{n=1}^{3}a_n$$"],
+    sampled([r"$$x_{n+1}^2=y_n,\quad y_{n+1}=x_n$$", r"$$x_{n+1}=y_n$$",
+     r"$$\dot x_n=x_{n+1}-x_{n-1}$$", r"$$x_{n+1}=\sum_{n=1}^{3}a_n$$"], 1),
 )  # fmt: skip
 def test_what_is_no_closed_map_makes_nothing_green_or_red(law):
     found = verdicts(

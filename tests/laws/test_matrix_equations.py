@@ -7,6 +7,7 @@ from sympy import Matrix, Symbol, expand, latex
 
 from kowalevski_cas import System
 from tests.laws.test_prints import FEW, differ
+from tests.sample import sampled
 
 pytestmark = pytest.mark.usefixtures("uncorrected")
 
@@ -80,7 +81,7 @@ SPECTRAL = (
 )
 
 
-@pytest.mark.parametrize("print_", [SPECTRAL, SPECTRAL.replace(r"(\lambda)", "")])
+@pytest.mark.parametrize("print_", sampled([SPECTRAL, SPECTRAL.replace(r"(\lambda)", "")], 1))
 def test_of_a_spectral_parameter_the_rates_are_free(print_):
     system = System(print_)
     assert system.scene.variables == ("p", "q") and system.scene.constants == (r"\lambda",)
@@ -126,6 +127,7 @@ def test_what_is_said_to_be_constant_is():
     assert system.integral("p^2-k^2q^2").verdict == "refuted"
 
 
+@pytest.mark.slow
 @FEW
 def test_rows_and_columns_are_exchanged_in_a_transposed_matrix(seed):
     chance = random.Random(seed)

@@ -126,6 +126,7 @@ def changes_of_scenes(name, many):
         yield claim.id, place, rests, changed
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PAPERS)
 def test_an_edit_of_the_scene_makes_another_statement_of_what_rests_on_it(name):
     for claim, place, rests, changed in changes_of_scenes(name, FEW * 3):

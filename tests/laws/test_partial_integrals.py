@@ -44,6 +44,7 @@ def test_what_is_constant_along_all_motions_is_constant_on_the_set(many):
         assert (stated.verdict, stated.outcome.message) == ("proved", REMARK), stated
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("many", MARKS)
 def test_what_is_constant_by_itself_or_by_the_equations_of_the_set_is_none(many):
     for one in kept(many):

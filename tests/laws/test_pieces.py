@@ -59,6 +59,7 @@ def claims(factor, seed):
     yield paper.outcome(Independence, on=scene.defining(tex), **claim)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("many", MARKS)
 def test_what_is_nothing_on_one_piece_is_independent_of_nothing(many):
     for seed in range(many):

@@ -53,7 +53,7 @@ def outcomes(system):
     return Session(Derivation("own", "", "", "", (system.section,)), ["flint"]).run().outcomes
 
 
-@pytest.mark.parametrize("place", sampled(range(len(SEEN + UNSEEN)), 4, seed=2))
+@pytest.mark.parametrize("place", sampled(range(len(SEEN + UNSEEN)), 1, seed=2))
 def test_what_an_author_has_mended(place):
     entry = (SEEN + UNSEEN)[place]
     right, wrong = stated(entry, entry.mended), stated(entry, entry.printed)

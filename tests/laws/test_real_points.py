@@ -20,6 +20,7 @@ def verdict(conclusion, *equations):
     return str(System(STILL).implication(conclusion, given=equations).verdict)
 
 
+@pytest.mark.slow
 @few
 @given(positive, positive, positive)
 def test_an_ellipse_has_points_and_with_a_negative_side_none(a, b, c):
@@ -28,12 +29,14 @@ def test_an_ellipse_has_points_and_with_a_negative_side_none(a, b, c):
     assert verdict("x=y", f"{a}x^2+{b}y^2=-{c}") == "undecided"
 
 
+@pytest.mark.slow
 @few
 @given(positive, positive, positive)
 def test_what_fails_on_an_ellipse_is_refuted_there(a, b, c):
     assert verdict(f"{a}x^2={c}", f"{a}x^2+{b}y^2={c}") == "refuted"
 
 
+@pytest.mark.slow
 @few
 @given(positive, positive)
 def test_on_the_curve_of_jacobi_s_functions_points_are_found(a, b):
@@ -48,6 +51,7 @@ def test_two_circles_and_a_line_between_them(line):
     assert verdict("s=x+2", *circles, line) == "refuted"
 
 
+@pytest.mark.slow
 @few
 @given(st.integers(-4, 4), st.integers(1, 5))
 def test_a_value_of_a_sine_is_one_of_an_angle(m, n):

@@ -96,6 +96,7 @@ def rates_agree(tex, seed):
     )
 
 
+@pytest.mark.slow
 @given(prints(), st.integers(0, 10**6))
 @settings(max_examples=25, suppress_health_check=[HealthCheck.too_slow])
 def test_two_readers_find_the_same_rates(tex, seed):

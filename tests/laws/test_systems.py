@@ -35,7 +35,7 @@ def wanted(system: System) -> dict[str, str]:
     return {f"s{k}": stated.verdict for k, stated in enumerate(system.statements)}
 
 
-@pytest.mark.parametrize("system", sampled(SYSTEMS, 5, seed=4, id=lambda system: system.name))
+@pytest.mark.parametrize("system", sampled(SYSTEMS, 1, seed=4, id=lambda system: system.name))
 def test_each_statement_has_its_verdict_in_every_arithmetic(system):
     assert verdicts(system, EXACT) == wanted(system)
 
@@ -63,6 +63,7 @@ def test_the_order_of_statements_does_not_matter(system):
     }
 
 
+@pytest.mark.slow
 def test_without_one_statement_the_others_keep_their_verdicts(system):
     for gone in range(len(system.statements)):
         rest = system.statements[:gone] + system.statements[gone + 1 :]
@@ -97,7 +98,7 @@ DEFINING = ("independence",)
 """These statements define a name, which has to stand alone on its side."""
 
 
-@pytest.mark.parametrize("change", [swapped, multiplied])
+@pytest.mark.parametrize("change", sampled([swapped, multiplied], 1))
 def test_an_equation_written_otherwise_says_the_same(system, change):
     statements = tuple(
         s

@@ -39,6 +39,7 @@ def statements(L, E):
     yield rf"{E}=2{tex_of(one)}+L-L", False
 
 
+@pytest.mark.slow
 @FEW
 def test_multiples_of_the_unit_matrix_are_added_to_matrices(seed):
     chance = random.Random(seed)
@@ -52,6 +53,7 @@ def test_multiples_of_the_unit_matrix_are_added_to_matrices(seed):
         assert verdict.green if true else verdict == "refuted", (law, tex)
 
 
+@pytest.mark.slow
 @FEW
 def test_so_they_are_in_papers(seed):
     chance = random.Random(seed)
@@ -100,6 +102,7 @@ def test_a_tensor_of_inertia_is_no_unit_matrix():
     assert verdicts(text.replace(" of a body with the inertia $I$", ""))[r"L^2=(x^2+y^2)I"].green
 
 
+@pytest.mark.slow
 @FEW
 def test_an_orthogonal_matrix_times_its_transposed_is_one(seed):
     chance = random.Random(seed)

@@ -12,6 +12,7 @@ pytestmark = pytest.mark.usefixtures("uncorrected")
 POLYNOMIALS = ["{x}^2", "{x}^3-{x}", "-\\frac{{1}}{{{x}}}", "2{x}^4+{x}"]
 
 
+@pytest.mark.slow
 @FEW
 def test_a_potential_may_be_any_function(seed):
     """What is true of V(r) is true where V is given, and what is false is false for some V."""
@@ -37,6 +38,7 @@ def test_a_potential_may_be_any_function(seed):
         assert all(given.integral(claim).verdict.green for claim in true)
 
 
+@pytest.mark.slow
 @FEW
 def test_a_hamiltonian_with_any_function(seed):
     chance = random.Random(seed)
@@ -100,6 +102,7 @@ def test_of_any_function_no_dependence_and_no_set_is_claimed():
             ask()
 
 
+@pytest.mark.slow
 @FEW
 def test_a_potential_is_derived_by_what_moves(seed):
     """It is the same potential however its derivative is printed, and a function of no more."""
@@ -124,6 +127,7 @@ def test_a_potential_is_derived_by_what_moves(seed):
     assert law.identity(rf"m\dot v=\frac{{d{U}}}{{d{x}}}").verdict == "refuted"
 
 
+@pytest.mark.slow
 @FEW
 def test_a_potential_may_be_a_function_of_all_coordinates(seed):
     chance = random.Random(seed)
@@ -150,6 +154,7 @@ def test_a_potential_may_be_a_function_of_all_coordinates(seed):
         assert law.integral(false).verdict == "refuted", (law, false)
 
 
+@pytest.mark.slow
 @FEW
 def test_a_potential_of_the_distance_turns_no_moment(seed):
     """A function of the length of a vector has a gradient along it; one of the vector has any."""
@@ -168,6 +173,7 @@ def test_a_potential_of_the_distance_turns_no_moment(seed):
     assert any_force.integral(r"x\dot y-y\dot x").verdict == "refuted"
 
 
+@pytest.mark.slow
 def test_of_canonical_equations_any_hamiltonian_is_an_integral():
     law = System(r"\dot q=\frac{\partial H}{\partial p},\ \dot p=-\frac{\partial H}{\partial q}")
     assert law.integral("H").verdict == "proved"

@@ -30,6 +30,7 @@ def energy(fields, share):
     return Fraction(share) * (fields.a + fields.b)
 
 
+@pytest.mark.slow
 @given(shorter, energies)
 def test_no_state_is_outside_of_all_chambers(b, share):
     """States by chance have values in a cell: the diagram has no chamber that was not found."""
@@ -57,6 +58,7 @@ def test_all_walls_of_a_chamber_leave_the_same_numbers_of_tori(b, share):
     assert all(chamber.tori for chamber in found if chamber.depth > 0.1)
 
 
+@pytest.mark.slow
 @given(shorter, energies, st.integers(-20, 20))
 def test_in_another_unit_of_time_the_chambers_are_the_same(b, share, power):
     one, unit = Fields(Fraction(1), b), Fraction(2) ** power
@@ -86,6 +88,7 @@ def test_a_wall_is_on_the_curve_of_O4(b, share):
 LEVELS = list(product(["0.2", "0.6", "0.9"], (-0.9, -0.5, 0.0, 0.5, 1.0, 1.5)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("b", "share"), sampled(LEVELS, 1))
 def test_motions_that_are_followed_count_the_same_where_a_chamber_is_wide(b, share):
     fields = Fields(Fraction(1), Fraction(b))
@@ -124,6 +127,7 @@ def test_below_all_states_there_are_none():
     assert chambers(FIELDS, Fraction(-2)) == []
 
 
+@pytest.mark.slow
 def test_between_separating_energies_the_chambers_stay_the_same():
     low, high = representatives(FIELDS)[3:5]
     types = [Strips(FIELDS, Fraction(h)).type() for h in np.linspace(-0.49, 0.49, 7)]

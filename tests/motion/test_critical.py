@@ -62,6 +62,7 @@ def test_rotations_about_the_third_axis_are_on_O4_where_they_have_to_be(a, b, an
     assert ("O4" in on(at(state))) == (gap > 0)
 
 
+@pytest.mark.slow
 @given(motions(), st.lists(st.floats(-100, 100), min_size=1, max_size=5))
 def test_on_N4(motion, times):
     there = load("closed")(motion, np.array(times))

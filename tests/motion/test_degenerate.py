@@ -4,6 +4,7 @@ from contextlib import suppress
 from fractions import Fraction
 
 import numpy as np
+import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.optimize import brentq
@@ -53,6 +54,7 @@ def curves(draw):
     raise AssertionError
 
 
+@pytest.mark.slow
 @given(curves(), st.sampled_from([-9.0, 9.0]))
 def test_on_the_curve_constants_are_degenerate_to_the_last_digit(curve, side):
     """All of ℓ, in binary and in 17 digits, the energy, and b or m off by the last digit."""
@@ -106,6 +108,7 @@ def test_where_ell_vanishes_the_energy_is_degenerate_to_the_last_digit(b, m, uni
 ORIGINS = st.tuples(*[st.fractions(-9, 9, max_denominator=50)] * 2)
 
 
+@pytest.mark.slow
 @given(curves(), ORIGINS, st.floats(-100, 100), st.integers(-20, 20))
 def test_states_on_the_curve_are_degenerate_in_any_unit_of_time(curve, origins, time, unit):
     b, m, (low, high) = curve
@@ -118,6 +121,7 @@ def test_states_on_the_curve_are_degenerate_in_any_unit_of_time(curve, origins, 
         assert kind_at(state.tolist()) == "degenerate"
 
 
+@pytest.mark.slow
 @given(shorter, slopes, ORIGINS, st.floats(-100, 100), st.integers(-20, 20))
 def test_states_where_ell_vanishes_are_degenerate_in_any_unit_of_time(b, m, origins, time, unit):
     fields = 2.0 ** (2 * unit)

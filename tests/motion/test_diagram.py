@@ -72,6 +72,7 @@ def test_every_state_of_M4_is_on_a_torus_that_is_counted(fields):
     assert {*fields.tori_on_M4(h, j).tolist()} == {1, 2, 4}
 
 
+@pytest.mark.slow
 @given(st.sampled_from(OTHERS), st.floats(-1.2, 2.5), st.floats(0.01, 3))
 def test_there_are_states_of_M4_where_tori_are_counted_and_nowhere_else(fields, h, j):
     size = float(fields.a + fields.b)
@@ -112,6 +113,7 @@ def test_motions_on_M4_fill_as_many_tori_as_are_counted(fields, h, j, tori):
     assert pieces(fields, h * size, j * size**1.5) == tori
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("starts", [8, pytest.param(200, marks=pytest.mark.slow)])
 def test_where_H_and_J3_are_dependent_on_M4_two_roots_coincide(starts):
     p, r = FIELDS._pr
@@ -194,6 +196,7 @@ def test_the_curves_are_where_roots_coincide():
             assert np.nanmax(abs(sigma[inner])) < 1e-9
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("fields", "share"), sampled(product(OTHERS, [-0.6, 0.1, 0.95, 1.7]), 1))
 def test_the_critical_values_enclose_those_of_all_states(fields, share):
     h = share * float(fields.a + fields.b)

@@ -66,6 +66,7 @@ def test_a_motion_is_the_same_in_another_unit_of_time(state, rate):
     assert all(abs(drift[name] - other[name]) < 1e-9 for name in drift)
 
 
+@pytest.mark.slow
 @given(states, st.floats(-9, 0), st.floats(-9, 0), st.sampled_from(["DOP853", "LSODA", "Radau"]))
 def test_of_a_fast_top_each_field_is_followed_relative_to_its_size(state, weaker, less, method):
     """However small both are beside ω², and one beside the other; the drift says it as well."""

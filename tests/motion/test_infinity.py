@@ -30,6 +30,7 @@ def moment(oscillation):
     return as_fraction(argument / oscillation.rate)
 
 
+@pytest.mark.slow
 @given(motions(), st.sampled_from([1, -1]), st.fractions(-3, 3, max_denominator=9), st.booleans())
 def test_the_state_tells_the_motion_also_there(motion, way, other, exactly):
     known = motion.parameters

@@ -163,6 +163,7 @@ def test_times_that_are_not_finite_are_refused():
         closed(motion("0.8", "0.9"), np.array([np.inf]))
 
 
+@pytest.mark.slow
 @given(motions())
 def test_the_quadruple_satisfies_the_identities_of_jacobi(motion):
     t = np.linspace(-5, 5, 40)

@@ -31,6 +31,7 @@ def data(text):
     return json.loads(re.search(r"const data = (\{.*\});", text)[1])
 
 
+@pytest.mark.slow
 def test_the_page_is_whole_in_itself_and_has_motions_of_each_type(text, data):
     assert not re.search(r"(src|href)=|https?://|/\*DATA", text)
     assert {one["type"] for one in data["motions"]} >= {"elliptic", "hyperbolic"}
@@ -80,6 +81,7 @@ def test_the_time_moves_the_body_and_a_touch_chooses_another_motion(
         assert browser.value("$('play').textContent") == "Pause"
 
 
+@pytest.mark.slow
 def test_the_command_writes_it(tmp_path, capsys):
     assert main(["animation", "--output", str(tmp_path / "body.html")]) == 0
     assert (tmp_path / "body.html").stat().st_size < 1e6

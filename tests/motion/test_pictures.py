@@ -59,6 +59,7 @@ LONG = ("resonances", "sections", "atlas")
 """Pictures of a whole diagram, or of many motions, which take their time."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "drawn"),
     sampled([one for one in DRAWN if one[0] not in LONG], 1)
@@ -154,7 +155,7 @@ def test_in_space_the_kinetic_moment_changes_by_the_moment_of_the_fields_only():
 
 
 @pytest.mark.parametrize(
-    "one", sampled([(one,) for one in (UNSTABLE, ASYMPTOTIC, THIRD, *map(on_O4, KNOWN))], 5)
+    "one", sampled([(one,) for one in (UNSTABLE, ASYMPTOTIC, THIRD, *map(on_O4, KNOWN))], 1)
 )
 def test_from_frame_to_frame_of_an_animation_the_body_turns_a_little(one):
     """Also where one angle makes many turns in one of the other: by forty degrees at most."""

@@ -93,6 +93,7 @@ def test_a_state_off_the_manifold_is_refused_in_every_unit(state, unit, weaker):
         on_N4(scaled(state, unit).tolist())
 
 
+@pytest.mark.slow
 @given(motions(), units)
 def test_a_state_on_the_manifold_is_returned_to_in_every_unit(motion, unit):
     state = closed(motion, LATER)[1]
@@ -105,6 +106,7 @@ def test_a_state_on_the_manifold_is_returned_to_in_every_unit(motion, unit):
         assert relative(later[None], closed(motion, LATER[1:2] + 0.5)) < 1e-6
 
 
+@pytest.mark.slow
 @given(st.sampled_from(ALL[:15]), units, st.floats(-13, -10), st.integers(0, 8))
 def test_how_far_the_closed_form_is_from_a_state_is_said(region, unit, power, place):
     state = closed(motion(*region, origins=ORIGINS), START)[0]
@@ -139,6 +141,7 @@ def test_states_without_a_motion_are_refused_in_words(state, words):
     assert issubclass(Inadmissible, ValueError)
 
 
+@pytest.mark.slow
 @given(
     st.floats(-2, -0.05),
     st.sampled_from([0.0, *(10.0**-power for power in (2, 4, 8, 12))]),

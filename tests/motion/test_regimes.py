@@ -6,6 +6,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 import numpy as np
+import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
@@ -113,6 +114,7 @@ def named(parameters):
     return {labels(parameters, signs) for signs in itertools.product((1, -1), repeat=2)}
 
 
+@pytest.mark.slow
 @few
 @given(signed, signed, st.sampled_from([B, Fraction(0), Fraction(3, 4)]))
 @example(Fraction(-1), Fraction(1, 10), Fraction(0))
@@ -133,6 +135,7 @@ def test_each_torus_has_signs_of_its_own_and_keeps_them(m, ell, b):
     assert len(found) == tori(parameters)
 
 
+@pytest.mark.slow
 @few
 @given(st.fractions(-3, Fraction(-1, 10), max_denominator=40), st.sampled_from([B, 0]))
 @example(Fraction(-3, 5), B)

@@ -13,6 +13,7 @@ from kowalevski_cas.motion.units import in_unit, unit_of
 from tests.motion.regions import motion
 from tests.motion.test_critical import states
 from tests.motion.test_frequencies import near_edges
+from tests.sample import sampled
 
 HYPERBOLIC = motion("-0.8", "0.5")
 SOLVED = {
@@ -33,6 +34,7 @@ def by(request, monkeypatch):
     return section.section
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SOLVED)
 def test_the_closed_form_and_an_integrator_meet_the_same_states(name, by):
     exact = section.closed_section(SOLVED[name], 20.0)
@@ -41,6 +43,7 @@ def test_the_closed_form_and_an_integrator_meet_the_same_states(name, by):
     np.testing.assert_allclose(found, exact, atol=1e-7)
 
 
+@pytest.mark.slow
 @settings(max_examples=20)
 @given(st.sampled_from(range(9)), st.integers(-60, 60))
 def test_a_section_is_where_the_coordinate_is_largest_in_any_unit_of_time(coordinate, power):
@@ -98,6 +101,7 @@ def test_neighbours_are_on_the_level_and_as_far_away_as_is_said(start):
     assert np.max(np.abs(values[1] - level[1])) > 1e-9, "and K is another one"
 
 
+@pytest.mark.slow
 def test_in_the_whole_top_elliptic_tori_of_N4_have_neighbours_that_stay_and_hyperbolic_ones_do_not():
     from kowalevski_cas.motion.critical import residuals
 
@@ -111,7 +115,13 @@ def test_in_the_whole_top_elliptic_tori_of_N4_have_neighbours_that_stay_and_hype
 
 @pytest.mark.parametrize(
     "given",
-    [["--point", *"0.1 0.2 0.3 1 0 0 0 0.4 0.2".split()], "--a 1 --b 0.4 --m 0.8 --l 0.9".split()],
+    sampled(
+        [
+            ["--point", *"0.1 0.2 0.3 1 0 0 0 0.4 0.2".split()],
+            "--a 1 --b 0.4 --m 0.8 --l 0.9".split(),
+        ],
+        1,
+    ),
 )
 def test_the_command_draws_the_section_of_any_state(given, tmp_path, monkeypatch):
     monkeypatch.setattr("kowalevski_cas.motion.pictures.poincare.UNTIL", 30.0)

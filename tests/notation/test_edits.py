@@ -95,7 +95,7 @@ def test_the_edited_source_reads_as_the_edited_formula(name):
             assert after == expected
 
 
-@pytest.mark.parametrize("name", sampled(paper.DISPLAYS, 6))
+@pytest.mark.parametrize("name", sampled(paper.DISPLAYS, 1))
 def test_the_edits_on_the_way_to_a_formula_are_all_that_lead_to_it(name):
     for place, statement in enumerate(read_display(paper.DISPLAYS[name], paper.WORDS)):
         found = list(edits(statement, paper.WORDS))

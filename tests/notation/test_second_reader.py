@@ -115,7 +115,7 @@ def test_on_textbooks(tex):
     check(tex, textbooks.WORDS)
 
 
-@pytest.mark.parametrize("name", sampled(available(), 2, seed=9))
+@pytest.mark.parametrize("name", sampled(available(), 1, seed=9))
 def test_on_every_display_of_the_derivations(name):
     derivation = load(name)
     vocabulary = derivation.texts().vocabulary
@@ -137,7 +137,7 @@ def test_on_any_formula(formula, seed):
         assume(False)
 
 
-@pytest.mark.parametrize("name", sampled(["eq5", "eq10", "eq12", "eq14", "eq16", "eq21"], 2))
+@pytest.mark.parametrize("name", sampled(["eq5", "eq10", "eq12", "eq14", "eq16", "eq21"], 1))
 def test_a_misprint_changes_the_numbers_of_both(name):
     tex, words = paper.DISPLAYS[name], Words.of(paper.WORDS)
     chance, point = Random(name), at(3, tex)

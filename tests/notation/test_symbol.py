@@ -83,6 +83,7 @@ def test_names_with_other_parts_are_other_names(one, other):
     assert (one.name == other.name) == (one == other)
 
 
+@pytest.mark.slow
 def test_no_two_prints_of_two_names_are_read_as_one():
     marks = ("", r"\hat", r"\vec", r"\hat\tilde", r"\tilde\hat", r"\hat\hat")
     found = {}

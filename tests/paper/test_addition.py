@@ -78,7 +78,7 @@ def mutants(family):
             for f in (CIRCULAR, EXPONENTIAL, JACOBI, WEIERSTRASS)
             for key, one in mutants(f)
         ],
-        12,
+        5,
     ),
 )
 def test_with_another_table_none_is_proved(family, key, mutant):

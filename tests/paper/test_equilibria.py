@@ -123,6 +123,7 @@ def test_another_number_is_refuted(session, count: int) -> None:
     assert found.right == Number(count) and found.left in (Number(4), Number(count + 1))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("many", [1, pytest.param(None, marks=pytest.mark.slow)])
 def test_each_mutant_is_refuted(session, many: int | None) -> None:
     mutants = list(CLAIM.neighbours(session.texts))[:many]

@@ -143,6 +143,7 @@ def existing(papers):
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "papers", [("kharlamov2002",), pytest.param(tuple(available()), marks=pytest.mark.slow)]
 )

@@ -108,6 +108,7 @@ def test_the_conditions_are_named(outcomes, id):
     ]
 
 
+@pytest.mark.slow
 def test_conditions_that_are_not_stated_come_with_a_point_where_it_fails(derivation, certificates):
     ids = ["M4-dimension", "N4-dimension", "appelrot-dimension", "eq16.invariance", "equilibria"]
     session = Session(derivation, ["flint"], explain=True, certificates=certificates)

@@ -37,6 +37,7 @@ def outcomes(run):
     return {outcome.claim: outcome for outcome in run.outcomes}
 
 
+@pytest.mark.slow
 def test_the_run_does_not_differ_from_the_record_in_any_arithmetic(run):
     assert differences(run, RECORD) == []
     for outcome in run.outcomes:
@@ -72,12 +73,14 @@ GIVEN_IN_PART = {"G": {2}}
 """The same in a display that holds a claim as well."""
 
 
+@pytest.mark.slow
 def test_without_evidence_the_searches_come_to_the_same(outcomes):
     ids = ["m", "m-real", "g", "combined", "curve.1"]
     found = Session(DERIVATION, ["flint"]).run(ids)
     assert {o.claim: o.verdict for o in found.outcomes} == {i: outcomes[i].verdict for i in ids}
 
 
+@pytest.mark.slow
 def test_the_claims_rest_on_those_that_establish_their_formulas():
     ids = ["point.g", "point.F2", "l"]
     stored = load_certificates(find(NAME))

@@ -40,7 +40,7 @@ def test_the_integral_of_volterra(volterra, tex):
     )
 
 
-@pytest.mark.parametrize(("old", "new"), sampled([("-", "+"), (r"\gamma", r"\alpha"), (r"\ln x", r"\ln y"), ("y", "y^2"), (r"\ln x", r"2\ln x")], 2))  # fmt: skip
+@pytest.mark.parametrize(("old", "new"), sampled([("-", "+"), (r"\gamma", r"\alpha"), (r"\ln x", r"\ln y"), ("y", "y^2"), (r"\ln x", r"2\ln x")], 1))  # fmt: skip
 def test_a_mutant_is_refuted(volterra, old, new):
     for k in range(INTEGRAL.count(old)):
         pieces = INTEGRAL.split(old)
@@ -61,7 +61,6 @@ def test_what_is_constant_by_itself_is_no_integral(volterra, tex):
         (r"(\ln x)^2", "with a constant factor only"),
         (r"\frac{\ln x}{y}", "with a constant factor only"),
         (r"\ln x=\ln y", "is claimed by itself"),
-        (r"\log x", r"print \ln"),
     ],
 )
 def test_other_functions_with_logarithms_are_not_decided(volterra, tex, message):
@@ -102,6 +101,7 @@ def test_where_they_are_derived_they_are_known(tex, verdict):
     assert System(r"\dot x=1,\quad\dot y=ky+x").identity(tex).verdict == verdict
 
 
+@pytest.mark.slow
 def test_all_arithmetics_and_the_checker_agree(tmp_path):
     from kowalevski_cas.cli import main
 

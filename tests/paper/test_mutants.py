@@ -177,9 +177,7 @@ def is_level(formula, names):
 
 
 @pytest.mark.parametrize("enough", ENOUGH)
-@pytest.mark.parametrize(
-    "id", sampled([id for id, claim in FIRST.items() if on_by_hand(claim)], 15)
-)
+@pytest.mark.parametrize("id", sampled([id for id, claim in FIRST.items() if on_by_hand(claim)], 1))
 def test_the_two_values_are_those_that_plain_python_finds(id, enough):
     session, claim, checked = SESSIONS["kharlamov2002"], FIRST[id], 0
     for neighbour, statement, denial, accepted in refuted_mutants(session, claim):

@@ -47,7 +47,7 @@ def test_jacobi():
 
 
 @pytest.mark.parametrize(
-    "mutant", sampled(["x^2+y^2-z^2", "x^2+y^2+2z^2", "x^3+y^2+z^2", "x+y+z", "a"], 2)
+    "mutant", sampled(["x^2+y^2-z^2", "x^2+y^2+2z^2", "x^3+y^2+z^2", "x+y+z", "a"], 1)
 )
 def test_casimir_functions(mutant):
     body, H, K = euler()
@@ -68,6 +68,7 @@ def test_involution(mutant):
     assert "two functions at least" in system.involution(H).outcome.message
 
 
+@pytest.mark.slow
 def test_integrability_in_the_sense_of_liouville():
     body, H, K = euler()
     assert body.integrable(H, casimirs=[K]).verdict is PROVED

@@ -38,6 +38,7 @@ def test_the_energy_of_a_power_of_the_coordinate(seed):
     assert law.integral(rf"\frac12\dot {name}^2+{factor}{other}").verdict == "refuted"
 
 
+@pytest.mark.slow
 @FEW
 def test_powers_of_one_name_obey_the_rules_of_powers(seed):
     chance = random.Random(seed)
@@ -52,6 +53,7 @@ def test_powers_of_one_name_obey_the_rules_of_powers(seed):
     assert system.identity(rf"x\frac{{d}}{{dt}}{power}=2{factor}y{power}").verdict == "refuted"
 
 
+@pytest.mark.slow
 def test_a_root_beside_is_a_power_too():
     system = System(r"\ddot x=-x^{-1/3}+\sqrt x")
     true = r"\frac12\dot x^2+\frac32x^{2/3}-\frac23x^{3/2}"
@@ -60,6 +62,7 @@ def test_a_root_beside_is_a_power_too():
     assert system.identity(r"\sqrt x\sqrt x=x").verdict == "proved"
 
 
+@pytest.mark.slow
 def test_brackets_derive_by_what_is_under_the_power():
     system = System(r"H=\frac12p^2+kq^{5/3}")
     assert system.integral("H").verdict.green
@@ -73,6 +76,7 @@ def test_what_is_no_name_has_no_such_power(tex):
         System(tex)
 
 
+@pytest.mark.slow
 @FEW
 def test_a_power_with_a_constant_is_derived_also_by_its_base(seed):
     chance = random.Random(seed)

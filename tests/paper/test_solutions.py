@@ -16,7 +16,7 @@ MUTANTS = [("(1+k_1)", "(1-k_1)"), (r"\operatorname{dn}^2", r"\operatorname{cn}^
 
 
 @pytest.mark.usefixtures("uncorrected")
-@pytest.mark.parametrize(("old", "new"), sampled(MUTANTS, 2))
+@pytest.mark.parametrize(("old", "new"), sampled(MUTANTS, 1))
 def test_a_mutant_is_never_proved(old, new):
     section = Section("1", "")
     moduli = section.display("moduli", "k^2+k'^2=1")
@@ -37,12 +37,15 @@ RECIPROCAL = (
 @pytest.mark.usefixtures("uncorrected")
 @pytest.mark.parametrize(
     ("old", "new", "verdict"),
-    [
-        ("", "", "proved"),
-        (r"=\frac1k\operatorname{sn}(", r"=k\operatorname{sn}(", "refuted"),
-        ("{dn}(kz", "{cn}(kz", "refuted"),
-        ("(kz,", "(z,", "refuted"),
-    ],
+    sampled(
+        [
+            ("", "", "proved"),
+            (r"=\frac1k\operatorname{sn}(", r"=k\operatorname{sn}(", "refuted"),
+            ("{dn}(kz", "{cn}(kz", "refuted"),
+            ("(kz,", "(z,", "refuted"),
+        ],
+        1,
+    ),
 )
 def test_a_modulus_above_1_leads_to_one_below(old, new, verdict):
     section = Section("1", "")

@@ -236,7 +236,7 @@ MUTANTS = [(r"\sin", r"\cos"), (r"\cos", r"\sin"), ("x", "y"), ("v", "u"), ("+",
 
 
 @pytest.mark.usefixtures("uncorrected")
-@pytest.mark.parametrize(("motion", "tex"), sampled(IDENTITIES, 2))
+@pytest.mark.parametrize(("motion", "tex"), sampled(IDENTITIES, 1))
 def test_a_mutant_is_never_proved(motion, tex):
     """But where it says the same: the sides are compared as numbers."""
     for old, new in MUTANTS:
@@ -349,13 +349,16 @@ def test_of_what_is_complex_no_function_is_read():
 @pytest.mark.usefixtures("uncorrected")
 @pytest.mark.parametrize(
     ("tex", "verdict"),
-    [
-        (r"\operatorname{sn}(x,k)=\operatorname{sn}(x,-k)", "undecided"),  # true, and not seen
-        (r"\operatorname{sn}(x,k)=\operatorname{sn}(x,k^2)", "undecided"),  # false
-        (r"\operatorname{am}(x,0)=x", "error"),
-        (r"\operatorname{am}(2x,k)=2\operatorname{am}(x,k)", "error"),
-        (r"\zeta(2x,g_2,g_3)=2\zeta(x,g_2,g_3)", "error"),
-    ],
+    sampled(
+        [
+            (r"\operatorname{sn}(x,k)=\operatorname{sn}(x,-k)", "undecided"),  # true, and not seen
+            (r"\operatorname{sn}(x,k)=\operatorname{sn}(x,k^2)", "undecided"),  # false
+            (r"\operatorname{am}(x,0)=x", "error"),
+            (r"\operatorname{am}(2x,k)=2\operatorname{am}(x,k)", "error"),
+            (r"\zeta(2x,g_2,g_3)=2\zeta(x,g_2,g_3)", "error"),
+        ],
+        1,
+    ),
 )
 def test_with_two_moduli_nothing_is_refuted_and_what_is_not_known_is_refused(tex, verdict):
     assert verdict_at(tex) == verdict
@@ -485,7 +488,7 @@ PENDULUM = [
 
 
 @pytest.mark.usefixtures("uncorrected")
-@pytest.mark.parametrize(("tex", "verdict"), sampled(PENDULUM, 3))
+@pytest.mark.parametrize(("tex", "verdict"), sampled(PENDULUM, 1))
 def test_the_pendulum_of_a_textbook(tex, verdict):
     """Half its angle has the sine x, which is an elliptic function of the time."""
     section = Section("1", "")
@@ -509,7 +512,7 @@ ARGUMENTS = [
 
 @pytest.mark.usefixtures("uncorrected")
 @pytest.mark.parametrize("function", [r"\cos", r"\exp"])
-@pytest.mark.parametrize(("left", "right", "verdict"), sampled(ARGUMENTS, 4))
+@pytest.mark.parametrize(("left", "right", "verdict"), sampled(ARGUMENTS, 1))
 def test_arguments_that_may_be_one_are_not_taken_for_two(function, left, right, verdict):
     section = Section("1", "")
     scene = Scene(constants=("a", "b", "g", "l"))
@@ -547,7 +550,7 @@ QUARTERS = [
 
 
 @pytest.mark.usefixtures("uncorrected")
-@pytest.mark.parametrize(("values", "tex", "verdict"), sampled(QUARTERS, 4))
+@pytest.mark.parametrize(("values", "tex", "verdict"), sampled(QUARTERS, 1))
 def test_values_that_are_printed_at_a_constant(values, tex, verdict):
     """All of one family there, which obey its relations; nothing is known of other arguments.
 
@@ -597,7 +600,7 @@ def test_functions_at_a_phase_and_a_part_of_pi(tex, verdict):
 
 
 @pytest.mark.usefixtures("uncorrected")
-@pytest.mark.parametrize(("tex", "verdict"), sampled(PHASES, 5))
+@pytest.mark.parametrize(("tex", "verdict"), sampled(PHASES, 1))
 def test_functions_at_a_phase(tex, verdict):
     """It is taken as a whole if the functions stand nowhere else; by its terms if they do."""
     section = Section("1", "")
@@ -622,7 +625,7 @@ ROTATED = [
 
 
 @pytest.mark.usefixtures("uncorrected")
-@pytest.mark.parametrize(("tex", "moduli", "verdict"), sampled(ROTATED, 4))
+@pytest.mark.parametrize(("tex", "moduli", "verdict"), sampled(ROTATED, 1))
 def test_an_imaginary_argument_leads_to_the_complementary_modulus(tex, moduli, verdict):
     section = Section("1", "")
     scene = Scene(variables=("x",), constants=("k",)).with_unit(section.display("i", "i^2=-1")[1])

@@ -23,6 +23,7 @@ def test_the_example_of_the_document_is_accepted(tmp_path, capsys):
     assert capsys.readouterr().out == SAID
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("share", [0.1, pytest.param(1, marks=pytest.mark.slow)])
 def test_a_change_of_the_example_is_rejected_or_true(share):
     data = json.loads(EXAMPLE)

@@ -4,6 +4,7 @@ import pytest
 
 from kowalevski_cas.reading import ASSUMPTION, CLAIM, DEFINITION, LAW
 from kowalevski_cas.verify.outcome import Verdict
+from tests.sample import sampled
 
 from .test_reading import TOP, reading, roles, verdicts
 
@@ -24,13 +25,15 @@ CASES = [
 @pytest.mark.parametrize(
     ("introduced", "named"), [(case, words) for case, every in CASES for words in every]
 )
-@pytest.mark.parametrize(("function", "holds"), [("p^2+q^2", True), ("p^2-q^2", False)])
+@pytest.mark.parametrize(("function", "holds"), sampled([("p^2+q^2", True), ("p^2-q^2", False)], 1))
 def test_what_a_case_supposes_holds_where_words_name_it(introduced, named, function, holds):
     text = TOP + introduced + APART + rf"{named} the function ${function}$ is an integral."
     assert verdicts(text)[function].green is holds
 
 
-@pytest.mark.parametrize("words", ["In the case of Brun", "In general", "In another case"])
+@pytest.mark.parametrize(
+    "words", sampled(["In the case of Brun", "In general", "In another case"], 1)
+)
 def test_another_case_is_not_supposed(words):
     text = TOP + CASES[0][0] + APART + rf"{words} the function $p^2+q^2$ is an integral."
     assert verdicts(text)["p^2+q^2"] is Verdict.UNDECIDED
@@ -46,7 +49,9 @@ LIST = (
 )
 
 
-@pytest.mark.parametrize(("case", "function"), [("(i)", "2p^2+2q^2"), ("(ii)", "2q^2+2r^2")])
+@pytest.mark.parametrize(
+    ("case", "function"), sampled([("(i)", "2p^2+2q^2"), ("(ii)", "2q^2+2r^2")], 1)
+)
 @pytest.mark.parametrize("other", [False, True])
 def test_the_item_of_a_list_is_a_case(case, function, other):
     wrong = {"2p^2+2q^2": "2q^2+2r^2", "2q^2+2r^2": "2p^2+2q^2"}[function]
@@ -55,7 +60,7 @@ def test_the_item_of_a_list_is_a_case(case, function, other):
     assert found[said].green is not other
 
 
-@pytest.mark.parametrize("number", ["first", "second"])
+@pytest.mark.parametrize("number", sampled(["first", "second"], 1))
 def test_cases_of_a_theorem_are_counted_in_its_proof(number):
     text = TOP + (
         r"\begin{theorem} Let $a+b=0$. Then $p^2+q^2$ is an integral. If $b+c=0$, then $q^2+r^2$ is "
@@ -74,7 +79,9 @@ The energy \[ h=\dot x^2+\dot y^2+ax^2+by^2 \] is an integral."""
 
 @pytest.mark.parametrize(
     ("words", "holds"),
-    [("where $x^2+y^2=1$.", True), ("where $x^2-y^2=1$.", False), ("as is known.", False)],
+    sampled(
+        [("where $x^2+y^2=1$.", True), ("where $x^2-y^2=1$.", False), ("as is known.", False)], 1
+    ),
 )
 def test_a_law_may_say_on_which_surface_it_moves(words, holds):
     found = [*verdicts(SPHERE % words).values()]
@@ -100,7 +107,7 @@ and then \begin{equation} \dot h=%s. \end{equation}"""
 
 
 @pytest.mark.parametrize(
-    "words", ["Let now a force act along the way. Then", "We have", "If $b>0$,"]
+    "words", sampled(["Let now a force act along the way. Then", "We have", "If $b>0$,"], 1)
 )
 @pytest.mark.parametrize(("rate", "holds"), [(r"-b\dot\theta^2", True), (r"-b\dot\theta", False)])
 def test_what_is_named_keeps_its_meaning_where_a_force_is_added(words, rate, holds):
@@ -146,7 +153,7 @@ def test_a_momentum_of_which_something_is_denied_is_named():
     assert [*found.values()].count(LAW) == 2
 
 
-@pytest.mark.parametrize(("mass", "holds"), [(3, True), (2, False)])
+@pytest.mark.parametrize(("mass", "holds"), sampled([(3, True), (2, False)], 1))
 def test_what_is_supposed_of_a_name_is_supposed_of_what_it_stands_for(mass, holds):
     text = (
         r"\section{A} The motion is \[ \dot x=(M-3m)xy,\ \dot y=-x. \] We write $\mu=M/m$. "
@@ -155,6 +162,7 @@ def test_what_is_supposed_of_a_name_is_supposed_of_what_it_stands_for(mass, hold
     assert verdicts(text)[r"\dot x=0"].green is holds
 
 
+@pytest.mark.slow
 def test_what_a_clause_with_if_supposes_of_a_vector_is_supposed():
     text = (
         r"\section{A} The motion is \[ \dot{\mathbf M}=\mathbf M\times\mathbf p,\quad "

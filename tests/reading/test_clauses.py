@@ -3,6 +3,7 @@
 import pytest
 
 from kowalevski_cas.audit.reading import ReadingSession
+from tests.sample import sampled
 
 from .test_reading import reading
 
@@ -27,27 +28,30 @@ def verdicts(sentences):
 
 @pytest.mark.parametrize(
     ("sentences", "expected"),
-    [
-        ("The function $z$ is an integral if $c=0$.", [("proved", ["c=0"])]),
-        ("The function $z$ is an integral when $c=1$.", [("refuted", ["c=1"])]),
-        (
-            r"Here $\dot z=0$ provided that $c=0$. Here $\dot z=0$ for $c=2$.",
-            [("proved", ["c=0"]), ("refuted", ["c=2"])],
-        ),
-        (
-            "$z$ is conserved if $c=0$, and the function $zx^2$ is conserved if $a=0$.",
-            [("proved", ["c=0"]), ("undecided", ["a=0"])],
-        ),
-        (
-            "If $c=0$, then $z$ is conserved, and if $a=0$ the function $z^2$ is conserved.",
-            [("proved", ["c=0"]), ("undecided", ["a=0"])],
-        ),
-        (
-            rf"The functions {CIRCLE} and $z^2$ are integrals when $a=0$, $b=0$ and $c=0$.",
-            [("proved", ["a=0", "b=0", "c=0"])] * 2,
-        ),
-        ("Функция $z^2$ постоянна при $c=0$.", [("proved", ["c=0"])]),
-    ],
+    sampled(
+        [
+            ("The function $z$ is an integral if $c=0$.", [("proved", ["c=0"])]),
+            ("The function $z$ is an integral when $c=1$.", [("refuted", ["c=1"])]),
+            (
+                r"Here $\dot z=0$ provided that $c=0$. Here $\dot z=0$ for $c=2$.",
+                [("proved", ["c=0"]), ("refuted", ["c=2"])],
+            ),
+            (
+                "$z$ is conserved if $c=0$, and the function $zx^2$ is conserved if $a=0$.",
+                [("proved", ["c=0"]), ("undecided", ["a=0"])],
+            ),
+            (
+                "If $c=0$, then $z$ is conserved, and if $a=0$ the function $z^2$ is conserved.",
+                [("proved", ["c=0"]), ("undecided", ["a=0"])],
+            ),
+            (
+                rf"The functions {CIRCLE} and $z^2$ are integrals when $a=0$, $b=0$ and $c=0$.",
+                [("proved", ["a=0", "b=0", "c=0"])] * 2,
+            ),
+            ("Функция $z^2$ постоянна при $c=0$.", [("proved", ["c=0"])]),
+        ],
+        1,
+    ),
 )
 def test_a_condition_is_one_of_the_claims_of_its_clause(sentences, expected):
     assert [(verdict, sorted(on)) for verdict, on in verdicts(sentences)] == expected
@@ -70,12 +74,15 @@ def test_what_is_said_with_exceptions_is_neither_green_nor_red(sentence):
 
 @pytest.mark.parametrize(
     ("sentence", "expected"),
-    [
-        ("Note that $2xy\\le x^2+y^2$.", ["proved"]),
-        ("Note that $xy\\le-x^2-y^2$.", ["undecided"]),
-        ("If $c>0$, the function $x^2+cz^2\\ge0$.", ["proved"]),
-        ("Let $x>0$.", []),
-    ],
+    sampled(
+        [
+            ("Note that $2xy\\le x^2+y^2$.", ["proved"]),
+            ("Note that $xy\\le-x^2-y^2$.", ["undecided"]),
+            ("If $c>0$, the function $x^2+cz^2\\ge0$.", ["proved"]),
+            ("Let $x>0$.", []),
+        ],
+        1,
+    ),
 )
 def test_an_inequality_of_what_moves_is_claimed_unless_words_suppose_it(sentence, expected):
     assert [v for v, _ in verdicts(sentence)] == expected

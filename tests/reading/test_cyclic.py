@@ -40,6 +40,7 @@ def test_without_words_a_chain_has_no_period():
     assert not any(f.item.printed.display.id.startswith("period") for f in found.formulas)
 
 
+@pytest.mark.slow
 def test_what_is_given_by_a_table_is_a_matrix():
     text = r"""The equations are \[ \dot x=y,\qquad \dot y=-x . \] With the matrices
     \[ L=\begin{pmatrix}x&y\\y&-x\end{pmatrix},\qquad M=\begin{pmatrix}0&1\\-1&0\end{pmatrix} \]

@@ -29,6 +29,7 @@ LASTING = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("law", "supposed", "function", "other"), SUPPOSED)
 @pytest.mark.parametrize("words", BRIEF)
 def test_what_a_sentence_supposes_for_itself_proves_nothing_in_the_next(
@@ -49,6 +50,7 @@ def test_what_is_supposed_for_all_that_follows_holds_in_its_section(
     assert verdicts(text) == {function: Verdict.PROVED, other: Verdict.PROVED}
 
 
+@pytest.mark.slow
 def test_a_claim_that_holds_by_what_is_supposed_elsewhere_names_it():
     text = OSCILLATOR + BRIEF[0].format(r"\omega=1", "x^2+y^2") + "The sum $x^2+y^2$ is constant."
     audit = audit_reading(ReadingSession(reading(text), timeout=5))
@@ -61,6 +63,7 @@ def test_a_claim_that_fails_by_what_its_own_sentence_supposes_is_false():
     assert verdicts(text)["2p^2+2q^2"] is Verdict.REFUTED
 
 
+@pytest.mark.slow
 def test_a_claim_that_no_supposition_makes_true_is_false():
     text = TOP + BRIEF[1].format("a+b=0", "p^2+q^2") + "The function $p^2+r$ is an integral."
     assert verdicts(text)["p^2+r"] is Verdict.REFUTED

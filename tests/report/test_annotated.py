@@ -38,6 +38,7 @@ def of_the_paper(document: Document) -> str:
     return html[html.index('<h2 id="paper">') :]
 
 
+@pytest.mark.slow
 def test_every_claim_stands_in_the_text_and_every_link_ends_somewhere() -> None:
     found = Page(render_html(page()))
     claims = {f"claim.{claim.id}" for claim in base().interpretation.derivation.claims}
@@ -45,6 +46,7 @@ def test_every_claim_stands_in_the_text_and_every_link_ends_somewhere() -> None:
     assert {link[1:] for link in found.links} <= set(found.ids)
 
 
+@pytest.mark.slow
 def test_what_the_author_writes_stands_around_it_in_his_order() -> None:
     document = page(FIRST, r"As (\ref{eq4}) says: " + FIRST)
     paragraph = next(b for b in document.blocks if isinstance(b, Paragraph) and "As (" in b.text)
@@ -53,6 +55,7 @@ def test_what_the_author_writes_stands_around_it_in_his_order() -> None:
     assert text.index("claim.eq4.1") < text.index(" says:") < text.index('id="claim.eq6"')
 
 
+@pytest.mark.slow
 def test_a_formula_of_the_author_is_judged_as_he_types_it() -> None:
     good = r"K = J_1^2  + J_2^2"
     document = page(good, r"K = J_1^2  - J_2^2")
@@ -62,6 +65,7 @@ def test_a_formula_of_the_author_is_judged_as_he_types_it() -> None:
     assert any(isinstance(p, Equations) and p.wrong for p in parts(claim))
 
 
+@pytest.mark.slow
 def test_a_formula_that_is_missing_is_not_passed_over() -> None:
     text = synthetic(base().interpretation.derivation).text
     start = text.index(r"\begin{equation}\label{eq22}")
@@ -71,6 +75,7 @@ def test_a_formula_that_is_missing_is_not_passed_over() -> None:
     assert lost and "claim.eq22" in Page(render_html(document)).ids
 
 
+@pytest.mark.slow
 def test_formulas_that_nobody_knows_are_shown() -> None:
     odd = r"Some $\zeta_7^2$, $\unknown{x}$ and $$p_5 = q_5.$$ " + FIRST
     document = page(FIRST, odd)
@@ -79,6 +84,7 @@ def test_formulas_that_nobody_knows_are_shown() -> None:
     assert r"\unknown{x}" in said(document.blocks)
 
 
+@pytest.mark.slow
 def test_the_command_writes_the_page(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -91,6 +97,7 @@ def test_the_command_writes_the_page(
     assert "The source some paper.tex (SHA-256 " in text
 
 
+@pytest.mark.slow
 def test_bold_words_at_the_head_of_a_paragraph_are_sections() -> None:
     document = page(FIRST, r"{\bf 7.\,A second part.} It begins. {\bf Not} this. " + FIRST)
     parts = {b.anchor: said(b.text) for b in document.blocks if isinstance(b, Heading)}

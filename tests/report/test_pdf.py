@@ -38,6 +38,7 @@ def check(content: bytes) -> None:
     assert not re.search(r"\\[A-Za-z]", text)  # no TeX was left unread
 
 
+@pytest.mark.slow
 def test_typst_makes_the_same_bytes_again(tmp_path: Path) -> None:
     written, again = (write_report(run(), PAPER, tmp_path / k) for k in "ab")
     assert written.pdf.read_bytes() == again.pdf.read_bytes()
@@ -47,6 +48,7 @@ def test_typst_makes_the_same_bytes_again(tmp_path: Path) -> None:
     check(written.pdf.read_bytes())
 
 
+@pytest.mark.slow
 def test_a_pdf_is_made_anew_if_what_it_is_made_of_has_changed(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
@@ -94,6 +96,7 @@ def test_latex_says_what_it_stumbled_over() -> None:
         pdf.latex_pdf(r"\documentclass{article}\begin{document}\nosuchthing\end{document}")
 
 
+@pytest.mark.slow
 def test_a_failing_latex_gives_way_to_typst(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -164,6 +164,7 @@ def test_the_page_and_the_checker_agree(tmp_path: Path) -> None:
                 assert browser.value(SWITCH % k) == ["proved", True], name
 
 
+@pytest.mark.slow
 def test_every_refuted_formula_can_be_tried() -> None:
     found = denials()
     assert len(found) >= 9
@@ -171,6 +172,7 @@ def test_every_refuted_formula_can_be_tried() -> None:
         assert trial.versions[0].steps, name
 
 
+@pytest.mark.slow
 def test_every_correction_that_is_certified_can_be_switched_to() -> None:
     certified = [p for name in available() for p in (find(name) / FOLDER / "corrected").glob("*")]
     assert len(certified) == sum(len(trial.versions) == 2 for _, trial, _ in denials()) >= 9

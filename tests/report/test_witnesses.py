@@ -77,6 +77,7 @@ class TestFacts:
         claims = json.loads(facts(run(), {}, ()))["claims"].values()
         assert not any("confirmed by" in claim for claim in claims)
 
+    @pytest.mark.slow
     def test_a_report_comes_with_them(self, tmp_path):
         known = run()
         digests = {outcome.claim: "a" * 64 for outcome in known.outcomes}

@@ -93,6 +93,7 @@ QUARTICS = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name",
     [pytest.param(k, marks=[pytest.mark.slow] if k == "Yablonskii" else []) for k in QUARTICS],
@@ -141,6 +142,7 @@ def test_a_field_with_roots_or_quotients_is_refused():
 numbers = st.integers(-3, 3)
 
 
+@pytest.mark.slow
 @settings(max_examples=20)
 @given(numbers, numbers, numbers, numbers, numbers)
 def test_cofactors_are_as_heavy_as_a_motion_that_is_homogeneous_by_other_weights(a, b, c, d, e):
@@ -167,6 +169,7 @@ YABLONSKII = (
 """It has a cycle of degree four, and special constants by which other cases may not be divided."""
 
 
+@pytest.mark.slow
 def test_special_constants_of_one_case_may_be_excluded_by_another():
     found = System(YABLONSKII).find_darboux(1, special=True)
     assert {one.verdict.green for one in found} == {True}

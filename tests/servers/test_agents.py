@@ -37,6 +37,7 @@ def asked(session):
     return asyncio.run(asyncio.wait_for(run(), 120))
 
 
+@pytest.mark.slow
 def test_a_text_is_audited_and_a_system_verified():
     async def session(client, call):
         tools = {one.name for one in (await client.list_tools()).tools}

@@ -60,6 +60,7 @@ def test_what_is_never_closed_says_so_and_the_rest_is_found():
     ]
 
 
+@pytest.mark.slow
 def test_unclosed_formulas_take_no_time():
     # Where too many are never closed, the rest is not looked at.
     for piece in ("\\begin{equation}", "\\[", "\\begin{align}x\\\\", "$ x \n\n"):

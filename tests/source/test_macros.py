@@ -9,6 +9,7 @@ from kowalevski_cas.source.expanded import MOST_NOTES
 from kowalevski_cas.source.files import decode, read_source
 from kowalevski_cas.source.macros import expand
 from kowalevski_cas.source.text import SourceError
+from tests.sample import sampled
 
 PIECES = [
     *"{}$^_[]#x12= \n", "\\a", "\\b", "\\def\\a", "\\newcommand", "#1", "\\begin{eq}", "\\end{eq}", "\\fi",
@@ -80,7 +81,7 @@ def test_what_stands_in_the_text_as_it_is_comes_from_there(text):
 
 
 @pytest.mark.parametrize(
-    "text", [r"\newcommand{\a}{x\a}", r"\def\a{{\a}}", r"\def\a{\b\b}\def\b{\a}"]
+    "text", sampled([r"\newcommand{\a}{x\a}", r"\def\a{{\a}}", r"\def\a{\b\b}\def\b{\a}"], 1)
 )
 def test_a_macro_that_expands_into_itself_is_left_alone(text):
     expanded = expand(decode("paper.tex", rf"{text} $\a$ $y$".encode()))
@@ -96,6 +97,7 @@ def test_macros_that_double_are_left_alone():
     assert written("\n".join([*lines, r"\def\z{x}", r"$\a$"])) == r"$\a$"
 
 
+@pytest.mark.slow
 def test_macros_that_grow_stay_within_limits():
     names = "abcdefghij"
     lines = [rf"\def\{a}#1{{\{b}{{#1#1#1#1}}}}" for a, b in pairwise(names)]
@@ -103,6 +105,7 @@ def test_macros_that_grow_stay_within_limits():
     assert len(written(text)) < macros.LONGEST
 
 
+@pytest.mark.slow
 def test_all_macros_of_a_file_stay_within_limits(monkeypatch):
     monkeypatch.setattr(macros, "LONGEST", 400_000)
     text = rf"\def\a{{{'x' * 5000}}}" + r"$\a$ " * 2000
@@ -116,6 +119,7 @@ def test_definitions_that_are_not_understood_are_noted():
     assert "not understood" in expanded.notes[0][1]
 
 
+@pytest.mark.slow
 def test_unclosed_definitions_take_no_time():
     expanded = expand(decode("paper.tex", rb"\def\a{" * 30_000))
     assert len(expanded.notes) == MOST_NOTES + 1

@@ -6,6 +6,7 @@ import pytest
 
 from kowalevski_cas.cli import run
 from study.corrections import GREEN, LEFT, NOTICED, corrected_formula
+from tests.sample import sampled
 
 PAGE = r"""\documentclass{article}
 \begin{document}
@@ -32,12 +33,15 @@ def folder(tmp_path):
 
 @pytest.mark.parametrize(
     ("wrong", "end", "repaired"),
-    [
-        (r"\frac{1}{2}y^2-\frac{1}{2}x^2", NOTICED, True),
-        (r"\frac{1}{2}y^2+y\frac{1}{2}x^2", NOTICED, False),
-        (r"y^2+x^2", GREEN, False),
-        (r"\frac{1}{2}y^2+\int x", LEFT, False),
-    ],
+    sampled(
+        [
+            (r"\frac{1}{2}y^2-\frac{1}{2}x^2", NOTICED, True),
+            (r"\frac{1}{2}y^2+y\frac{1}{2}x^2", NOTICED, False),
+            (r"y^2+x^2", GREEN, False),
+            (r"\frac{1}{2}y^2+\int x", LEFT, False),
+        ],
+        1,
+    ),
 )
 def test_a_correction_is_noticed_if_the_wrong_formula_is_red(folder, wrong, end, repaired):
     found = corrected_formula(*folder(wrong), 5)

@@ -36,12 +36,14 @@ def test_a_change_by_which_all_stays_true_is_harmless():
     assert of_rotation(r"\dot x=-y,\quad \dot y=x,\quad \dot z=2", 3).end == HARMLESS
 
 
+@pytest.mark.slow
 def test_the_row_that_was_changed_has_to_be_blamed_by_every_claim_that_fails():
     wrong = r"\dot x=-z,\quad \dot y=x,\quad \dot z=1"
     assert of_rotation(wrong, 1).end == RIGHT
     assert of_rotation(wrong, 2).end == OTHER
 
 
+@pytest.mark.slow
 def test_a_row_that_could_as_well_be_wrong_is_a_tie():
     """Of two signs that are alike either may have been wrong."""
     found = of_rotation(r"\dot x=y,\quad \dot y=x,\quad \dot z=1", 1)
@@ -49,6 +51,7 @@ def test_a_row_that_could_as_well_be_wrong_is_a_tie():
     assert of_rotation(r"\dot x=y,\quad \dot y=x,\quad \dot z=1", 2).end in (TIE, OTHER)
 
 
+@pytest.mark.slow
 def test_what_no_edit_mends_is_no_success():
     assert of_rotation(r"\dot x=-7y^3z,\quad \dot y=x,\quad \dot z=1", 1).end == NONE
 

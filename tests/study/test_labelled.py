@@ -12,6 +12,7 @@ def statements():
     return labelled_set(1, ["kharlamov2002"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("many", [1, pytest.param(None, marks=pytest.mark.slow)])
 def test_every_identity_is_true_and_every_misprint_is_false(statements, many):
     assert {s.truth for s in [s for s in statements if s.kind == TRUE][:many]} == {True}

@@ -14,6 +14,7 @@ def test_an_error_is_relative_to_the_state():
     assert relative_error(motion, exact * (1 + 1e-8), times) == pytest.approx(1e-8)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", sampled(work_precision.CASES, 1))
 def test_the_closed_form_is_exact_at_late_times_and_an_integrator_by_its_tolerance(name):
     _, motion = work_precision.CASES[name]

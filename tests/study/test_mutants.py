@@ -47,6 +47,7 @@ def test_a_mutant_is_one_token_away():
         assert mutant.line == source().line(first) or mutant.text[first] in " \\"
 
 
+@pytest.mark.slow
 def test_mutants_are_caught():
     name = "bobenko_reyman_semenov1989"
     derivation = load(name)

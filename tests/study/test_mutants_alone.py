@@ -74,6 +74,7 @@ def test_each_role_has_its_mutants_and_the_sample_is_repeated_by_its_seed():
     assert sorted(roles[m.printed] for m in one) == ["claim", "claim", "law", "law"]
 
 
+@pytest.mark.slow
 def test_mutants_of_law_and_integral_are_noticed():
     found = fates(work(), draw_mutants(work(), 2, Random(5)))
     assert len(found.of(NOTICED, *EXCLUDED)) >= 3 and not found.of(STRANGE)
@@ -131,6 +132,7 @@ def test_shares_are_told_role_by_role_and_what_is_strange_by_name():
     assert f"strange  law, {mutant.words}: energy" in words
 
 
+@pytest.mark.slow
 def test_papers_are_counted_together_and_the_sample_is_repeated_by_its_seed(tmp_path, capsys):
     path = tmp_path / "oscillator.tex"
     path.write_text(PAPER)

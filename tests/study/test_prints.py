@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from study.prints import PrintReading, read, typed
+from tests.sample import sampled
 
 PRINTS = Path(__file__).parent.parent / "data" / "prints"
 ENTRIES, PUBLIC = (
@@ -24,7 +25,7 @@ def test_each_half_has_thirty():
     assert all(entry["true"] and entry["false"] for entry in ENTRIES.values())
 
 
-@pytest.mark.parametrize("id", ["gni-lotka-volterra-2", "pds-kuramoto", "wsu-norton"])
+@pytest.mark.parametrize("id", sampled(["gni-lotka-volterra-2", "pds-kuramoto", "wsu-norton"], 1))
 def test_a_print_of_a_public_source_is_read_as_it_is_meant(id):
     assert read(PUBLIC[id], 30).reading == PrintReading.MEANT
 
@@ -37,11 +38,14 @@ def test_no_print_of_a_public_source_is_misread():
     assert count[PrintReading.MEANT] >= 35, found
 
 
-@pytest.mark.parametrize("id", ["duffing-strogatz", "uniform-field-landau", "toda-lax-matrix"])
+@pytest.mark.parametrize(
+    "id", sampled(["duffing-strogatz", "uniform-field-landau", "toda-lax-matrix"], 1)
+)
 def test_a_print_is_read_as_it_is_meant(id):
     assert read(ENTRIES[id], 30).reading == PrintReading.MEANT
 
 
+@pytest.mark.slow
 def test_a_print_that_means_something_else_is_misread():
     entry = ENTRIES["duffing-strogatz"]
     other = {**entry, "equations": [tex.replace("x-x^3", "x+x^3") for tex in entry["equations"]]}

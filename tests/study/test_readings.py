@@ -113,6 +113,7 @@ def test_a_formula_that_is_not_listed_is_misread(path):
     assert score.misread == ["paper:8 assumption: not listed"]
 
 
+@pytest.mark.slow
 def test_without_an_answer_there_is_no_score(tmp_path):
     with pytest.raises(CommandError, match="exit code 2"):
         audit_entries(tmp_path / "none.tex", 1)

@@ -25,6 +25,7 @@ def test_methods_agree(one):
     assert len({*sizes.values()}) == 1
 
 
+@pytest.mark.slow
 def test_every_method_finishes_on_small_systems(copies):
     for task in measure(quick=True):
         row = task.row()

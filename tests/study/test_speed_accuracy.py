@@ -83,6 +83,7 @@ def test_the_title_says_what_the_fastest_is_and_how_sure():
     assert axes.get_title(loc="left") == "the fastest answer: proof, by FLINT in 4 ms"
 
 
+@pytest.mark.slow
 def test_every_method_has_a_line_and_no_words_cover_others():
     figure = draw(ROWS)
     figure.draw_without_rendering()

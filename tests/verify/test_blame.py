@@ -32,6 +32,7 @@ EULER = r"A\dot p=(B-C)qr,\ B\dot q=(C+A)rp,\ C\dot r=(A-B)pq"
 ENERGY, MOMENTUM = "Ap^2+Bq^2+Cr^2", "A^2p^2+B^2q^2+C^2r^2"
 
 
+@pytest.mark.slow
 def test_the_law_is_blamed_for_what_fails_by_it():
     outcomes = decided(system(EULER, [ENERGY, MOMENTUM]))
     assert [o.verdict for o in outcomes.values()] == [Verdict.REFUTED] * 2  # nothing turns green
@@ -72,6 +73,7 @@ def test_one_edit_of_a_definition_comes_before_one_of_each_claim():
 HEILES = r"\ddot x=-Ax-2Cxy,\ \ddot y=-By-Cx^2-y^2"
 
 
+@pytest.mark.slow
 def test_a_missing_relation_of_constants_comes_before_a_law():
     """The law is needed as it is: its energy is an integral for all constants, if C = 1."""
     stated = System(HEILES)
@@ -81,6 +83,7 @@ def test_a_missing_relation_of_constants_comes_before_a_law():
     assert outcome.correction.words == "suppose $A = B$"
 
 
+@pytest.mark.slow
 def test_a_repair_leaves_true_what_is_true():
     stated = System(HEILES)
     special = stated.where("C=1")
@@ -95,12 +98,15 @@ def test_a_repair_leaves_true_what_is_true():
 
 @pytest.mark.parametrize(
     ("display", "claim", "nonsense"),
-    [
-        (r"\dot x=p,\ \dot p=-x,\ U=x^2+1", r"U=\frac16", "U = "),
-        (r"\dot x=p,\ \dot p=-x+b", r"x=0", "b = 0"),
-        (r"\dot x=p,\ \dot p=-x,\ A=xp,\ L=x^2+p^2", r"\dot A=0", r"\dot{L} = 0"),
-        (r"\dot x=ky,\ \dot y=x", "x^2+y^3", r"\dot{x} = 0"),
-    ],
+    sampled(
+        [
+            (r"\dot x=p,\ \dot p=-x,\ U=x^2+1", r"U=\frac16", "U = "),
+            (r"\dot x=p,\ \dot p=-x+b", r"x=0", "b = 0"),
+            (r"\dot x=p,\ \dot p=-x,\ A=xp,\ L=x^2+p^2", r"\dot A=0", r"\dot{L} = 0"),
+            (r"\dot x=ky,\ \dot y=x", "x^2+y^3", r"\dot{x} = 0"),
+        ],
+        1,
+    ),
 )
 def test_what_is_no_repair(display, claim, nonsense):
     """The subject of a claim is never edited, and no edit makes a law of which anything is true."""
@@ -118,6 +124,7 @@ def test_alternatives_are_few_and_all_proved():
     assert all(checker.check(one.certificate).digest == one.digest for one in found)
 
 
+@pytest.mark.slow
 def test_what_is_expected_to_fail_is_corrected_itself_and_blames_nothing(monkeypatch):
     monkeypatch.setattr(Blame, "_search", lambda *_, **__: pytest.fail("something else is blamed"))
     oscillator = System(r"\dot q=p,\ \dot p=-q")
@@ -125,6 +132,7 @@ def test_what_is_expected_to_fail_is_corrected_itself_and_blames_nothing(monkeyp
     assert [answer.outcome.correction is not None for answer in wrong] == [True, True, False]
 
 
+@pytest.mark.slow
 def test_the_terminal_says_which_formula_is_blamed_and_the_exit_code_is_that_of_a_refutation(
     tmp_path, capsys
 ):
@@ -145,6 +153,7 @@ def test_the_terminal_says_which_formula_is_blamed_and_the_exit_code_is_that_of_
     assert "CERTIFIED 4 of 4" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_a_notebook_says_it():
     stated = system(EULER, [ENERGY])
     claim = stated.integral(MOMENTUM)
@@ -186,7 +195,7 @@ def with_a_false_claim(name, number):
     raise LookupError(name)
 
 
-@pytest.mark.parametrize(("name", "number"), sampled(FIRST, 3, seed=1))
+@pytest.mark.parametrize(("name", "number"), sampled(FIRST, 1, seed=1))
 def test_the_equation_with_the_wrong_token_is_the_first_to_be_blamed(name, number):
     """The one that mends most claims, and no other equation mends as many."""
     stated, outcomes = with_a_false_claim(name, number)
@@ -203,6 +212,7 @@ def test_a_claim_that_cannot_be_read_fails_with_no_other():
     assert motion.identity("1=2").verdict == "refuted"
 
 
+@pytest.mark.slow
 def test_that_a_printed_difference_vanishes_is_no_repair():
     """Where D = A - B is defined, A = B leaves nothing of what the paper says with it."""
     stated = System(HEILES)
@@ -215,6 +225,7 @@ def test_that_a_printed_difference_vanishes_is_no_repair():
 NAHM = r"\dot x=%s,\ \dot y=zx,\ \dot z=xy"
 
 
+@pytest.mark.slow
 def test_a_rate_that_is_printed_twice_is_suspected_before_a_claim_that_fails_alone():
     outcomes = decided(system(NAHM % "xz", ["x^2-y^2", "y^2-z^2"]))
     assert mended(outcomes["x^2-y^2"]) == (r"\dot{x} = yz", "field.1")
@@ -223,6 +234,7 @@ def test_a_rate_that_is_printed_twice_is_suspected_before_a_claim_that_fails_alo
     assert mended(outcomes["x^2-y^3"])[0] == "x^2 - y^2"
 
 
+@pytest.mark.slow
 def test_two_variables_may_have_one_rate():
     field = r"\dot x=u,\ \dot y=v,\ \dot u=v,\ \dot v=-u"
     outcomes = decided(system(field, ["u-y", "v+x", "u^2-v^2"]))
@@ -230,7 +242,7 @@ def test_two_variables_may_have_one_rate():
 
 
 @pytest.mark.parametrize(
-    ("printed", "right"), [("-y", "-7y"), ("-3y", "-7y"), (r"-\frac13y", "-7y")]
+    ("printed", "right"), sampled([("-y", "-7y"), ("-3y", "-7y"), (r"-\frac13y", "-7y")], 1)
 )
 def test_a_coefficient_may_be_any_number_if_no_slip_mends_what_fails(printed, right):
     law = r"\dot x=u,\ \dot u=-x,\ \dot y=v,\ \dot v={}"

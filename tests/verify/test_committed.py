@@ -191,6 +191,7 @@ class TestPrint:
         (why,) = found.rejected.values()
         assert "prints another statement" in why
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("name", sampled(available(), 1, seed=1))
     def test_each_certificate_is_about_what_is_printed(self, name):
         folder = find(name)
@@ -449,6 +450,7 @@ def test_thousands_of_changes(capsys):
     assert max(through.values()) < 500
 
 
+@pytest.mark.slow
 def test_certificates_come_in_the_order_of_the_record():
     folder = find("kharlamov2002")
     record = load_record(folder)

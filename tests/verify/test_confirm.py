@@ -85,6 +85,7 @@ def wait(budget):
         sleep(0.001)
 
 
+@pytest.mark.slow
 def test_in_a_run_of_several_processes_each_certificate_is_checked_once(monkeypatch):
     """By the process that prints; others find a certificate, and leave it at that."""
     checked, check = [], checker.check

@@ -178,12 +178,15 @@ def test_a_hopeless_formula_has_none(small):
 
 @pytest.mark.parametrize(
     ("changed", "kept", "searches"),
-    [
-        ({}, True, 0),
-        ({"statement": "0"}, True, 1),
-        ({"correction": "v=x"}, True, 1),
-        ({}, False, 1),
-    ],
+    sampled(
+        [
+            ({}, True, 0),
+            ({"statement": "0"}, True, 1),
+            ({"correction": "v=x"}, True, 1),
+            ({}, False, 1),
+        ],
+        2,
+    ),
 )
 def test_a_search_that_found_none_is_made_again_for_another_statement_or_anew(
     small, monkeypatch, changed, kept, searches
@@ -202,6 +205,7 @@ def test_a_search_that_found_none_is_made_again_for_another_statement_or_anew(
     assert describe(again) == describe(first) and len(asked) == searches
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", sampled(["F", r"\rho", "G"], 1))
 def test_what_does_not_move_is_no_correction_of_what_does(name):
     """In the system of Lorenz the zeros of x² − 2σz move on it for b = 2σ only, and σ = 0 does."""
@@ -237,6 +241,7 @@ VACUOUS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("printed", "proposed"), sampled(VACUOUS.values(), 1, seed=4))
 def test_what_is_true_of_itself_is_not_proposed(small, printed, proposed):
     level = small.section.inline("level", "E=0")
@@ -257,14 +262,17 @@ def test_a_correction_leaves_true_what_was_true():
 
 @pytest.mark.parametrize(
     ("F", "cofactor", "right"),
-    [
-        ("x", "2x+y", "x,\\ 3x + y"),
-        ("x", "3x-y", "x,\\ 3x + y"),
-        ("y", "x-2y", "y,\\ x - y"),
-        ("xy", "3x", "xy,\\ 4x"),
-        ("xy", "4y", "xy,\\ 4x"),
-        (r"x^2y", "7x+2y", "x^2y,\\ 7x + y"),
-    ],
+    sampled(
+        [
+            ("x", "2x+y", "x,\\ 3x + y"),
+            ("x", "3x-y", "x,\\ 3x + y"),
+            ("y", "x-2y", "y,\\ x - y"),
+            ("xy", "3x", "xy,\\ 4x"),
+            ("xy", "4y", "xy,\\ 4x"),
+            (r"x^2y", "7x+2y", "x^2y,\\ 7x + y"),
+        ],
+        1,
+    ),
 )
 def test_a_misprint_in_a_cofactor_is_corrected_like_one_in_the_polynomial(F, cofactor, right):
     outcome = System(r"\dot x=x(3x+y),\quad \dot y=y(x-y)").darboux(F, cofactor).outcome
@@ -277,6 +285,7 @@ E3 = r"""\dot{\mathbf M}=\{\mathbf M,H\},\ \dot{\mathbf p}=\{\mathbf p,H\},\ H=\
 \mathbf M=(M_1,M_2,M_3),\ \mathbf p=(p_1,p_2,p_3)"""
 
 
+@pytest.mark.slow
 def test_what_fails_at_points_is_not_decided_in_full(monkeypatch):
     """Not even if the claim says more than identities, as that a Casimir function is not constant.
 

@@ -90,7 +90,7 @@ DEATHS = ["__import__('os')._exit(0)", "__import__('os').kill(__import__('os').g
 
 
 @pytest.mark.parametrize("how", CRASHES)
-@pytest.mark.parametrize("timeout", [None, 60.0])
+@pytest.mark.parametrize("timeout", sampled([None, 60.0], 1))
 def test_whatever_a_claim_does_is_an_error_of_its_own(how, timeout, small):
     claims = [
         Crashes("bad", small.scene, "", how, printed=small("x=x")),
@@ -170,6 +170,7 @@ def test_an_id_is_given_once(small):
         decide(small.section, *claims)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", sampled(available(), 1, seed=8))
 def test_what_has_a_certificate_is_searched_for_no_more(name, monkeypatch):
     """That goes for the corrections of other derivations as well on which one rests."""

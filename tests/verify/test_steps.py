@@ -33,6 +33,7 @@ def steps(told):
     return steps
 
 
+@pytest.mark.slow
 def test_a_first_integral(steps):
     assert steps("eq4.1") == [
         ("The derivative along the vector field vanishes identically.", []),

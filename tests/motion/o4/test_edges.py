@@ -86,6 +86,7 @@ def check_promise(moving):
     assert apart(states(motion, times), balls(motion, times)) < closed_form.PROMISE
 
 
+@pytest.mark.slow
 @settings(max_examples=5, deadline=None)
 @given(motions())
 def test_the_closed_form_is_exact_to_twelve_digits(moving):
@@ -112,6 +113,7 @@ def corners(draw):
     return A, b, s, tau
 
 
+@pytest.mark.slow
 @given(corners())
 def test_near_two_edges_it_is_as_exact_or_is_not_given(known):
     try:
@@ -125,6 +127,7 @@ def test_near_two_edges_it_is_as_exact_or_is_not_given(known):
         assert apart(found, balls(motion, times)) < closed_form.PROMISE
 
 
+@pytest.mark.slow
 @settings(max_examples=3, deadline=None)
 @given(motions())
 def test_of_many_times_it_is_as_exact_as_of_a_few(moving):
@@ -135,6 +138,7 @@ def test_of_many_times_it_is_as_exact_as_of_a_few(moving):
     assert apart(states(motion, times)[some], balls(motion, times[some])) < closed_form.PROMISE
 
 
+@pytest.mark.slow
 @settings(max_examples=5)
 @given(motions(), st.floats(9, 200))
 def test_it_is_exact_however_late(moving, power):
@@ -155,6 +159,7 @@ def check_equations(moving):
     assert apart(found, expected) < 1e-14 / min(size, 1.0)
 
 
+@pytest.mark.slow
 @settings(max_examples=3, deadline=None)
 @given(motions())
 def test_it_moves_by_the_printed_equations(moving):
@@ -168,6 +173,7 @@ def test_it_moves_by_the_printed_equations_everywhere(moving):
     check_equations(moving)
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(edges())
 def test_any_integrator_starts_from_constants(known):
@@ -184,6 +190,7 @@ def test_any_integrator_starts_from_constants(known):
     assert abs(alpha @ beta) < 1e-15 * a * a
 
 
+@pytest.mark.slow
 @settings(deadline=None)
 @given(edges())
 def test_near_an_edge_the_series_have_some_hundreds_of_terms_at_most(known):

@@ -85,6 +85,7 @@ def test_inside_the_arcs_the_squares_are_positive_and_at_the_ends_one_vanishes(k
 whole = st.integers(-3, 3).filter(bool)
 
 
+@pytest.mark.slow
 @given(points | st.tuples(*[whole] * 7).map(point))
 @example(point((1, 1, 2, 2, 2, 0, 1.5)))  # σ = 0, but for rounding
 @example(point((-1, -1, -1, -2, 0, 2, -2)))
@@ -106,6 +107,7 @@ def test_a_motion_passes_as_many_points_above_u1_u2_as_its_torus_has(known):
     assert len(seen) * moving.regime.tori == (32 if moving.regime.signs[2] else 16)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("known", sampled([(known,) for known in KNOWN], 1))
 def test_the_tori_are_told_apart_by_signs_that_a_motion_keeps(known):
     count = regime_of(ParametersO4.of(*known)).tori

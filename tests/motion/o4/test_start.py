@@ -18,6 +18,7 @@ closed, balls = load("closed"), load("ball")
 T = np.linspace(-4.0, 4.0, 5)
 
 
+@pytest.mark.slow
 @given(st.sampled_from(KNOWN), angles, angles, signs)
 @example(KNOWN[0], 0, 0, (1, 1, 1, 1, 1))  # |u1 + τ| = r² = |u2 + τ|
 def test_a_state_of_a_motion_leads_to_that_motion(known, first, second, chosen):
@@ -27,6 +28,7 @@ def test_a_state_of_a_motion_leads_to_that_motion(known, first, second, chosen):
     assert relative(closed(found, T), states) < 1e-10
 
 
+@pytest.mark.slow
 @given(st.sampled_from(KNOWN), st.floats(-3, 3), st.floats(-140, 140))
 def test_in_turned_fields_and_another_unit_of_time_it_is_the_same_motion(known, angle, power):
     states = closed(motion(known), T)
