@@ -59,5 +59,11 @@ def point_at(found: Sequence[Audited], repairs: Mapping[str, Correction], readin
             strange = oddities(formula.item, formula.on, reading.parts.of(formula.item))
             here = [one for one in strange if one.item.printed in lines]
             audited.causes = (*dict.fromkeys(one.item.printed.place for one in here),)
-            said += [f"{one.words} (line {lines[one.item.printed]})" for one in here]
+            where: dict[str, dict[int, None]] = {}
+            for one in here:
+                where.setdefault(one.words, {})[lines[one.item.printed]] = None
+            said += [
+                f"{words} (line{'s' * (len(at) > 1)} {', '.join(map(str, at))})"
+                for words, at in where.items()
+            ]
         audited.message = "; ".join(dict.fromkeys(said))

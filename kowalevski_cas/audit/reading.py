@@ -198,8 +198,18 @@ class ReadingSession:
             if own or (outcome.verdict.green and not late):
                 self.causes.places[outcome.claim] = (*mended,)
                 corrections = () if outcome.correction is None else (outcome.correction,)
+                if not corrections and len(mended) == 1:
+                    self.causes.corrections[outcome.claim] = self._of_other(outcome)
                 failed = found[outcome.claim]._replace(verdict=Verdict.REFUTED, message="")
                 found[outcome.claim] = failed.corrected_by(corrections)
+
+    def _of_other(self, outcome: Outcome) -> Correction:
+        """The correction of the one formula that is blamed, by which a claim is proved."""
+        ((place, edit),) = self.causes.misprints.items()
+        return Correction(
+            (edit.formula,), edit.words, outcome.verdict, outcome.conditions, printed=place,
+            edit=edit, blamed=(edit.statement.formula,),
+        )  # fmt: skip
 
     def _doubt(self, found: dict[str, Outcome]) -> None:
         """Take the verdict from what is true of a misprint only, and not of what it should read."""
