@@ -8,8 +8,8 @@ from kowalevski_cas.audit.audited import OPEN, Audited
 from kowalevski_cas.reading import CLAIM, Reading
 from kowalevski_cas.reading.oddities import oddities
 from kowalevski_cas.verify.blame import Blame
-from kowalevski_cas.verify.outcome import Correction, Outcome, Verdict, in_latex
-from kowalevski_cas.verify.run import FALSE_AS_READ, Session, correct_together
+from kowalevski_cas.verify.outcome import FALSE_AS_READ, Correction, Outcome, Verdict, in_latex
+from kowalevski_cas.verify.run import Session, correct_together
 
 SECONDS = 2.0
 """For the search of what would mend a claim."""

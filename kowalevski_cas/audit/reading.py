@@ -32,14 +32,8 @@ from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.certificate import Stored
 from kowalevski_cas.verify.decider import Decider
 from kowalevski_cas.verify.interpretation import Interpretation
-from kowalevski_cas.verify.outcome import Correction, Outcome, Run, Verdict
-from kowalevski_cas.verify.run import (
-    FALSE_AS_READ,
-    Progress,
-    Session,
-    correct_together,
-    decide_together,
-)
+from kowalevski_cas.verify.outcome import FALSE_AS_READ, Correction, Outcome, Run, Verdict
+from kowalevski_cas.verify.run import Progress, Session, correct_together, decide_together
 
 PATIENCE = 15.0
 """Seconds for what claims share, and for each that is corrected by itself."""

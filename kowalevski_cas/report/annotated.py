@@ -12,7 +12,7 @@ from typing import Final
 from kowalevski_cas.audit.assumed import assumptions_of
 from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.audited import OPEN, Audited
-from kowalevski_cas.notation import Formula, NotationError, Vocabulary, read_display
+from kowalevski_cas.notation import Formula, NotationError, Vocabulary, read_display, split_display
 from kowalevski_cas.paper.texts import Display as Printed
 from kowalevski_cas.reading.numbers import numbers_of
 from kowalevski_cas.report.contents import Contents
@@ -222,7 +222,14 @@ class _Annotated:
                         *phrases.links(formula.breaks),
                         ".",
                     )
-                yield Judgement(Verdict.ERROR, "", said, (Code(formula.id),))
+                yield Judgement(Verdict.ERROR, "", said, (self._place(formula),))
+
+    def _place(self, formula: Audited) -> Inline:
+        """Which of several formulas of a display one is; else its name."""
+        if self.audit.reading is None or formula.place is None:
+            return Code(formula.id)
+        display, number = formula.place.display, formula.place.number
+        return f"formula {number}" if len(split_display(display.tex)) > 1 else ""
 
     # -- the text -------------------------------------------------------------------
 

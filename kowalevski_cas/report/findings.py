@@ -25,8 +25,7 @@ from kowalevski_cas.report.sentences import (
     group_alike,
     nonzero,
 )
-from kowalevski_cas.verify.outcome import Condition, Correction, Outcome, Verdict
-from kowalevski_cas.verify.run import FALSE_AS_READ
+from kowalevski_cas.verify.outcome import FALSE_AS_READ, Condition, Correction, Outcome, Verdict
 
 Slip = tuple[Outcome, ...]
 """The formulas that one slip of the pen has spoiled."""

@@ -6,8 +6,7 @@ from kowalevski_cas.audit.audited import OPEN
 from kowalevski_cas.audit.reading import ReadingSession, audit_reading
 from kowalevski_cas.reading import read
 from kowalevski_cas.source.files import decode
-from kowalevski_cas.verify.outcome import Verdict
-from kowalevski_cas.verify.run import FALSE_AS_READ
+from kowalevski_cas.verify.outcome import FALSE_AS_READ, Verdict
 from tests.sample import sampled
 
 LAW = r"""The equations of motion are
