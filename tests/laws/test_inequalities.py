@@ -286,3 +286,30 @@ def test_what_is_supposed_of_other_letters_is_no_hypothesis():
     assert system.inequality(r"x^4\ge x").verdict == "refuted"
     for claim in (r"(x+b)^2\ge0", r"x^4\ge x+b"):  # of nothing nothing is said
         assert system.inequality(claim).verdict == "undecided"
+
+
+@given(
+    st.sampled_from(["a", "a^2", "a-1", "a+x", "2a"]), st.sampled_from(["x^2", "b^2", "(x-a)^2"])
+)
+def test_what_is_added_to_a_positive_fraction_may_be_a_square(below, square):
+    system = System(r"\dot x=ax+b").where(rf"\frac4{{{below}}}>b")
+    larger = system.inequality(rf"\frac4{{{below}}}-b+{square}>0").outcome
+    assert larger.verdict == "conditional", larger.message
+    assert not system.inequality(rf"\frac4{{{below}}}-b-{square}>0").verdict.green
+
+
+@given(st.permutations([r"\frac{n}{a}>b", "a>0"]), st.integers(1, 9))
+def test_a_fraction_is_cleared_by_the_sign_of_its_denominator(supposed, n):
+    system = System(r"\dot x=ax+b")
+    for relation in supposed:
+        system = system.where(relation.replace("n", str(n)))
+    assert system.inequality(f"ab<{n}").verdict == "proved"
+    assert system.inequality(f"ab<{n - 1}").verdict == "refuted"
+    negative = System(r"\dot x=ax+b").where(rf"\frac{{{n}}}{{a}}>b").where("a<0")
+    assert negative.inequality(f"ab>{n}").verdict == "proved"
+    assert negative.inequality(f"ab<{n}").verdict == "refuted"
+
+
+def test_products_of_inequalities_bound_what_is_in_two_of_them():
+    system = System(r"\dot x=ax+b").where("b>1").where("a>0").where(r"\frac1a>b")
+    assert system.inequality("a<1").verdict == "proved"
