@@ -32,14 +32,8 @@ from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.certificate import Stored
 from kowalevski_cas.verify.decider import Decider
 from kowalevski_cas.verify.interpretation import Interpretation
-from kowalevski_cas.verify.outcome import Correction, Outcome, Run, Verdict
-from kowalevski_cas.verify.run import (
-    FALSE_AS_READ,
-    Progress,
-    Session,
-    correct_together,
-    decide_together,
-)
+from kowalevski_cas.verify.outcome import FALSE_AS_READ, Correction, Outcome, Run, Verdict
+from kowalevski_cas.verify.run import Progress, Session, correct_together, decide_together
 
 PATIENCE = 15.0
 """Seconds for what claims share, and for each that is corrected by itself."""
@@ -201,8 +195,18 @@ class ReadingSession:
             if own or (outcome.verdict.green and not late):
                 self.causes.places[outcome.claim] = (*mended,)
                 corrections = () if outcome.correction is None else (outcome.correction,)
+                if not corrections and len(mended) == 1:
+                    self.causes.corrections[outcome.claim] = self._of_other(outcome)
                 failed = found[outcome.claim]._replace(verdict=Verdict.REFUTED, message="")
                 found[outcome.claim] = failed.corrected_by(corrections)
+
+    def _of_other(self, outcome: Outcome) -> Correction:
+        """The correction of the one formula that is blamed, by which a claim is proved."""
+        ((place, edit),) = self.causes.misprints.items()
+        return Correction(
+            (edit.formula,), edit.words, outcome.verdict, outcome.conditions, printed=place,
+            edit=edit, blamed=(edit.statement.formula,),
+        )  # fmt: skip
 
     def _doubt(self, found: dict[str, Outcome]) -> None:
         """Take the verdict from what is true of a misprint only, and not of what it should read."""
