@@ -288,26 +288,33 @@ def test_what_is_supposed_of_other_letters_is_no_hypothesis():
         assert system.inequality(claim).verdict == "undecided"
 
 
-@given(
-    st.sampled_from(["a", "a^2", "a-1", "a+x", "2a"]), st.sampled_from(["x^2", "b^2", "(x-a)^2"])
-)
+@pytest.mark.parametrize("square", ["x^2", "b^2", "(x-a)^2"])
+@pytest.mark.parametrize("below", ["a", "a^2", "a-1", "a+x"])
 def test_what_is_added_to_a_positive_fraction_may_be_a_square(below, square):
     system = System(r"\dot x=ax+b").where(rf"\frac4{{{below}}}>b")
-    larger = system.inequality(rf"\frac4{{{below}}}-b+{square}>0").outcome
-    assert larger.verdict == "conditional", larger.message
-    assert not system.inequality(rf"\frac4{{{below}}}-b-{square}>0").verdict.green
+    outcome = system.inequality(rf"\frac4{{{below}}}-b+{square}>0").outcome
+    assert outcome.verdict == "conditional", outcome.message
 
 
-@given(st.permutations([r"\frac{n}{a}>b", "a>0"]), st.integers(1, 9))
-def test_a_fraction_is_cleared_by_the_sign_of_its_denominator(supposed, n):
+@pytest.mark.slow
+def test_and_none_is_taken_away():
+    system = System(r"\dot x=ax+b").where(r"\frac4a>b")
+    assert system.inequality(r"\frac4a-b-b^2>0").verdict == "refuted"
+
+
+@pytest.mark.parametrize("supposed", [[r"\frac4a>b", "a>0"], ["a>0", r"\frac4a>b"]])
+def test_a_fraction_is_cleared_by_the_sign_of_its_denominator(supposed):
     system = System(r"\dot x=ax+b")
     for relation in supposed:
-        system = system.where(relation.replace("n", str(n)))
-    assert system.inequality(f"ab<{n}").verdict == "proved"
-    assert system.inequality(f"ab<{n - 1}").verdict == "refuted"
-    negative = System(r"\dot x=ax+b").where(rf"\frac{{{n}}}{{a}}>b").where("a<0")
-    assert negative.inequality(f"ab>{n}").verdict == "proved"
-    assert negative.inequality(f"ab<{n}").verdict == "refuted"
+        system = system.where(relation)
+    assert system.inequality("ab<4").verdict == "proved"
+    assert system.inequality("ab<3").verdict == "refuted"
+
+
+def test_and_turned_round_where_that_is_negative():
+    system = System(r"\dot x=ax+b").where(r"\frac4a>b").where("a<0")
+    assert system.inequality("ab>4").verdict == "proved"
+    assert system.inequality("ab<4").verdict == "refuted"
 
 
 def test_products_of_inequalities_bound_what_is_in_two_of_them():
