@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Sequence, Set
 
-from kowalevski_cas.notation import Name, Number, PoissonBracket
+from kowalevski_cas.notation import Name, Number, PoissonBracket, Power
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.texts import Printed
@@ -292,10 +292,11 @@ def _implied(rung: Rung, known: Known) -> Iterator[str]:
 
 
 def _is_lost(name: str, known: Known) -> bool:
-    """Whether a name stands alone on a side of what moves, and was given no meaning there."""
+    """Whether a name, or its square, stands alone before what moves, and has no meaning by that."""
+    alone = (Name(name), Power(Name(name), Number(2)))
     for one in known.items:
         role = known.roles.get(one)
-        if one.members and one.members[0] == Name(name) and role is not None:
+        if one.members and one.members[0] in alone and role is not None:
             solved = role.name not in (ASSUMPTION, LAW) and name not in role.names
             if solved and known.varying(one.names - {name}):
                 return True

@@ -248,3 +248,11 @@ def test_what_no_other_name_mends_is_not_explained_by_a_lost_one():
     \[ \dot u=kv,\qquad \dot v=-ku . \]"""
     session = ReadingSession(reading(text))
     assert not any(o.verdict.green for o in session.outcomes.values())
+
+
+def test_where_a_square_is_not_defined_nothing_is_false_by_it():
+    found = verdicts(r"""The equations of motion are
+    \[ \dot x=yz-x(y+z)+\tau^2,\quad \dot y=zx-y(z+x)+\tau^2,\quad \dot z=xy-z(x+y)+\tau^2, \]
+    \[ \tau^2=(x-y)(z-x)+(y-z)(x-y). \]
+    The point $x=y=z=0$ is an equilibrium.""")
+    assert found["x=y=z=0"] == "undecided"
