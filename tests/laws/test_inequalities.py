@@ -286,3 +286,11 @@ def test_what_is_supposed_of_other_letters_is_no_hypothesis():
     assert system.inequality(r"x^4\ge x").verdict == "refuted"
     for claim in (r"(x+b)^2\ge0", r"x^4\ge x+b"):  # of nothing nothing is said
         assert system.inequality(claim).verdict == "undecided"
+
+
+@given(st.sampled_from(["b^2=-ac", "b^2+ac=0", r"\frac ab+\frac bc=0"]))
+def test_what_is_a_square_is_not_negative_where_its_root_is_not_spoken_of(relation):
+    system = plane().where(relation)
+    assert system.inequality(r"ac\le0").verdict.green
+    assert system.inequality(r"ac<0").verdict == "refuted"
+    assert system.inequality(r"ac\ge0").verdict == "refuted"
