@@ -160,8 +160,8 @@ class Field:
         name: str,
         vectors: Mapping[str, tuple[str, ...]],
         map: bool,
-    ) -> None:
-        """Read the equations of each case, which hold where its inequalities do."""
+    ) -> Self:
+        """The system itself, with the parts by cases: equations where inequalities hold."""
         parts = []
         for law in laws:
             one = copy(self)
@@ -170,6 +170,7 @@ class Field:
                 one = one.supposing(condition)
             parts.append(one)
         self.parts = (*parts,)
+        return self
 
     def _take(
         self,
@@ -487,7 +488,7 @@ class Field:
         )  # fmt: skip
 
     def _alternatives(self, equation: Tex) -> tuple[str, ...]:
-        """Two equations of which one holds at each point; none where the signs are those supposed."""
+        """Two equations of which one holds at each point; none where signs are those supposed."""
         return () if any(part.signs for part in self.parts) else alternatives(equation)
 
     def _of_map(

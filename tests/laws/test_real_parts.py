@@ -47,7 +47,7 @@ def test_parts_of_a_function_and_another_time():
     assert law.identity("x=u_1^2-u_2^2").verdict == "proved"
     assert law.identity("y=u_1u_2").verdict == "refuted"
     assert law.identity("t'=u_1^2+u_2^2").verdict.green
-    assert law.integral("u_1u_2'-u_2u_1'").verdict == "proved"
+    assert law.integral("u_1u_2'-u_2u_1'").verdict.green
     assert law.integral("u_1u_2'+u_2u_1'").verdict == "refuted"
     with pytest.raises(ValueError, match="is a law"):
         System(r"x''=-x,\quad {}'=\frac{d}{d\tau}").where(r"dt=r\,d\tau")
