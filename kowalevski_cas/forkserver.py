@@ -22,7 +22,7 @@ from io import BufferedRWPair
 from threading import Lock
 from typing import Any, TypeVar
 
-from kowalevski_cas.limits import LENGTH, ProcessDied
+from kowalevski_cas.limits import LENGTH, ProcessDied, end_with
 
 Answer = TypeVar("Answer")
 
@@ -156,7 +156,7 @@ def _send(connection: socket.socket) -> None:
 def _serve(number: int) -> None:
     """Make a copy of this process for each connection, until nobody can ask any more."""
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody asks how a copy has ended
-    control = socket.socket(fileno=number)
+    control, here = socket.socket(fileno=number), os.getpid()
     while True:
         length, numbers, _, _ = socket.recv_fds(control, LENGTH, 3)
         data = control.recv(int.from_bytes(length), socket.MSG_WAITALL) if length else b""
@@ -168,6 +168,7 @@ def _serve(number: int) -> None:
         with socket.socket(fileno=numbers[0]) as connection:
             if os.fork() == 0:
                 try:
+                    end_with(here)
                     control.close()
                     for standard, number in enumerate(numbers[1:], 1):  # it is printed there
                         os.dup2(number, standard)

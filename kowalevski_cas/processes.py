@@ -29,6 +29,7 @@ from kowalevski_cas.limits import (
     Watched,
     begin,
     early_end,
+    end_with,
     is_watched,
     run_end,
     waited,
@@ -176,9 +177,11 @@ class _Process(Generic[Item, Result]):
         sys.stderr.flush()
         self.reading, told = os.pipe()
         asked, self.writing = os.pipe()
+        here = os.getpid()
         self.pid = os.fork()
         if self.pid == 0:
             try:
+                end_with(here)
                 for process in {
                     self,
                     *self.others,

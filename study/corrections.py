@@ -25,7 +25,7 @@ from kowalevski_cas.notation import to_latex
 from kowalevski_cas.reading.statements import read_statements
 from kowalevski_cas.source.files import read_source
 from kowalevski_cas.source.text import Source
-from kowalevski_cas.verify.run import FALSE_AS_READ
+from kowalevski_cas.verify.outcome import FALSE_AS_READ
 from study.readings import Entry, audit_entries
 
 GREEN, NOTICED, LEFT = "green", "noticed", "not noticed"

@@ -21,8 +21,7 @@ from kowalevski_cas.cli import run as run_command
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, CommandError
 from kowalevski_cas.source.files import read_source
-from kowalevski_cas.verify.outcome import Verdict
-from kowalevski_cas.verify.run import FALSE_AS_READ
+from kowalevski_cas.verify.outcome import FALSE_AS_READ, Verdict
 
 LONGEST = 300
 """The seconds for a paper."""

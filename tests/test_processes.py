@@ -105,6 +105,31 @@ def test_a_fork_server_that_was_killed_is_begun_anew(asking):
     assert one(lambda: 1) == 1
 
 
+WORKER = """
+import threading, time
+from kowalevski_cas.processes import each
+
+def work(_):
+    print("begun", flush=True)
+    for _ in range(6000):
+        time.sleep(0.01)
+    print("done")
+
+if {threads}:
+    threading.Thread(target=time.sleep, args=[600], daemon=True).start()
+list(each(lambda _: list(each(work, [None])), [None]))
+"""
+
+
+def test_who_works_for_a_process_that_was_killed_ends(asking):
+    """What is left to be read comes to an end with the last of them."""
+    code = WORKER.format(threads=asking == "among threads")
+    with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE) as asked:
+        assert asked.stdout.readline() == b"begun\n"
+        asked.kill()
+        assert asked.stdout.read() == b""
+
+
 def test_results_come_in_the_order_of_the_items():
     assert list(each(lambda n: sleep(n / 20) or n * n, [3, 1, 2], jobs=3)) == [9, 1, 4]
     assert list(each(str, [])) == []

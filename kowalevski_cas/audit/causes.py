@@ -17,6 +17,8 @@ class Causes:
     def __init__(self, of: Causes | None = None) -> None:
         self.places: dict[str, tuple[Printed, ...]] = {} if of is None else {**of.places}
         """The places that make refuted claims false, by claim."""
+        self.corrections: dict[str, Correction] = {} if of is None else {**of.corrections}
+        """How other formulas should read by which claims become true, as it was proved."""
         self.misprints: dict[Printed, Edit] = {} if of is None else {**of.misprints}
         """Edits of formulas about which nothing is claimed, by which claims become true."""
 
@@ -27,6 +29,7 @@ class Causes:
         if correction.printed is None or correction.edit is None:
             return False
         self.places[claim] = (correction.printed,)
+        self.corrections[claim] = correction
         self.misprints[correction.printed] = correction.edit
         return True
 

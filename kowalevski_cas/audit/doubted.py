@@ -8,8 +8,8 @@ from kowalevski_cas.audit.audited import OPEN, Audited
 from kowalevski_cas.reading import CLAIM, Reading
 from kowalevski_cas.reading.oddities import oddities
 from kowalevski_cas.verify.blame import Blame
-from kowalevski_cas.verify.outcome import Correction, Outcome, Verdict, in_latex
-from kowalevski_cas.verify.run import FALSE_AS_READ, Session, correct_together
+from kowalevski_cas.verify.outcome import FALSE_AS_READ, Correction, Outcome, Verdict, in_latex
+from kowalevski_cas.verify.run import Session, correct_together
 
 SECONDS = 2.0
 """For the search of what would mend a claim."""
@@ -59,5 +59,11 @@ def point_at(found: Sequence[Audited], repairs: Mapping[str, Correction], readin
             strange = oddities(formula.item, formula.on, reading.parts.of(formula.item))
             here = [one for one in strange if one.item.printed in lines]
             audited.causes = (*dict.fromkeys(one.item.printed.place for one in here),)
-            said += [f"{one.words} (line {lines[one.item.printed]})" for one in here]
+            where: dict[str, dict[int, None]] = {}
+            for one in here:
+                where.setdefault(one.words, {})[lines[one.item.printed]] = None
+            said += [
+                f"{words} (line{'s' * (len(at) > 1)} {', '.join(map(str, at))})"
+                for words, at in where.items()
+            ]
         audited.message = "; ".join(dict.fromkeys(said))

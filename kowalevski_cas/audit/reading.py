@@ -32,14 +32,8 @@ from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.certificate import Stored
 from kowalevski_cas.verify.decider import Decider
 from kowalevski_cas.verify.interpretation import Interpretation
-from kowalevski_cas.verify.outcome import Correction, Outcome, Run, Verdict
-from kowalevski_cas.verify.run import (
-    FALSE_AS_READ,
-    Progress,
-    Session,
-    correct_together,
-    decide_together,
-)
+from kowalevski_cas.verify.outcome import FALSE_AS_READ, Correction, Outcome, Run, Verdict
+from kowalevski_cas.verify.run import Progress, Session, correct_together, decide_together
 
 PATIENCE = 15.0
 """Seconds for what claims share, and for each that is corrected by itself."""
@@ -108,7 +102,7 @@ class ReadingSession:
         """The run of a session; what a wrong unit spoils is not corrected otherwise."""
         outcomes = self._decided(session, only)
         self._look_for_unit(session.interpretation, outcomes, causes)
-        blame = self._blame(session, outcomes, causes, self._in_words)
+        blame = self._blame(session, outcomes, causes)
         return session.result(correct_together(session, outcomes, blame))
 
     def _decided(self, session: Session, only: Sequence[str]) -> list[Outcome]:
@@ -165,18 +159,21 @@ class ReadingSession:
         in_words = (f for f in self.reading.statements if f.role.kind != SAID)
         return [f.claim.id for f in in_words if f.claim is not None]
 
-    @staticmethod
-    def _blame(
-        session: Session, outcomes: Sequence[Outcome], causes: Causes, in_words: Sequence[str]
-    ) -> Blame:
+    @property
+    def _lost(self) -> dict[str, frozenset[str]]:
+        """The names in claims that nothing explains, and that were taken for constants."""
+        return {id: f.item.names & {*f.constants} for id, f in self.claiming.items()}
+
+    def _blame(self, session: Session, outcomes: Sequence[Outcome], causes: Causes) -> Blame:
         """The search for what makes claims fail that stand on no misprint that is known."""
         verdicts = {outcome.claim: outcome.verdict for outcome in outcomes}
         misprints = causes.misprints.keys()
         waiting = {c.id for c in session.derivation.claims if c.reads() & misprints}
         doubted = {id for id, doubt in session.derivation.doubts.items() if doubt is Doubt.ALWAYS}
         explained = [o.claim for o in outcomes if o.correction or o.claim in waiting | doubted]
-        corrector = session.decider.corrector
-        return Blame(corrector, verdicts, [*explained, *in_words], PATIENCE, doubted)
+        corrected = [*explained, *self._in_words]
+        corrector, lost = session.decider.corrector, self._lost
+        return Blame(corrector, verdicts, corrected, PATIENCE, doubted, lost)
 
     # -- what is mended elsewhere --------------------------------------------------------
 
@@ -198,8 +195,18 @@ class ReadingSession:
             if own or (outcome.verdict.green and not late):
                 self.causes.places[outcome.claim] = (*mended,)
                 corrections = () if outcome.correction is None else (outcome.correction,)
+                if not corrections and len(mended) == 1:
+                    self.causes.corrections[outcome.claim] = self._of_other(outcome)
                 failed = found[outcome.claim]._replace(verdict=Verdict.REFUTED, message="")
                 found[outcome.claim] = failed.corrected_by(corrections)
+
+    def _of_other(self, outcome: Outcome) -> Correction:
+        """The correction of the one formula that is blamed, by which a claim is proved."""
+        ((place, edit),) = self.causes.misprints.items()
+        return Correction(
+            (edit.formula,), edit.words, outcome.verdict, outcome.conditions, printed=place,
+            edit=edit, blamed=(edit.statement.formula,),
+        )  # fmt: skip
 
     def _doubt(self, found: dict[str, Outcome]) -> None:
         """Take the verdict from what is true of a misprint only, and not of what it should read."""

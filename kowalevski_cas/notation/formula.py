@@ -319,7 +319,9 @@ def equal(*members: Formula) -> Formula:
 class Changed(Unary):
     """A part that another formula has not: ``wrong`` if it should not stand, else as it should.
 
-    No reader gives it; it is for a printer, which marks the part.
+    No reader gives it; it is for a printer, which marks the part, or in a sum the ``sign`` before
+    it alone.
     """
 
     wrong: bool = False
+    sign: bool = False

@@ -184,11 +184,16 @@ class Printer(ABC):
         first, *rest = formula.terms
         text = self(first) if isinstance(first, Negative) else self.term(first)
         for term in rest:
-            sign, inner = (
-                (self.minus, term.argument) if isinstance(term, Negative) else (self.plus, term)
-            )
+            sign, inner = self.signed(term)
             text += f" {sign} {self.term(inner)}"
         return text
+
+    def signed(self, term: Formula) -> tuple[str, Formula]:
+        """The sign before a term of a sum that is not the first, and what stands behind it."""
+        if isinstance(term, Changed) and term.sign:
+            sign, inner = self.signed(term.argument)
+            return self.change_forms[term.wrong].format(sign), inner
+        return (self.minus, term.argument) if isinstance(term, Negative) else (self.plus, term)
 
     def negative(self, formula: Negative) -> str:
         return self.prefix(self.minus) + self.term(formula.argument)

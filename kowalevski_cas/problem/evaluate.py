@@ -305,7 +305,7 @@ class Evaluation(Fold):
     def granted(self) -> list[Element]:
         """What does not vanish here; nor where a change comes from, as far as it is known here."""
         setting = self.setting
-        found = [self.scalar(formula) for formula in (*setting.nonzero, *setting.assumed)]
+        found = [*map(self.scalar, setting.nonzero)]
         change = setting.change
         for element in () if change is None else self.other(change.old).granted:
             with suppress(Meaningless):

@@ -115,13 +115,15 @@ class Reach:
             if self._is_reached(self._spoken_of(formula)):
                 self.formula(formula)
 
-    def assumed(self) -> Iterator[Formula]:
-        """What is granted in letters that are not reached, if those that are say it too."""
+    def granted(self) -> Iterator[Formula]:
+        """What is granted of names that are reached; by other names, if need be."""
         for formula in self.setting.nonzero:
-            if not self._is_reached(formula):
-                other = self.setting.numerator(formula)
-                if other.names() and self._is_reached(other):
-                    yield other
+            if self._is_reached(formula):
+                yield formula
+                continue
+            other = self.setting.numerator(formula)
+            if other.names() and self._is_reached(other):
+                yield other
 
     def _spoken_of(self, formula: Formula) -> Formula:
         """What is granted, or what a printed root says the sign of, by being real."""
@@ -228,8 +230,7 @@ def _space(reach: Reach, made: dict[Setting, Space]) -> Space:
     return Space(
         variables=tuple(n for n in setting.variables if n in known),
         constants=tuple(n for n in setting.constants if n in known),
-        nonzero=tuple(f for f in setting.nonzero if reach._is_reached(f)),
-        assumed=tuple(reach.assumed()),
+        nonzero=tuple(dict.fromkeys(reach.granted())),
         steps=tuple(reach.steps),
         field=setting.field if reach.moving else (),
         change=None
@@ -252,7 +253,7 @@ def _key(space: Space) -> object:
     come = None if change is None else (id(change.old), change.formulas, change.time)
     return (
         space.variables, space.constants, space.nonzero, space.steps, space.field, come,
-        space.conjugates, space.loci, space.assumed,
+        space.conjugates, space.loci,
     )  # fmt: skip
 
 

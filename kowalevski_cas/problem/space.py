@@ -129,8 +129,6 @@ class Setting(ABC):
     conjugates: tuple[tuple[str, str], ...]
     loci: tuple[tuple[tuple[Equation, ...], Formula], ...]
     """Declared places of degeneracy: equations, and what does not vanish elsewhere."""
-    assumed: tuple[Formula, ...] = ()
-    """What is granted besides, in letters that do not stand here."""
 
     @cached_property
     def left(self) -> dict[object, Space]:
@@ -181,8 +179,7 @@ class Setting(ABC):
 class Space(Setting):
     """A setting as it stands in a certificate.
 
-    ``loci`` and ``assumed`` are no part of it: where a search may look, and what the paper takes
-    for granted in letters that do not stand here. A point obeys that.
+    ``loci`` are no part of it: they say where a search may look.
     """
 
     variables: tuple[str, ...]
@@ -193,7 +190,6 @@ class Space(Setting):
     change: ChangeOfVariables | None = None
     conjugates: tuple[tuple[str, str], ...] = ()
     loci: tuple[tuple[tuple[Equation, ...], Formula], ...] = ()
-    assumed: tuple[Formula, ...] = ()
 
     @property
     def together(self) -> tuple[tuple[str, ...], ...]:

@@ -32,9 +32,9 @@ def oddities(
         circular = sorted(n for n in known.roles[one].names if _is_circular(n, one, known))
         single = sorted(n for n in one.names if counts[n] == 1 and not known.is_defined(n))
         if circular:
-            yield Oddity(one, f"${circular[0]}$ is defined by itself")
+            yield Oddity(one, f"${circular[0]}$ is defined in terms of itself")
         elif twice:
-            yield Oddity(one, f"${twice[0]}$ moves by another equation too")
+            yield Oddity(one, f"${twice[0]}$ has another equation of motion too")
         elif single:
             yield Oddity(one, f"${single[0]}$ stands nowhere else")
             if one is item:
@@ -42,11 +42,11 @@ def oddities(
     for name in (name for name in item.rates if not known.moves(name)):
         before = (one for one in known.items if one.order < item.order)
         beside = (one for one in before if one.section is item.section and name in one.names)
-        yield from (Oddity(one, f"nothing moves ${name}$") for one in beside)
+        yield from (Oddity(one, f"no equation says how ${name}$ moves") for one in beside)
     supposed = dict.fromkeys(
         (*on, *known.supposed(item), *known.sets(item), *last_place(item, known))
     )
-    yield from (Oddity(one, f"read with ${one.printed.tex}$") for one in supposed)
+    yield from (Oddity(one, f"${one.printed.tex}$ is supposed") for one in supposed)
 
 
 def _idle_definitions(item: SourceStatement, known: Known) -> Iterator[Oddity]:

@@ -11,9 +11,10 @@ from typing import Final
 
 from kowalevski_cas.audit.assumed import assumptions_of
 from kowalevski_cas.audit.audit import Audit
-from kowalevski_cas.audit.audited import OPEN
-from kowalevski_cas.notation import Formula, NotationError, Vocabulary, read_display
+from kowalevski_cas.audit.audited import OPEN, Audited
+from kowalevski_cas.notation import Formula, NotationError, Vocabulary, read_display, split_display
 from kowalevski_cas.paper.texts import Display as Printed
+from kowalevski_cas.reading.numbers import numbers_of
 from kowalevski_cas.report.contents import Contents
 from kowalevski_cas.report.dependence import graph
 from kowalevski_cas.report.document import (
@@ -32,16 +33,18 @@ from kowalevski_cas.report.document import (
     anchor,
 )
 from kowalevski_cas.report.paragraphs import FIRST, FormulaBlocks
-from kowalevski_cas.report.places import ReportItem, sections
+from kowalevski_cas.report.places import PaperSection, ReportItem, numbered, sections
 from kowalevski_cas.report.prose import read_article
 from kowalevski_cas.report.sentences import list_in_words
 from kowalevski_cas.report.trust import trust
-from kowalevski_cas.source.displays import DISPLAYS, TypedFormula, find_formulas
+from kowalevski_cas.source.displays import TypedFormula, find_formulas
 from kowalevski_cas.source.listing import guess
-from kowalevski_cas.verify.outcome import Run, Verdict
+from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
 
 _CLOSING: Final = {"$": "$", "$$": "$$", "\\[": "\\]", "\\(": "\\)"}
 _TITLE: Final = re.compile(r"\\title\s*(?:\[[^\]]*\])?\s*\{([^{}\\]*)\}")
+_NUMBER: Final = re.compile(r"^\s*(?:\\S(?![A-Za-z])\s*)?(?:\d+\.?(?![\w-]))?\s*")
+_UNKNOWN: Final = " is defined nowhere"
 _END: Final = re.compile(r"\\end\s*\{document\}")
 
 
@@ -63,6 +66,20 @@ class _Annotated:
         derivation, texts = session.interpretation.derivation, session.interpretation.texts
         self.run = run = _with_reasons(audit)
         paper = sections(run, derivation, texts)
+        self.text = audit.expanded.text
+        self.typed = list(find_formulas(self.text, audit.expanded.body))
+        body = audit.expanded.body
+        self.numbers: dict[tuple[int, int], str] = {}
+        for typed, number in numbers_of(self.typed, self.text, body, self.text[:body]):
+            self.numbers.setdefault((typed.start, typed.end), number)
+        self.placed = {
+            (p.typed.start, p.typed.end): p.display for p in audit.places if p.typed is not None
+        }
+        if audit.reading is not None:
+            paper = tuple(numbered([*map(_titled, paper)], {
+                display.id: f"({self.numbers[place]})"
+                for place, display in self.placed.items() if place in self.numbers
+            }))  # fmt: skip
         self.file = audit.source.path.rpartition("/")[2]
         command = f"kowalevski-cas audit {self.file} --report DIR"
         self.contents = Contents(run, paper, command=command)
@@ -80,12 +97,7 @@ class _Annotated:
                     waiting = []
                 else:
                     (waiting if last is None else last).append(item)
-        self.text = audit.expanded.text
-        self.typed = list(find_formulas(self.text, audit.expanded.body))
         self.names = guess(self.typed)
-        self.placed = {
-            (p.typed.start, p.typed.end): p.display for p in audit.places if p.typed is not None
-        }
 
     def document(self) -> Document:
         """The page: the verdict, the paper, what stands nowhere in it."""
@@ -99,17 +111,18 @@ class _Annotated:
         if lost:
             blocks.append(Heading(("Not found in this text",), "lost"))
             blocks += [block for item in lost for block in self.contents.passages.item(item)]
+        of: Text = (
+            f"The source {self.file} (SHA-256 {self._digest()} …), a verdict at each formula.",
+        )
         head = [
             *self.contents.verdict(), *self._assumptions(), *self._not_judged(),
-            Heading(("The paper",), "paper"),
+            Heading(("The paper",), "paper"), Paragraph(of, "note"),
         ]  # fmt: skip
         shown = (*head, *blocks, *trust(self.contents.phrases), *graph(self.contents.findings))
-        digest = self._digest()
-        of: Text = (f"The source {self.file} (SHA-256 {digest} …), a verdict at each formula.",)
         printed = _TITLE.search(self.text)
         name = printed[1] if printed and not run.author else run.title.rpartition("/")[2]
         title = f"“{name}”, verified formula by formula"
-        return Document(title, title, (*[(run.author, ".")][: bool(run.author)], of), shown)
+        return Document(title, title, ((run.author, "."),) if run.author else (), shown)
 
     def _digest(self) -> str:
         """The beginning of what binds the source."""
@@ -119,15 +132,20 @@ class _Annotated:
         """What a source that is its own derivation takes for granted, and what rests on each."""
         if self.audit.reading is None:
             return
-        phrases = self.contents.phrases
-        used = [
-            (*phrases.words(f"{assumption.words}; on it rest "), *phrases.links(assumption.claims))
-            for assumption in assumptions_of(self.audit)
-            if assumption.claims
-        ]
+        used: dict[tuple[bool, tuple[str, ...]], list[str]] = {}
+        for kind, words, _, claims in assumptions_of(self.audit):
+            if claims:
+                alike = used.setdefault((kind == "constant", claims), [])
+                alike += [words] if words not in alike else []
         if used:
             yield Heading(("What is assumed",), "assumed", 2)
-        yield from (Paragraph((*said, ".")) for said in dict.fromkeys(used))
+        phrases = self.contents.phrases
+        for (unknown, claims), said in used.items():
+            several = len(said) > 1
+            names = [phrases.words(words.removesuffix(_UNKNOWN)) for words in said]
+            what = (" are defined nowhere" if several else _UNKNOWN) if unknown else ""
+            rest = f"{what}; on {'them' if several else 'it'} rest{'s' * (len(claims) == 1)} "
+            yield Paragraph((*list_in_words(names), rest, *phrases.links(claims), "."))
 
     def _not_judged(self) -> Iterator[Block]:
         """The formulas and the sentences of such a source of which nothing is said."""
@@ -137,11 +155,21 @@ class _Annotated:
         unjudged = [formula for formula in audit.formulas if formula.verdict == OPEN]
         if unjudged or audit.uncovered:
             yield Heading(("What is not judged",), "unjudged", 2)
-        for formula in unjudged:
-            why = (formula.message or formula.reason).partition("\n")[0]
-            yield Paragraph(words(f"{audit.called(formula)}: {why}."))
+        told = (
+            f"{self._called(formula)}: {(formula.message or formula.reason).partition(chr(10))[0]}."
+            for formula in unjudged
+        )
+        yield from (Paragraph(words(said)) for said in dict.fromkeys(told))
         for passage in audit.uncovered:
             yield Paragraph((f"Line {passage.line}, without a verdict: ", Code(passage.words)))
+
+    def _called(self, formula: Audited) -> str:
+        """A formula by its number, or by its line."""
+        numbers = (
+            self.numbers.get((t.start, t.end)) for t in self.typed if formula.label in t.labels
+        )
+        number = next(filter(None, numbers), None) if formula.label else None
+        return f"({number})" if number else f"line {formula.line}"
 
     # -- formulas -------------------------------------------------------------------
 
@@ -194,7 +222,14 @@ class _Annotated:
                         *phrases.links(formula.breaks),
                         ".",
                     )
-                yield Judgement(Verdict.ERROR, "", said, (Code(formula.id),))
+                yield Judgement(Verdict.ERROR, "", said, (self._place(formula),))
+
+    def _place(self, formula: Audited) -> Inline:
+        """Which of several formulas of a display one is; else its name."""
+        if self.audit.reading is None or formula.place is None:
+            return Code(formula.id)
+        display, number = formula.place.display, formula.place.number
+        return f"formula {number}" if len(split_display(display.tex)) > 1 else ""
 
     # -- the text -------------------------------------------------------------------
 
@@ -227,15 +262,14 @@ class _Annotated:
 
     def _labels(self) -> Mapping[str, Link]:
         """What references show: the numbers of displays, as TeX counts them."""
-        number = 0
         found: dict[str, Link] = {}
         for typed in self.typed:
-            if typed.kind in DISPLAYS and typed.kind not in ("displaymath", "dmath", "math"):
-                number += 1
-            display = self.placed.get((typed.start, typed.end))
+            place = typed.start, typed.end
+            display = self.placed.get(place)
+            printed = display.label if display and self.audit.reading is None else ""
             for label in typed.labels:
-                known = display.label.strip("()") if display else ""
-                found[label] = Link(self._target(display), (known or str(number),))
+                number = printed.strip("()") or self.numbers.get(place, label)
+                found[label] = Link(self._target(display), (number,))
         return found
 
     def _target(self, display: Printed | None) -> str:
@@ -248,16 +282,28 @@ class _Annotated:
 
 
 def _with_reasons(audit: Audit) -> Run:
-    """The run, in which what is not decided says what the audit has found out about it."""
+    """The run, in which outcomes say what the audit has found out about them.
+
+    What is refuted because of another formula has the correction of that one.
+    """
     told = {claim: formula.message for formula in audit.formulas for claim in formula.claims}
-    return audit.run._replace(
-        outcomes=tuple(
-            outcome
-            if outcome.verdict.green or outcome.verdict is Verdict.REFUTED
-            else outcome._replace(message=told.get(outcome.claim) or outcome.message)
-            for outcome in audit.run.outcomes
-        )
-    )
+    mended = audit.session.causes.corrections
+
+    def explained(outcome: Outcome) -> Outcome:
+        if outcome.verdict is Verdict.REFUTED:
+            return outcome._replace(correction=outcome.correction or mended.get(outcome.claim))
+        if outcome.verdict.green:
+            return outcome
+        return outcome._replace(message=told.get(outcome.claim) or outcome.message)
+
+    return audit.run._replace(outcomes=tuple(map(explained, audit.run.outcomes)))
+
+
+def _titled(section: PaperSection) -> PaperSection:
+    """A section with its title in letters, without the number that its author types."""
+    title = section.title.replace("\\,", " ").replace("~", " ")
+    title = _NUMBER.sub("", title).strip().removesuffix(".")
+    return section._replace(title=title or ("The beginning" if section.number == "0" else ""))
 
 
 def _with_headings(blocks: Sequence[Block]) -> Iterator[Block]:

@@ -126,10 +126,20 @@ def _mark_differences(
     before, after = old.children(), new.children()
     same = len(before) == len(after) and _with(old, after) == new
     if same and isinstance(old, _TAKEN_APART):
-        pairs = [_mark_differences(*pair, old) for pair in zip(before, after, strict=True)]
+        pairs = [
+            (k and isinstance(old, Sum) and _sign(*pair)) or _mark_differences(*pair, old)
+            for k, pair in enumerate(zip(before, after, strict=True))
+        ]
         return _with(old, [a for a, _ in pairs]), _with(new, [b for _, b in pairs])
     bare = not isinstance(within, Sum | Product)  # a sign needs no brackets there
     return _mark(old, True, bare), _mark(new, False, bare)
+
+
+def _sign(old: Formula, new: Formula) -> tuple[Formula, Formula] | None:
+    """Terms of sums that differ by their sign, with a mark on it."""
+    if Negative(old) == new or Negative(new) == old:
+        return Changed(old, True, sign=True), Changed(new, False, sign=True)
+    return None
 
 
 def _lone(whole: Formula, own: Sequence[Formula], other: Sequence[Formula], wrong: bool) -> Formula:

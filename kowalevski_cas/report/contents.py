@@ -28,7 +28,7 @@ from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.made import written_by
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.passages import Passages
-from kowalevski_cas.report.places import PaperSection, labels, names
+from kowalevski_cas.report.places import PaperSection, displays, labels, names
 from kowalevski_cas.report.results import main_results
 from kowalevski_cas.report.sentences import Phrases, group_alike, list_in_words, nonzero, supposed
 from kowalevski_cas.report.tally import tally, wrong_places
@@ -66,7 +66,9 @@ class Contents:
             programs,
         )
         files = {claim: f"{evidence}/{claim}.json" for claim in certified} if evidence else {}
-        self.phrases = Phrases(run.vocabulary, names(sections), labels(sections), files)
+        self.phrases = Phrases(
+            run.vocabulary, names(sections), labels(sections), files, displays(sections)
+        )
         copied = any(section.copied for section in sections)
         self.findings = Findings(self.phrases, run.outcomes, copied, run.expected)
         self.passages = Passages(self.findings, certified, programs)
@@ -153,13 +155,18 @@ class Contents:
             ),
             "note",
         )  # fmt: skip
+        if len(self.sections) > 1:
+            yield self._signs()
+
+    def _signs(self) -> Table:
+        """The signs of all statements, section by section."""
         rows = []
         for section in self.sections:
             links = (Link(f"claim.{anchor(o.claim)}", (Sign(o.verdict),)) for o in section.outcomes)
             signs = tuple(part for link in links for part in (" ", link))[1:]
             link = Link(f"section.{anchor(section.number)}", self.phrases.title(section))
             rows.append(((link,), signs))
-        yield Table((0.36, 0.6), (("Section",), ("Its formulas and statements",)), tuple(rows))
+        return Table((0.36, 0.6), (("Section",), ("Its formulas and statements",)), tuple(rows))
 
     def _granted(self) -> Iterator[Block]:
         """What the sections assume not to vanish, those of one assumption together."""

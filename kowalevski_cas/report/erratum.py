@@ -26,7 +26,7 @@ def erratum_tex(phrases: Phrases, outcome: Outcome) -> str:
     correction = outcome.correction
     if outcome.verdict is not Verdict.REFUTED or correction is None:
         return ""
-    where = "".join(map(str, _without_links(capitalise(phrases.found([outcome.claim])))))
+    where = "".join(map(str, _without_links(capitalise(phrases.slip((outcome,))))))
     if correction.edit is None:
         return f"{where}: it is false that {outcome.words}. Read: {correction.words}."
     printed, meant = in_latex(correction.blamed or outcome.formulas), in_latex(correction.formulas)
@@ -46,10 +46,10 @@ def _corrections(findings: Findings) -> Iterator[Block]:
     for slip in findings.slips:
         first, correction = slip[0], slip[0].correction
         assert correction is not None
-        where = capitalise(findings.phrases.found([outcome.claim for outcome in slip]))
-        printed, meant = mark_differences(first.formulas, correction.formulas)
+        where = capitalise(findings.phrases.slip(slip))
+        printed, meant = mark_differences(correction.blamed or first.formulas, correction.formulas)
         yield Paragraph((*where, ", for"), leads=True)
-        yield Equations(printed, first.source)
+        yield Equations(printed, "" if correction.blamed else first.source)
         yield Paragraph(("read",), leads=True)
         yield Equations(meant)
         yield from _because(findings, first)

@@ -103,14 +103,11 @@ class Evidence:
         ):
             one = ones[0]
             formulas = tuple(formula for each in ones for formula in each.formulas)
-            what = "Correction" if one.edit else "The nearest true statement"
-            what = "Correction of another formula" if one.blamed else what
-            said: Text = (
-                Emphasis((what,)),
-                *self._of(claims),
-                ": ",
-                *self.phrases.words(one.words),
-            )
+            what: Text = ("Correction" if one.edit else "The nearest true statement",)
+            if one.blamed:
+                rows = [row for row in self.rows if row.claim in claims]
+                what, formulas = ("Correction of ", *self.phrases.slip(rows)), ()
+            said: Text = (Emphasis(what), *self._of(claims), ": ", *self.phrases.words(one.words))
             if one.conditions:
                 said = (*said, "; it holds where ", *self.phrases.where(one.conditions))
             if one.accepted:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from types import MappingProxyType
 
-from kowalevski_cas.notation import Formula
+from kowalevski_cas.notation import Derivative, Formula, Relation
 from kowalevski_cas.report.compare import mark_differences, ratio_of_sides
 from kowalevski_cas.report.document import (
     Block,
@@ -25,7 +25,7 @@ from kowalevski_cas.report.sentences import (
     group_alike,
     nonzero,
 )
-from kowalevski_cas.verify.outcome import Condition, Correction, Outcome, Verdict
+from kowalevski_cas.verify.outcome import FALSE_AS_READ, Condition, Correction, Outcome, Verdict
 
 Slip = tuple[Outcome, ...]
 """The formulas that one slip of the pen has spoiled."""
@@ -118,12 +118,22 @@ class Findings:
         if self.open:
             many = count_in_words(len(self.open), "open statement")
             yield Heading((capital(many),), "open", 2)
-            for outcome in self.open:
-                where = self.phrases.links([outcome.claim])
-                said = self.phrases.sentence(outcome.message)
-                shown = Equations(outcome.formulas, outcome.source)
-                blocks = (shown,) if outcome.source else ()
-                yield Judgement(outcome.verdict, "", (*where, ": ", *said), blocks=blocks)
+            if any(outcome.message.startswith(FALSE_AS_READ) for outcome in self.open):
+                yield Paragraph((_AS_READ,), "note")
+            yield from map(self._not_decided, self.open)
+
+    def _not_decided(self, outcome: Outcome) -> Judgement:
+        """What is neither proved nor refuted: how it was read, and why it is open."""
+        where = self.phrases.links([outcome.claim])
+        head = (*where, ": ", *self.phrases.sentence(outcome.words or outcome.message))
+        shown: list[Block] = []
+        if outcome.source:
+            shown.append(Equations(outcome.formulas, outcome.source))
+        if outcome.words and outcome.message:
+            shown.append(Paragraph(self.phrases.sentence(outcome.message)))
+        if outcome.counterexample:
+            shown.append(Paragraph(self.why(outcome), "note"))
+        return Judgement(outcome.verdict, "", head, blocks=tuple(shown))
 
     def hypotheses(self) -> Iterator[Block]:
         """What the paper does not say and a statement needs, each condition once."""
@@ -139,12 +149,13 @@ class Findings:
     def _misprint(self, slip: Slip) -> Judgement:
         first, correction = slip[0], slip[0].correction
         assert correction is not None
-        where = capitalise(self.phrases.found([outcome.claim for outcome in slip]))
-        fails = "fails" if len(slip) == 1 else "fail"
-        why = f" {fails} because of another formula" if correction.blamed else ""
+        where = capitalise(self.phrases.slip(slip))
         valid = self.phrases.valid(correction.conditions)
         words = self.phrases.words(correction.words)
-        head: Text = (*where, f"{why}: ", *words, *((", ", *valid) if valid else ()), ".")
+        head: Text = (*where, ": ", *words, *((", ", *valid) if valid else ()), ".")
+        if correction.blamed:
+            failing = self.phrases.links([outcome.claim for outcome in slip])
+            head = (*head, " Because of it ", *failing, f" fail{'s' * (len(slip) == 1)}.")
         printed, meant = mark_differences(correction.blamed or first.formulas, correction.formulas)
         source = "" if correction.blamed else first.source
         shown: list[Block] = [
@@ -156,7 +167,8 @@ class Findings:
             valid = self.phrases.valid(other.conditions)
             shown.append(Equations(other.formulas, verdict=other.verdict, label=valid))
         if correction.others:
-            shown.append(Paragraph((*self.phrases.links(correction.others), _KEPT)))
+            kept = self.phrases.links(correction.others)
+            shown.append(Paragraph((*kept, _KEPT if len(correction.others) == 1 else _ALL_KEPT)))
         if first.counterexample:
             shown.append(Paragraph(self.why(first), "note"))
         return Judgement(None, "", head, blocks=tuple(shown))
@@ -164,7 +176,7 @@ class Findings:
     def why(self, refuted: Outcome) -> Text:
         """The two values at a point, and what the one side is of the other where this is short."""
         found, correction = refuted.counterexample, refuted.correction
-        said = self.phrases.values(found) if found else ()
+        said = self.phrases.values(found, _is_rate(refuted)) if found else ()
         if found is None or found.words or correction is None or correction.blamed:
             return said
         ratio = ratio_of_sides(refuted.formulas, correction.formulas)
@@ -202,7 +214,13 @@ class Findings:
         return Paragraph((*said, *self.phrases.sentence(condition.words)))
 
 
-_KEPT = " stand on it as well, and are true with either."
+_AS_READ = (
+    "What is “false as it was read” fails at the point that is given, as this program has read it. "
+    "It may be wrong, or be meant otherwise: it has no verdict."
+)
+
+_KEPT = " stands on it as well, and is true with either."
+_ALL_KEPT = " stand on it as well, and are true with either."
 
 
 def _says_else(outcome: Outcome, other: Correction) -> bool:
@@ -228,6 +246,14 @@ def _slip(outcome: Outcome) -> object:
     correction = outcome.correction
     assert correction is not None
     return correction.words, correction.printed and correction.printed.display.id
+
+
+def _is_rate(outcome: Outcome) -> bool:
+    """Whether what stands on the left of a claim is a rate, which its author prints with a dot."""
+    match outcome.formulas:
+        case (Relation((left, *_)),):
+            return any(isinstance(one, Derivative) and one.mark == "dot" for one in left.nodes())
+    return False
 
 
 def lacks(outcome: Outcome) -> bool:

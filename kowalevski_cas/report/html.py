@@ -43,7 +43,9 @@ _NARROW: Final = 19.0
 
 _FIRST: Final = re.compile('^<mo( form="prefix")?>')
 
-_STOP: Final = re.compile(r"(<math>(?:(?!</math>).)*</math>[.,;:)”]+)")
+_STOP: Final = re.compile(
+    r"(?:[(“]<math>(?:(?!</math>).)*</math>[.,;:)”]*|<math>(?:(?!</math>).)*</math>[.,;:)”]+)"
+)
 
 
 def render_html(document: Document, beside: Path = Path()) -> str:
@@ -135,8 +137,8 @@ class HtmlWriter(Writer):
         return escape(text.replace("'", "’"))
 
     def text(self, text: Text) -> str:
-        """No line is broken between a formula and the stop behind it."""
-        return _STOP.sub(r'<span class="nobr">\1</span>', super().text(text))
+        """No line is broken between a formula and the stop behind it, or the bracket before it."""
+        return _STOP.sub(r'<span class="nobr">\g<0></span>', super().text(text))
 
     def marks(self) -> str:
         light = "".join(f"--{verdict}: #{mark.colour};" for verdict, mark in MARKS.items())

@@ -60,9 +60,12 @@ def _pieces(formula: Formula, printer: Printer) -> Iterator[Piece]:
             yield from _chain(formula, printer)
         case Sum(terms):
             for k, term in enumerate(terms):
-                if k and not isinstance(term, Negative):
-                    yield Piece(printer.plus, _SIGN + _AROUND, "sign")
-                yield from _within(term, _ADDED, printer)
+                if not k:
+                    yield from _within(term, _ADDED, printer)
+                    continue
+                sign, inner = printer.signed(term)
+                yield Piece(sign, _SIGN + _AROUND, "sign")
+                yield from _within(inner, _ADDED if inner is term else SIGNED, printer)
         case Negative(argument):
             yield Piece(printer.minus, _SIGN + _AROUND, "sign")
             yield from _within(argument, SIGNED, printer)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from itertools import count, groupby, zip_longest
 from typing import NamedTuple
@@ -146,6 +146,22 @@ def number_items(section: str, items: Sequence[ReportItem]) -> tuple[ReportItem,
     return tuple(found)
 
 
+def numbered(sections: Sequence[PaperSection], numbers: Mapping[str, str]) -> list[PaperSection]:
+    """The sections, where displays have these numbers, by their names, and no others."""
+    return [
+        section._replace(
+            items=number_items(
+                section.number,
+                [
+                    item._replace(label=numbers.get(item.display, ""))
+                    for item in section.items
+                ],
+            )
+        )
+        for section in sections
+    ]  # fmt: skip
+
+
 def names(sections: Sequence[PaperSection]) -> dict[str, ClaimName]:
     """What the claims are called."""
     stated = [group for section in sections for item in section.items for group in item.stated]
@@ -163,6 +179,11 @@ def labels(sections: Sequence[PaperSection]) -> dict[str, str]:
     """Where the numbers of equations lead."""
     items = (item for section in sections for item in section.items)
     return {item.label: item.anchor for item in items if item.label}
+
+
+def displays(sections: Sequence[PaperSection]) -> dict[str, str]:
+    """The numbers of displays, by their names."""
+    return {item.display: item.label for s in sections for item in s.items if item.display}
 
 
 def _items(

@@ -149,6 +149,7 @@ class _Article(Paragraphs):
             "caption": lambda: self._caption(arguments),
             "texttt": lambda: self.line.append(Code(_verbatim(arguments).replace("\\", ""))),
             "\\": lambda: self.line.append(" "),
+            "S": lambda: self.line.append("§"),
         }
         if name in _LEVELS and arguments:
             self._heading_of(_LEVELS[name], self._inner([arguments[-1]]))

@@ -17,10 +17,11 @@ from kowalevski_cas.notation import (
     Vocabulary,
     equal,
     read_prose,
+    split_display,
 )
 from kowalevski_cas.report.document import Code, Inline, Link, Text, anchor
 from kowalevski_cas.report.places import ClaimName, PaperSection
-from kowalevski_cas.verify.outcome import Condition, Counterexample, PrintedPoint, Value
+from kowalevski_cas.verify.outcome import Condition, Counterexample, Outcome, PrintedPoint, Value
 
 T = TypeVar("T")
 
@@ -156,6 +157,7 @@ class Phrases:
         names: what its claims are called.
         labels: where the numbers of its equations lead.
         certificates: the addresses of certificates, by claim.
+        displays: the numbers of displays, by their names.
     """
 
     def __init__(
@@ -164,9 +166,10 @@ class Phrases:
         names: Mapping[str, ClaimName],
         labels: Mapping[str, str] = _NOTHING,
         certificates: Mapping[str, str] = _NOTHING,
+        displays: Mapping[str, str] = _NOTHING,
     ) -> None:
         self.vocabulary, self.names = vocabulary, names
-        self.labels, self.certificates = labels, certificates
+        self.labels, self.certificates, self.displays = labels, certificates, displays
         # The equations of another paper are named with their author: (10) of Kharlamov.
         numbers = "|".join(map(re.escape, labels)) or "(?!)"
         self._number = re.compile(f"({numbers})(?! of [A-Z])")
@@ -240,6 +243,19 @@ class Phrases:
             return self.links(claims)
         return (Link(f"claim.{anchor(claims[0])}", (name.near,)),)
 
+    def slip(self, slip: Sequence[Outcome]) -> Text:
+        """Where a slip of the pen stands by which claims fail: in them, or in another formula."""
+        correction = slip[0].correction
+        if correction is None or correction.printed is None or not correction.blamed:
+            return self.found([outcome.claim for outcome in slip])
+        display, number = correction.printed.display, correction.printed.number
+        several = len(split_display(display.tex)) > 1
+        label = self.displays.get(display.id, display.label)
+        link: Text = (Link(self.labels[label], (label,)) if label in self.labels else label,)
+        if not label:
+            return ("formula ", *correction.blamed)
+        return (f"formula {number} of ", *link) if several else link
+
     def where(self, conditions: Iterable[Condition]) -> Text:
         """What several conditions say."""
         return list_in_words([(nonzero(condition.expression),) for condition in conditions])
@@ -249,9 +265,10 @@ class Phrases:
         where = self.where(conditions)
         return ("valid for ", *where) if where else ()
 
-    def values(self, found: Counterexample) -> Text:
-        """A point and what fails there, as a sentence."""
-        said: Text = ("the left side is ", found.left, ", the right side ", found.right)
+    def values(self, found: Counterexample, rate: bool = False) -> Text:
+        """A point and what fails there, as a sentence; a rate on the left is that of the motion."""
+        how = ", by the equations of motion," * rate
+        said: Text = (f"the left side is{how} ", found.left, ", the right side ", found.right)
         if found.words:
             said = self.words(found.words)
         return capitalise((*self.at(found.point), *said, "."))

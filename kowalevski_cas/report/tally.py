@@ -69,7 +69,7 @@ def _misprint(phrases: Phrases, slip: Slip) -> Judgement:
     """Where a misprint stands, what to read, and the two values that show it."""
     first, correction = slip[0], slip[0].correction
     assert correction is not None
-    where = phrases.found([outcome.claim for outcome in slip])
+    where = phrases.slip(slip)
     read = phrases.words(correction.words)
     if not correction.blamed and _is_short([*first.formulas, *correction.formulas]):
         read = ("for ", *first.formulas, " read ", *correction.formulas)

@@ -20,9 +20,11 @@ from typing import NamedTuple
 
 from flint import fmpq_mat, fmpq_mpoly
 
+from kowalevski_cas.algebra.elimination import TooLarge
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_flint, to_fraction
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.squares import Squares, reduce_gram
+from kowalevski_cas.problem.polynomial_fields import number_of_monomials
 from kowalevski_cas.search.semidefinite import Row, SemidefiniteProgram, Vectors
 
 ROUNDS = 4
@@ -30,6 +32,12 @@ ROUNDS = 4
 
 DENOMINATORS = (1, 2, 6, 24, 1000)
 """The largest denominators to which entries are rounded, in turn."""
+
+LARGEST = 2_500
+"""How many unknowns a program may have."""
+
+MOST = 100_000
+"""How many monomials are looked at, and how many pairs of them, to see which are needed."""
 
 LONGEST = 2**96
 """The largest factor of a square: nobody reads, or checks, what is longer."""
@@ -89,7 +97,11 @@ class _Block(NamedTuple):
 
 
 class GramEquations:
-    """The equations between Gram matrices, factors of what is known, and a target."""
+    """The equations between Gram matrices, factors of what is known, and a target.
+
+    Raises:
+        TooLarge: there are too many unknowns.
+    """
 
     def __init__(
         self,
@@ -107,19 +119,18 @@ class GramEquations:
         self.context, self.count = target.context(), target.context().nvars()
         subsets = chain.from_iterable(combinations(range(len(weights)), k) for k in range(size + 1))
         blocks = [*self._blocks(subsets, weights)]
+        _bound(sum(_number_of_pairs(monomials) for _, _, monomials in blocks), MOST)
         while self._prune(blocks):
             pass
         self.blocks: list[_Block] = []
         self.unknowns = 0
         for places, weight, monomials in (one for one in blocks if one[2]):
             self.blocks.append(_Block(places, weight, monomials, self.unknowns))
-            self.unknowns += len(monomials) * (len(monomials) + 1) // 2
+            self.unknowns += _number_of_pairs(monomials)
         self.first_factor = self.unknowns
-        self.factors = [
-            (k, one)
-            for k, own in enumerate(known)
-            for one in self._monomials(self.degree - int(own.total_degree()))
-        ]
+        left = [self.degree - int(own.total_degree()) for own in known]
+        _bound(self.unknowns + sum(map(self._number, left)), LARGEST)
+        self.factors = [(k, one) for k, most in enumerate(left) for one in self._monomials(most)]
         self.unknowns += len(self.factors)
         self.rows, self.right = self._equations()
 
@@ -129,10 +140,13 @@ class GramEquations:
         degrees = (p.degrees() for p in (self.target, *weights, *self.known))
         most = [*map(max, zip(*degrees, strict=True))]
         least = 0 if weights or self.known else min(map(sum, self.target.monoms()))
+        looked_at = 0
         for places in subsets:
             weight = prod((weights[k] for k in places), start=self.context.constant(1))
             left = self.degree - int(weight.total_degree())
             if left >= 0:
+                looked_at += self._number(left // 2)
+                _bound(looked_at, MOST)
                 monomials = [*self._halves(left // 2, weight, most, least)]
                 yield places, terms_of(weight), monomials
 
@@ -158,6 +172,10 @@ class GramEquations:
                     blocks[k][2].remove(own)
                     found = True
         return found
+
+    def _number(self, degree: int) -> int:
+        """How many monomials there are up to a degree."""
+        return number_of_monomials((1,) * len(self.names), degree)
 
     def _monomials(self, degree: int) -> Iterator[Monomial]:
         """All monomials up to a degree."""
@@ -271,6 +289,15 @@ class GramEquations:
             for part in parts
         ]
         return Representation(factors, summands)
+
+
+def _bound(number: int, most: int) -> None:
+    if number > most:
+        raise TooLarge(f"{number} unknowns are in the equations for Gram matrices")
+
+
+def _number_of_pairs(monomials: Sequence[Monomial]) -> int:
+    return len(monomials) * (len(monomials) + 1) // 2
 
 
 def _is_long(square: tuple[Fraction, Terms]) -> bool:

@@ -9,10 +9,8 @@ from collections.abc import Sequence
 
 from flint import fmpq_mpoly, fmpq_mpoly_ctx
 
+from kowalevski_cas.algebra.elimination import TooLarge
 from kowalevski_cas.search.gram import GramEquations, Representation
-
-LARGEST = 2_500
-"""How many unknowns a program may have."""
 
 MOST_WEIGHTS = 2
 """Of how many weights products are taken."""
@@ -38,8 +36,9 @@ def represent(
         [one.compose(*there) for one in known],
     )
     for size in range(min(len(weights), MOST_WEIGHTS) + 1):
-        equations = GramEquations(target, weights, known, size)
-        if equations.unknowns > LARGEST:
+        try:
+            equations = GramEquations(target, weights, known, size)
+        except TooLarge:
             return None
         if (found := equations.solve()) is not None:
             return found.composed(back)

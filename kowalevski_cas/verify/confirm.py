@@ -180,7 +180,7 @@ class Watch(checker.Budget):
             return work(blocks[k], self.spend), before - self.left - self.rest
 
         order = sorted(range(len(blocks)), key=lambda k: -sizes[k])
-        results = [*each(count, order, self.jobs)]
+        results = [*each(count, iter(order), self.jobs)]  # of a list one process takes the last
         self.spend(sum(steps for _, steps in results))
         return [result for result, _ in results]
 

@@ -14,6 +14,9 @@ from kowalevski_cas.paper.texts import Printed
 CORRECTED = "corrected"
 """Before the names of certificates of corrections, and their folder."""
 
+FALSE_AS_READ = "false as it was read"
+"""The words for a claim that fails, and that may have been meant otherwise."""
+
 Divided = tuple[tuple[Formula, ...], ...]
 """What is divided by, goal by goal."""
 

@@ -20,14 +20,11 @@ from kowalevski_cas.verify.certificate import Stored, load_certificates
 from kowalevski_cas.verify.confirm import is_received, receive, received
 from kowalevski_cas.verify.decider import Decider
 from kowalevski_cas.verify.interpretation import Interpretation
-from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
+from kowalevski_cas.verify.outcome import FALSE_AS_READ, Outcome, Run, Verdict
 
 if TYPE_CHECKING:
     from kowalevski_cas.verify.blame import Blame
     from kowalevski_cas.verify.repair import Work
-
-FALSE_AS_READ = "false as it was read"
-"""The words for a claim that fails, and that may have been meant otherwise."""
 
 Progress = Callable[[str, int, int], None]
 

@@ -23,8 +23,7 @@ from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.processes import each
 from kowalevski_cas.reading import ASSUMPTION, CLAIM, DEFINITION, LAW, read
 from kowalevski_cas.source.text import Source
-from kowalevski_cas.verify.outcome import Verdict
-from kowalevski_cas.verify.run import FALSE_AS_READ
+from kowalevski_cas.verify.outcome import FALSE_AS_READ, Verdict
 from study.mutants.equivalence import equivalence
 from study.mutants.mutant import Mutant, sample
 

@@ -6,8 +6,7 @@ from kowalevski_cas.audit.audited import OPEN
 from kowalevski_cas.audit.reading import ReadingSession, audit_reading
 from kowalevski_cas.reading import read
 from kowalevski_cas.source.files import decode
-from kowalevski_cas.verify.outcome import Verdict
-from kowalevski_cas.verify.run import FALSE_AS_READ
+from kowalevski_cas.verify.outcome import FALSE_AS_READ, Verdict
 from tests.sample import sampled
 
 LAW = r"""The equations of motion are
@@ -45,7 +44,9 @@ def test_the_formula_is_named_with_which_a_doubted_claim_would_hold(wrong, cause
 def test_a_name_that_is_defined_by_itself_is_named_where_it_stands():
     text = LAW + r"""Put $F=Gx$, $G=Fy$. Then \begin{equation}\label{rate}\dot F=0.\end{equation}"""
     found = claim(audited(text), "rate")
-    assert not found.verdict.startswith("proved") and "is defined by itself" in found.message
+    assert (
+        not found.verdict.startswith("proved") and "is defined in terms of itself" in found.message
+    )
     assert len(found.causes) == 2
 
 
@@ -68,14 +69,14 @@ def test_what_is_supposed_is_named_where_a_claim_fails_on_it():
     )
     found = claim(audited(text), "rate")
     assert found.verdict in (OPEN, Verdict.UNDECIDED)
-    assert r"read with $\kappa=2$" in found.message
+    assert r"$\kappa=2$ is supposed" in found.message
 
 
 @pytest.mark.parametrize(
     ("defining", "words"),
     [
         (r"$\alpha=x^2+y^2$", r"$\alpha$ is defined and stands nowhere after it"),
-        (r"$F\kappa=x^2+y^2$", "nothing moves $F$"),
+        (r"$F\kappa=x^2+y^2$", "no equation says how $F$ moves"),
     ],
 )
 def test_what_should_define_a_name_is_named_where_nothing_does(defining, words):
@@ -89,7 +90,7 @@ def test_an_equation_of_motion_is_named_where_a_name_moves_by_two():
     found = claim(
         audited(law + r"Then \begin{equation}\label{rate}\dot x=y.\end{equation}"), "rate"
     )
-    assert found.verdict == OPEN and "moves by another equation too" in found.message
+    assert found.verdict == OPEN and "has another equation of motion too" in found.message
     assert {"law.2", "law.3"} <= {*found.causes}
 
 

@@ -128,7 +128,7 @@ def test_a_source_that_is_its_own_derivation_says_first_what_it_assumes() -> Non
     )
     places = {b.anchor: k for k, b in enumerate(document.blocks) if isinstance(b, Heading)}
     told = document.blocks[places["assumed"] + 1]
-    assert places["assumed"] < places["paper"] and "; on it rest " in said(told)
+    assert places["assumed"] < places["paper"] and "; on it rests " in said(told)
 
 
 def test_a_source_that_is_its_own_derivation_says_what_is_not_judged() -> None:
@@ -154,7 +154,29 @@ def test_what_is_not_decided_stands_with_its_formula_and_the_reason() -> None:
     document = annotate(found)
     assert document.title.startswith("“b.tex”")
     (place,) = (k for k, b in enumerate(document.blocks) if getattr(b, "anchor", "") == "open")
-    told = document.blocks[place + 1]
-    assert isinstance(told, Judgement) and "alse as it was read" in said(told.head)
+    note, told = document.blocks[place + 1 : place + 3]
+    assert "it has no verdict" in said(note)
+    assert isinstance(told, Judgement) and "alse as it was read" in said(told.blocks)
     assert any(isinstance(block, Equations) for block in told.blocks)
-    assert "stands nowhere else (line 1)" in said(told.head)
+    assert "stands nowhere else (line 1)" in said(told.blocks)
+    assert "At " in said(told.blocks[-1])
+
+
+BODY = r"""\begin{document}A free body obeys
+\begin{equation}\label{law} A\dot p=(B-C)qr,\quad B\dot q=(C-A)rp,\quad C\dot r=(A+B)pq.\end{equation}
+It has the first integrals
+\begin{equation}\label{H} 2H=Ap^2+Bq^2+Cr^2 \end{equation} and
+\begin{equation}\label{G} G^2=A^2p^2+B^2q^2+C^2r^2. \end{equation}\end{document}"""
+
+
+def test_a_misprint_that_spoils_several_formulas_is_told_once_with_all_of_them() -> None:
+    found = audit_reading(ReadingSession(read(decode("body.tex", BODY.encode())), timeout=20))
+    document = annotate(found)
+    (heading,) = (b for b in document.blocks if getattr(b, "anchor", "") == "misprints")
+    told = document.blocks[document.blocks.index(heading) + 1]
+    assert said(heading.text) == "One misprint" and isinstance(told, Judgement)
+    where, numbers = told.head[:2], [p.text for p in parts(told.head) if isinstance(p, Link)]
+    assert where == ("Formula 3 of ", Link("display.law", ("(1)",)))
+    assert numbers == [("(1)",), ("(2)",), ("(3)",)]  # as TeX counts
+    assert said(told.head[-1]) == " fail."
+    assert not any(getattr(b, "anchor", "") == "false" for b in document.blocks)

@@ -121,3 +121,13 @@ def evaluate(formula, at):
 @pytest.mark.parametrize("meant", ["m=i-a", "m=i+a+d", "m+1=i+a", r"m=\frac{i+a}{d+1}"])
 def test_a_ratio_that_is_long_explains_nothing(meant):
     assert ratio_of_sides([read("m=i+a", WORDS)], [read(meant, WORDS)]) is None
+
+
+@pytest.mark.parametrize("printer", [to_mathml, to_latex])
+def test_of_terms_that_differ_by_a_sign_the_sign_is_marked(printer):
+    pair = [read("m=i+a", WORDS)], [read("m=i-a", WORDS)]
+    for (formula,), sign in zip(mark_differences(*pair), "+-", strict=True):
+        marked = formula.members[1].terms[1]
+        assert marked.sign and printer(without_marks(formula)) != printer(formula)
+        shown = to_latex(formula)
+        assert f"{{{sign}}}" in shown and shown.endswith("a")

@@ -8,8 +8,7 @@ import pytest
 
 from kowalevski_cas.cli import run
 from kowalevski_cas.cli.exits import NOTHING
-from kowalevski_cas.verify.outcome import Verdict
-from kowalevski_cas.verify.run import FALSE_AS_READ
+from kowalevski_cas.verify.outcome import FALSE_AS_READ, Verdict
 from study.mutants import alone
 from study.mutants.alone import (
     EXCLUDED,

@@ -97,6 +97,7 @@ class Space(Formulas):
             self.env[name] = self.value(tree)
             return
         generator, value = self.ring.generator(name), self.scalar(tree)
+        self.mirror = None  # what was conjugated before knows nothing of this name
         if kind == "root":
             self.ring.relate(name, value)
             if (value.value() or 0) < 0:
