@@ -102,7 +102,7 @@ class ReadingSession:
         """The run of a session; what a wrong unit spoils is not corrected otherwise."""
         outcomes = self._decided(session, only)
         self._look_for_unit(session.interpretation, outcomes, causes)
-        blame = self._blame(session, outcomes, causes, self._in_words)
+        blame = self._blame(session, outcomes, causes)
         return session.result(correct_together(session, outcomes, blame))
 
     def _decided(self, session: Session, only: Sequence[str]) -> list[Outcome]:
@@ -159,18 +159,21 @@ class ReadingSession:
         in_words = (f for f in self.reading.statements if f.role.kind != SAID)
         return [f.claim.id for f in in_words if f.claim is not None]
 
-    @staticmethod
-    def _blame(
-        session: Session, outcomes: Sequence[Outcome], causes: Causes, in_words: Sequence[str]
-    ) -> Blame:
+    @property
+    def _lost(self) -> dict[str, frozenset[str]]:
+        """The names in claims that nothing explains, and that were taken for constants."""
+        return {id: f.item.names & {*f.constants} for id, f in self.claiming.items()}
+
+    def _blame(self, session: Session, outcomes: Sequence[Outcome], causes: Causes) -> Blame:
         """The search for what makes claims fail that stand on no misprint that is known."""
         verdicts = {outcome.claim: outcome.verdict for outcome in outcomes}
         misprints = causes.misprints.keys()
         waiting = {c.id for c in session.derivation.claims if c.reads() & misprints}
         doubted = {id for id, doubt in session.derivation.doubts.items() if doubt is Doubt.ALWAYS}
         explained = [o.claim for o in outcomes if o.correction or o.claim in waiting | doubted]
-        corrector = session.decider.corrector
-        return Blame(corrector, verdicts, [*explained, *in_words], PATIENCE, doubted)
+        corrected = [*explained, *self._in_words]
+        corrector, lost = session.decider.corrector, self._lost
+        return Blame(corrector, verdicts, corrected, PATIENCE, doubted, lost)
 
     # -- what is mended elsewhere --------------------------------------------------------
 

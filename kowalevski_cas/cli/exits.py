@@ -24,7 +24,7 @@ _ALWAYS = {
 _RUN = {
     AS_RECORDED: "every verdict is as recorded, or as expected",
     DIFFERENT: "a verdict differs from the recorded or expected one",
-    UNDECIDED: "a claim is undecided, or timed out",
+    UNDECIDED: "nothing else differs, and a claim is undecided, or timed out",
     DISAGREEMENT: "the arithmetics disagree",
     REJECTED: "with a report: a certificate is rejected",
     NOTHING: "there is no such claim, or none at all",
@@ -33,7 +33,7 @@ _MEANINGS = {
     "": {
         AS_RECORDED: "as recorded: nothing is wrong that was not known to be",
         DIFFERENT: "a verdict differs from the record, or a formula is false",
-        UNDECIDED: "undecided, timed out, or not judged",
+        UNDECIDED: "nothing of that, and something undecided, timed out, or not judged",
         DISAGREEMENT: "the arithmetics disagree",
         REJECTED: "a certificate is rejected, or not confirmed",
         NOTHING: "nothing was selected",
@@ -43,7 +43,7 @@ _MEANINGS = {
     "audit": {
         AS_RECORDED: "all that is claimed is proved",
         DIFFERENT: "a formula is false, or cannot be read",
-        UNDECIDED: "a claim is undecided, timed out, or is not judged",
+        UNDECIDED: "nothing is false, and a claim is undecided, timed out, or is not judged",
         DISAGREEMENT: "the arithmetics disagree",
         NOTHING: "there are no equations of motion, or no claims",
         INTERRUPTED: "interrupted: what was decided by then is printed",
@@ -95,7 +95,7 @@ def exit_codes(command: str) -> str:
     return "exit codes:\n" + "".join(lines)
 
 
-_URGENCY = (AS_RECORDED, DIFFERENT, REJECTED, UNDECIDED, USAGE, DISAGREEMENT)
+_URGENCY = (AS_RECORDED, UNDECIDED, DIFFERENT, REJECTED, USAGE, DISAGREEMENT)
 
 
 def most_urgent(codes: Iterable[int]) -> int:

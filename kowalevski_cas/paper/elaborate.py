@@ -203,14 +203,16 @@ class Elaboration(Moving):
         return (*said, *self.transcendental.nonzero, *roots)
 
     def _is_given_by_number(self, formula: Formula) -> bool:
-        r"""Whether a name is a number, so that :math:`b\ne0` says nothing beside :math:`b=1`."""
-        if not isinstance(formula, Name) or formula.name not in self.scene.definitions:
-            return False
-        step = self.step(formula.name)
-        value = step.formula if isinstance(step, Let) else formula
-        value = value.argument if isinstance(value, Negative) else value
-        parts = value.children() if isinstance(value, Quotient) else (value,)
-        return all(isinstance(part, Number) and part.value for part in parts)
+        r"""Whether it is a number: :math:`bc\ne0` says nothing beside :math:`b=1, c=2b`."""
+        match formula:
+            case Number(value):
+                return value != 0
+            case Name(name) if name in self.scene.definitions:
+                step = self.step(name)
+                return isinstance(step, Let) and self._is_given_by_number(step.formula)
+            case Negative() | Product() | Quotient():
+                return all(map(self._is_given_by_number, formula.children()))
+        return False
 
     @cached_property
     def conjugates(self) -> tuple[tuple[str, str], ...]:  # type: ignore[override] # computed here, an attribute above

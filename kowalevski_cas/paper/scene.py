@@ -7,7 +7,7 @@ which gives a new scene: ``kowalevski.defining(eq9).with_unit(unit[1])``.
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from dataclasses import field as default
 from functools import cached_property
@@ -238,6 +238,14 @@ class Scene:
         """
         self._is_new(root, self.roots, self.definitions)
         return replace(self, roots={**self.roots, root: by})
+
+    def fixing(self, levels: Sequence[Printed]) -> Scene:
+        """The scene in which the names that these statements give are constants."""
+        given = [*self.definitions.items(), *self.roots.items()]
+        names = tuple(name for name, place in given if place in levels)
+        kept = {name: by for name, by in self.definitions.items() if name not in names}
+        roots = {name: by for name, by in self.roots.items() if name not in names}
+        return replace(self, definitions=kept, roots=roots, constants=(*self.constants, *names))
 
     def assuming(self, *by: Display | Printed) -> Scene:
         r"""The scene where printed inequalities are supposed, as :math:`I_1\le I_2<I_3`."""

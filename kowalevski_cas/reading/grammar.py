@@ -58,7 +58,9 @@ AS = {
 _BEHIND = ("on", "names")
 _WORDS = re.compile(r'"[^"]*"|\$[^$]*\$|[^\s"]+')
 _BASE = {attribute.name for attribute in fields(Claim)}
-_PLACES = ("Printed", "Printed | None", "tuple[Printed, ...]")
+INVARIANT_SET = "InvariantRelations"
+"""The type of an attribute that is the claim of an invariant set: its equations are named."""
+_PLACES = ("Printed", "Printed | None", "tuple[Printed, ...]", INVARIANT_SET)
 _NAMES = ("str", "str | None", "tuple[str, ...]")
 _FIELDS = (*_PLACES, *_NAMES, "tuple[int, ...]", "tuple[tuple[str, ...], ...]", "int", "bool")
 
@@ -273,7 +275,7 @@ class _Parser:
         """The value of an attribute of some type."""
         if type in _PLACES:
             found = tuple(item.printed for item in self.places(words))
-            if type.startswith("tuple"):
+            if type.startswith("tuple") or type == INVARIANT_SET:
                 return found
             return self.one(found, words)
         if type == "bool":

@@ -4,12 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Any
 
 from kowalevski_cas.notation import NotationError, Number, read_display
 from kowalevski_cas.notation.symbol import symbol
-from kowalevski_cas.paper.claims import Claim, FirstIntegral, Identity, Implication, Inequality
+from kowalevski_cas.paper.claims import (
+    Claim,
+    FirstIntegral,
+    Identity,
+    Implication,
+    Inequality,
+    InvariantRelations,
+)
 from kowalevski_cas.reading.comments import Said, names_of
-from kowalevski_cas.reading.grammar import Directive, own_fields, wrong
+from kowalevski_cas.reading.grammar import INVARIANT_SET, Directive, own_fields, wrong
 from kowalevski_cas.reading.known import (
     ASSUMPTION,
     CLAIM,
@@ -105,6 +113,9 @@ def said_rung(found: Directive, id: str, stage: Stage, item: SourceStatement | N
         values.setdefault("given", given)
     else:  # what vanishes on a set does so on the whole scene
         scene = scene.restricted(*(one.printed for one in on if ZERO in one.members))
+    for name in (one.name for one in own_fields(found.kind) if one.type == INVARIANT_SET):
+        relations: Any = values[name]
+        values[name] = InvariantRelations(f"{id}/{name}", scene, words, relations=relations)
     place = item.printed if item is not None else None
     claim: Claim = found.kind(id, scene, printed=place, words=words, **values)  # type: ignore[arg-type]
     return Rung(claim, (*supposed.assumptions, *on), supposed.constants)

@@ -23,6 +23,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import takewhile
 from math import inf
+from typing import TYPE_CHECKING
 
 from kowalevski_cas.limits import clock
 from kowalevski_cas.notation import Edit, NotationError
@@ -48,6 +49,9 @@ from kowalevski_cas.verify.suspects import (
 )
 from kowalevski_cas.verify.vacuous import count_equal_rates, says_something, stops
 
+if TYPE_CHECKING:
+    from kowalevski_cas.problem.sampled import Sampled
+
 MOST = 3
 """How many repairs are proposed."""
 SHARE = 10
@@ -66,6 +70,8 @@ class Blame:
     """For the search of what claims stand on, which then has what was found so far."""
     doubted: Collection[str] = ()
     """Of those that have a correction, the claims that may have been meant otherwise."""
+    lost: Mapping[str, Collection[str]] = field(default_factory=dict)
+    """The names in claims that the paper defines nowhere, beside those of their scenes."""
     _true: dict[str, bool] = field(default_factory=dict)
 
     @property
@@ -91,7 +97,7 @@ class Blame:
     def shared(self) -> Repairs:
         """The corrections of claims that one change mends together."""
         found: Repairs = {}
-        failing = [claim for claim in self.open() if not self._is_expected(claim)]
+        failing = [claim for claim in self.open() if not self._explains_itself(claim)]
         while len(failing) > 1:
             best = self._proofs(self._search(failing, least=2), least=2)
             if not best:
@@ -139,6 +145,22 @@ class Blame:
     def _is_expected(self, claim: Claim) -> bool:
         """Whether the author knows that a claim fails: then nothing else is to blame for it."""
         return self._derivation.expected.get(claim.id) == Verdict.REFUTED
+
+    def _explains_itself(self, claim: Claim) -> bool:
+        """Whether nothing else is to blame: its author expects it, or a lost name is misprinted.
+
+        What another formula spoils has no name that is defined nowhere.
+        """
+        if self._is_expected(claim):
+            return True
+        lost = {*self.lost.get(claim.id, ()), *claim.scene.undefined}
+        on = self._on(claim)
+        stages: dict[object, Sampled] = {}
+        if not lost or not lost & {n for f in claim.formulas(on.texts) for n in f.names()}:
+            return False
+        near = claim.neighbours(on.texts)
+        named = (n for n in near if n.edit and lost.isdisjoint(n.edit.formula.names()))
+        return any(passes(neighbour, on, stages) for neighbour in named)
 
     def _fails(self, claim: Claim) -> bool:
         if self._is_expected(claim):

@@ -302,3 +302,40 @@ def test_every_format_tells_what_is_open(tmp_path, capsys):
 def test_what_a_comment_supposes_is_drafted_no_second_time():
     drafted = draft(read(paper(r"%kc: suppose ABC\ne 0"))).text
     assert drafted.count("ABC") == 1 and "%kc: law" in drafted
+
+
+PENDULUM = r"""\documentclass{article}\begin{document}
+The equations of motion are
+\begin{equation}\label{law} \dot x=yw,\quad \dot y=-xw,\quad \dot w=-bcx. \end{equation}
+Let $c=2b$ and $b=1$. They have the integral
+%kc: suppose a\ne 0
+%kc: suppose bc\ne 0
+%kc: LINE
+\begin{equation}\label{geo} x^2+y^2=a^2. \end{equation}
+\end{document}
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "verdict"),
+    [
+        ("claim equilibria 2 fixed w with geo", Verdict.PROVED),
+        ("claim equilibria 4 fixed w with geo", Verdict.REFUTED),
+    ],
+)
+def test_for_given_values_the_names_of_the_levels_are_constants(line, verdict):
+    found = read(decode("top.tex", PENDULUM.replace("LINE", line).encode()))
+    assert [*ReadingSession(found).outcomes.values()][-1].verdict is verdict
+
+
+INVARIANT = TOP.replace("r=0\n", "q=0,\\quad r=0\n")
+
+
+@pytest.mark.parametrize(
+    ("of", "verdict"), [("set", Verdict.CONDITIONAL), ("set.1", Verdict.REFUTED)]
+)
+def test_the_set_of_a_last_multiplier_is_named_by_its_equations(of, verdict):
+    text = INVARIANT.replace("LAST", f"%kc: claim last multiplier relations {of}\nThe end.")
+    found = read(decode("top.tex", text.replace("LINE", "").replace("MORE", "").encode()))
+    outcomes = ReadingSession(found).outcomes
+    assert outcomes["lastmultiplier-set"].verdict is verdict

@@ -2,7 +2,9 @@
 
 import pytest
 
+from kowalevski_cas.audit.reading import ReadingSession
 from kowalevski_cas.reading import ASSUMPTION, CLAIM, DEFINITION, LAW
+from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.outcome import Verdict
 from tests.sample import sampled
 
@@ -230,3 +232,19 @@ def test_by_equations_by_which_nothing_moves_nothing_is_true(law):
 def test_what_stands_still_by_what_is_printed_may_be_claimed():
     found = verdicts(r"The equations are \[\dot x=0,\qquad\dot y=0.\] Then $x\dot x=y\dot y$.")
     assert found[r"x\dot x=y\dot y"] == Verdict.PROVED
+
+
+def test_a_lost_name_explains_itself_and_nothing_else_is_blamed(monkeypatch):
+    monkeypatch.setattr(Blame, "_search", lambda *_, **__: pytest.fail("something else is blamed"))
+    text = r"""\[ \dot x=y,\qquad \dot y=-x . \] Put $u=x^2$ and $z=y^2$. Then
+    \[ \dot u=2xw,\qquad \dot z=-2xw . \]"""
+    outcomes = ReadingSession(reading(text)).outcomes.values()
+    assert [o.verdict for o in outcomes] == [Verdict.REFUTED] * 2
+    assert all("w" not in o.correction.formulas[0].names() for o in outcomes)
+
+
+def test_what_no_other_name_mends_is_not_explained_by_a_lost_one():
+    text = r"""\[ \dot x=y,\qquad \dot y=x . \] Put $u=x+y$ and $v=x-y$. Then
+    \[ \dot u=kv,\qquad \dot v=-ku . \]"""
+    session = ReadingSession(reading(text))
+    assert not any(o.verdict.green for o in session.outcomes.values())

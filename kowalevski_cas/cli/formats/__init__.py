@@ -62,6 +62,9 @@ class ComparedRun:
         verdicts = {o.verdict for o in outcomes}
         if Verdict.ERROR in verdicts:
             return USAGE
+        open_ones = {o.claim for o in outcomes if o.verdict in (Verdict.UNDECIDED, Verdict.TIMEOUT)}
+        if any(difference.claim not in open_ones for difference in self.differences):
+            return DIFFERENT
         screened = self.run.arithmetics[0] in POINTS
         # Some claims say what no point can show; a screening that saw nothing at all is no success.
         if Verdict.UNDECIDED in verdicts and not (screened and len(verdicts) > 1):

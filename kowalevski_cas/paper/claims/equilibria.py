@@ -16,7 +16,8 @@ from kowalevski_cas.problem.space import Meaningless
 class Equilibria(Claim):
     r"""For given values of the ``levels`` there are exactly ``count`` states of rest.
 
-    ``fixed`` are the variables that vanish at rest.
+    ``fixed`` are the variables that vanish at rest. A name by which a level is printed is its
+    value: a constant here, whatever the scene has it for.
     """
 
     fixed: tuple[str, ...]
@@ -24,7 +25,7 @@ class Equilibria(Claim):
     count: int
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
-        space = on(self.scene)
+        space = on(self.scene.fixing(self.levels))
         still = (vanishes(Name(name)) for name in self.fixed)
         rest = (vanishes(rate(Name(name))) for name in space.own_variables)
         levels = equations(on, space, self.levels)
