@@ -23,8 +23,11 @@ from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, CommandErr
 from kowalevski_cas.source.files import read_source
 from kowalevski_cas.verify.outcome import FALSE_AS_READ, Verdict
 
-LONGEST = 300
-"""The seconds for a paper."""
+LIMIT = 240
+"""The seconds for a paper, if no others are asked for: what is cut off then is ``timeout``."""
+
+GRACE = 60
+"""The seconds after which a paper that has passed its limit is given up."""
 
 STANDS_FOR = {
     "level": ("notation", "definition", "claim"),
@@ -54,6 +57,8 @@ class Score:
     corrected, or yellow because it is false as it was read."""
     doubted: Counter[bool] = field(default_factory=Counter)
     """Of the claims that are true, whether they are yellow because they are false as read."""
+    timeouts: int = 0
+    """How many claims were cut off by a limit of time."""
     repairs: int = 0
     """For how many of the planted errors there is a repair, of the formula itself."""
     false_greens: list[str] = field(default_factory=list)
@@ -69,6 +74,7 @@ class Score:
         self.errors += other.errors
         self.doubted += other.doubted
         self.repairs += other.repairs
+        self.timeouts += other.timeouts
         self.false_greens += other.false_greens
         self.false_reds += other.false_reds
 
@@ -89,23 +95,27 @@ class Score:
                 f"true and doubted {self.doubted[True]}/{self.doubted.total()}",
                 f"false greens {len(self.false_greens)}",
                 f"false reds {len(self.false_reds)}",
+                f"timeouts {self.timeouts}",
             ]
         )
 
 
-def audit_entries(path: Path, timeout: float) -> list[Entry]:
+def audit_entries(path: Path, timeout: float, limit: float = LIMIT) -> list[Entry]:
     """The formulas of an audit without a derivation, and what it judges of claims in words.
+
+    ``timeout`` is the limit of a claim, and ``limit`` that of the paper.
 
     Raises:
         CommandError: the audit ends without an answer.
     """
     command = [sys.executable, "-m", "kowalevski_cas", "audit", str(path), "--alone"]
-    options = ["--format", "json", "--timeout", str(timeout)]
+    options = ["--format", "json", "--timeout", str(timeout), "--limit", str(limit)]
+    most = limit + GRACE
     try:
-        done = subprocess.run([*command, *options], capture_output=True, timeout=LONGEST, text=True)
+        done = subprocess.run([*command, *options], capture_output=True, timeout=most, text=True)
         found = json.loads(done.stdout)
     except subprocess.TimeoutExpired:
-        raise CommandError(f"no answer in {LONGEST} s", NOTHING) from None
+        raise CommandError(f"no answer in {most:.0f} s", NOTHING) from None
     except ValueError:
         last = (done.stderr.strip().splitlines() or ["nothing was said"])[-1]
         raise CommandError(f"exit code {done.returncode}, {last}", NOTHING) from None
@@ -137,7 +147,7 @@ def compare(path: Path, formulas: list[Entry]) -> Score:
     starts = [0, *(match.end() for match in re.finditer("\n", text))]
     offsets = [(starts[f["line"] - 1] + f["column"] - 1, f) for f in formulas]
     causes = {cause for f in formulas for cause in f["causes"]}
-    score = Score()
+    score = Score(timeouts=sum(f["verdict"] == Verdict.TIMEOUT for f in formulas))
     for row, (start, end) in zip(truth, places(text, truth), strict=True):
         here = [f for offset, f in offsets if start <= offset < end]
         where = f"{path.stem}:{row['line']}"
@@ -207,6 +217,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command."""
     parser.add_argument("papers", nargs="+", type=Path, metavar="PAPER.tex", help="with its truth")
     session.add_timeout(parser, 5)
+    session.add_limit(parser)
+    parser.set_defaults(limit=LIMIT)
     parser.add_argument("-v", "--verbose", action="store_true", help="list what is misread, missed")
 
 
@@ -215,7 +227,7 @@ def run(arguments: argparse.Namespace) -> int:
     total, failed = Score(), False
     for path in arguments.papers:
         try:
-            score = compare(path, audit_entries(path, arguments.timeout))
+            score = compare(path, audit_entries(path, arguments.timeout, arguments.limit))
         except CommandError as error:
             print(f"{path.stem}: {error}", flush=True)
             failed = True

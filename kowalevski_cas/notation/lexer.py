@@ -12,7 +12,6 @@ from typing import NamedTuple
 
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.functions import FUNCTIONS
-from kowalevski_cas.notation.functions import SPELLING as NAMED
 from kowalevski_cas.notation.letters import set_accents, set_over, with_stars
 from kowalevski_cas.notation.macros import (
     ACTIONS,
@@ -325,6 +324,8 @@ class _Scanner:
         inside, self.at = self.at, after_group(self.tex, self.at)
         text = _GAP.sub(" ", self.tex[inside : self.at]).strip("{} ")
         words = text.strip(" .,;")
+        upright = rf"\mathrm{{{words}}}"
+        function = SPELLING.get(upright, upright)
         if words in WORDS:
             self.argument()
             self.add(WORDS[words], words, start)
@@ -335,14 +336,12 @@ class _Scanner:
             self.add("comma", words, start)
         elif words.isalnum() and (self.owed or (self.groups and self.groups[-1].argument)):
             self.argument()
-            self.add("letter", words if len(words) == 1 else rf"\mathrm{{{words}}}", start)
+            self.add("letter", words if len(words) == 1 else upright, start)
         elif words in JOINING or (text and not words and text != "."):
             self.add("comma", words, start)
-        elif (name := rf"\mathrm{{{words}}}") in {*FUNCTIONS, *NAMED} and _OPENING.match(
-            self.tex, self.at
-        ):
+        elif function in FUNCTIONS and _OPENING.match(self.tex, self.at):
             self.argument()
-            self.add("letter", name, start)  # a function in the type of words
+            self.add("letter", function, start)  # in the type of words
         elif words:
             told = "mathematics inside of text cannot be read"
             if words.replace(" ", "").replace(".", "").isalpha():

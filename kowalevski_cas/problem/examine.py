@@ -79,9 +79,11 @@ class Examiner:
         stated = [e for e in self.accepted.divided[-1][1] if id(e) not in away]
         known = {index for element in stated for index in element.denominator}
         known = set() if at.ring.roots else known  # they may be those of norms
-        for granted in map(at.scalar, at.setting.nonzero):
-            for index in granted.inverse().denominator:
-                if vanishes_with(granted, Element(at.ring, {0: at.ring.divisors[index]}, {})):
+        stated_divisors = _divisors(self.accepted.divided[-1][0].formulas())
+        below = (part for formula in stated_divisors for part in at.components(formula))
+        for element in (*map(at.scalar, at.setting.nonzero), *below):
+            for index in element.inverse().denominator:
+                if vanishes_with(element, Element(at.ring, {0: at.ring.divisors[index]}, {})):
                     known.add(index)
         if any(element.denominator.keys() - known for element in self.accepted.away[-1]):
             raise Unproved("it divides by what may be zero")
@@ -133,6 +135,14 @@ class Examiner:
             raise Unproved("something is divided by that vanishes at the point")
         self.accepted.places.append(place)
         return place
+
+
+def _divisors(formulas: Iterable[Formula]) -> Iterator[Formula]:
+    """What formulas divide by, as it stands there."""
+    for formula in formulas:
+        for node in formula.nodes():
+            if isinstance(node, Quotient):
+                yield node.denominator
 
 
 def _check_groups(groups: Sequence[Sequence[Element]], setting: Setting) -> None:

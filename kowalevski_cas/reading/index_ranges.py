@@ -21,11 +21,16 @@ _USUAL = "ijk"
 _DOTS = r"\\[lc]?dots[bcio]?|\.\.\."
 _RANGE = re.compile(
     r"(?<![A-Za-z\\])(?P<letters>[a-z](?:\s*,\s*[a-z])*)\s*=\s*(?P<first>\d)\s*,\s*"
-    rf"(?:(?P<rest>\d(?:\s*,\s*\d)*)|(?:\d\s*,\s*)?(?:{_DOTS})\s*,\s*(?P<last>\d))(?![\d,])"
+    rf"(?:(?P<rest>\d(?:\s*,\s*\d)*)|(?:\d\s*,\s*)?(?:{_DOTS})\s*,\s*(?P<last>\d))"
+    rf"(?!\d|\s*,\s*(?:[A-Za-z\d]|{_DOTS}))"
 )
 _UNKNOWN = re.compile(rf"(?:{_DOTS})\s*,\s*[A-Za-z]|\\(?:sum|prod)[^+=]*?\^\s*\{{?\s*[A-Za-z]")
 """A range, or a sum, that ends with a letter."""
-_NUMBERED = re.compile(r"([A-Za-z]|\\[A-Za-z]+)\s*_\s*\{?\s*([A-Za-z\d])(?![\w+-])")
+_NUMBERED = re.compile(
+    r"(?P<base>[A-Za-z]|\\[A-Za-z]+)\s*_\s*"
+    r"(?:\{\s*(?P<braced>[A-Za-z\d])\s*\}|(?P<index>[A-Za-z\d]))"
+)
+"""A letter with one sign in its index: without braces it is one, whatever follows."""
 _SUM = re.compile(r"\\sum\s*_\s*\{\s*([a-z])\s*=\s*1\s*\}\s*\^\s*\{?\s*(\d)")
 _PAIR = re.compile(r"_\s*\{\s*([ijk])\s*,?\s*([ijk])\s*\}")
 _SHIFTED = re.compile(r"_\s*\{\s*([a-z])\s*[+-]")
@@ -105,7 +110,8 @@ def _by_numbers(texts: Sequence[str]) -> dict[str, Values]:
         return {}
     numbers: dict[str, set[int]] = defaultdict(set)
     letters: dict[str, set[str]] = defaultdict(set)
-    for base, index in (match.groups() for tex in texts for match in _NUMBERED.finditer(tex)):
+    for match in (match for tex in texts for match in _NUMBERED.finditer(tex)):
+        base, index = match["base"], match["braced"] or match["index"]
         if index.isdecimal():
             numbers[base].add(int(index))
         elif index in _USUAL:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import reduce
 from itertools import chain, product
+from itertools import combinations as subsets
 from operator import add, mul
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
@@ -228,15 +229,21 @@ class RealCases:
                     used |= own
                     found[bit] = square
         gens = self.flat.context.gens()
-        return [
+        weights = [
             self._without_squares(self.flat.element(gens[self.flat.roots - 1 - bit]), square)
             for bit, square in found.items()
             if bit not in trivial
         ]
+        products = [
+            (one[1] * other[1], self._without_squares(one[0] * other[0], one[1] * other[1]))
+            for one, other in subsets(weights, 2)
+        ]
+        return [*weights, *(product for whole, product in products if product[1] != whole)]
 
     def _without_squares(self, root: Element, square: fmpq_mpoly) -> tuple[Element, fmpq_mpoly]:
-        """A root and its square, both divided by what the statement divides by anyway."""
-        for divisor in map(self.flat.polynomial, self.ring.divisors_of(self.everything)):
+        """A root and its square, both divided by what vanishes nowhere in the statement."""
+        exact = [one.inverse() for one in self.granted if _divides_exactly(one)]
+        for divisor in map(self.flat.polynomial, self.ring.divisors_of([*self.everything, *exact])):
             while (divided := divmod(square, divisor**2))[1].is_zero():
                 square, root = divided[0], root * self.flat.inverse(divisor)
         return root, square

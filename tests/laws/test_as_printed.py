@@ -188,8 +188,9 @@ def test_an_inequality_may_stand_beside_equations():
     assert not System(r"\ddot x=-kx,\ k>1,\ k<0").integral(r"\dot x^2+kx^2").verdict.green
 
 
-def test_a_function_may_be_in_the_type_of_words():
-    words, upright = (System(rf"\ddot x=-\{one}{{sign}}(x)") for one in ("textrm", "operatorname"))
+@pytest.mark.parametrize("name", ["sign", "sgn", "sin", "tg", "sh"])
+def test_a_function_may_be_in_the_type_of_words(name):
+    words, upright = (System(rf"\ddot x=-\{one}{{{name}}}(x)") for one in ("textrm", "mathrm"))
     assert field(words) == field(upright)
     with pytest.raises(NotationError, match="the words “sign”"):
         System(r"\ddot x=-\text{sign} x")

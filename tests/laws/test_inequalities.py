@@ -286,3 +286,45 @@ def test_what_is_supposed_of_other_letters_is_no_hypothesis():
     assert system.inequality(r"x^4\ge x").verdict == "refuted"
     for claim in (r"(x+b)^2\ge0", r"x^4\ge x+b"):  # of nothing nothing is said
         assert system.inequality(claim).verdict == "undecided"
+
+
+@given(st.sampled_from(["b^2=-ac", "b^2+ac=0", r"\frac ab+\frac bc=0"]))
+def test_what_is_a_square_is_not_negative_where_its_root_is_not_spoken_of(relation):
+    system = plane().where(relation)
+    assert system.inequality(r"ac\le0").verdict.green
+    assert system.inequality(r"ac<0").verdict == "refuted"
+    assert system.inequality(r"ac\ge0").verdict == "refuted"
+
+
+@pytest.mark.parametrize("square", ["x^2", "b^2", "(x-a)^2"])
+@pytest.mark.parametrize("below", ["a", "a^2", "a-1", "a+x"])
+def test_what_is_added_to_a_positive_fraction_may_be_a_square(below, square):
+    system = System(r"\dot x=ax+b").where(rf"\frac4{{{below}}}>b")
+    outcome = system.inequality(rf"\frac4{{{below}}}-b+{square}>0").outcome
+    assert outcome.verdict == "conditional", outcome.message
+
+
+@pytest.mark.slow
+def test_and_none_is_taken_away():
+    system = System(r"\dot x=ax+b").where(r"\frac4a>b")
+    assert system.inequality(r"\frac4a-b-b^2>0").verdict == "refuted"
+
+
+@pytest.mark.parametrize("supposed", [[r"\frac4a>b", "a>0"], ["a>0", r"\frac4a>b"]])
+def test_a_fraction_is_cleared_by_the_sign_of_its_denominator(supposed):
+    system = System(r"\dot x=ax+b")
+    for relation in supposed:
+        system = system.where(relation)
+    assert system.inequality("ab<4").verdict == "proved"
+    assert system.inequality("ab<3").verdict == "refuted"
+
+
+def test_and_turned_round_where_that_is_negative():
+    system = System(r"\dot x=ax+b").where(r"\frac4a>b").where("a<0")
+    assert system.inequality("ab>4").verdict == "proved"
+    assert system.inequality("ab<4").verdict == "refuted"
+
+
+def test_products_of_inequalities_bound_what_is_in_two_of_them():
+    system = System(r"\dot x=ax+b").where("b>1").where("a>0").where(r"\frac1a>b")
+    assert system.inequality("a<1").verdict == "proved"

@@ -3,7 +3,7 @@
 import pytest
 
 from kowalevski_cas.audit.reading import ReadingSession
-from kowalevski_cas.reading import CLAIM, LAW, read
+from kowalevski_cas.reading import CLAIM, LAW, index_ranges, read
 from kowalevski_cas.source.files import decode
 
 CHAIN = r"""
@@ -73,3 +73,20 @@ def test_an_energy_of_which_a_rate_is_printed_is_a_definition():
     text = CHAIN.replace("RANGE. Here", "$i=1,2$. Let")
     found = reading(text + r"The energy is \[E=x_1y_1 .\] It obeys $\dot E=y_1^2-a_1x_1^2$.")
     assert [f.role.name for f in found.formulas][-2:] == ["definition", CLAIM]
+
+
+@pytest.mark.parametrize("behind", [",", r",\\quad", "."])
+def test_a_range_may_have_a_comma_behind_it(behind):
+    text = r"\dot q_j=p_j,\qquad j=1,2,3" + behind
+    assert index_ranges._said(text) == {"j": (1, 2, 3)}
+
+
+@pytest.mark.parametrize("text", ["j=1,2,3,n", "j=1,2,4", r"j=1,2,3,\ldots,n"])
+def test_a_list_that_goes_on_is_no_range(text):
+    assert index_ranges._said(text) == {}
+
+
+@pytest.mark.parametrize("sum_of_all", ["n_1n_2n_3", "n_1+n_2+n_3", "n_{1}-n_{2}-n_{3}"])
+def test_an_index_without_braces_is_one_sign(sum_of_all):
+    assert index_ranges._by_numbers([sum_of_all, "n_j=0"]) == {"j": (1, 2, 3)}
+    assert index_ranges._by_numbers(["n_{1+k}+n_{12}", "n_j=0"]) == {}

@@ -106,6 +106,7 @@ def test_what_is_not_decided_is_missed_and_neither_green_nor_red(path, verdict):
     audit[2]["verdict"] = verdict
     score = compare(path, audit)
     assert len(score.missed) == 1 and score.false_greens == score.false_reds == []
+    assert score.timeouts == (verdict == "timeout")
 
 
 def test_a_formula_that_is_not_listed_is_misread(path):
