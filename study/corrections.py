@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import re
 import sys
 from collections import Counter
 from collections.abc import Iterator
@@ -26,15 +25,12 @@ from kowalevski_cas.reading.statements import read_statements
 from kowalevski_cas.source.files import read_source
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.outcome import FALSE_AS_READ
-from study.readings import Entry, audit_entries
+from study.readings import WITH, Entry, audit_entries
 
 GREEN, NOTICED, LEFT = "green", "noticed", "not noticed"
 
 MOST = 3
 """How many repairs are looked at."""
-
-_WITH = re.compile(r"(?:it holds|is true) with \$(.*?)\$")
-"""The words for a repair in messages."""
 
 
 @dataclass(frozen=True)
@@ -84,7 +80,7 @@ def repairs(formulas: list[Entry], own: list[Entry]) -> list[str]:
         proposed = [one["correction"], *one["alternatives"]] if one in own else []
         found += [repair["printed"] for repair in filter(None, proposed)][:MOST]
         if one in own or ids & {*one["causes"]}:
-            found += _WITH.findall(str(one["message"]))
+            found += WITH.findall(str(one["message"]))
     return found
 
 

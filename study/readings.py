@@ -36,6 +36,9 @@ STANDS_FOR = {
 }
 """Roles of the truth that are right as well, where the audit has another word."""
 
+WITH = re.compile(r"(?:it holds|is true) with \$(.*?)\$")
+"""The words for a repair in messages."""
+
 _GREEN = ("proved", "conditional")
 _GAP = r"(?:\s|\\label\{[^}]*\})*"
 
@@ -57,7 +60,7 @@ class Score:
     timeouts: int = 0
     """How many claims were cut off by a limit of time."""
     repairs: int = 0
-    """For how many of the planted errors there is a correction."""
+    """For how many of the planted errors there is a repair, of the formula itself."""
     false_greens: list[str] = field(default_factory=list)
     false_reds: list[str] = field(default_factory=list)
     misread: list[str] = field(default_factory=list)
@@ -163,7 +166,7 @@ def compare(path: Path, formulas: list[Entry]) -> Score:
             if not noticed:
                 said = "; ".join(f"{f['role']}, {f['verdict']}" for f in here) or "not listed"
                 score.unnoticed.append(f"{where} {row['tex'][:60]}: {said}")
-            score.repairs += any(f["correction"] for f in here)
+            score.repairs += any(f["correction"] or WITH.search(str(f["message"])) for f in here)
     return score
 
 

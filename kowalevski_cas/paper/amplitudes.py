@@ -48,6 +48,15 @@ def conjugate_name(name: str) -> str:
     return replace(symbol(name), star=STAR).name
 
 
+def _without_bar(name: str) -> str:
+    return replace(symbol(name), star="").name
+
+
+def _other(name: str) -> str:
+    """The name of the conjugate, which may be that without a star."""
+    return conjugate_name(name) if _without_bar(name) == name else _without_bar(name)
+
+
 def with_conjugates(scene: Scene, formulas: Iterable[Formula]) -> Scene:
     """A scene on which what stands beside its conjugate, or under a bar, has a conjugate."""
     conjugate = {*_under_bars(formulas)} & {*scene.constants}
@@ -66,13 +75,13 @@ def conjugate_equations(formulas: Sequence[Formula], moving: Collection[str]) ->
         return []
     laws = [one for one in formulas if isinstance(one, Relation) and _rates(one)]
     complex_names = _complex_names(laws, formulas, moving)
-    rows = [one for one in laws if not complex_names.isdisjoint(_rates(one))]
+    rows = [one for one in laws if not complex_names.isdisjoint(map(_without_bar, _rates(one)))]
     links = [one for one in formulas if _is_link(one) and not complex_names.isdisjoint(one.names())]
     printed = {name for one in laws for name in _rates(one)}
     new = [
         to_latex(_conjugate(row, complex_names))
         for row in (*rows, *links)
-        if printed.isdisjoint(map(conjugate_name, _rates(row)))
+        if printed.isdisjoint(map(_other, _rates(row)))
     ]
     return [*new, *([] if SQUARE in formulas else [to_latex(SQUARE)])]
 
@@ -84,7 +93,7 @@ def _has_unit(formulas: Sequence[Formula], moving: Collection[str]) -> bool:
     beside = any(Name(UNIT) in factors and any(map(_is_rate, factors)) for factors in before)
     signs = [
         any(UNIT in one.names() for one in laws),
-        not {*_under_bars(formulas)}.isdisjoint(moving),
+        not {*_under_bars(formulas)}.isdisjoint(map(_without_bar, moving)),
         SQUARE in formulas,
     ]
     return beside or sum(signs) > 1
@@ -96,7 +105,7 @@ def _under_bars(formulas: Iterable[Formula]) -> Iterator[str]:
         if isinstance(node, Conjugate):
             yield from node.names()
         elif isinstance(node, Name) and symbol(node.name).star:
-            yield replace(symbol(node.name), star="").name
+            yield _without_bar(node.name)
 
 
 def _is_link(formula: Formula) -> bool:
@@ -113,8 +122,10 @@ def _is_rate(formula: Formula) -> bool:
 
 def _rates(formula: Formula) -> set[str]:
     """The names that are derived by the time."""
-    nodes = (node.argument for node in formula.nodes() if isinstance(node, Derivative))
-    return {node.name for node in nodes if isinstance(node, Name)}
+    derived = [node.argument for node in formula.nodes() if isinstance(node, Derivative)]
+    plain = {node.name for node in derived if isinstance(node, Name)}
+    barred = (node.argument for node in derived if isinstance(node, Conjugate))
+    return plain | {conjugate_name(node.name) for node in barred if isinstance(node, Name)}
 
 
 def _complex_names(
@@ -156,7 +167,7 @@ def _conjugate(formula: Formula, complex_names: Collection[str]) -> Formula:
             return Negative(formula)
         case Name(name) if name in complex_names:
             return Name(conjugate_name(name))
-        case Name(name) if conjugate_name(plain := replace(symbol(name), star="").name) == name:
+        case Name(name) if conjugate_name(plain := _without_bar(name)) == name:
             return Name(plain)
         case Modulus() | RealPart() | ImaginaryPart():
             return formula

@@ -1,8 +1,11 @@
-r"""Equations of motion as ratios of differentials: :math:`dx/P=dy/Q=dz/R`, perhaps :math:`=dt`."""
+r"""Equations of motion as ratios of differentials: :math:`dx/P=dy/Q=dz/R`.
+
+One of them may be :math:`dt`, and so may be one of two, as in :math:`dt=r\,d\tau`.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from kowalevski_cas.notation import Formula, Name, Number, Product, Quotient, Relation, to_latex
 
@@ -17,14 +20,18 @@ def differentials(formula: Formula) -> dict[str, Formula]:
     return found if len(found) == len(members) > 1 else {}
 
 
-def rates(formula: Formula) -> Iterator[str]:
-    """The equations of motion that a chain of differentials says, by t if it has no time."""
+def rates(formula: Formula, known: Collection[str] = (), by_primes: bool = False) -> Iterator[str]:
+    """The equations of motion that a chain of differentials says, by t if it has no time.
+
+    Rates may be printed ``by_primes``.
+    """
     found = differentials(formula)
-    time = next((name for name in TIMES if name in found), "t")
+    time = next((name for name in (*known, *TIMES) if name in found), "t")
     scale = found.pop(time, ONE)
     for name, below in found.items():
         rate = below if scale == ONE else Quotient(below, scale)
-        yield rf"\frac{{d{name}}}{{d{time}}}={to_latex(rate)}"
+        left = f"{name}'" if by_primes else rf"\frac{{d{name}}}{{d{time}}}"
+        yield f"{left}={to_latex(rate)}"
 
 
 def _ratio(member: Formula) -> Iterator[tuple[str, Formula]]:
@@ -33,3 +40,5 @@ def _ratio(member: Formula) -> Iterator[tuple[str, Formula]]:
             yield name, below
         case Product((Name("d"), Name(name))):
             yield name, ONE
+        case Product((*factors, Name("d"), Name(name))):
+            yield name, Quotient(ONE, Product((*factors,)) if factors[1:] else factors[0])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from kowalevski_cas.notation import Name, Number, Relation, Vector
 from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.reading.cues import cue, last_cue
@@ -17,6 +19,8 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
     assert isinstance(item.formula, Relation)
     if not {*item.formula.signs} & {"<", ">", r"\le", r"\ge", r"\leq", r"\geq", r"\ne", r"\neq"}:
         return StatementRole(OTHER, "no equation")
+    if said := _stated_under(item):
+        return StatementRole(CLAIM, f"it is said when “{said.strip()}”", "condition")
     if is_inequality(item.formula) and known.varying(item.names):
         if said := cue("region", item.lead):
             return StatementRole(OTHER, f"“{said}” names a region by it")
@@ -34,6 +38,31 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
         why = "an inequality that is supposed"
         return StatementRole(ASSUMPTION, why, "inequality", tuple(item.names))
     return StatementRole(CLAIM, "an inequality that is claimed", "inequality")
+
+
+_STATES = re.compile(
+    r"\b(?:is|are|has|have|exists?|remains?|becomes?|occurs?)\b|\bсуществу|устойчив|вещественн",
+    re.IGNORECASE,
+)
+_OF_DOMAIN = re.compile(
+    r"defin|valid|sense|regular|определен|определён|имеет\s+смысл", re.IGNORECASE
+)
+_BEHIND = re.compile(r"[\s,;.]*(?:$|which\b|and\b|where\b|что\b|котор|а\b|и\b)", re.IGNORECASE)
+
+
+def _stated_under(item: SourceStatement) -> str:
+    """The words that a displayed inequality is the condition of, as in “real motions exist for”.
+
+    They are the main clause, with nothing behind but what is said of the condition itself. It is
+    claimed that they hold under it: it is supposed of nothing else.
+    """
+    words, inside = item.before.rstrip(), item.typed.inline or "§" in item.before
+    condition = cue("if", item.lead) or cue("for", f"{item.lead} ")
+    if inside or not condition or not _BEHIND.match(item.after):
+        return ""
+    main = words.removesuffix(condition.strip())
+    domain = _OF_DOMAIN.search(main) or cue("suppose", main) or cue("region", main)
+    return main if _STATES.search(main) and not domain else ""
 
 
 def _says_first(item: SourceStatement, known: Known) -> bool:

@@ -266,9 +266,9 @@ class Phrases:
         return ("valid for ", *where) if where else ()
 
     def values(self, found: Counterexample, rate: bool = False) -> Text:
-        """A point and what fails there, as a sentence; a rate on the left is that of the motion."""
-        how = ", by the equations of motion," * rate
-        said: Text = (f"the left side is{how} ", found.left, ", the right side ", found.right)
+        """A point and what fails there, as a sentence; it says how a rate on the left is found."""
+        how = ", computed from the printed equations," * rate
+        said: Text = (f"the left side{how} is ", found.left, ", the right side ", found.right)
         if found.words:
             said = self.words(found.words)
         return capitalise((*self.at(found.point), *said, "."))

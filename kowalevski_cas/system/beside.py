@@ -7,7 +7,10 @@ from collections.abc import Collection
 
 from kowalevski_cas.notation import split_display
 
-_UPRIGHT = re.compile(r"\\(?:mathrm|operatorname|rm)\s*(?:\{\s*i\s*\}|i(?![A-Za-z]))")
+_UPRIGHT = re.compile(
+    r"(?P<joined>(?<=[A-Za-z]))?\\(?:(?:mathrm|operatorname|rm)\s*\{\s*i\s*\}"
+    r"|(?:mathrm|operatorname)\s+i|rm\s+i(?![A-Za-z]))"
+)
 
 
 def with_upright_unit(tex: str) -> str:
@@ -15,11 +18,13 @@ def with_upright_unit(tex: str) -> str:
 
     >>> with_upright_unit(r"\dot z=\mathrm{i}kz")
     '\\dot z=ikz,\\quad i^2=-1'
+    >>> with_upright_unit(r"\dot z=2\pi\mathrm iz, i^2=-1")
+    '\\dot z=2\\pi iz, i^2=-1'
     """
     if not _UPRIGHT.search(tex):
         return tex
     said = "" if re.search(r"i\s*\^\s*\{?2\}?\s*=", tex) else r",\quad i^2=-1"
-    return _UPRIGHT.sub("i", tex) + said
+    return _UPRIGHT.sub(lambda unit: "i" if unit["joined"] is None else " i", tex) + said
 
 
 _COLUMN = re.compile(

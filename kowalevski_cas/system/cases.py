@@ -3,11 +3,13 @@ r"""Equations by cases, :math:`|x|=x` for :math:`x\ge0` and :math:`-x` for :math
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 _CASES = re.compile(
     r"(?P<left>.*?)=\s*\\begin\{cases\}(?P<rows>.*?)\\end\{cases\}[\s.,;]*", re.DOTALL
 )
+_ROWS = re.compile(r"\\begin\{cases\}(?P<rows>.*?)\\end\{cases\}", re.DOTALL)
 _WORDS = re.compile(
     r"\\(?:text|mbox|mathrm|hbox)\s*\{\s*(?:if|for|when|where|если|при)?\s*\}|\\q?quad"
 )
@@ -46,6 +48,61 @@ def cases_of(equation: Any) -> tuple[EquationOfCase, ...]:
             raise ValueError(rf"{row.strip()}: print an inequality behind &, or \text{{otherwise}}")
         cases.append(EquationOfCase(f"{found['left']}={value.strip(' ,;')}", condition))
     return tuple(cases)
+
+
+class LawOfCase(NamedTuple):
+    """Equations of motion, and the inequalities for which they are printed."""
+
+    equations: str
+    conditions: tuple[str, ...]
+
+
+def laws_by_cases(tex: str) -> tuple[LawOfCase, ...]:
+    r"""Equations of motion by cases, each case by itself; none if there are no cases.
+
+    >>> for law in laws_by_cases(r"\ddot x=-x\begin{cases}+F,&\dot x<0\\-F,&\dot x>0\end{cases}"):
+    ...     print(*law)
+    \ddot x=-x\left(F\right) ('\\dot x<0',)
+    \ddot x=-x\left(-F\right) ('\\dot x>0',)
+    """
+    found = next((one for one in _ROWS.finditer(tex) if _values(one["rows"])), None)
+    if found is None:
+        return ()
+    laws = list[LawOfCase]()
+    before = list[str]()
+    for value, condition in _values(found["rows"]):
+        law = tex[: found.start()] + rf"\left({value}\right)" + tex[found.end() :]
+        places = [(condition,)] if condition else _outside(before)
+        before.append(condition)
+        for place in places:
+            more = laws_by_cases(law) or [LawOfCase(law, ())]
+            laws += (LawOfCase(one, (*place, *conditions)) for one, conditions in more)
+    return (*laws,)
+
+
+def _values(rows: str) -> list[tuple[str, str]]:
+    """The values by cases with their conditions, none for all that is left; else no list."""
+    found = list[tuple[str, str]]()
+    for row in filter(str.strip, re.split(r"\\\\", rows)):
+        value, _, condition = row.partition("&")
+        said = _WORDS.sub("", _OTHERWISE.sub("", condition)).strip(" ,.;\n~")
+        is_case = _SIGN.search(said) if said else _OTHERWISE.search(condition)
+        if not is_case or "=" in value or "&" in condition:
+            return []
+        found.append((value.strip(" ,;\n").removeprefix("+"), said))
+    return found
+
+
+def _outside(conditions: Sequence[str]) -> list[tuple[str, ...]]:
+    """The ways in which none of some chains of inequalities holds, by the first that does not."""
+    ways: list[tuple[str, ...]] = [()]
+    for inequalities in map(parts, conditions):
+        ways = [
+            (*way, *inequalities[:k], opposite(one))
+            for way in ways
+            for k, one in enumerate(inequalities)
+        ]
+    return ways
 
 
 def parts(condition: str) -> list[str]:

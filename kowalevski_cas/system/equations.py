@@ -27,6 +27,7 @@ from kowalevski_cas.notation import (
     rank,
     read,
     read_display,
+    split_display,
     times,
     to_latex,
 )
@@ -36,7 +37,12 @@ from kowalevski_cas.notation.open import OpenParser, independent, words_that_mov
 from kowalevski_cas.notation.primed import primed_names
 from kowalevski_cas.notation.symbol import name_of_rate
 from kowalevski_cas.notation.vocabulary import VECTOR
-from kowalevski_cas.paper.amplitudes import SQUARE, conjugate_equations, with_conjugates
+from kowalevski_cas.paper.amplitudes import (
+    SQUARE,
+    conjugate_equations,
+    conjugate_name,
+    with_conjugates,
+)
 from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.constraints import constraints, multipliers
 from kowalevski_cas.paper.differentials import differentials, rates
@@ -48,7 +54,7 @@ from kowalevski_cas.paper.names import BRACKET, head, is_bold, summation_indices
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.paper.summation import expand_sum, without_sums
-from kowalevski_cas.paper.texts import Display, Printed
+from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.system.refused import (
@@ -58,6 +64,7 @@ from kowalevski_cas.system.refused import (
     check_marks,
     check_momenta,
     check_motion,
+    check_no_differentials,
     check_stars,
     check_unit,
     check_words,
@@ -84,9 +91,16 @@ def with_motion(tex: str, vectors: Vectors, declared: Names = (), arguments: Nam
     printed = read_rows(display, words)
     if rows := [*equations_of_entries(printed, min(words.times))]:
         return r",\quad ".join((tex, *rows))
-    if ratios := {place: rates(one) for place, one in printed.items() if differentials(one)}:
-        rows = [row for place in printed for row in ratios.get(place, [place.tex])]
-        return with_motion(r",\quad ".join(rows), vectors, declared, arguments)
+    nodes = (node for one in printed.values() for node in one.nodes())
+    marks = {node.mark for node in nodes if isinstance(node, Derivative)}
+    ratios = dict[tuple[int, int], list[str]]()
+    for at, one in zip(split_display(tex), printed.values(), strict=True):
+        if differentials(one):
+            ratios.setdefault(at, []).extend(rates(one, words.times, marks == {"prime"}))
+    for start, end in sorted(ratios, reverse=True):
+        tex = tex[:start] + r",\quad ".join(ratios[start, end]) + tex[end:]
+    if ratios:
+        return with_motion(tex, vectors, declared, arguments)
     formulas = [*printed.values()]
     moving = {name for formula in formulas for name in moving_names(formula)}
     implied = implied_equations([*formulas, *map(Name, arguments)])
@@ -286,6 +300,8 @@ def moving_names(formula: Formula) -> list[str]:
     """The names that stand under a derivative, or by whose rates something is derived."""
     if isinstance(formula, Derivative) and isinstance(formula.argument, Name | Vector | Sum):
         return [node.name for node in formula.argument.nodes() if isinstance(node, Name)]
+    if isinstance(formula, Derivative) and isinstance(formula.argument, Conjugate):
+        return [conjugate_name(name) for name in sorted(formula.argument.names())]
     found = [name for child in formula.children() for name in moving_names(child)]
     by = formula.by if isinstance(formula, Partial) else ""
     return [name_of_rate(by), *found] if name_of_rate(by) != by else found
@@ -371,9 +387,25 @@ def _root(formula: Formula) -> Root | None:
     return None
 
 
+def _with_real_root(scene: Scene, name: str, place: Printed, formula: Formula) -> Scene:
+    """A scene on which what a relation says to be a square is not negative.
+
+    A claim that does not speak of the name is one about real points, too.
+    """
+    for side in formula.children():
+        if name not in side.names() and not side.names().isdisjoint(scene.constants):
+            tex = rf"{to_latex(side)}\ge0"
+            display = replace(
+                place.display, id=f"{place.display.id}-real", tex=tex, source=IN_WORDS
+            )
+            return with_roots(scene, display).assuming(display)
+    return scene
+
+
 def restrict(scene: Scene, place: Printed) -> Scene:
     """A scene with what a relation says of its constants."""
     formula = read(place.tex, vocabulary((scene,)), OpenParser)
+    check_no_differentials(formula)
     if (supposing := _suppose(scene, place, formula)) is not None:
         return supposing
     # A name that is a square is not negative: as the root of it, the other one would be left out.
@@ -381,8 +413,9 @@ def restrict(scene: Scene, place: Printed) -> Scene:
         if name in scene.constants:
             kept = tuple(constant for constant in scene.constants if constant != name)
             rest = replace(scene, constants=kept)
-            squared = name in place.heads.squares
-            return rest.adjoining(place) if squared else rest.naming(name, place)
+            if name not in place.heads.squares:
+                return rest.naming(name, place)
+            return _with_real_root(rest.adjoining(place), name, place, formula)
     known = ", ".join(scene.constants)
     solve = f"solve it for one of {known}, or" if known else "there is none:"
     raise ValueError(f"{place.tex} gives no constant: {solve} declare a further one by `having`")

@@ -27,6 +27,7 @@ from kowalevski_cas.paper.claims import (
     FirstIntegral,
     Identity,
     Implication,
+    Inequality,
     Involution,
     Jacobi,
 )
@@ -42,6 +43,7 @@ from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.answers import ClaimInParts, Function, SystemClaim, in_html
 from kowalevski_cas.system.beside import columns, with_columns_in_bold, with_upright_unit
+from kowalevski_cas.system.cases import LawOfCase, laws_by_cases
 from kowalevski_cas.system.equations import (
     components,
     constraints_in,
@@ -72,8 +74,9 @@ from kowalevski_cas.system.maps import (
     without_steps,
 )
 from kowalevski_cas.system.partials import moving_names, with_partials
+from kowalevski_cas.system.real_parts import with_real_parts
 from kowalevski_cas.system.refused import check_constant, check_field, names_of
-from kowalevski_cas.system.signs import SIGNS, has_both_signs, with_signs
+from kowalevski_cas.system.signs import SIGNS, alternatives, has_both_signs, with_signs
 from kowalevski_cas.system.solved import (
     gives_constant,
     simple_relations,
@@ -108,6 +111,9 @@ STATIC = (Identity, Implication, Jacobi, Casimir, Involution)
 OF_FUNCTIONS = (Identity, FirstIntegral, Jacobi)
 """What is claimed where a function may be any one: no dependence of several, and no set."""
 
+BY_CASES = (Identity, Implication, Inequality, FirstIntegral)
+"""What is claimed where equations of motion are printed by cases: nothing of what leaves one."""
+
 LONGEST = 24
 """The signs of a formula by which a claim is called."""
 
@@ -132,9 +138,48 @@ class Field:
         """The symbols of SymPy in which the system is written, by their names here."""
         self.special: tuple[Display, ...] = ()
         """What is supposed of the constants."""
+        self.signs: dict[str, str] = {}
+        """Those that stand here for the upper signs, if it is a system for one of them."""
+        self.parts: tuple[Self, ...] = ()
+        """The systems for both signs, or by cases, of which what is claimed is claimed."""
         self.prefix = f"{name}-" if name else ""
         self.section = Section(name or "1", "", copied=None)
         MADE.append(self.section)
+        self.shown = set[str]()
+        """The ids of displays."""
+        self.numbers = Counter[tuple[str, int]]()
+        """How often an id was known, among displays or also among claims."""
+        laws = laws_by_cases(field) if isinstance(field, str) else ()
+        for equations, _ in laws[::-1] or [(field, ())]:
+            self._take(equations, name, vectors or {}, map)
+        self._take_cases(laws, name, vectors or {}, map)
+
+    def _take_cases(
+        self,
+        laws: tuple[LawOfCase, ...],
+        name: str,
+        vectors: Mapping[str, tuple[str, ...]],
+        map: bool,
+    ) -> Self:
+        """The system itself, with the parts by cases: equations where inequalities hold."""
+        parts = []
+        for law in laws:
+            one = copy(self)
+            one._take(law.equations, name, vectors, map)
+            for condition in law.conditions:
+                one = one.supposing(condition)
+            parts.append(one)
+        self.parts = (*parts,)
+        return self
+
+    def _take(
+        self,
+        field: str | Mapping[Any, Any],
+        name: str,
+        vectors: Mapping[str, tuple[str, ...]],
+        map: bool,
+    ) -> None:
+        """Read equations of motion, or a map."""
         self.scene = Scene(name)  # of which nothing is known yet
         self._convention = False
         self.counts: dict[str, str] = {}
@@ -145,6 +190,7 @@ class Field:
         self._barred = False
         if isinstance(field, str):
             tex = with_rates_of_functions(with_upright_unit(with_rates(field)))
+            tex = with_real_parts(tex)
         else:
             tex = self._rows(field)
         self.columns = columns(tex)
@@ -166,7 +212,7 @@ class Field:
         if not map:
             tex = with_range_of_names(with_symmetry(with_length(tex)))
             tex = with_partials(tex, moving_names(tex))
-        self.applied = printed_arguments([tex], vectors or ())
+        self.applied = printed_arguments([tex], vectors)
         """The arguments of names that are defined; they are called by their names alone."""
         self.functions = unknown_functions(tex)
         """The functions of which nothing is known; they are called by their names alone."""
@@ -174,7 +220,7 @@ class Field:
         self._convention = has_permutation(tex)
         """Whether indices that stand twice are summed over, though no sums are printed."""
         tex, words = self._tex(tex), [*self.symbols, *(one.name for one in self.functions)]
-        parts = components(tex, vectors or {}, words)
+        parts = components(tex, vectors, words)
         jets = [jet for one in self.functions for jet in one.jets(parts)]
         words += dict.fromkeys(name for *both, _ in jets for name in both)
         printed = {name for statement in defined_names(tex) for name in statement.names}
@@ -189,11 +235,8 @@ class Field:
             arguments = [by for one in self.functions for by in one.by if by not in TIMES]
             tex = with_unit_matrices(tex, parts, words)
             tex = with_time(with_motion(tex, parts, words, arguments), parts, words)
-        display = self.section.display(f"{self.prefix}field", tex)
-        self.shown = {display.id}
-        """The ids of displays."""
-        self.numbers = Counter[tuple[str, int]]()
-        """How often an id was known, among displays or also among claims."""
+        display = self.section.display(self._new(f"{self.prefix}field", self.shown), tex)
+        self.shown.add(display.id)
         if map or index:
             found = Map(display, parts, words, index)
             self.images = (*found.images.items(),)
@@ -223,7 +266,16 @@ class Field:
         """The system, of which something is asked that is claimed nowhere."""
         aside = copy(self)
         aside.section = Section("1", "", copied=None, scenes={**self.section.scenes})
+        aside.parts = (*(part._aside() for part in self.parts),)
         return aside
+
+    def _each(self, change: Callable[[Self], Self]) -> Self:
+        """What becomes of the system, and of its parts."""
+        alone = copy(self)
+        alone.parts = ()
+        whole = change(alone)
+        whole.parts = (*map(change, self.parts),)
+        return whole
 
     def _rows(self, field: Mapping[Any, Any]) -> str:
         """Equations of motion by their right sides."""
@@ -248,8 +300,9 @@ class Field:
     def _summary(self, shown: Callable[[Formula], str]) -> str:
         """What moves, what is constant, and what is special, in words."""
         echo = self._echo(lambda name: shown(self.read(name)))
-        special = ", ".join(
-            shown(formula) for one in self.special for formula in self._formulas(one)
+        special = " or ".join(
+            ", ".join(shown(formula) for one in part.special for formula in self._formulas(one))
+            for part in self.parts or [self]
         )
         return f"{echo}; {special}" if special else echo
 
@@ -289,15 +342,22 @@ class Field:
         self.shown.add(display.id)
         if not [*display]:
             raise ValueError(f"“{tex}” defines no name")
+        self.parts = tuple(copy(part) for part in self.parts)
+        self._defining(display)
+        for part in self.parts:
+            part._defining(display)
+        heads, formula = display[1].heads, self._formulas(display)[0]
+        name = (*heads.names, *heads.multiples)[0]
+        return Function(display[1], name, formula, self.symbols)
+
+    def _defining(self, display: Display) -> None:
+        """Stand on the scene with what a display defines."""
         scene = with_parameters(self.scene, display)
         if any(_brackets(name for statement in display for name in statement.heads.names)):
             # What is printed of a bracket is all of it: none that is implied stands beside.
             left = {n: one for n, one in scene.definitions.items() if n not in self.implied}
             scene, self.implied = replace(scene, definitions=left), frozenset()
         self._stand_on(with_roots(with_units(scene, display).defining(display), display))
-        heads, formula = display[1].heads, self._formulas(display)[0]
-        name = (*heads.names, *heads.multiples)[0]
-        return Function(display[1], name, formula, self.symbols)
 
     def where(self, *relations: Tex) -> Self:
         r"""The system for special constants: ``a+b=2c``, ``r^2=x^2+y^2``, ``\sigma\ne0``.
@@ -306,9 +366,11 @@ class Field:
             NotationError: a relation cannot be read.
             ValueError: a relation gives no constant, or gives it by what moves.
         """
+        if self.parts:
+            return self._each(lambda one: one.where(*with_signs(relations, one.signs)))
+        if has_both_signs(relations):
+            return self._with_both_signs(relations)
         special, said = copy(self), ", ".join(map(self._tex, relations))
-        if has_both_signs(said):
-            raise ValueError(f"{said}: one of the signs is expected; a system for each")
         scene = self.scene.called(f"{self.scene.name} where {said}")
         simple = (one for tex in relations for one in simple_relations(self._tex(tex), scene))
         for tex in simple:
@@ -318,15 +380,27 @@ class Field:
                 solved, below = solve_for_constant(tex, rooted)
                 tex, scene = solved or tex, scene.having(nonzero=below)
             place = self._place("where", tex, IN_WORDS)
-            constants, scene = scene.constants, restrict(scene, place)
+            constants, scene = scene.constants, with_roots(restrict(scene, place), place.display)
             check_constant(scene, place, constants)
-            scene = with_roots(scene, place.display)
             special.special += (place.display,)
         special._stand_on(scene)
         return special
 
+    def _with_both_signs(self, relations: tuple[Tex, ...]) -> Self:
+        """The systems for the upper and for the lower signs: what is claimed is so for both."""
+        parts = []
+        for signs in SIGNS:
+            part = self.where(*with_signs(relations, signs))
+            part.signs = signs
+            parts.append(part)
+        whole = copy(parts[0])
+        whole.signs, whole.parts = {}, (*parts,)
+        return whole
+
     def supposing(self, inequality: str) -> Self:
         """The system where an inequality holds, also one of what moves: a claim is made there."""
+        if self.parts:
+            return self._each(lambda one: one.supposing(with_signs(inequality, one.signs)))
         there, place = copy(self), self._place("where", inequality, IN_WORDS)
         scene = with_roots(self.scene, place.display).assuming(place)
         there._stand_on(scene.called(f"{self.scene.name} where {inequality}"))
@@ -339,6 +413,8 @@ class Field:
         Raises:
             ValueError: one is no name, or has a meaning already.
         """
+        if self.parts:
+            return self._each(lambda one: one.having(*constants))
         more, names = copy(self), (*names_of(constants, self.scene.time),)
         scene = self.scene.having(constants=names)
         more._stand_on(scene.called(f"{scene.name} with {', '.join(constants)}"))
@@ -364,6 +440,8 @@ class Field:
             NotationError: a formula is broken TeX.
             ValueError: a formula is several, or there is no such verdict to expect.
         """
+        if self.parts:
+            return self._of_parts(kind, name, says, expect, printed, attributes)
         if has_both_signs((printed, *attributes.values())):
             return ClaimInParts(
                 tuple(
@@ -385,6 +463,33 @@ class Field:
             kind, says, attributes = self._bound(kind, says, attributes)
         id = self._id(name, self._tex(_first((printed, *attributes.values()))))
         return self._state(id, Finding(kind, self.scene, says, printed, attributes), expect)
+
+    def _of_parts(
+        self,
+        kind: type[Claim],
+        name: str,
+        says: str,
+        expect: str,
+        printed: Tex,
+        attributes: dict[str, Any],
+    ) -> SystemClaim:
+        """A claim of both signs, or of all cases; signs in it are those of the part."""
+        if kind not in BY_CASES and not all(part.signs for part in self.parts):
+            raise ValueError(f"{kind.__name__} is not known of equations by cases: {says}")
+        return ClaimInParts(
+            tuple(
+                part.states(
+                    kind, name, with_signs(says, part.signs), expect,
+                    with_signs(printed, part.signs),
+                    **{key: with_signs(one, part.signs) for key, one in attributes.items()},
+                )
+                for part in self.parts
+            )
+        )  # fmt: skip
+
+    def _alternatives(self, equation: Tex) -> tuple[str, ...]:
+        """Two equations of which one holds at each point; none where signs are those supposed."""
+        return () if any(part.signs for part in self.parts) else alternatives(equation)
 
     def _of_map(
         self, kind: type[Claim], says: str, attributes: dict[str, Any]

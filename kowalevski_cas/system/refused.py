@@ -13,6 +13,7 @@ from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.claims.forms import moving
+from kowalevski_cas.paper.differentials import differentials
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.implied import momenta_at_rest
 from kowalevski_cas.paper.scene import Scene
@@ -74,6 +75,12 @@ def check_marks(formulas: Iterable[Formula]) -> None:
             f"{to_latex(marks['prime'])}' stands beside {other}, and a prime is a derivative too: "
             "print dots or primes, and names with indices"
         )
+
+
+def check_no_differentials(formula: Formula) -> None:
+    r"""Refuse :math:`dt=r\,d\tau` among relations of constants."""
+    if differentials(formula):
+        raise ValueError(f"{to_latex(formula)} is a law: print it beside the equations of motion")
 
 
 def check_momenta(formulas: Iterable[Formula], moving: Collection[str]) -> None:

@@ -46,7 +46,6 @@ from kowalevski_cas.questions import collect, forecast, question
 from kowalevski_cas.system.answers import ClaimInParts, Function, SystemClaim, SystemClaims
 from kowalevski_cas.system.cases import EquationOfCase, cases_of, opposite, parts
 from kowalevski_cas.system.field import Field, Tex, Texs, listed, several
-from kowalevski_cas.system.signs import alternatives
 from kowalevski_cas.verify.finding import Finding
 
 
@@ -82,7 +81,7 @@ class System(Field):
         """
         if cases := cases_of(equation):
             return self._by_cases(cases, (), expect)
-        if either := alternatives(equation):
+        if either := self._alternatives(equation):
             return self._either(either, (), expect)
         says = "both sides are the same function"
         return self.states(Identity, "identity", says, expect, equation)
@@ -92,7 +91,7 @@ class System(Field):
         given = several(given)
         if cases := cases_of(equation):
             return self._by_cases(cases, given, expect)
-        if either := alternatives(equation):
+        if either := self._alternatives(equation):
             return self._either(either, given, expect)
         says = f"this holds wherever {self._list(given)}"
         return self.states(Implication, "implication", says, expect, equation, given=given)
@@ -243,6 +242,8 @@ class System(Field):
 
         What is found in time is claimed; if something may be left, that is said.
         """
+        if self.parts:
+            raise ValueError(f"find {name} is asked of one case, or of one sign: print it alone")
         if (self.images and name != "invariants") or self.functions:
             of = "maps" if self.images else "a motion with functions that may be any"
             raise ValueError(f"find {name} is not known of {of}")

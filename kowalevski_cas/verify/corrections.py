@@ -137,7 +137,7 @@ def _screen_neighbours(neighbours: Iterable[Neighbour], on: Elaborations) -> Ite
     decided = 0
     for neighbour in neighbours:
         verdict = passes(neighbour, on, stages)
-        if verdict is None and _fails_where_given(neighbour, on, points):
+        if verdict is None and fails_where_given(neighbour, on, points):
             continue
         if verdict is None:
             decided += 1
@@ -172,7 +172,7 @@ def passes(neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled]
     return True if len(identities) == len(goals) else None
 
 
-def _fails_where_given(
+def fails_where_given(
     neighbour: Neighbour, on: Elaborations, points: dict[object, HypothesisPoints]
 ) -> bool:
     """Whether a conclusion fails at points of its hypotheses, of which these are known."""

@@ -11,7 +11,7 @@ from contextlib import suppress
 from itertools import islice
 from math import inf
 
-from kowalevski_cas.limits import clock
+from kowalevski_cas.limits import clock, time_limit
 from kowalevski_cas.notation import Edit, Formula, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.texts import Printed
@@ -64,13 +64,17 @@ class Corrector:
     def near(self, printed: Statement, most: int, seconds: float = inf) -> Iterator[Correction]:
         """The nearest true statements, so many at most, decided in every arithmetic.
 
-        Behind the first one others are sought for so many seconds.
+        Behind the first one others are sought for so many seconds; if one of these takes longer
+        to be decided, there are no more.
         """
         ends = [inf]
-        near = self._near(printed, lambda: clock() < ends[-1])
-        for correction in islice(self._proposal(near), most):
-            yield correction
-            ends.append(min(ends[-1], clock() + seconds))
+        found = self._proposal(self._near(printed, lambda: clock() < ends[-1]))
+        yield from islice(found, 1)
+        ends.append(clock() + seconds)
+        others: list[Correction] = []
+        with suppress(TimeoutError), time_limit(2 * seconds):
+            others.extend(islice(found, most - 1))
+        yield from others
 
     def _proposal(self, candidates: Iterable[tuple[Neighbour, Statement]]) -> Iterator[Correction]:
         found = (self.correction_of(*candidate) for candidate in candidates)

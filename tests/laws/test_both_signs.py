@@ -54,15 +54,24 @@ def test_a_claim_of_both_signs_is_as_true_as_the_worse():
     assert oscillator().inequality(r"x^2+xy\ge\pm xy").verdict == "refuted"
 
 
-def test_no_system_is_supposed_to_have_both():
-    with pytest.raises(ValueError, match="one of the signs is expected"):
-        oscillator().having("a", "b").where(r"a=\pm b")
+@given(FACTOR, FACTOR, SIGN)
+def test_what_is_supposed_for_both_signs_is_claimed_for_both(k, other, sign):
+    law = System(r"\dot x=ay,\quad \dot y=-bx").where(rf"a={sign}{k}b")
+    even, odd = law.identity(rf"a^2={other * other}b^2"), law.identity(rf"a={other}b")
+    assert even.verdict == ("proved" if k == other else "refuted")
+    assert odd.verdict == "refuted"  # for one of the signs
+    same, opposite = (
+        law.identity(rf"a={one}{k}b") for one in (sign, {"p": r"\mp", "m": r"\pm"}[sign[1]])
+    )
+    assert (same.verdict, opposite.verdict) == ("proved", "refuted")
 
 
-@pytest.mark.parametrize("depth", [3, 5, 7])
-def test_a_root_in_roots_is_a_root(depth):
-    """The checker knows their names, too."""
-    inner = "1+x^2"
-    for _ in range(depth - 1):
-        inner = rf"1+\sqrt{{{inner}}}"
-    assert oscillator().identity(rf"\sqrt{{{inner}}}^2={inner}").verdict == "proved"
+def test_what_is_defined_for_both_signs_is_known_for_both():
+    law = System(r"\dot x=ay,\quad \dot y=-ax")
+    both = law.where(r"a=\pm b")
+    F = both.define(r"F=b^2x^2+a^2y^2")
+    assert both.integral(F).verdict == "proved"
+    assert both.where("b=2").identity("a^2=4").verdict == "proved"
+    assert law.scene.constants == ("a",)
+    with pytest.raises(ValueError, match="of one case, or of one sign"):
+        both.find_integrals(2)

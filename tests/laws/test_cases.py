@@ -82,3 +82,38 @@ def test_a_case_may_lie_between_two_ends_and_all_cover_what_is_supposed(order):
     left_out = tuple(one.replace(r"\le1", "<1") for one in order)
     assert positive.identity(CHAINED % left_out).verdict == "refuted"
     assert not System(r"\dot x=-kx").identity(CHAINED % order).verdict.green
+
+
+@FEW
+def test_a_law_by_cases_is_a_law_in_each(seed):
+    """A force −F on one side of a line and +F on the other has the power −F|f|."""
+    chance = random.Random(seed)
+    k = chance.randint(1, 3)
+    f, at = chance.choice([("v", "v"), (f"{k}v-x", f"{k}v-x")])
+    rows = [("-F", f"{at}>0"), ("+F", chance.choice([f"{at}<0", rf"\text{{if }}0>{at}"]))]
+    chance.shuffle(rows)
+    force = by_cases("", *rows).removeprefix("=")
+    law = System(rf"\dot x=v,\quad\dot v=-{k}x+{force}")
+    energy = rf"\frac{{d}}{{dt}}\left(\frac{{v^2+{k}x^2}}2\right)"
+    sign = rf"\operatorname{{sign}}({f})"
+    assert law.identity(rf"{energy}=-Fv{sign}").verdict.green
+    assert law.identity(rf"{energy}=Fv{sign}").verdict == "refuted"
+    assert law.identity(rf"{energy}=-Fv").verdict == "refuted"  # in one of the cases
+    assert law.integral(rf"v^2+{k}x^2").verdict == "refuted"
+
+
+def test_what_is_left_by_the_cases_of_a_law_is_a_case():
+    law = System(r"\dot x=\begin{cases}1,&0<x<1\\-1,&\text{otherwise}\end{cases},\quad \dot y=1")
+    assert len(law.parts) == 3
+    assert law.identity(r"\dot x^2=1").verdict == "proved"
+    assert law.identity(r"\dot x=1").verdict == "refuted"
+    assert law.identity(r"\dot x=-1").verdict == "refuted"
+    with pytest.raises(ValueError, match="by cases"):
+        law.invariant("x=0")  # a motion that leaves a case is another one
+
+
+@pytest.mark.parametrize("rows", [r"\dot x&=y\\ \dot y&=-x", r"\dot x=y,\\ \dot y=-x"])
+def test_a_brace_before_equations_is_no_case(rows):
+    law = System(rf"\begin{{cases}}{rows}\end{{cases}}")
+    assert not law.parts
+    assert law.integral("x^2+y^2").verdict == "proved"

@@ -288,6 +288,14 @@ def test_what_is_supposed_of_other_letters_is_no_hypothesis():
         assert system.inequality(claim).verdict == "undecided"
 
 
+@given(st.sampled_from(["b^2=-ac", "b^2+ac=0", r"\frac ab+\frac bc=0"]))
+def test_what_is_a_square_is_not_negative_where_its_root_is_not_spoken_of(relation):
+    system = plane().where(relation)
+    assert system.inequality(r"ac\le0").verdict.green
+    assert system.inequality(r"ac<0").verdict == "refuted"
+    assert system.inequality(r"ac\ge0").verdict == "refuted"
+
+
 @pytest.mark.parametrize("square", ["x^2", "b^2", "(x-a)^2"])
 @pytest.mark.parametrize("below", ["a", "a^2", "a-1", "a+x"])
 def test_what_is_added_to_a_positive_fraction_may_be_a_square(below, square):

@@ -3,7 +3,9 @@
 import pytest
 
 from kowalevski_cas.audit.reading import ReadingSession, audit_reading
+from kowalevski_cas.reading import ASSUMPTION, CLAIM
 from kowalevski_cas.verify.outcome import Verdict
+from tests.sample import sampled
 
 from .test_reading import TOP, reading, verdicts
 
@@ -67,3 +69,41 @@ def test_a_claim_that_fails_by_what_its_own_sentence_supposes_is_false():
 def test_a_claim_that_no_supposition_makes_true_is_false():
     text = TOP + BRIEF[1].format("a+b=0", "p^2+q^2") + "The function $p^2+r$ is an integral."
     assert verdicts(text)["p^2+r"] is Verdict.REFUTED
+
+
+MOVES = r"""The motion is given by
+\begin{equation} \dot x=y,\quad\dot y=cx-hx^2. \end{equation}
+"""
+
+
+@pytest.mark.parametrize(
+    "words",
+    sampled(
+        [
+            r"Real motions exist for \[ 27c\le h^3 , \] and the equality stands for the rest.",
+            r"Both roots are real if \[ 27c\le h^3 , \] which is well known.",
+            r"Вещественные движения существуют при \[ 27c\le h^3 . \]",
+        ],
+        1,
+    ),
+)
+def test_the_condition_of_what_words_state_is_supposed_of_nothing_else(words):
+    found = reading(MOVES + words + r" We have \[ \frac{d}{dt}(x^2)=2xy . \]")
+    (one,) = [f for f in found.formulas if r"\le" in f.item.printed.tex]
+    assert one.role.name == CLAIM and one.claim is None
+    assert not any(f.on for f in found.formulas)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"For \[ 27c\le h^3 \] motions are real.",
+        r"The root is defined for \[ 27c\le h^3 . \]",
+        r"We consider the case when the roots are real, i.e.\ suppose that \[ 27c\le h^3 . \]",
+        r"Here $h$ is a constant with \[ 27c\le h^3 . \]",
+    ],
+)
+def test_a_condition_that_words_suppose_is_an_assumption(words):
+    found = reading(MOVES + words)
+    (one,) = [f for f in found.formulas if r"\le" in f.item.printed.tex]
+    assert one.role.name == ASSUMPTION
