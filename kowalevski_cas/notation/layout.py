@@ -14,7 +14,8 @@ from typing import NamedTuple
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import EQUALITIES
 from kowalevski_cas.notation.lexer import scan
-from kowalevski_cas.notation.ranges import each_value, without_ranges
+from kowalevski_cas.notation.ranges import Condition, each_value, index_conditions, without_ranges
+from kowalevski_cas.notation.sums import Ranges
 from kowalevski_cas.notation.tensors import SPACE, permuted
 from kowalevski_cas.notation.tokens import BEGINNING, BRACE, ENDING, Token
 
@@ -68,12 +69,14 @@ def statements(tex: str) -> tuple[StatementTokens, ...]:
     With a ± in it, it is two statements, and one for each value of an index with a range.
     """
     tokens, ranges = without_ranges(scan(tex), tex)
-    printed = _statement_of(tokens, tex)
+    printed, conditions = _without_conditions(_statement_of(tokens, tex), ranges)
     known = {**dict.fromkeys(set[str]().union(*map(permuted, printed)), SPACE), **ranges}
     found = [
         statement
         for formula in printed
-        for statement in each_value(formula, known if _is_rate(formula) else ranges, tex)
+        for statement in each_value(
+            formula, known if _is_rate(formula) else ranges, tex, conditions
+        )
     ]
     groups = _groups(tex)
     return tuple(
@@ -85,7 +88,29 @@ def statements(tex: str) -> tuple[StatementTokens, ...]:
 
 def printed_statements(tex: str) -> list[list[Token]]:
     """The tokens of each statement as it is printed: with ±, and for all values of its indices."""
-    return _statement_of(without_ranges(scan(tex), tex)[0], tex)
+    tokens, ranges = without_ranges(scan(tex), tex)
+    return _without_conditions(_statement_of(tokens, tex), ranges)[0]
+
+
+def _without_conditions(
+    printed: list[list[Token]], ranges: Ranges
+) -> tuple[list[list[Token]], list[Condition]]:
+    """The statements beside those that only say for which values of their indices they hold."""
+    kept, found = list[list[Token]](), list[Condition]()
+    for tokens in printed:
+        behind = len(tokens) - 5  # as in “… = 0 (i ≠ j)”
+        if conditions := index_conditions(tokens, ranges):
+            found += conditions
+        elif (
+            behind > 0
+            and tokens[behind].text == "("
+            and (conditions := index_conditions(tokens[behind:], ranges))
+        ):
+            kept.append(tokens[:behind])
+            found += conditions
+        else:
+            kept.append(tokens)
+    return (kept, found) if kept else (printed, [])
 
 
 def _groups(tex: str) -> list[tuple[int, int]]:

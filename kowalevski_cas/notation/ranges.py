@@ -1,5 +1,7 @@
 r"""Ranges of an index: :math:`\dot q_i=p_i,\; i=1,2` is a statement for each value.
 
+What is printed of such letters alone, as :math:`(i\ne j)`, says for which values.
+
 A range stands behind the statements, also in brackets, and holds for those in which its letter is
 an index; of two such letters, :math:`\delta_{ij}` is Kronecker's delta. Sums are over indices of
 their own, which have ranges in the limits of the sum, or behind: of :math:`\sum_{j\ne i}`, that of
@@ -11,8 +13,9 @@ for it is read as it stands.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import product
+from operator import ge, gt, le, lt, ne
 
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.index_sets import without_sets
@@ -37,6 +40,11 @@ _RANGE = re.compile(
     [ ]?=[ ]?(?P<values>{_VALUE}(?:,{_VALUE})+)(?(open)\))(?=[ ,.]|$)""".replace("\n    ", "")
 )
 
+_COMPARED: dict[str, Callable[[int, int], bool]] = {
+    r"\ne": ne, "<": lt, ">": gt, r"\le": le, r"\ge": ge,
+}  # fmt: skip
+Condition = tuple[str, Callable[[int, int], bool], str]
+"""Two indices, and how their values compare."""
 
 _PERIOD = re.compile(r"(.+)_\{?(\w)(?:\+(\d+)\}=\1_\{?\2\}?|\}?=\1_\{\2\+(\d+)\})")
 """:math:`x_{i+3}=x_i`, which is said of the values before the first one, too."""
@@ -63,8 +71,35 @@ def without_ranges(tokens: list[Token], tex: str) -> tuple[list[Token], Ranges]:
     return kept + tokens[end:], found
 
 
-def each_value(tokens: list[Token], ranges: Ranges, tex: str) -> Iterator[list[Token]]:
-    """A statement for all values of the indices in it; itself, if it has none."""
+def index_conditions(tokens: Sequence[Token], ranges: Ranges) -> list[Condition]:
+    r"""What a statement says of indices with ranges; nothing, if it says anything else.
+
+    >>> from kowalevski_cas.notation.lexer import scan
+    >>> values = range(1, 4)
+    >>> [(i, j) for i, _, j in index_conditions(scan(r"(i\ne j)"), {"i": values, "j": values})]
+    [('i', 'j')]
+    """
+    if len(tokens) > 2 and (tokens[0].text, tokens[-1].text) == ("(", ")"):
+        tokens = tokens[1:-1]
+    texts = [token.text for token in tokens]
+    letters, signs = texts[::2], texts[1::2]
+    if len(letters) != len(signs) + 1 or len(letters) < 2:
+        return []
+    if not all(ranges.get(one) for one in letters) or not {*signs} <= _COMPARED.keys():
+        return []
+    return [
+        (one, _COMPARED[sign], other)
+        for one, sign, other in zip(letters, signs, letters[1:], strict=False)
+    ]
+
+
+def each_value(
+    tokens: list[Token], ranges: Ranges, tex: str, conditions: Sequence[Condition] = ()
+) -> Iterator[list[Token]]:
+    """A statement for all values of the indices in it; itself, if it has none.
+
+    Values for which the ``conditions`` on two of them do not hold are left out.
+    """
     tokens = add_sums(indexed_sums(tokens, ranges), ranges, tex)
     if not (tokens[0].text == r"\{" and permuted(tokens).isdisjoint(ranges)):
         ranges = {**dict.fromkeys(sorted(permuted(tokens)), SPACE), **ranges}
@@ -73,7 +108,9 @@ def each_value(tokens: list[Token], ranges: Ranges, tex: str) -> Iterator[list[T
         length = int(period[3] or period[4])
         index_ranges = {n: range(max(0, v[0] - length), v[-1] + 1) for n, v in index_ranges.items()}
     for values in product(*index_ranges.values()):
-        yield _substitute(tokens, dict(zip(index_ranges, values, strict=True)), ranges, tex)
+        at = dict(zip(index_ranges, values, strict=True))
+        if all(holds(at[i], at[j]) for i, holds, j in conditions if i in at and j in at):
+            yield _substitute(tokens, at, ranges, tex)
 
 
 def index_letters(tokens: Sequence[Token]) -> set[str]:

@@ -37,7 +37,7 @@ BESIDE = ("on", *OF_TEX)
 VERBS = ("law", *NAMING, "claim", "skip", "locus", *BESIDE)
 RULED = (
     "identity", "constant", "integral", "invariant", "rest", "inequality", "solution",
-    "approximate", "somewhere", "another-law", "condition",
+    "approximate", "somewhere", "another-law", "condition", "form",
 )  # fmt: skip
 """Kinds of claims of which the rules of reading know on what they stand."""
 

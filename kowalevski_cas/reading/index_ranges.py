@@ -46,6 +46,13 @@ _TENSOR = re.compile(r"\\(?:var)?epsilon\s*_|\\delta\s*_")
 
 _ALONE = re.compile(rf"\s*\(?\s*{_RANGE.pattern}\s*\)?[\s.,;]*")
 
+_CONDITION = re.compile(
+    r"\s*\(?\s*(?P<one>[a-z])\s*(?P<sign>\\neq?(?![A-Za-z])|[<>])\s*(?P<other>[a-z])\s*\)?[\s.,;]*"
+)
+"""What is said of two indices alone."""
+_BESIDE = 24
+"""So many signs may stand between a formula and what is said of its indices: “for”, “where”."""
+
 
 def is_range(formula: TypedFormula) -> bool:
     """Whether a formula says over what an index runs, and nothing else."""
@@ -89,7 +96,18 @@ def with_ranges(formulas: Sequence[TypedFormula], period: int = 0) -> Iterator[s
             rf"\quad {letter}={','.join(map(str, own[letter]))}"
             for letter in sorted(index_letters(tokens_of(formula.tex)) & {*own} - {*said[place]})
         ]
+        behind += _conditions_beside(formulas, place)
         yield formula.tex + "".join(f",{one}" for one in behind)
+
+
+def _conditions_beside(formulas: Sequence[TypedFormula], place: int) -> Iterator[str]:
+    """What the formulas just before and just behind say of two indices of a formula."""
+    formula, letters = formulas[place], index_letters(tokens_of(formulas[place].tex))
+    for other in (*formulas[max(0, place - 1) : place], *formulas[place + 1 : place + 2]):
+        gap = max(formula.start - other.end, other.start - formula.end)
+        said = _CONDITION.fullmatch(other.tex) if other.inline and gap <= _BESIDE else None
+        if said and {said["one"], said["other"]} <= letters:
+            yield rf"\quad ({said['one']}{said['sign']} {said['other']})"
 
 
 def _said(tex: str) -> dict[str, Values]:

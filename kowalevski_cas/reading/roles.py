@@ -78,8 +78,18 @@ def expression(item: SourceStatement, known: Known) -> StatementRole | None:
             return role
         if setting := cue("another-law", item.words):
             return StatementRole(CLAIM, f"of a law that is not printed: “{setting}”", "another-law")
+        if _has_differentials(item, known):
+            return StatementRole(CLAIM, f"“{said}” is said of a differential form", "form")
         return StatementRole(CLAIM, f"“{said}” is said of it", "integral")
     return StatementRole(OTHER, "an expression: nothing is stated")
+
+
+def _has_differentials(item: SourceStatement, known: Known) -> bool:
+    """Whether d stands before what varies, and is no name that is used elsewhere."""
+    if known.is_known("d"):
+        return False
+    varying = "|".join(map(re.escape, known.varying(item.names)))
+    return re.search(rf"(?<![A-Za-z\\])d\s*(?:{varying})", item.printed.tex) is not None
 
 
 _ONE_CLAUSE = re.compile(r"[,;:]|\b(?:and(?!\s+only)|but|и(?!\s+только)|но)\b")

@@ -120,3 +120,19 @@ def test_a_statement_has_both_its_braces(tex):
         assert one.source.count("{") == one.source.count("}")
         (again,) = read_display(one.source, Vocabulary(), OpenParser)
         assert again.formula == one.formula
+
+
+@pytest.mark.parametrize(
+    ("printed", "kept"),
+    [
+        (r"(i\ne j)", lambda i, j: i != j),
+        (r"i<j", lambda i, j: i < j),
+        (r"(i\ge j)", lambda i, j: i >= j),
+    ],
+)
+def test_what_is_printed_of_indices_alone_says_for_which_values(printed, kept):
+    tex = rf"x_i+x_j,\quad {printed},\quad i=1,2,3,\quad j=1,2,3"
+    words = Vocabulary(scalars=frozenset({"x_1", "x_2", "x_3"}))
+    wanted = [(i, j) for i in (1, 2, 3) for j in (1, 2, 3) if kept(i, j)]
+    found = [one.formula for one in read_display(tex, words)]
+    assert found == [read_display(f"x_{i}+x_{j}", words)[0].formula for i, j in wanted]

@@ -90,3 +90,34 @@ def test_a_list_that_goes_on_is_no_range(text):
 def test_an_index_without_braces_is_one_sign(sum_of_all):
     assert index_ranges._by_numbers([sum_of_all, "n_j=0"]) == {"j": (1, 2, 3)}
     assert index_ranges._by_numbers(["n_{1+k}+n_{12}", "n_j=0"]) == {}
+
+
+HALPHEN = r"""
+The equations of motion are \[\dot x_1=x_2x_3-x_1(x_2+x_3),\quad \dot x_2=x_3x_1-x_2(x_3+x_1),
+\quad \dot x_3=x_1x_2-x_3(x_1+x_2).\] """
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        r"Then \[\frac{d}{dt}(x_j+x_k)=FACTORx_jx_k\qquad(j\ne k).\]",
+        r"Then \[\frac{d}{dt}(x_j+x_k)=FACTORx_jx_k\ (j<k).\]",
+        r"Then \[\frac{d}{dt}(x_j+x_k)=FACTORx_jx_k\] for $j\neq k$.",
+        r"For $j\neq k$ we have $\frac{d}{dt}(x_j+x_k)=FACTORx_jx_k$.",
+    ],
+)
+def test_what_is_said_of_indices_alone_says_for_which_values(said):
+    found = verdicts(HALPHEN + said.replace("FACTOR", "-2"))
+    assert len(found) == (3 if "<" in said else 6)
+    assert all(verdict.green for _, verdict in found)
+    assert not any(v.green for _, v in verdicts(HALPHEN + said.replace("FACTOR", "-3")))
+
+
+@pytest.mark.parametrize(
+    "form", [r"x_1^{-1}dx_1\,dx_2\,dx_3", r"d x_1\wedge dx_2\wedge dx_3", r"x_2\,dx_1"]
+)
+def test_a_differential_form_is_no_function(form):
+    found = reading(HALPHEN + rf"The form ${form}$ is preserved, and $d$ is the differential.")
+    (role,) = [f.role for f in found.formulas if f.item.typed.tex == form]
+    assert "differential" in role.reason or "read" in role.name
+    assert not any(v.value == "refuted" for _, v in verdicts(HALPHEN + rf"${form}$ is preserved."))
