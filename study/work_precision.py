@@ -66,7 +66,7 @@ CAPTION = (
     "output makes them cheap. heyoka compiles before a clock starts, and keeps what it has "
     "compiled; that an integrator is built from it again is counted, and is most of what a Taylor "
     "series costs above. Errors are against rigorous balls; their own are drawn at the roundoff. "
-    "The machine had other work: times are about twice those of a quiet one, and more for Radau."
+    "From one run to another on a shared machine all times differ by up to a factor of two."
 )
 
 
