@@ -71,13 +71,13 @@ def statements(tex: str) -> tuple[StatementTokens, ...]:
     tokens, ranges = without_ranges(scan(tex), tex)
     printed, conditions = _without_conditions(_statement_of(tokens, tex), ranges)
     known = {**dict.fromkeys(set[str]().union(*map(permuted, printed)), SPACE), **ranges}
-    found = [
-        statement
-        for formula in printed
-        for statement in each_value(
-            formula, known if _is_rate(formula) else ranges, tex, conditions
-        )
-    ]
+    found = list[list[Token]]()
+    for formula in printed:
+        values = each_value(formula, known if _is_rate(formula) else ranges, tex, conditions)
+        if not (every := [*values]) and conditions:
+            message = "no values of the indices are left for which this is said"
+            raise NotationError(message, tex, formula[0].start)
+        found += every
     groups = _groups(tex)
     return tuple(
         StatementTokens(tokens, *_interval(tokens, groups))

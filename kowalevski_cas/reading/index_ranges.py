@@ -53,6 +53,9 @@ _CONDITION = re.compile(
 _BESIDE = 24
 """So many signs may stand between a formula and what is said of its indices: “for”, “where”."""
 
+_ENDS = re.compile(r"[.;:?!]|\n\s*\n")
+"""What ends a sentence, or the part of it to which a condition belongs."""
+
 
 def is_range(formula: TypedFormula) -> bool:
     """Whether a formula says over what an index runs, and nothing else."""
@@ -72,8 +75,8 @@ def period_in(words: str) -> int:
     return int(number) if number.isdigit() else _NUMBERS[number]
 
 
-def with_ranges(formulas: Sequence[TypedFormula], period: int = 0) -> Iterator[str]:
-    """The TeX of each formula, with the ranges of its indices behind it that stand elsewhere.
+def with_ranges(formulas: Sequence[TypedFormula], text: str, period: int = 0) -> Iterator[str]:
+    """The TeX of each formula of a text, with the ranges of its indices that stand elsewhere.
 
     An index that is shifted, as in a chain, may leave its range: nobody says what stands there,
     unless indices have a period.
@@ -96,16 +99,18 @@ def with_ranges(formulas: Sequence[TypedFormula], period: int = 0) -> Iterator[s
             rf"\quad {letter}={','.join(map(str, own[letter]))}"
             for letter in sorted(index_letters(tokens_of(formula.tex)) & {*own} - {*said[place]})
         ]
-        behind += _conditions_beside(formulas, place)
+        behind += _conditions_beside(formulas, place, text)
         yield formula.tex + "".join(f",{one}" for one in behind)
 
 
-def _conditions_beside(formulas: Sequence[TypedFormula], place: int) -> Iterator[str]:
-    """What the formulas just before and just behind say of two indices of a formula."""
+def _conditions_beside(formulas: Sequence[TypedFormula], place: int, text: str) -> Iterator[str]:
+    """What its neighbours in the same sentence say of two indices of a formula."""
     formula, letters = formulas[place], index_letters(tokens_of(formulas[place].tex))
     for other in (*formulas[max(0, place - 1) : place], *formulas[place + 1 : place + 2]):
-        gap = max(formula.start - other.end, other.start - formula.end)
-        said = _CONDITION.fullmatch(other.tex) if other.inline and gap <= _BESIDE else None
+        first, second = sorted((formula, other), key=lambda one: one.start)
+        between = text[first.end : second.start]
+        apart = len(between) > _BESIDE or _ENDS.search(first.tex.rstrip()[-1:] + between)
+        said = _CONDITION.fullmatch(other.tex) if other.inline and not apart else None
         if said and {said["one"], said["other"]} <= letters:
             yield rf"\quad ({said['one']}{said['sign']} {said['other']})"
 

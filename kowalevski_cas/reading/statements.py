@@ -222,7 +222,7 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     period = period_in(expanded.text[prose.start :])
     lines: dict[str, int] = {}
     ids: Counter[str] = Counter()
-    for formula, tex in zip(formulas, with_ranges(formulas, period), strict=True):
+    for formula, tex in zip(formulas, with_ranges(formulas, expanded.text, period), strict=True):
         path = prose.path(formula.start)
         if any(one.title == "thebibliography" for one in path):
             continue

@@ -136,3 +136,10 @@ def test_what_is_printed_of_indices_alone_says_for_which_values(printed, kept):
     wanted = [(i, j) for i in (1, 2, 3) for j in (1, 2, 3) if kept(i, j)]
     found = [one.formula for one in read_display(tex, words)]
     assert found == [read_display(f"x_{i}+x_{j}", words)[0].formula for i, j in wanted]
+
+
+@pytest.mark.parametrize("printed", [r"(i\ne i)", r"i<j,\quad j<i", r"(i<j),\quad (j\le i)"])
+def test_where_no_value_of_the_indices_is_left_nothing_is_said(printed):
+    tex = rf"x_i=x_j,\quad {printed},\quad i=1,2,3,\quad j=1,2,3"
+    with pytest.raises(NotationError, match="no values of the indices are left"):
+        read_display(tex, Vocabulary(scalars=frozenset({"x_1", "x_2", "x_3"})))

@@ -114,6 +114,17 @@ def test_what_is_said_of_indices_alone_says_for_which_values(said):
 
 
 @pytest.mark.parametrize(
+    "said",
+    [
+        r"Let us look at $j<k$. Then $x_j-x_k=x_1-x_2$.",
+        r"It is $x_j-x_k=x_1-x_2$. For $j<k$ more is known.",
+    ],
+)
+def test_a_condition_of_another_sentence_leaves_out_no_value(said):
+    assert len(verdicts(HALPHEN + said)) == 9
+
+
+@pytest.mark.parametrize(
     "form", [r"x_1^{-1}dx_1\,dx_2\,dx_3", r"d x_1\wedge dx_2\wedge dx_3", r"x_2\,dx_1"]
 )
 def test_a_differential_form_is_no_function(form):
