@@ -56,6 +56,7 @@ from kowalevski_cas.system.equations import (
     with_time,
 )
 from kowalevski_cas.system.indices import (
+    chain_ends,
     counts,
     has_permutation,
     with_counts,
@@ -188,6 +189,7 @@ class Field:
         self.columns: dict[str, tuple[str, ...]] = {}
         self.functions: list[Unknown] = []
         self._barred = False
+        self._ends: set[str] = set()
         if isinstance(field, str):
             tex = with_rates_of_functions(with_upright_unit(with_rates(field)))
             tex = with_real_parts(tex)
@@ -247,6 +249,9 @@ class Field:
             self.constraints = (*equations_on(self.scene, bound),)
         if jets:
             self._stand_on(with_jets(self.scene, jets))
+        given = zip(display, self._formulas(display), strict=True)
+        by_name = {n: one for place, one in given for n in place.heads.names}
+        self._ends = chain_ends(tex, by_name) & {*self.scene.definitions}
         check_said(said, self.scene.constants)
         for equality in chains.equalities:
             self._check_equal(*equality)
@@ -549,8 +554,12 @@ class Field:
 
     @property
     def _names(self) -> tuple[str, ...]:
-        """The names that stand in the equations of motion, or were defined beside them."""
-        return (*self.scene.names(), *self.scene.vectors)
+        """The names that stand in the equations of motion, or were defined beside them.
+
+        Those are left out that only close a chain: a sum over all links has each of them once.
+        """
+        names = (*self.scene.names(), *self.scene.vectors)
+        return tuple(name for name in names if name not in self._ends)
 
     def _formulas(self, display: Display) -> list[Formula]:
         return [s.formula for s in read_display(display.tex, vocabulary((self.scene,)))]
