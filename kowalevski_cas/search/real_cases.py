@@ -11,11 +11,11 @@ from operator import add, mul
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
-from kowalevski_cas.algebra.elimination import TooLarge
 from kowalevski_cas.algebra.factors import irreducible_factors, vanishes_with
 from kowalevski_cas.algebra.flat import Flat
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of
 from kowalevski_cas.algebra.ideals import reduce_groebner_basis
+from kowalevski_cas.algebra.polynomials import TooLarge
 from kowalevski_cas.algebra.present import formula_rows
 from kowalevski_cas.algebra.squares import few_squares, sum_of_squares
 from kowalevski_cas.algebra.tower import Element
