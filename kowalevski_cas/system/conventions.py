@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -54,6 +54,8 @@ class Conventions:
     """The functions of which nothing is known; they are called by their names alone."""
     summed: bool = False
     """Whether indices that stand twice are summed over, though no sums are printed."""
+    ends: Set[str] = frozenset()
+    """The names that only close a chain, or end it: a sum over all links has none of them."""
 
     def plain(self, tex: str, scene: Scene) -> str:
         """A formula in the names of a scene, without what is printed by convention."""
@@ -65,7 +67,8 @@ class Conventions:
         applied = {**collective_arguments([plain]), **self.applied}
         plain = without_arguments(without_argument(plain, self.functions), applied)
         plain = with_primes(plain) if self.barred else plain
-        return with_ranges(plain, (*scene.names(), *scene.vectors), self.summed)
+        links = [one for one in (*scene.names(), *scene.vectors) if one not in self.ends]
+        return with_ranges(plain, links, self.summed)
 
 
 class PlainPrint(NamedTuple):

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
-from kowalevski_cas.notation import defined_names
+from kowalevski_cas.notation import defined_names, read_display
 from kowalevski_cas.paper.constraints import equations_on
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display
+from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.conventions import Conventions, plain_print, spelled_out
 from kowalevski_cas.system.equations import (
     components,
@@ -19,6 +20,7 @@ from kowalevski_cas.system.equations import (
     with_motion,
     with_time,
 )
+from kowalevski_cas.system.indices import chain_ends
 from kowalevski_cas.system.maps import Map, index_of_map, with_images
 from kowalevski_cas.system.symbols import latex_of
 from kowalevski_cas.system.units import with_unit_matrices
@@ -76,6 +78,7 @@ def read_law(
         constraints = (*equations_on(scene, constraints_in(display, parts, words)),)
     scene = with_jets(scene, jets) if jets else scene
     check_said(said, scene.constants)
+    conventions = replace(conventions, ends=_ends_of_chains(tex, display, scene))
     implied = frozenset(brackets(scene.definitions)) - printed
     return PrintedLaw(conventions, scene, images, constraints, implied, equalities)
 
@@ -93,6 +96,18 @@ def _rows(field: Mapping[Any, Any], symbols: dict[str, Any]) -> str:
     if len(defined_names(tex)) != len(rows):
         raise ValueError(f"{tex}: give each variable one right side")
     return tex
+
+
+def _ends_of_chains(tex: str, display: Display, scene: Scene) -> set[str]:
+    """The names of a scene that are no links of a chain of their own."""
+    rows = read_display(display.tex, vocabulary((scene,)))
+    given = {
+        name: row.formula
+        for place, row in zip(display, rows, strict=True)
+        for name in place.heads.names
+        if name in scene.definitions
+    }
+    return chain_ends(tex, given)
 
 
 def brackets(names: Iterable[str]) -> Iterator[str]:
