@@ -18,7 +18,7 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.paper.components import component
 from kowalevski_cas.paper.meaning import Meaning
-from kowalevski_cas.paper.motion import Motion
+from kowalevski_cas.paper.motion import LawOfMotion
 from kowalevski_cas.paper.names import head, is_bold
 from kowalevski_cas.paper.roots import solve_for_root
 from kowalevski_cas.paper.scene import Change as ChangeOfScene
@@ -31,7 +31,7 @@ from kowalevski_cas.problem.space import Adjoined, Let, Meaningless, Raised, Ste
 class Definitions:
     """The definitions of names: by what the scene says, by its motion, by functions and powers."""
 
-    def __init__(self, setting: Meaning, motion: Motion) -> None:
+    def __init__(self, setting: Meaning, motion: LawOfMotion) -> None:
         self.setting, self.motion = setting, motion
         self._powers = {f"{b}^{{{e}}}": (b, e) for b, e in setting.scene.powers}
         self._steps: dict[str, Step | None] = {}

@@ -34,7 +34,7 @@ from kowalevski_cas.paper.denominators import Divisors
 from kowalevski_cas.paper.generators import functions_of
 from kowalevski_cas.paper.inlined import InlinedDefinitions
 from kowalevski_cas.paper.meaning import Meaning
-from kowalevski_cas.paper.motion import Motion
+from kowalevski_cas.paper.motion import LawOfMotion
 from kowalevski_cas.paper.partials import Partials
 from kowalevski_cas.paper.plain import Plain
 from kowalevski_cas.paper.radicals import Radicals
@@ -70,7 +70,7 @@ class Elaboration(Meaning):
     each name that has been given its meaning, the places of the paper that say so.
     """
 
-    roots: tuple[str, ...] = ()
+    roots: tuple[str, ...] = ()  # until all is known on which they stand
     powers: tuple[str, ...] = ()
 
     def __init__(
@@ -85,7 +85,7 @@ class Elaboration(Meaning):
         self.source = of(change.source) if isinstance(change, ChangeOfScene) else None
         self.partials = Partials(self)
         before = self.source.motion if self.source is not None else None
-        self.motion: Motion = Motion(self, self.partials, self.source, before)
+        self.motion: LawOfMotion = LawOfMotion(self, self.partials, self.source, before)
         self._definitions = Definitions(self, self.motion)
         self.places: dict[str, tuple[Printed, ...]] = {}
         self.turning: dict[str, Formula] | None = None

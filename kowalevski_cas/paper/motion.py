@@ -16,7 +16,7 @@ from kowalevski_cas.paper.validation import check_time
 from kowalevski_cas.problem.space import ChangeOfVariables, EquationOfMotion, Meaningless
 
 
-class Motion:
+class LawOfMotion:
     """What the printed equations of motion say; with a change, that is the motion of the source."""
 
     def __init__(
@@ -24,7 +24,7 @@ class Motion:
         setting: Meaning,
         partials: Partials,
         source: Meaning | None = None,
-        before: Motion | None = None,
+        before: LawOfMotion | None = None,
     ) -> None:
         self.setting, self.partials, self.source, self.before = setting, partials, source, before
         self._inverses: dict[object, dict[str, Formula]] = {}
