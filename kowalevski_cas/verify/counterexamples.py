@@ -147,7 +147,8 @@ def _words(
         }
         if said & {left, right} or not what:
             return ""
-    words = f"the left side{what} is ${value}$, not ${other}$"
+    against = "not $0$" if right == Number(0) else f"the right side ${other}$"
+    words = f"the left side{what} is ${value}$, {against}"
     if statement.claim.is_kind("CriticalSet"):
         surface = to_latex(equal(*(printed_formula(side, setting) for side in goal.given[-1])))
         return f"{words}, though this is a critical point on ${surface}$"
@@ -237,7 +238,7 @@ def _solutions(statement: Statement, goal: Count, accepted: Accepted) -> Counter
     else:
         points = [place.point.values for place in accepted.places]
         many = f"these are {len(points)} solutions" if len(points) > 1 else "this is a solution"
-        words = f"{many}, and there are to be {goal.number or 'none'}"
+        words = f"{many}, and there should be {goal.number or 'none'}"
         shown = Number(len(points))
     for number, solution in enumerate(points, 1):
         for vector, names in setting.scene.vectors.items():
