@@ -29,7 +29,13 @@ from kowalevski_cas.system.kinds import BY_CASES, Stated, stated_of
 from kowalevski_cas.system.numbering import Numbering
 from kowalevski_cas.system.printed_law import brackets, read_law
 from kowalevski_cas.system.refused import check_constant, check_field, names_of
-from kowalevski_cas.system.scenes import restrict, with_levels, with_parameters, with_roots
+from kowalevski_cas.system.scenes import (
+    restrict,
+    with_lengths,
+    with_levels,
+    with_parameters,
+    with_roots,
+)
 from kowalevski_cas.system.signs import SIGNS, alternatives, has_both_signs, with_signs
 from kowalevski_cas.system.solved import (
     gives_constant,
@@ -354,6 +360,7 @@ class Field:
         for place in claim.places():
             claim = replace(claim, scene=with_units(claim.scene, place.display))
             with suppress(ValueError):  # what cannot be read is the outcome of the claim
+                claim = replace(claim, scene=with_lengths(claim.scene, place.display))
                 claim = replace(claim, scene=with_roots(claim.scene, place.display))
         self.section.claim(claim)
         if expect:
