@@ -20,7 +20,7 @@ class Accent(NamedTuple):
     """Other macros for it, without backslashes."""
 
 
-class Raised(NamedTuple):
+class RaisedSign(NamedTuple):
     """A sign that is raised on a letter."""
 
     shown: str
@@ -43,5 +43,5 @@ RATES = {
 }
 """Those that make the name of a rate of it, by the number of dots."""
 
-RAISED = {"*": Raised("*", "ast")}
+RAISED = {"*": RaisedSign("*", "ast")}
 """By the sign, or its macro."""

@@ -9,14 +9,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from kowalevski_cas.notation import functions
-from kowalevski_cas.notation.decorations import ACCENTS, RAISED, Accent, Raised
+from kowalevski_cas.notation.decorations import ACCENTS, RAISED, Accent, RaisedSign
 
 
 def _table(**rows: str) -> dict[str, str]:
     return {"\\" + name: action for action, names in rows.items() for name in names.split()}
 
 
-def _names(decorations: Mapping[str, Accent | Raised]) -> str:
+def _names(decorations: Mapping[str, Accent | RaisedSign]) -> str:
     """The macros for decorations; a sign of the keyboard is none."""
     own = [name.removeprefix("\\") for name in decorations if name.startswith("\\")]
     return " ".join((*own, *(one.spelled for one in decorations.values())))
