@@ -52,6 +52,7 @@ from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.problem.space import (
     Adjoined,
     ChangeOfVariables,
+    Contradictory,
     Equation,
     EquationOfMotion,
     Let,
@@ -260,7 +261,7 @@ class Elaboration(Meaning):
         if (found := contradiction(self.supposed, at)) is not None:
             both = " and ".join(to_latex(comparison.said) for comparison in found)
             where = f"what is supposed on “{self.scene.name}”"
-            raise Meaningless(f"{where} contradicts itself: {both}")
+            raise Contradictory(f"{where} contradicts itself: {both}")
 
     # -- the motion ------------------------------------------------------------------
 

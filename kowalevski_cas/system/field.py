@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from copy import copy
 from dataclasses import replace
+from functools import partial
 from typing import Any, Self
 
 from kowalevski_cas.library import MADE
@@ -23,12 +24,13 @@ from kowalevski_cas.paper.relations import real_ways, solve_for_constant
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
+from kowalevski_cas.problem.space import Contradictory
 from kowalevski_cas.system.answers import ClaimInParts, Function, SystemClaim, in_html
 from kowalevski_cas.system.cases import LawOfCase, laws_by_cases
 from kowalevski_cas.system.kinds import BY_CASES, Stated, stated_of
 from kowalevski_cas.system.numbering import Numbering
 from kowalevski_cas.system.printed_law import brackets, read_law
-from kowalevski_cas.system.refused import check_constant, check_field, names_of
+from kowalevski_cas.system.refused import check_constant, check_field, check_possible, names_of
 from kowalevski_cas.system.scenes import (
     restrict,
     with_lengths,
@@ -231,7 +233,9 @@ class Field:
             ValueError: a relation gives no constant, or gives it by what moves.
         """
         if self.parts:
-            return self._each(lambda one: one.where(*with_signs(relations, one.signs)))
+            return self._in_each(
+                partial(one.where, *with_signs(relations, one.signs)) for one in self.parts
+            )
         if has_both_signs(relations):
             return self._with_both_signs(relations)
         special, said = copy(self), ", ".join(map(self._tex, relations))
@@ -243,10 +247,10 @@ class Field:
             with suppress(NotationError):  # of an unknown name it is said below what to do
                 ways = real_ways(tex, with_roots(scene, Display("", tex, "")))
             if not ways:
-                raise ValueError(f"{tex}: no real constants obey this beside what is supposed")
+                raise Contradictory(f"{tex}: no real constants obey this beside what is supposed")
             if len(ways) > 1:
                 rest = simple[k + 1 :]
-                return self._in_each([special.where(*way, *rest) for way in ways])
+                return self._in_each(partial(special.where, *way, *rest) for way in ways)
             for one in ways[0]:
                 special._specialize(one, scene)
                 scene = special.scene
@@ -260,21 +264,39 @@ class Field:
             solved, below = solve_for_constant(tex, rooted)
             tex, scene = solved or tex, scene.having(nonzero=below)
         place = self._place("where", tex, IN_WORDS)
-        constants, scene = scene.constants, with_roots(restrict(scene, place), place.display)
+        constants = scene.constants
+        scene = with_roots(restrict(scene, place), place.display)
         check_constant(scene, place, constants)
         self.scene, self.special = scene, (*self.special, place.display)
 
     def _with_both_signs(self, relations: tuple[Tex, ...]) -> Self:
         """The systems for the upper and for the lower signs: what is claimed is so for both."""
-        parts = []
-        for signs in SIGNS:
-            part = self.where(*with_signs(relations, signs))
-            part.signs = signs
-            parts.append(part)
-        return self._in_each(parts)
+        return self._in_each(partial(self._with_signs, relations, signs) for signs in SIGNS)
 
-    def _in_each(self, parts: Sequence[Self]) -> Self:
-        """A system of which is claimed what is claimed of each of these."""
+    def _with_signs(self, relations: tuple[Tex, ...], signs: dict[str, str]) -> Self:
+        """The system for one of both signs."""
+        part = self.where(*with_signs(relations, signs))
+        part.signs = signs
+        return part
+
+    def _in_each(self, cases: Iterable[Callable[[], Self]]) -> Self:
+        """A system of which is claimed what is claimed in each case, if it is not seen to be none.
+
+        Raises :class:`Contradictory` if all contradict what is supposed.
+        """
+        parts, error = list[Self](), None
+        for case in cases:
+            try:
+                part = case()
+                if not part.parts:
+                    check_possible(part.scene)
+                parts.append(part)
+            except Contradictory as contradiction:
+                error = contradiction
+        if error and not parts:
+            raise error
+        if len(parts) == 1 and not parts[0].signs:
+            return parts[0]
         whole = copy(parts[0])
         whole.signs, whole.parts = {}, (*parts,)
         return whole

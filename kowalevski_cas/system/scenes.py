@@ -194,6 +194,17 @@ def _with_real_root(scene: Scene, name: str, place: Printed, formula: Formula) -
     return scene
 
 
+def _with_real_roots(scene: Scene, place: Printed, formula: Formula) -> Scene:
+    """A scene on which the roots of constants are real that a relation prints."""
+    for k, root in enumerate(node for node in formula.nodes() if isinstance(node, Root)):
+        names = root.argument.names()
+        if names and names <= {*scene.constants}:
+            id, tex = f"{place.display.id}-root-{k}", rf"{to_latex(root.argument)}\ge0"
+            display = replace(place.display, id=id, tex=tex, source=IN_WORDS)
+            scene = with_roots(scene, display).assuming(display)
+    return scene
+
+
 def restrict(scene: Scene, place: Printed) -> Scene:
     """A scene with what a relation says of its constants."""
     formula = read(place.tex, vocabulary((scene,)), OpenParser)
@@ -206,7 +217,7 @@ def restrict(scene: Scene, place: Printed) -> Scene:
             kept = tuple(constant for constant in scene.constants if constant != name)
             rest = replace(scene, constants=kept)
             if name not in place.heads.squares:
-                return rest.naming(name, place)
+                return _with_real_roots(rest.naming(name, place), place, formula)
             return _with_real_root(rest.adjoining(place), name, place, formula)
     known = ", ".join(scene.constants)
     solve = f"solve it for one of {known}, or" if known else "there is none:"

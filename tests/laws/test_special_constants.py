@@ -69,3 +69,26 @@ def test_what_is_known_is_said_twice_or_contradicted():
     for contradiction in ("b=a+1", "(a-b)^2+1=0"):
         with pytest.raises(ValueError, match="no real constants"):
             plane().where("a=b").where(contradiction)
+
+
+@pytest.mark.parametrize(
+    ("relations", "true", "false"),
+    [
+        (["ab=0", r"a\ne0"], "b=0", "a=0"),
+        ([r"a\ne0", "ab=0"], "b=0", "a=0"),
+        (["a>0", "b>0", "a^2=b^2"], "a=b", "a=-b"),
+        (["abc=0", "a=1"], "bc=0", "b=0"),
+    ],
+)
+def test_a_way_that_contradicts_what_is_supposed_is_none(relations, true, false):
+    system = plane()
+    for relation in relations:
+        system = system.where(relation)
+    assert system.identity(true).verdict == "proved"
+    assert system.identity(false).verdict == "refuted"
+
+
+def test_the_root_that_gives_a_constant_is_real():
+    assert plane().where(r"a=\sqrt b").inequality(r"b\ge0").verdict == "proved"
+    assert plane().where(r"a=\sqrt b").inequality("b>0").verdict == "refuted"
+    assert plane().where(r"a=\sqrt b").inequality("a>0").verdict == "refuted"
