@@ -50,7 +50,10 @@ def with_row(scene: Scene, place: Printed, formula: Formula) -> Scene:
     if len(place.heads.squares) == 1:
         return scene.adjoining(place)
     what = "is no equation of motion, and defines no name: print a name alone on one side"
-    raise ValueError(f"{place.tex} {what}; what is supposed is printed with \\ne")
+    raise ValueError(
+        f"{place.tex} {what}; what is supposed is printed with "
+        r"\ne, and an equation that holds on a set is given to a claim"
+    )
 
 
 def _suppose(scene: Scene, place: Printed, formula: Formula) -> Scene | None:
