@@ -42,7 +42,7 @@ from kowalevski_cas.paper.rates import orders, velocities
 from kowalevski_cas.paper.roots import root_of_number
 from kowalevski_cas.paper.scene import Change as ChangeOfScene
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.signs import Comparison, comparisons, root_of
+from kowalevski_cas.paper.signs import Comparison, comparisons, contradiction, root_of
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.paper.transcendental import Transcendental
 from kowalevski_cas.paper.validation import validate
@@ -249,10 +249,18 @@ class Elaboration(Meaning):
             with self._definitions.anew():
                 evaluation.adjoin_roots()
                 validate(self)
+                self._check_suppositions(evaluation)
         except Meaningless:
             del self.__dict__["finder"]  # whoever asks again is refused again
             raise
         return evaluation
+
+    def _check_suppositions(self, at: Evaluation) -> None:
+        """Refuse inequalities that are seen to contradict each other."""
+        if (found := contradiction(self.supposed, at)) is not None:
+            both = " and ".join(to_latex(comparison.said) for comparison in found)
+            where = f"what is supposed on “{self.scene.name}”"
+            raise Meaningless(f"{where} contradicts itself: {both}")
 
     # -- the motion ------------------------------------------------------------------
 
