@@ -223,7 +223,7 @@ def test_weak_inequalities_may_leave_an_edge(order, left):
     assert system.identity(left).verdict == "proved"
     assert system.identity(f"{left}+1").verdict == "refuted"
     name = left.partition("=")[0]
-    assert system.inequality(left.replace("=", r"\le")).verdict == "proved"
+    assert system.inequality(left.replace("=", r"\le ")).verdict == "proved"
     assert system.inequality(left.replace("=", "<")).verdict == "refuted"
     beyond = system.where(left.replace("=", ">")).identity(f"{name}=7").verdict
     assert beyond in ("undecided", "error")  # of nothing nothing is said
