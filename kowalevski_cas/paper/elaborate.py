@@ -19,6 +19,7 @@ from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element, Parts, Ring
 from kowalevski_cas.notation import (
     Constant,
+    Derivative,
     Formula,
     Name,
     Negative,
@@ -349,7 +350,13 @@ class Elaboration(Moving):
         if not isinstance(root, Root):
             raise Meaningless(f"{name} is not printed as a square root", name)
         self.places[name] = ()
-        return Adjoined(name, self.plain(root.argument))
+        return Adjoined(name, self._without_rates(self.plain(root.argument)))
+
+    def _without_rates(self, radicand: Formula) -> Formula:
+        """What stands under a root by what moves: roots are adjoined before anything has a rate."""
+        if not any(isinstance(one, Derivative) for one in mentions(radicand)):
+            return radicand
+        return formula_in(self.finder.scalar(radicand))
 
     def _zero_names(self) -> Iterator[str]:
         for printed in self.scene.zero:
