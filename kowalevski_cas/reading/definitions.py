@@ -28,6 +28,7 @@ from kowalevski_cas.reading.known import (
     LEVEL,
     NAMING,
     NOTATION,
+    TOGETHER,
     Known,
     StatementRole,
 )
@@ -111,8 +112,7 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(ASSUMPTION, why, reach_of_constants(item), tuple(fresh))
     if len(others) == 1 and isinstance(others[0], Derivative) and not _is_law_left(item):
         return StatementRole(LEVEL, f"names the rate {plain(fresh[0])}", "", tuple(fresh))
-    role = _integral_that_defines(item, known, fresh)
-    if role is not None:
+    if role := _integral_that_defines(item, known, fresh) or _constant(item, known, fresh):
         return role
     if len([m for m in others if not isinstance(m, Name | Constant)]) > 1:
         why = f"a chain of equalities; it names {plain(fresh[0])}"
@@ -166,6 +166,15 @@ def repeated(item: SourceStatement, known: Known) -> StatementRole | None:
         if role is not None and role.name in NAMING and one.order < item.order:
             if role.name != CLAIM or (role.names and item.typed.inline):
                 return StatementRole(NOTATION, f"said before, at {one.printed.place}")
+    return None
+
+
+def together(item: SourceStatement, known: Known) -> StatementRole | None:
+    """One of several equations that give names which none of them gives alone."""
+    for law in known.laws:
+        if item in law.together:
+            words = f"gives {', '.join(map(plain, law.new))}, with others"
+            return StatementRole(DEFINITION, words, TOGETHER)
     return None
 
 
@@ -244,7 +253,45 @@ def _is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
         or _is_explained(function, first, item)
         or (known.roles[first].name == LAW and function in derived_names(first))
         or (new and not item.typed.inline)
+        or _is_used_before(function, first, item, known)
     )
+
+
+def _is_used_before(name: str, first: SourceStatement, item: SourceStatement, known: Known) -> bool:
+    """Whether what has been claimed of a name is said of what a statement behind it gives it for.
+
+    Nothing else gives the name, or supposes anything of it, and no words derive the statement.
+    """
+    giving = (one for one in known.items if one.members[:1] == (Name(name),))
+    if known.roles[first].name != CLAIM or next(giving, item) is not item:
+        return False
+    if cue("if", item.lead) or not known.varying(item.names - {name}):
+        return False
+    if name in derived_names(first):
+        return True
+    supposed = any(name in known.roles[one].names for one in known.assumptions)
+    mentioned = any(name in law.mentions for law in known.laws)
+    alone = item.members[0] == Name(name) and not item.typed.inline
+    explained = all(map(known.is_explained, item.names - {name}))
+    told = bool(cue("deduced", item.lead)) and not _is_called_constant(name, item, known)
+    return alone and explained and not (supposed or mentioned or told)
+
+
+def _constant(item: SourceStatement, known: Known, fresh: list[str]) -> StatementRole | None:
+    """What is said to be the constant of which something has been claimed: that it is one."""
+    first = known.seen.get(fresh[0])
+    used = first is not None and known.roles[first].name == CLAIM
+    if used and _is_called_constant(fresh[0], item, known) and known.varying(item.names - {*fresh}):
+        why = f"{plain(fresh[0])} is called a constant; it is this"
+        return StatementRole(CLAIM, why, "integral", (*fresh,))
+    return None
+
+
+def _is_called_constant(name: str, item: SourceStatement, known: Known) -> bool:
+    """Whether words call a name a constant, before a statement, or right before it."""
+    before = (one for one in known.items if one.formula == Name(name) and one.order < item.order)
+    leads = [item.lead, *(one.lead for one in before)]
+    return any(cue("a constant", lead[-40:]) for lead in leads)
 
 
 def _without_factor(formula: Formula) -> Formula:

@@ -55,8 +55,10 @@ def rows_of_matrices(
 
 
 def rows_of_differentials(paper: SourcePaper) -> Iterator[SourceStatement]:
-    """The rates for each chain of differentials."""
+    """The rates for each chain of differentials; one that gives another time gives no rate."""
     for item in paper.items:
+        if item.other_time in paper.words.times:
+            continue
         if item.formula is not None and differentials(item.formula):
             for number, tex in enumerate(rates(item.formula), 1):
                 yield _row(paper, item, number, tex)
