@@ -125,8 +125,8 @@ def _verdict(
 
 def _rate(name: str, system: System, expected: Print) -> str:
     """The rate, or the image, of a name, as it is printed."""
-    if system.images:
-        return dict(system.images).get(name.replace(r"\overline ", ""), name)
+    if system.law.images:
+        return dict(system.law.images).get(name.replace(r"\overline ", ""), name)
     time = expected["independent"]
     twice = name.removeprefix(r"\ddot ") if name.startswith(r"\ddot") else name.removesuffix("''")
     if twice != name and name not in expected["variables"]:

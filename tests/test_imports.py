@@ -10,6 +10,8 @@ import pytest
 
 from kowalevski_cas.algebra import EXACT, POINTS
 from kowalevski_cas.library import available
+from kowalevski_cas.paper.claims import MODULES
+from kowalevski_cas.verify.counterexamples import OF_BRACKETS
 
 ROOT = Path(__file__).parents[1]
 LIBRARY = "kowalevski_cas"
@@ -99,11 +101,34 @@ SOUGHT = {"place", "points", "real"}
 """The points where a set is singular stand in no certificate; they are sought."""
 
 
-def test_deciding_with_certificates_searches_for_no_proof():
-    loaded = modules(DECIDE)
-    searching = {name for name in loaded if name.startswith(f"{LIBRARY}.search.")}
+@pytest.fixture(scope="module")
+def decided():
+    """The modules that are loaded when a paper is decided with its certificates."""
+    return modules(DECIDE)
+
+
+def test_deciding_with_certificates_searches_for_no_proof(decided):
+    searching = {name for name in decided if name.startswith(f"{LIBRARY}.search.")}
     assert searching <= {f"{LIBRARY}.search.{name}" for name in SOUGHT}
-    assert loaded.isdisjoint(f"{LIBRARY}.verify.{name}" for name in ("blame", "repair", "screen"))
+    assert decided.isdisjoint(f"{LIBRARY}.verify.{name}" for name in ("blame", "repair", "screen"))
+
+
+def test_a_kind_is_loaded_where_it_is_stated(decided):
+    loaded = decided
+    assert f"{LIBRARY}.paper.claims.critical_set" in loaded
+    assert loaded.isdisjoint(f"{LIBRARY}.paper.claims.{kind}" for kind in ("maps", "poisson"))
+    assert loaded.isdisjoint(f"{LIBRARY}.problem.{goal}" for goal in ("kernel", "along"))
+    assert f"{LIBRARY}.algebra.elimination" not in loaded
+
+
+def test_whether_a_claim_is_of_a_kind_is_asked_by_the_name_of_a_kind():
+    texts = (path.read_text(encoding="utf-8") for path in (ROOT / LIBRARY).rglob("*.py"))
+    nodes = (node for text in texts if "is_kind(" in text for node in ast.walk(ast.parse(text)))
+    calls = (
+        n for n in nodes if isinstance(n, ast.Call) and ast.unparse(n.func).endswith(".is_kind")
+    )
+    names = {arg.value for call in calls for arg in call.args if isinstance(arg, ast.Constant)}
+    assert names and {*names, *OF_BRACKETS} <= {*MODULES}
 
 
 # -- one way -----------------------------------------------------------------------

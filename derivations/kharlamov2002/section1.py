@@ -203,11 +203,11 @@ section.states(
 # The paper assumes that the vector product of the fields is not zero; this is its square.
 NOT_PARALLEL = ("a^2b^2-c^2",)
 
-AS_LARGE = Locus("$a=b$ and $c=0$", ("a^2-b^2=0", "c=0"), "(a^2-b^2)^2+4c^2")
+AS_LARGE = Locus("$a^2=b^2$ and $c=0$", ("a^2-b^2=0", "c=0"), "(a^2-b^2)^2+4c^2")
 
 # On M4 the relations (7) are singular there only at rest in the plane, and then c1 c2 vanishes.
 PLANAR = Locus(
-    "$a=b$ and $c=0$",
+    "$a^2=b^2$ and $c=0$",
     (r"\omega_1=0", r"\omega_2=0", r"\alpha_3=0", r"\beta_3=0"),
     AS_LARGE.condition,
 )

@@ -292,7 +292,7 @@ all_constants = (
     complex_variables.called("complex variables, all constants")
     .having(
         vectors=FRAME,
-        loci=(Locus("$a=b$ and $c=0$", ("c_1=0", "c_2=0"), AS_LARGE.condition),),
+        loci=(Locus("$a^2=b^2$ and $c=0$", ("c_1=0", "c_2=0"), AS_LARGE.condition),),
         nonzero=NOT_PARALLEL,
     )
     .with_unit(unit[1])

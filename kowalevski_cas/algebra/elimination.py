@@ -13,6 +13,8 @@ from typing import Any
 
 from flint import nmod_mat
 
+from kowalevski_cas.algebra.polynomials import TooLarge
+
 PRIME = 2**61 - 1
 
 LARGEST = 40_000_000
@@ -29,10 +31,6 @@ Vector = Mapping[Any, int]
 
 Relation = dict[int, int]
 """Residues by the places of vectors: a combination of these that vanishes."""
-
-
-class TooLarge(ValueError):
-    """What would take too much memory; the message says how large it is."""
 
 
 class Echelon:

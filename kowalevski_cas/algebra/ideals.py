@@ -7,10 +7,9 @@ from typing import Any
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpz_mpoly_ctx, fmpz_mpoly_vec
 
-from kowalevski_cas.algebra.elimination import TooLarge
 from kowalevski_cas.algebra.flat import Flat
 from kowalevski_cas.algebra.flint import terms_of
-from kowalevski_cas.algebra.polynomials import primitive
+from kowalevski_cas.algebra.polynomials import TooLarge, primitive
 from kowalevski_cas.algebra.tower import Element
 
 LIMITS = (500, 10_000, 50_000)

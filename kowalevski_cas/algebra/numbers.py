@@ -154,15 +154,27 @@ def _adjoin(numbers: Ring, radicand: Element) -> Element:
 
 
 def substitute(terms: Terms, value_of: Callable[[int], Element], ring: Ring) -> Element:
-    """What a polynomial becomes in a ring, by what its generators are there, at their places."""
-    total = ring.zero
-    for exponents, coefficient in terms.items():
-        product = ring.number(coefficient)
-        for place, exponent in enumerate(exponents):
-            if exponent:
-                product = product * value_of(place) ** exponent
-        total = total + product
-    return total
+    """What a polynomial becomes in a ring, by what its generators are there, at their places.
+
+    What terms have in common is multiplied once: place after place, by the powers that occur.
+    """
+    if not terms:
+        return ring.zero
+    last = len(next(iter(terms)))
+
+    def put(terms: Terms, place: int) -> Element:
+        if place == last:
+            return ring.number(*terms.values())
+        by_power: dict[int, dict[tuple[int, ...], Fraction]] = {}
+        for exponents, coefficient in terms.items():
+            by_power.setdefault(exponents[place], {})[exponents] = coefficient
+        total = ring.zero
+        for exponent, group in by_power.items():
+            value = put(group, place + 1)
+            total = total + (value_of(place) ** exponent * value if exponent else value)
+        return total
+
+    return put(terms, 0)
 
 
 def prime_factors(number: int) -> Iterator[tuple[int, int]]:

@@ -30,6 +30,10 @@ Coefficients = Mapping[tuple[int, ...], int | Fraction]
 """What a polynomial is made of; whole numbers may be integers of Python."""
 
 
+class TooLarge(ValueError):
+    """What would take too much memory; the message says how large it is."""
+
+
 class Polynomials(ABC):
     """The ring of polynomials over the rationals in named generators."""
 

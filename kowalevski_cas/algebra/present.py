@@ -156,8 +156,11 @@ def polynomial_formula(terms: Terms, names: Sequence[Formula]) -> Formula:
 
 
 def _sum(terms: Terms, names: Sequence[Formula], order: Sequence[tuple[int, ...]]) -> Formula:
-    powers = {e: (power_formula(n, k) for n, k in zip(names, e, strict=True) if k) for e in terms}
-    return total(multiple(terms[e], powers[e]) for e in order)
+    power = cache(lambda place, exponent: power_formula(names[place], exponent))
+    return total(
+        multiple(terms[e], [power(place, exponent) for place, exponent in enumerate(e) if exponent])
+        for e in order
+    )
 
 
 def _product(terms: Terms, names: Sequence[Formula]) -> Formula:

@@ -153,13 +153,21 @@ class Ring:
 
     def divisors_of(self, elements: Iterable[Element]) -> list[Element]:
         """What elements are divided by, each polynomial once."""
-        indices = sorted({index for element in elements for index in element.denominator})
-        return [Element(self, {0: self.divisors[index]}, {}) for index in indices]
+        return [self.divisor_at(index) for index in indices_below(elements)]
+
+    def divisor_at(self, index: int) -> Element:
+        """The divisor with an index, as an element."""
+        return Element(self, {0: self.divisors[index]}, {})
 
     def from_terms(self, parts: Mapping[int, Coefficients]) -> Element:
         """An element without denominator, from the coefficients of its numerator."""
         convert = self.polynomials.from_terms
         return self.element({m: convert(t) for m, t in parts.items()}, {})
+
+
+def indices_below(elements: Iterable[Element]) -> list[int]:
+    """The indices of what elements are divided by, in ascending order."""
+    return sorted({index for element in elements for index in element.denominator})
 
 
 def _add(parts: Parts, mask: int, polynomial: Polynomial) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from time import perf_counter
 
@@ -113,7 +113,9 @@ class Audit:
         """The same in parts, without the correction."""
         parts = formula.message.splitlines()[:1]
         if formula.breaks and not formula.claims:
-            parts.append(f"because of it these do not hold: {', '.join(formula.breaks)}")
+            parts.append(
+                f"because of it these do not hold: {', '.join(self._claimed(formula.breaks))}"
+            )
         if causes := [self.location(cause) for cause in formula.causes if cause != formula.name]:
             parts.append(f"because of {', '.join(causes)}")
         changed = formula.place in self.session.changed
@@ -130,7 +132,15 @@ class Audit:
     def location(self, place: str) -> str:
         """A place with its line in the source."""
         found = next((formula for formula in self.formulas if formula.name == place), None)
-        return f"{found.id} (line {found.line})" if found else place
+        if found is None:
+            return place
+        called = self.called(found)
+        return called if called.startswith("line ") else f"{called} (line {found.line})"
+
+    def _claimed(self, claims: Sequence[str]) -> Iterable[str]:
+        """What the formulas are called that are claimed, each once."""
+        found = {claim: formula for formula in self.formulas for claim in formula.claims}
+        return dict.fromkeys(self.called(found[id]) if id in found else id for id in claims)
 
     @property
     def wrong(self) -> int:

@@ -37,7 +37,7 @@ from kowalevski_cas.verify.run import Progress, Session, correct_together, decid
 
 PATIENCE = 15.0
 """Seconds for what claims share, and for each that is corrected by itself."""
-NOT_JUDGED = "no goal states it yet"
+NOT_JUDGED = "no kind of claim states it yet"
 BESIDE_MISPRINT = "whether it holds with what the misprint should read was not decided in time"
 BY_MISPRINT = "it holds with the misprint on which it rests, and not with what that should read"
 

@@ -31,19 +31,19 @@ from kowalevski_cas.report.document import (
     Sign,
     Text,
 )
-from kowalevski_cas.report.marks import MARKS
+from kowalevski_cas.report.marks import MARKS, Shown
 from kowalevski_cas.verify.outcome import Verdict
 
 SHORT: Final = 24
 """How many letters a formula has at most that is not broken between two lines."""
 
-_COLOURS: Final = {
+_COLOURS: Final[dict[Shown, int]] = {
     Verdict.PROVED: 32, Verdict.CONDITIONAL: 36, Verdict.REFUTED: 31,
     Verdict.PROBABLE: 34, Verdict.ENCLOSED: 34,
 }  # fmt: skip
 
 
-def sign(verdict: Verdict, words: str = "") -> str:
+def sign(verdict: Shown, words: str = "") -> str:
     """The sign of a verdict, and words, in its colour on a terminal; all signs are as wide."""
     return with_style(f"{MARKS[verdict].sign:<3} {words}".ljust(4), _COLOURS.get(verdict, 33))
 

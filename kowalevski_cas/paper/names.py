@@ -19,6 +19,9 @@ def is_capital(name: str) -> bool:
     return parts.font == r"\mathbf" and parts.letter.isupper()
 
 
+Images = tuple[tuple[str, str], ...]
+"""The variables of a map with the names of their images."""
+
 BRACKET, EPSILON, DELTA = r"\{", r"\varepsilon_{ijk}", r"\delta_{ij}"
 """The Poisson bracket as a function, the sign of a permutation, and Kronecker's delta."""
 

@@ -169,9 +169,12 @@ class Scene:
     ) -> Scene:
         """The scene with more of all these, which is itself if there are none.
 
-        Raises ``ValueError`` for names that it has.
+        Raises ``ValueError`` for names that it has, and ``TypeError`` for what is no tuple.
         """
-        if not any((vectors, variables, constants, powers, undefined, conjugates, nonzero, loci)):
+        more = (variables, constants, powers, undefined, conjugates, nonzero, loci)
+        if wrong := [one for one in more if not isinstance(one, tuple)]:
+            raise TypeError(f"a tuple is expected, and not {wrong[0]!r}: add a comma")
+        if not vectors and not any(more):
             return self
         for name in (*variables, *constants, *undefined):
             self._is_new(name, self.variables, self.constants, self.definitions, self.undefined)
@@ -290,11 +293,12 @@ class Scene:
             time: the relation of the new independent variable to the old one.
             keeping: old variables that are variables again.
         """
+        formulas, (clock,) = tuple(statements(by)), statements(time)
         return Scene(
             self.name,
-            variables=(*(name for place in by for name in place.heads.names), *keeping),
-            field=Change(self, tuple(by), time),
-            time=time.heads.names[0],
+            variables=(*(name for place in formulas for name in place.heads.names), *keeping),
+            field=Change(self, formulas, clock),
+            time=clock.heads.names[0],
         )
 
     def _defining(self, by: tuple[Display | Printed, ...], again: bool) -> Scene:

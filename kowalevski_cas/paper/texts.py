@@ -101,12 +101,14 @@ class Printed:
 
 
 def statements(*printed: Display | Printed) -> Iterator[Printed]:
-    """Single statements, and all those of displays."""
+    """Single statements, and all those of displays; raises ``TypeError`` for anything else."""
     for statement in printed:
         if isinstance(statement, Display):
             yield from statement
-        else:
+        elif isinstance(statement, Printed):
             yield statement
+        else:
+            raise TypeError(f"a display or a statement is expected, and not {statement!r}")
 
 
 def check_attributes(instance: Any, owner: str) -> None:

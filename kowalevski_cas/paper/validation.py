@@ -94,7 +94,9 @@ def _roots(setting: Meaning) -> None:
     ring, paired = setting.finder.ring, {name for pair in setting.conjugates for name in pair}
     for name, radicand in zip(ring.roots, ring.radicands, strict=True):
         # a real root of what is negative leaves no real point, and of none everything is true
-        parts = {} if name == "i" or name in paired else _in_real_names(setting, -radicand).terms()
+        if name == "i" or name in paired:
+            continue
+        parts = _in_real_names(setting, -radicand).terms()
         if parts.keys() == {0} and sum_of_squares(parts[0]) is not None:
             what = f"{name} is real, and its square is nowhere positive"
             raise _refuse(setting, what, "print it with $i$, or mend the radicand", name)
@@ -110,6 +112,8 @@ def _values(setting: Meaning) -> None:
 
 def _in_real_names(setting: Meaning, element: Element) -> Element:
     """An element in real and imaginary parts, which have the names of two conjugates."""
+    if not setting.conjugates:
+        return element
     finder = setting.finder
     names = (*finder.ring.polynomials.generators, *(n for n in finder.ring.roots if n != "i"))
     space = Space(names, steps=(Adjoined("i", Negative(Number(1))),))

@@ -17,9 +17,7 @@ from typing import Any
 from kowalevski_cas.algebra.numbers import independent, inverse_of, rational
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Number
-from kowalevski_cas.problem.along import InitialValueProblem, check_departure, check_equal
 from kowalevski_cas.problem.collect import collect_sides
-from kowalevski_cas.problem.count import check_free, check_roots, check_solutions
 from kowalevski_cas.problem.differentials import differentials, functions_for_differentials, minors
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import (
@@ -47,7 +45,6 @@ from kowalevski_cas.problem.goals import (
     Rank,
     Simple,
 )
-from kowalevski_cas.problem.kernel import check_complete, check_further, check_no_solution
 from kowalevski_cas.problem.place import Misplaced, Pieces, PointEvaluation
 from kowalevski_cas.problem.space import Equation, Meaningless
 
@@ -170,6 +167,8 @@ class Judge(Examiner):
     # -- counts --------------------------------------------------------------------
 
     def _count(self, goal: Count, evidence: Roots, at: Evaluation, sign: bool) -> None:
+        from kowalevski_cas.problem.count import check_free, check_roots  # few problems count
+
         if (len(evidence.eliminant) == goal.number) != sign:
             raise Unproved("it is another number of solutions")
         if not is_real(goal.space):
@@ -182,29 +181,35 @@ class Judge(Examiner):
         self._point(at, evidence.point, known)
 
     def _solutions(self, goal: Count, evidence: Solutions, at: Evaluation, sign: bool) -> None:
+        from kowalevski_cas.problem.count import check_solutions
+
         self.accepted.places += check_solutions(goal, evidence, at)
 
     # -- kernels ---------------------------------------------------------------------
 
     def _kernel(self, goal: Kernel, evidence: At | Further, at: Evaluation, sign: bool) -> None:
+        from kowalevski_cas.problem import kernel  # nor has every one a kernel
+
         self.accepted.divides([*at.rates.values(), at.scalar(goal.factor)])
         place = self._point(at, evidence.point, ())
         if isinstance(evidence, Further):
-            check_further(goal, evidence.formula, at, place)
+            kernel.check_further(goal, evidence.formula, at, place)
         elif sign:
-            check_complete(goal, at, place)
+            kernel.check_complete(goal, at, place)
         else:
-            check_no_solution(goal, at, place)
+            kernel.check_no_solution(goal, at, place)
 
     # -- solutions -------------------------------------------------------------------
 
     def _along(self, goal: Along, evidence: At | Departure, at: Evaluation, sign: bool) -> None:
-        solutions = InitialValueProblem(goal, at)
+        from kowalevski_cas.problem import along  # or follows one motion
+
+        solutions = along.InitialValueProblem(goal, at)
         self._point(at, evidence.point, solutions.differences)
         if isinstance(evidence, Departure):
-            check_departure(solutions, evidence.order, self.accepted.places[-1])
+            along.check_departure(solutions, evidence.order, self.accepted.places[-1])
         else:
-            check_equal(solutions)
+            along.check_equal(solutions)
 
     # -- what exists ---------------------------------------------------------------
 

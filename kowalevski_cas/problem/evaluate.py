@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from copy import copy
 from functools import cache, cached_property
@@ -11,7 +11,8 @@ from typing import Any
 from kowalevski_cas.algebra.derivation import Field, along
 from kowalevski_cas.algebra.numbers import substitute
 from kowalevski_cas.algebra.polynomials import Polynomials, Terms
-from kowalevski_cas.algebra.tower import Element, Ring
+from kowalevski_cas.algebra.present import formula_in
+from kowalevski_cas.algebra.tower import Element, Ring, indices_below
 from kowalevski_cas.notation import Formula, Name, Negative, Number, to_latex
 from kowalevski_cas.problem.fold import Fold, Value
 from kowalevski_cas.problem.space import (
@@ -54,6 +55,7 @@ class Evaluation(Fold):
         self._open: set[tuple[str, bool]] = set()
         self._rates: Field | None = None
         self._directions: dict[str, Field] = {}
+        self._below: dict[int, Formula] = {}
         self._moving = False
         self.bound: frozenset[str] = frozenset()
         """The names that have a value here and no meaning in the space."""
@@ -331,6 +333,14 @@ class Evaluation(Fold):
         """The norms of what is granted with roots: by these it is divided, if it ever is."""
         with_roots = (element for element in self.granted if element.parts.keys() - {0})
         return self.ring.divisors_of([element.inverse() for element in with_roots])
+
+    def divisor_formulas(self, elements: Iterable[Element]) -> list[Formula]:
+        """What elements of the ring are divided by; the formula of a divisor is made once."""
+        indices = indices_below(elements)
+        for index in indices:
+            if index not in self._below:
+                self._below[index] = formula_in(self.ring.divisor_at(index))
+        return [self._below[index] for index in indices]
 
     def _rate_of_generator(self, name: str, rates: Field) -> Element:
         """The derivative of the generator that gives a moving root, perhaps over a divisor."""

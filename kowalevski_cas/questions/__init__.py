@@ -53,7 +53,7 @@ def with_constants(on: Elaborations, scene: Scene, *names: str) -> Elaboration:
 
 def collect(search: Iterator[Finding], seconds: float) -> tuple[list[Finding], str]:
     """What is found in so many seconds, and why nobody looked further, if something is left."""
-    from kowalevski_cas.algebra.elimination import TooLarge
+    from kowalevski_cas.algebra.polynomials import TooLarge
 
     findings: list[Finding] = []
     end = clock() + seconds

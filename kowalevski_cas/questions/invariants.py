@@ -25,9 +25,10 @@ from kowalevski_cas.paper.claims.all_invariants import (
     products_of,
     terms_of,
 )
-from kowalevski_cas.paper.claims.maps import Images, expand_definitions
+from kowalevski_cas.paper.claims.maps import expand_definitions
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.names import Images
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation

@@ -112,7 +112,8 @@ def wrong(comment: Comment, words: str, near: str = "", among: Iterable[str] = (
 def kinds() -> dict[str, type[Claim]]:
     """The kinds of claims that a comment can state, by the words of their names."""
     found = {}
-    for name, kind in vars(claims).items():
+    for name in claims.MODULES:
+        kind = getattr(claims, name)
         if inspect.isclass(kind) and issubclass(kind, Claim) and not inspect.isabstract(kind):
             if all(one.type in _FIELDS for one in own_fields(kind)):
                 found[" ".join(re.findall("[A-Z][a-z]+", name)).lower()] = kind

@@ -32,10 +32,11 @@ from kowalevski_cas.report.document import (
     Text,
     anchor,
 )
+from kowalevski_cas.report.marks import shown_as
 from kowalevski_cas.report.paragraphs import FIRST, FormulaBlocks
 from kowalevski_cas.report.places import PaperSection, ReportItem, numbered, sections
 from kowalevski_cas.report.prose import read_article
-from kowalevski_cas.report.sentences import list_in_words
+from kowalevski_cas.report.sentences import capital, list_in_words
 from kowalevski_cas.report.trust import trust
 from kowalevski_cas.source.displays import TypedFormula, find_formulas
 from kowalevski_cas.source.listing import guess
@@ -159,9 +160,11 @@ class _Annotated:
             f"{self._called(formula)}: {(formula.message or formula.reason).partition(chr(10))[0]}."
             for formula in unjudged
         )
-        yield from (Paragraph(words(said)) for said in dict.fromkeys(told))
+        yield from (Paragraph(words(capital(said))) for said in dict.fromkeys(told))
         for passage in audit.uncovered:
-            yield Paragraph((f"Line {passage.line}, without a verdict: ", Code(passage.words)))
+            shown, display, _ = passage.words.partition(r"\begin{")
+            code = Code(f"{shown}…" if shown and display else passage.words)
+            yield Paragraph((f"Line {passage.line}, without a verdict: ", code))
 
     def _called(self, formula: Audited) -> str:
         """A formula by its number, or by its line."""
@@ -188,10 +191,15 @@ class _Annotated:
         items = self.items[display.id]
         own = next(item for item in items if item.display == display.id)
         formulas = [formula for row in own.rows for formula in row.formulas]
-        blocks = [*self._wrong(display)]
+        wrong = self._wrong(display, own)
+        blocks: list[Block] = []
         if display.id in self.begins:
-            blocks.insert(0, Paragraph((), anchor=self.begins[display.id]))
+            blocks.append(Paragraph((), anchor=self.begins[display.id]))
         for item in items:
+            if item is own and wrong is not None:
+                blocks.append(wrong)
+                if not own.stated:
+                    continue
             if item.source:
                 said = self.contents.phrases.sentence(item.source, ":")
                 blocks.append(Paragraph(said, "note", leads=True))
@@ -201,35 +209,47 @@ class _Annotated:
             return FormulaBlocks((), tuple(blocks))
         shown_here: list[Inline] = [*list_in_words([(formula,) for formula in formulas], ", ")]
         for outcome in own.outcomes[:1]:
-            sign = Link(f"claim.{anchor(outcome.claim)}", (Sign(outcome.verdict),))
+            sign = Link(f"claim.{anchor(outcome.claim)}", (Sign(shown_as(outcome)),))
             shown_here += ["\u00a0", sign]
         return FormulaBlocks(tuple(shown_here) or (Code(typed.tex),), tuple(blocks), inline=True)
 
-    def _wrong(self, display: Printed) -> Iterator[Block]:
-        """What is wrong with a formula that nothing is claimed of."""
-        for formula in self.audit.formulas:
-            here = formula.id.partition(".")[0] == display.id or formula.id == display.id
-            if here and formula.wrong and not formula.claims:
-                phrases = self.contents.phrases
-                said: Text = (
-                    f"{formula.verdict.capitalize()}. ",
-                    *phrases.sentence(formula.message),
-                )
-                if formula.breaks:
-                    said = (
-                        *said,
-                        " Because of it, these fail: ",
-                        *phrases.links(formula.breaks),
-                        ".",
-                    )
-                yield Judgement(Verdict.ERROR, "", said, (self._place(formula),))
+    def _wrong(self, display: Printed, own: ReportItem) -> Judgement | None:
+        """What is wrong with a display of which nothing is claimed, with its formulas."""
+        found = [
+            formula
+            for formula in self.audit.formulas
+            if display.id in (formula.id, formula.id.partition(".")[0])
+            and formula.wrong
+            and not formula.claims
+        ]
+        if not found:
+            return None
+        misprints = self.audit.session.causes.misprints
+        phrases = self.contents.phrases
+        said: Text = ()
+        for formula in found:
+            word = "Misprinted" if formula.place in misprints else formula.verdict.capitalize()
+            said += (f"{self._place(formula)}{word}. ", *phrases.sentence(formula.message), " ")
+            if formula.breaks:
+                said += ("Because of it, these fail: ", *phrases.links(formula.breaks), ". ")
+        known = any(formula.place in misprints for formula in found)
+        sign = Verdict.REFUTED if known else Verdict.ERROR
+        if own.stated:  # its formulas follow, with what is claimed of the others
+            return Judgement(sign, "", said)
+        shown = [
+            b._replace(label=())
+            for b in self.contents.passages.item(own)
+            if isinstance(b, Equations)
+        ]
+        return Judgement(sign, "", said, (own.label,) if own.label else (), tuple(shown))
 
-    def _place(self, formula: Audited) -> Inline:
-        """Which of several formulas of a display one is; else its name."""
-        if self.audit.reading is None or formula.place is None:
-            return Code(formula.id)
-        display, number = formula.place.display, formula.place.number
-        return f"formula {number}" if len(split_display(display.tex)) > 1 else ""
+    def _place(self, formula: Audited) -> str:
+        """Which of several formulas of a display one is."""
+        if self.audit.reading is None:
+            return f"{formula.id}: "
+        place = formula.place
+        several = place is not None and len(split_display(place.display.tex)) > 1
+        return f"Formula {place.number}: " if place is not None and several else ""
 
     # -- the text -------------------------------------------------------------------
 

@@ -26,7 +26,7 @@ from kowalevski_cas.report.erratum import erratum
 from kowalevski_cas.report.figures import FigureFile
 from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.made import written_by
-from kowalevski_cas.report.marks import MARKS
+from kowalevski_cas.report.marks import MARKS, shown_as
 from kowalevski_cas.report.passages import Passages
 from kowalevski_cas.report.places import PaperSection, displays, labels, names
 from kowalevski_cas.report.results import main_results
@@ -162,7 +162,9 @@ class Contents:
         """The signs of all statements, section by section."""
         rows = []
         for section in self.sections:
-            links = (Link(f"claim.{anchor(o.claim)}", (Sign(o.verdict),)) for o in section.outcomes)
+            links = (
+                Link(f"claim.{anchor(o.claim)}", (Sign(shown_as(o)),)) for o in section.outcomes
+            )
             signs = tuple(part for link in links for part in (" ", link))[1:]
             link = Link(f"section.{anchor(section.number)}", self.phrases.title(section))
             rows.append(((link,), signs))
@@ -188,15 +190,19 @@ class Contents:
     def _legend(self) -> Iterator[Block]:
         """What the marks mean, and “valid for”."""
         outcomes = self.run.outcomes
-        present = [v for v in Verdict if any(o.verdict is v for o in outcomes)]
-        means = list_in_words([(Sign(v), f" {MARKS[v].meaning}") for v in present])
+        present = [shown for shown in MARKS if any(shown_as(o) == shown for o in outcomes)]
+        means = list_in_words([(Sign(shown), f" {MARKS[shown].meaning}") for shown in present])
         divided = [c.expression for o in outcomes for c in o.conditions if not c.witness]
         valid: Text = ()
         if divided:
             valid = (
                 " “Valid for ", nonzero(divided[0]), "” means that the formula, or a definition "
-                "or equation that it uses, has this denominator.",
+                "or equation that it uses, has this denominator: the condition is sufficient, and "
+                "whether it is necessary is not said.",
             )  # fmt: skip
+        if self.findings.missing:
+            valid = (*valid, " A missing hypothesis is necessary: a point is given where the "
+                "statement fails without it.")  # fmt: skip
         names = self.phrases.names.values()
         ours = next((name.number for name in names if not name.number.startswith("(")), "")
         if ours and any(name.number.startswith("(") for name in names):

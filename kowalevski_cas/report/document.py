@@ -12,7 +12,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from kowalevski_cas.notation import Formula
-from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.report.marks import Shown
 
 if TYPE_CHECKING:  # a terminal shows none
     from kowalevski_cas.report.figures import FigureFile
@@ -28,7 +28,7 @@ class Code(NamedTuple):
 class Sign(NamedTuple):
     """The sign of a verdict."""
 
-    verdict: Verdict
+    verdict: Shown
 
 
 class Link(NamedTuple):
@@ -85,7 +85,7 @@ class Equations(NamedTuple):
 
     formulas: tuple[Formula, ...]
     source: str = ""
-    verdict: Verdict | None = None
+    verdict: Shown | None = None
     label: Text = ()
     anchor: str = ""
     wrong: bool = False
@@ -101,7 +101,7 @@ class Judgement(NamedTuple):
     ``folded`` is what the program did, which a reader may skip.
     """
 
-    verdict: Verdict | None
+    verdict: Shown | None
     anchor: str
     head: Text
     label: Text = ()

@@ -32,11 +32,11 @@ from kowalevski_cas.report.document import (
     TrialVersion,
 )
 from kowalevski_cas.report.graph.svg import svg
-from kowalevski_cas.report.marks import MARKS
+from kowalevski_cas.report.marks import MARKS, Shown
 from kowalevski_cas.report.pieces import Piece, pieces, source_of, width_of
 from kowalevski_cas.report.setting import SHORT, Typesetter
 from kowalevski_cas.report.writer import Writer
-from kowalevski_cas.verify.outcome import Verdict, in_latex
+from kowalevski_cas.verify.outcome import in_latex
 
 _NARROW: Final = 19.0
 """The width of a telephone, in em of a formula."""
@@ -155,7 +155,7 @@ class HtmlWriter(Writer):
     def code(self, text: str) -> str:
         return f"<code>{escape(' '.join(text.split()))}</code>"
 
-    def sign(self, verdict: Verdict) -> str:
+    def sign(self, verdict: Shown) -> str:
         mark = MARKS[verdict]
         return (
             f'<span class="mark {verdict}" role="img" aria-label="{mark.word}" '
@@ -270,11 +270,10 @@ class HtmlWriter(Writer):
                 for k, version in enumerate(block.versions)
             )
         parts = "\n".join(map(self._version, block.versions))
-        opened = "" if block.of else " open"  # several would hide what is said next
         head = f"<summary>Try other numbers{self.text(block.of)}</summary>"
         choice = f"<p>{choice}</p>" if choice else ""
         button = '<p><button type="button">Back to the point above</button></p>'
-        inner = f"<details{opened}>{head}\n{choice}\n{parts}\n{button}</details>"
+        inner = f"<details>{head}\n{choice}\n{parts}\n{button}</details>"
         return f'<form class="trial" hidden>{inner}</form>'
 
     def _version(self, version: TrialVersion) -> str:

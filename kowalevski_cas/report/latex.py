@@ -22,10 +22,9 @@ from kowalevski_cas.report.document import (
 )
 from kowalevski_cas.report.escaping import ascii_only, escape_latex
 from kowalevski_cas.report.graph.tikz import tikz
-from kowalevski_cas.report.marks import MARKS
+from kowalevski_cas.report.marks import MARKS, Shown
 from kowalevski_cas.report.setting import Typesetter
 from kowalevski_cas.report.writer import Writer
-from kowalevski_cas.verify.outcome import Verdict
 
 
 def render_latex(document: Document) -> str:
@@ -85,7 +84,7 @@ class LatexWriter(Writer):
     def code(self, text: str) -> str:
         return rf"\texttt{{{escape_latex(' '.join(text.split()))}}}"
 
-    def sign(self, verdict: Verdict) -> str:
+    def sign(self, verdict: Shown) -> str:
         return rf"\Sign{{{verdict}}}"
 
     def link(self, link: Link) -> str:

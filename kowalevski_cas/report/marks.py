@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import Final, Literal, NamedTuple
 
-from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.outcome import Outcome, Verdict
+
+Shown = Verdict | Literal["spoiled"]
+"""How a statement is shown: by its verdict, unless another formula makes it false."""
+
+SPOILED: Final = "spoiled"
 
 
 class VerdictMark(NamedTuple):
@@ -19,17 +24,19 @@ class VerdictMark(NamedTuple):
     meaning: str
 
 
-MARKS: Final[dict[Verdict, VerdictMark]] = {
+MARKS: Final[dict[Shown, VerdictMark]] = {
     Verdict.PROVED: VerdictMark("holds", "✓", r"$\checkmark$", "$checkmark$", "1F5C3A", "7BC99B",
         "holds"),
     Verdict.CONDITIONAL: VerdictMark("holds if", "(✓)", r"$(\checkmark)$", "$(checkmark)$",
         "8A5A00", "E0B050", "holds under a condition that is named"),
     Verdict.PROBABLE: VerdictMark("probable", "≈", r"$\approx$", "$approx$", "555555", "AAAAAA",
-        "holds but for a named chance of error"),
+        "holds up to a stated probability of error"),
     Verdict.ENCLOSED: VerdictMark("enclosed", "±", r"$\pm$", "$plus.minus$", "555555", "AAAAAA",
         "holds within a named radius"),
     Verdict.REFUTED: VerdictMark("false", "✗", r"$\boldsymbol{\times}$", "$bold(times)$",
         "A3201D", "FF8A80", "is false: it fails at a point that is given"),
+    SPOILED: VerdictMark("fails because of another formula", "(✗)", r"$(\boldsymbol{\times})$",
+        "$(bold(times))$", "8A5A00", "E0B050", "fails only because another formula is misprinted"),
     Verdict.UNDECIDED: VerdictMark("undecided", "?", r"?", "?", "555555", "AAAAAA",
         "is neither proved nor refuted"),
     Verdict.TIMEOUT: VerdictMark("timeout", "…", r"\dots", "…", "555555", "AAAAAA",
@@ -37,3 +44,8 @@ MARKS: Final[dict[Verdict, VerdictMark]] = {
     Verdict.ERROR: VerdictMark("error", "!", r"!", "!", "555555", "AAAAAA",
         "was not decided, because something went wrong"),
 }  # fmt: skip
+
+
+def shown_as(outcome: Outcome) -> Shown:
+    """How a statement with its outcome is shown."""
+    return SPOILED if outcome.spoiled else outcome.verdict

@@ -21,7 +21,7 @@ from kowalevski_cas.report.document import (
 from kowalevski_cas.report.erratum import erratum_tex
 from kowalevski_cas.report.evidence import Evidence
 from kowalevski_cas.report.findings import Findings
-from kowalevski_cas.report.marks import MARKS
+from kowalevski_cas.report.marks import MARKS, Shown, shown_as
 from kowalevski_cas.report.places import ClaimGroup, PaperSection, ReportItem
 from kowalevski_cas.report.sentences import capital, group_alike, list_in_words, supposed
 from kowalevski_cas.report.witnesses import Witness
@@ -93,16 +93,18 @@ class Passages:
         for row in stated.rows:
             own = row.outcome
             beside = [self.phrases.words(own.words)] if own and len(words) > 1 else []
+            if own and own.spoiled:
+                beside.append(("fails because of ", *self.phrases.slip((own,))))
             if own and len(where) > 1 and self._where(own):
                 beside.append(("valid for ", *self._where(own)))
             shown.append(
                 Equations(
                     _slips(row.formulas, own),
                     row.source,
-                    own.verdict if own else None,
+                    shown_as(own) if own else None,
                     list_in_words(beside, "; "),
                     f"claim.{anchor(own.claim)}" if own else "",
-                    bool(own and own.verdict is Verdict.REFUTED),
+                    bool(own and shown_as(own) is Verdict.REFUTED),
                     erratum=erratum_tex(self.phrases, own) if own else "",
                 )
             )
@@ -125,11 +127,16 @@ class Passages:
             Verdict.PROVED,
             Verdict.CONDITIONAL,
         ):
-            word = MARKS[outcome.verdict].word.capitalize()
-            known = f", {self.findings.denier}" if outcome in self.findings.denied else ""
-            head = (*head, " ", Emphasis((f"{word}{known}.",), strong=True))
+            head = (*head, " ", Emphasis(self._word(outcome), strong=True))
         place = f"claim.{anchor(outcome.claim)}"
-        return self._claim(outcome.verdict, place, head, stated.number, shown, (outcome,))
+        return self._claim(shown_as(outcome), place, head, stated.number, shown, (outcome,))
+
+    def _word(self, outcome: Outcome) -> Text:
+        """The verdict as a sentence; of what another formula makes false, which one does."""
+        if outcome.spoiled:
+            return ("Fails because of ", *self.phrases.slip((outcome,)), ".")
+        known = f", {self.findings.denier}" if outcome in self.findings.denied else ""
+        return (f"{MARKS[outcome.verdict].word.capitalize()}{known}.",)
 
     def _where(self, outcome: Outcome) -> Text:
         """Where a statement holds, if its denominators say so."""
@@ -137,7 +144,7 @@ class Passages:
 
     def _claim(
         self,
-        verdict: Verdict | None,
+        verdict: Shown | None,
         place: str,
         head: Text,
         number: str,

@@ -8,7 +8,7 @@ from typing import Final
 from kowalevski_cas.notation import Formula, to_plain
 from kowalevski_cas.report.document import Block, Judgement, Paragraph, Sign, Text
 from kowalevski_cas.report.findings import Findings
-from kowalevski_cas.report.marks import MARKS
+from kowalevski_cas.report.marks import MARKS, shown_as
 from kowalevski_cas.report.sentences import (
     Phrases,
     capital,
@@ -16,7 +16,7 @@ from kowalevski_cas.report.sentences import (
     in_words,
     list_in_words,
 )
-from kowalevski_cas.verify.outcome import Outcome, Verdict
+from kowalevski_cas.verify.outcome import Condition, Outcome, Verdict
 
 LONG: Final = 60
 """The signs that conditions have at most where a reader has half a minute."""
@@ -53,16 +53,26 @@ def _fate(verdicts: Sequence[Verdict]) -> str:
 
 def _statement(phrases: Phrases, outcome: Outcome) -> Judgement:
     """A statement with its sign, where it holds, and a link to its place."""
-    where = phrases.where([one for one in outcome.conditions if not one.zeros])
-    if sum(len(to_plain(part)) for part in where if isinstance(part, Formula)) > LONG:
-        where = ("the denominators that are named there do not vanish",)
-    excepted = [list_in_words([(zero,) for zero in one.zeros]) for one in outcome.conditions]
+    sufficient = _where(phrases, [one for one in outcome.conditions if not one.witness])
+    needed = [one for one in outcome.conditions if one.witness]
+    necessary = _where(phrases, [one for one in needed if not one.zeros])
+    excepted = [list_in_words([(zero,) for zero in one.zeros]) for one in needed]
     unless = list_in_words([zeros for zeros in excepted if zeros], ", or ")
-    valid = (*((", where ", *where) if where else ()), *((", unless ", *unless) if unless else ()))
+    valid: Text = (", where ", *sufficient, " (sufficient)") if sufficient else ()
+    valid += (", where ", *necessary, " (necessary)") if necessary else ()
+    valid += (", unless ", *unless, " (necessary)") if unless else ()
     words = phrases.words(outcome.words.rstrip("."))
     return Judgement(
-        outcome.verdict, "", (*phrases.links([outcome.claim]), ": ", *words, *valid, ".")
+        shown_as(outcome), "", (*phrases.links([outcome.claim]), ": ", *words, *valid, ".")
     )
+
+
+def _where(phrases: Phrases, conditions: Sequence[Condition]) -> Text:
+    """What conditions say, if that is short."""
+    where = phrases.where(conditions)
+    if sum(len(to_plain(part)) for part in where if isinstance(part, Formula)) > LONG:
+        return ("the denominators that are named there do not vanish",)
+    return where
 
 
 def _falsehood(findings: Findings, results: Sequence[Outcome]) -> Text:

@@ -25,7 +25,7 @@ LONGEST: Final = 200
 """The signs of a point, and of what fails there, that are shown in the first lines."""
 
 _OPEN: Final = {
-    Verdict.PROBABLE: "true but for a named chance of error",
+    Verdict.PROBABLE: "true up to a stated probability of error",
     Verdict.ENCLOSED: "true within a named radius",
     Verdict.UNDECIDED: "undecided",
     Verdict.TIMEOUT: "not decided in the time allowed",

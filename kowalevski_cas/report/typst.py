@@ -21,10 +21,9 @@ from kowalevski_cas.report.document import (
     Table,
     for_paper,
 )
-from kowalevski_cas.report.marks import MARKS
+from kowalevski_cas.report.marks import MARKS, Shown
 from kowalevski_cas.report.setting import Typesetter
 from kowalevski_cas.report.writer import Writer
-from kowalevski_cas.verify.outcome import Verdict
 
 _SPECIAL: Final = re.compile(r"([\\#$*_`@<>\[\]~=/])")
 
@@ -79,7 +78,7 @@ class TypstWriter(Writer):
     def code(self, text: str) -> str:
         return f"#raw({_quote(' '.join(text.split()))});"
 
-    def sign(self, verdict: Verdict) -> str:
+    def sign(self, verdict: Shown) -> str:
         return f'#sign("{verdict}");'
 
     def link(self, link: Link) -> str:

@@ -11,9 +11,9 @@ from kowalevski_cas import __version__
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.report.document import Block, Code, Document, Emphasis, Inline, Link, Sign, Text
 from kowalevski_cas.report.made import today
+from kowalevski_cas.report.marks import Shown
 from kowalevski_cas.report.pieces import pieces, width_of
 from kowalevski_cas.report.setting import SHORT, Typesetter
-from kowalevski_cas.verify.outcome import Verdict
 
 
 class Writer(ABC):
@@ -108,7 +108,7 @@ class Writer(ABC):
         """Letters as they are typed."""
 
     @abstractmethod
-    def sign(self, verdict: Verdict) -> str:
+    def sign(self, verdict: Shown) -> str:
         """The sign of a verdict."""
 
     @abstractmethod

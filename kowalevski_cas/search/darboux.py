@@ -16,9 +16,9 @@ from random import Random
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz
 
-from kowalevski_cas.algebra.elimination import PRIME, Echelon, TooLarge
+from kowalevski_cas.algebra.elimination import PRIME, Echelon
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_fraction
-from kowalevski_cas.algebra.polynomials import primitive
+from kowalevski_cas.algebra.polynomials import TooLarge, primitive
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation

@@ -13,10 +13,9 @@ from typing import NamedTuple
 
 from flint import Ordering, fmpq_mpoly_ctx
 
-from kowalevski_cas.algebra.elimination import TooLarge
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of
 from kowalevski_cas.algebra.ideals import reduce_groebner_basis
-from kowalevski_cas.algebra.polynomials import Terms, primitive
+from kowalevski_cas.algebra.polynomials import Terms, TooLarge, primitive
 from kowalevski_cas.search.combinations import complete
 
 

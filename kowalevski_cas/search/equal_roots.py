@@ -50,6 +50,23 @@ def proof_by_equal_roots(goals: Sequence[Element], at: Evaluation) -> Proof | No
     return Proof(formula_rows(whole), equal=tuple(found.equal))
 
 
+def equal_products(at: Evaluation) -> tuple[list[Sides], list[Element]]:
+    r"""The roots of products that are products of printed roots, with the differences of both.
+
+    So :math:`\sqrt{ab}` is :math:`\sqrt a\sqrt b` where these two are real.
+    """
+    found = _EqualRoots(at)
+    bits = found.bits(found.signed)
+    under = {bit: found.magnitude(1 << bit).under for bit in bits}
+    single = {min(factors): bit for bit, (_, factors) in under.items() if len(factors) == 1}
+    for bit, (_, factors) in under.items():
+        if len(factors) > 1 and single.keys() >= factors:
+            product_ = sum(1 << single[factor] for factor in factors)
+            if found.magnitude(product_).under == under[bit]:
+                found.place(1 << bit, product_)
+    return found.equal, found.differences
+
+
 def _has_several_roots(goal: Element) -> bool:
     return len(goal.parts) > 1
 
@@ -60,7 +77,7 @@ class _EqualRoots:
     def __init__(self, at: Evaluation) -> None:
         self.at, self.ring = at, at.ring
         self.equal: list[Sides] = []
-        self._differences: list[Element] = []
+        self.differences: list[Element] = []
         self._magnitudes: dict[int, Magnitude] = {}
 
     def row(self, goal: Element) -> list[Element] | None:
@@ -68,24 +85,24 @@ class _EqualRoots:
         row = [self.ring.zero for _ in self.equal]
         classes: dict[tuple[int, object], list[int]] = {}
         for mask in goal.parts:
-            signed = mask & self._signed
-            key = mask ^ signed, self._magnitude(signed).under
+            signed = mask & self.signed
+            key = mask ^ signed, self.magnitude(signed).under
             classes.setdefault(key, []).append(mask)
         rest = goal
         for masks in classes.values():
             first, *others = sorted(masks, key=self._weight)
             for mask in others:
-                place = self._place(mask & self._signed, first & self._signed)
+                place = self.place(mask & self.signed, first & self.signed)
                 if place is None:
                     return None
                 entry = self._entry(goal, mask, place)
                 row += [self.ring.zero] * (len(self.equal) - len(row))
                 row[place] += entry
-                rest -= entry * self._differences[place]
+                rest -= entry * self.differences[place]
         return row if rest.is_zero else None
 
     @cached_property
-    def _signed(self) -> int:
+    def signed(self) -> int:
         """The bits of the roots that are not negative, and whose squares are polynomials."""
         return sum(
             1 << bit
@@ -96,16 +113,16 @@ class _EqualRoots:
         )
 
     def _weight(self, mask: int) -> int:
-        return sum(map(abs, self._magnitude(mask & self._signed).exponents.values()))
+        return sum(map(abs, self.magnitude(mask & self.signed).exponents.values()))
 
-    def _bits(self, mask: int) -> list[int]:
+    def bits(self, mask: int) -> list[int]:
         return [bit for bit in range(len(self.ring.roots)) if mask >> bit & 1]
 
-    def _magnitude(self, mask: int) -> Magnitude:
+    def magnitude(self, mask: int) -> Magnitude:
         """The absolute value of the printed roots in a mask, taken together."""
         if mask not in self._magnitudes:
             number, exponents = Fraction(1), Counter[Factor]()
-            for bit in self._bits(mask):
+            for bit in self.bits(mask):
                 own, factors = _factors(self.ring.radicands[bit].terms()[0])
                 number *= own
                 exponents.update(factors)
@@ -120,9 +137,9 @@ class _EqualRoots:
             self._magnitudes[mask] = Magnitude(root, halves, (left, odd))
         return self._magnitudes[mask]
 
-    def _place(self, mask: int, other: int) -> int | None:
+    def place(self, mask: int, other: int) -> int | None:
         """The place of the equality of two products of roots, up to what is not negative."""
-        left, right = self._magnitude(mask), self._magnitude(other)
+        left, right = self.magnitude(mask), self.magnitude(other)
         factors = {*left.exponents, *right.exponents}
         ratio = {f: left.exponents.get(f, 0) - right.exponents.get(f, 0) for f in factors}
         number = left.number / right.number
@@ -132,7 +149,7 @@ class _EqualRoots:
             return None
         if (one, two) not in self.equal:
             self.equal.append((one, two))
-            self._differences.append(self.at.scalar(one) - self.at.scalar(two))
+            self.differences.append(self.at.scalar(one) - self.at.scalar(two))
         return self.equal.index((one, two))
 
     def _side(self, mask: int, number: int, exponents: Mapping[Factor, int]) -> Formula | None:
@@ -143,7 +160,7 @@ class _EqualRoots:
             if base is None:
                 return None
             factors.append(base if exponent == 1 else Power(base, Number(exponent)))
-        factors += [Name(self.ring.roots[bit]) for bit in self._bits(mask)]
+        factors += [Name(self.ring.roots[bit]) for bit in self.bits(mask)]
         return _product(factors)
 
     def _absolute(self, factor: Factor) -> Formula | None:
@@ -173,7 +190,7 @@ class _EqualRoots:
     def _signs(self) -> dict[Factor, Formula]:
         """The absolute values of what printed roots are taken of, up to numbers."""
         found: dict[Factor, Formula] = {}
-        for bit in self._bits(self._signed):
+        for bit in self.bits(self.signed):
             number, factors = _factors(self.ring.radicands[bit].terms()[0])
             if self.ring.below[bit] is None and [*factors.values()] == [1]:
                 (factor,) = factors
@@ -186,7 +203,7 @@ class _EqualRoots:
     def _letters(self) -> dict[int, tuple[int, Formula]]:
         """The generators of which the sign is known: it, and the absolute value."""
         found = {}
-        for bit in self._bits(self._signed):
+        for bit in self.bits(self.signed):
             number, factors = _factors(self.ring.radicands[bit].terms()[0])
             for factor in factors:
                 ((exponents, _), *others) = factor
@@ -203,8 +220,8 @@ class _EqualRoots:
     def _entry(self, goal: Element, mask: int, place: int) -> Element:
         """What an equality is multiplied by, so that it takes a part of an element away."""
         left = self.at.scalar(self.equal[place][0])
-        (own,) = (part for bits, part in left.parts.items() if bits == mask & self._signed)
-        polynomials, under = self.ring.polynomials, mask & ~self._signed
+        (own,) = (part for bits, part in left.parts.items() if bits == mask & self.signed)
+        polynomials, under = self.ring.polynomials, mask & ~self.signed
         quotient = exact_quotient(polynomials.terms(goal.parts[mask]), polynomials.terms(own))
         if quotient is not None:
             part = self.ring.from_terms({under: quotient})

@@ -20,7 +20,7 @@ from kowalevski_cas.problem.place import PointEvaluation
 from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.combinations import Combinations, combinations_of, complete
-from kowalevski_cas.search.equal_roots import proof_by_equal_roots
+from kowalevski_cas.search.equal_roots import equal_products, proof_by_equal_roots
 from kowalevski_cas.search.place import Candidate, Good, Height, PointFinder, Values
 from kowalevski_cas.search.real_cases import RealCases
 
@@ -100,7 +100,10 @@ class FollowsFinder(PointFinder):
         plain = known and not at.ring.roots and not any(one.denominator for one in everything)
         if not plain and not _has_signs(goal):
             return None
-        return RealCases(conclusions, known, at.granted).proof(known)
+        equal, differences = equal_products(at)
+        known = [*known, *differences]
+        found = RealCases(conclusions, known, at.granted).proof(known)
+        return found and found._replace(equal=(*equal,))
 
     @staticmethod
     def _by_loci(goal: Follows, at: Evaluation) -> Proof | None:

@@ -20,9 +20,8 @@ from typing import NamedTuple
 
 from flint import fmpq_mat, fmpq_mpoly
 
-from kowalevski_cas.algebra.elimination import TooLarge
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_flint, to_fraction
-from kowalevski_cas.algebra.polynomials import Terms
+from kowalevski_cas.algebra.polynomials import Terms, TooLarge
 from kowalevski_cas.algebra.squares import Squares, reduce_gram
 from kowalevski_cas.problem.polynomial_fields import number_of_monomials
 from kowalevski_cas.search.semidefinite import Row, SemidefiniteProgram, Vectors

@@ -11,9 +11,9 @@ from itertools import chain, islice, takewhile
 from operator import mul
 from random import Random
 
-from kowalevski_cas.algebra.elimination import PRIME, Echelon, TooLarge, relations
+from kowalevski_cas.algebra.elimination import PRIME, Echelon, relations
 from kowalevski_cas.algebra.kernels import lift
-from kowalevski_cas.algebra.polynomials import primitive
+from kowalevski_cas.algebra.polynomials import TooLarge, primitive
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation

@@ -11,11 +11,11 @@ from operator import add, mul
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
-from kowalevski_cas.algebra.elimination import TooLarge
 from kowalevski_cas.algebra.factors import irreducible_factors, vanishes_with
 from kowalevski_cas.algebra.flat import Flat
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of
 from kowalevski_cas.algebra.ideals import reduce_groebner_basis
+from kowalevski_cas.algebra.polynomials import TooLarge
 from kowalevski_cas.algebra.present import formula_rows
 from kowalevski_cas.algebra.squares import few_squares, sum_of_squares
 from kowalevski_cas.algebra.tower import Element
@@ -71,7 +71,8 @@ class RealCases:
             group, row = step
             inside = self.proof([*known, *group], len(known) + len(group), depth - 1)
             if inside is not None:
-                return Proof(formula_rows([row]), formula_rows([group]), (inside,))
+                power = 2 if len(group) == 1 else 1  # the value of one is no square
+                return Proof(formula_rows([row]), formula_rows([group]), (inside,), power)
         for _, groups, power in sorted(apart or products, key=lambda found: found[0])[:1]:
             whole = reduce(mul, map(value_of, groups))
             found = _zero_or(combinations, whole**power, known)
@@ -85,7 +86,8 @@ class RealCases:
 
         That nothing is left may not rest on a norm, which vanishes where its element does not.
         """
-        used = {k for one in known for k, d in enumerate(self.flat.polynomial(one).degrees()) if d}
+        polynomials = [*map(self.flat.polynomial, known), *self._relations(known)]
+        used = {k for one in polynomials for k, d in enumerate(one.degrees()) if d}
         return [
             one
             for one in self.granted
@@ -202,7 +204,11 @@ class RealCases:
     def _multipliers(
         self, target: fmpq_mpoly, weights: Sequence[fmpq_mpoly]
     ) -> Iterator[fmpq_mpoly]:
-        """Positive polynomials, of roots and squares, by which a target may be multiplied."""
+        r"""Polynomials by which a target may be multiplied: of roots and squares, and conjugates.
+
+        So from :math:`a<b` follows :math:`b-\sqrt{ab}>0`, of which :math:`b+\sqrt{ab}` makes
+        :math:`b(b-a)`.
+        """
         gens, one = self.flat.context.gens(), self.flat.context.constant(1)
         yield one
         own = {self.flat.roots - 1 - bit for _, bit, _ in self._norms()}
@@ -212,6 +218,9 @@ class RealCases:
         places = [k for k, d in enumerate(target.degrees()) if d > 1 and k >= self.flat.roots]
         if places:
             yield reduce(lambda a, k: a + gens[k] ** 2, places, one)
+        for k in range(self.flat.roots):
+            if k not in own and gens[k] in weights and target.degrees()[k] == 1:
+                yield target.compose(*gens[:k], -gens[k], *gens[k + 1 :])
 
     def _weights(self, polynomials: Sequence[fmpq_mpoly]) -> list[tuple[Element, fmpq_mpoly]]:
         """The roots whose squares have to do with polynomials, with these squares."""

@@ -12,11 +12,11 @@ from random import Random
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
-from kowalevski_cas.algebra.elimination import PRIME, Echelon, TooLarge
+from kowalevski_cas.algebra.elimination import PRIME, Echelon
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_flint
 from kowalevski_cas.algebra.ideals import reduce_groebner_basis, remainder
 from kowalevski_cas.algebra.kernels import kernel
-from kowalevski_cas.algebra.polynomials import primitive
+from kowalevski_cas.algebra.polynomials import TooLarge, primitive
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.kernel import LARGEST

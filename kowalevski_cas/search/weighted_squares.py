@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from flint import fmpq_mpoly, fmpq_mpoly_ctx
 
-from kowalevski_cas.algebra.elimination import TooLarge
+from kowalevski_cas.algebra.polynomials import TooLarge
 from kowalevski_cas.search.gram import GramEquations, Representation
 
 MOST_WEIGHTS = 2

@@ -2,80 +2,27 @@
 
 from __future__ import annotations
 
-import re
-from collections import Counter
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from copy import copy
-from dataclasses import fields, replace
+from dataclasses import replace
 from typing import Any, Self
 
 from kowalevski_cas.library import MADE
-from kowalevski_cas.notation import (
-    Formula,
-    defined_names,
-    read,
-    read_display,
-    split_display,
-    to_plain,
-)
-from kowalevski_cas.paper.applied import collective_arguments, printed_arguments, without_arguments
-from kowalevski_cas.paper.chains import without_chains
-from kowalevski_cas.paper.claims import (
-    Casimir,
-    Claim,
-    FirstIntegral,
-    Identity,
-    Implication,
-    Inequality,
-    Involution,
-    Jacobi,
-)
-from kowalevski_cas.paper.claims.maps import OF_MAPS
-from kowalevski_cas.paper.constraints import equations_on
+from kowalevski_cas.notation import Formula, read, read_display, split_display, to_plain
+from kowalevski_cas.paper.claims import Casimir, Claim, FirstIntegral, Identity
 from kowalevski_cas.paper.derivation import Section
-from kowalevski_cas.paper.initial_values import without_initial_values
-from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.relations import solve_for_constant
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives, with_rates
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.answers import ClaimInParts, Function, SystemClaim, in_html
-from kowalevski_cas.system.beside import columns, with_columns_in_bold, with_upright_unit
 from kowalevski_cas.system.cases import LawOfCase, laws_by_cases
-from kowalevski_cas.system.equations import (
-    components,
-    constraints_in,
-    restrict,
-    scene_by,
-    with_levels,
-    with_motion,
-    with_parameters,
-    with_roots,
-    with_time,
-)
-from kowalevski_cas.system.indices import (
-    counts,
-    has_permutation,
-    with_counts,
-    with_length,
-    with_range_of_names,
-    with_ranges,
-    with_symmetry,
-)
-from kowalevski_cas.system.inverses import without_inverses
-from kowalevski_cas.system.maps import (
-    Map,
-    has_bars,
-    index_of_map,
-    with_images,
-    with_primes,
-    without_steps,
-)
-from kowalevski_cas.system.partials import moving_names, with_partials
-from kowalevski_cas.system.real_parts import with_real_parts
+from kowalevski_cas.system.kinds import BY_CASES, Stated, stated_of
+from kowalevski_cas.system.numbering import Numbering
+from kowalevski_cas.system.printed_law import brackets, read_law
 from kowalevski_cas.system.refused import check_constant, check_field, names_of
+from kowalevski_cas.system.scenes import restrict, with_levels, with_parameters, with_roots
 from kowalevski_cas.system.signs import SIGNS, alternatives, has_both_signs, with_signs
 from kowalevski_cas.system.solved import (
     gives_constant,
@@ -84,18 +31,7 @@ from kowalevski_cas.system.solved import (
     with_new_names,
 )
 from kowalevski_cas.system.symbols import latex_of
-from kowalevski_cas.system.units import with_unit_matrices, with_units
-from kowalevski_cas.system.unknown import (
-    TIMES,
-    Unknown,
-    check_said,
-    said_functions,
-    unknown_functions,
-    with_jets,
-    with_rates_of_functions,
-    without_argument,
-    without_said_functions,
-)
+from kowalevski_cas.system.units import with_units
 from kowalevski_cas.verify.finding import Finding
 from kowalevski_cas.verify.outcome import Verdict, in_latex
 
@@ -104,18 +40,6 @@ Tex = Any
 
 Texs = Any
 """A formula, or a tuple or a list of formulas."""
-
-STATIC = (Identity, Implication, Jacobi, Casimir, Involution)
-"""What is claimed of functions, whatever moves."""
-
-OF_FUNCTIONS = (Identity, FirstIntegral, Jacobi)
-"""What is claimed where a function may be any one: no dependence of several, and no set."""
-
-BY_CASES = (Identity, Implication, Inequality, FirstIntegral)
-"""What is claimed where equations of motion are printed by cases: nothing of what leaves one."""
-
-LONGEST = 24
-"""The signs of a formula by which a claim is called."""
 
 
 class Field:
@@ -142,13 +66,9 @@ class Field:
         """Those that stand here for the upper signs, if it is a system for one of them."""
         self.parts: tuple[Self, ...] = ()
         """The systems for both signs, or by cases, of which what is claimed is claimed."""
-        self.prefix = f"{name}-" if name else ""
         self.section = Section(name or "1", "", copied=None)
         MADE.append(self.section)
-        self.shown = set[str]()
-        """The ids of displays."""
-        self.numbers = Counter[tuple[str, int]]()
-        """How often an id was known, among displays or also among claims."""
+        self.numbering = Numbering(self.section, f"{name}-" if name else "")
         laws = laws_by_cases(field) if isinstance(field, str) else ()
         for equations, _ in laws[::-1] or [(field, ())]:
             self._take(equations, name, vectors or {}, map)
@@ -156,19 +76,19 @@ class Field:
 
     def _take_cases(
         self,
-        laws: tuple[LawOfCase, ...],
+        laws: Iterable[LawOfCase],
         name: str,
         vectors: Mapping[str, tuple[str, ...]],
         map: bool,
     ) -> Self:
-        """The system itself, with the parts by cases: equations where inequalities hold."""
+        """The system itself, with those by cases: equations where their inequalities hold."""
         parts = []
         for law in laws:
-            one = copy(self)
-            one._take(law.equations, name, vectors, map)
+            part = copy(self)
+            part._take(law.equations, name, vectors, map)
             for condition in law.conditions:
-                one = one.supposing(condition)
-            parts.append(one)
+                part = part.supposing(condition)
+            parts.append(part)
         self.parts = (*parts,)
         return self
 
@@ -179,79 +99,15 @@ class Field:
         vectors: Mapping[str, tuple[str, ...]],
         map: bool,
     ) -> None:
-        """Read equations of motion, or a map."""
-        self.scene = Scene(name)  # of which nothing is known yet
-        self._convention = False
-        self.counts: dict[str, str] = {}
-        self.applied: dict[str, str] = {}
-        self._by_index = ""
-        self.columns: dict[str, tuple[str, ...]] = {}
-        self.functions: list[Unknown] = []
-        self._barred = False
-        if isinstance(field, str):
-            tex = with_rates_of_functions(with_upright_unit(with_rates(field)))
-            tex = with_real_parts(tex)
-        else:
-            tex = self._rows(field)
-        self.columns = columns(tex)
-        """The vectors that are printed in italics, with their components."""
-        tex = with_columns_in_bold(tex, self.columns)
-        rows = (rf"\mathbf{{{one}}}=({','.join(parts)})" for one, parts in self.columns.items())
-        tex = r",\quad ".join((tex, *rows))
-        self._by_index = derived_in_index([tex])
-        """The variable by which indices derive, if they do."""
-        self._barred = map and has_bars(tex)
-        """Whether bars stand over images of a map."""
-        tex = without_inverses(without_steps(tex) if self._barred else tex)
-        self.counts = counts(tex)
-        """The letters that say how far indices run, with their numbers."""
-        tex = with_counts(tex, self.counts)
-        moving = () if map else moving_names(tex)
-        chains = without_chains(tex if map else without_initial_values(tex, moving), moving)
-        tex = chains.tex
-        if not map:
-            tex = with_range_of_names(with_symmetry(with_length(tex)))
-            tex = with_partials(tex, moving_names(tex))
-        self.applied = printed_arguments([tex], vectors)
-        """The arguments of names that are defined; they are called by their names alone."""
-        self.functions = unknown_functions(tex)
-        """The functions of which nothing is known; they are called by their names alone."""
-        said, tex = said_functions(tex), without_said_functions(tex)
-        self._convention = has_permutation(tex)
-        """Whether indices that stand twice are summed over, though no sums are printed."""
-        tex, words = self._tex(tex), [*self.symbols, *(one.name for one in self.functions)]
-        parts = components(tex, vectors, words)
-        jets = [jet for one in self.functions for jet in one.jets(parts)]
-        words += dict.fromkeys(name for *both, _ in jets for name in both)
-        printed = {name for statement in defined_names(tex) for name in statement.names}
-        index = index_of_map(tex)
-        self.images: tuple[tuple[str, str], ...] = ()
-        """The variables of a map with their images; none if it is a motion."""
-        self.constraints: tuple[str, ...] = ()
-        """On what the motion is: constraints with multipliers, and their derivatives."""
-        if map or index:
-            tex = with_images(tex, parts, words, index)
-        else:
-            arguments = [by for one in self.functions for by in one.by if by not in TIMES]
-            tex = with_unit_matrices(tex, parts, words)
-            tex = with_time(with_motion(tex, parts, words, arguments), parts, words)
-        display = self.section.display(self._new(f"{self.prefix}field", self.shown), tex)
-        self.shown.add(display.id)
-        if map or index:
-            found = Map(display, parts, words, index)
-            self.images = (*found.images.items(),)
-            self._stand_on(found.scene(name, parts))
-        else:
-            self._stand_on(scene_by(display, name, parts, words))
-            bound = constraints_in(display, parts, words)
-            self.constraints = (*equations_on(self.scene, bound),)
-        if jets:
-            self._stand_on(with_jets(self.scene, jets))
-        check_said(said, self.scene.constants)
-        for equality in chains.equalities:
+        """Stand on the scene of equations of motion, or of a map."""
+
+        def place(tex: str) -> Display:
+            return self.numbering.display(f"{self.numbering.prefix}field", tex)
+
+        self.law = read_law(field, name, vectors, map, self.symbols, place)
+        self._stand_on(self.law.scene)
+        for equality in self.law.equalities:
             self._check_equal(*equality)
-        self.implied = frozenset(_brackets(self.scene.definitions)) - printed
-        """The canonical brackets, which equations of Hamilton imply and nobody has printed."""
         check_field(self.scene)
         self.section.title = self._echo("${}$".format)
 
@@ -266,6 +122,7 @@ class Field:
         """The system, of which something is asked that is claimed nowhere."""
         aside = copy(self)
         aside.section = Section("1", "", copied=None, scenes={**self.section.scenes})
+        aside.numbering = replace(self.numbering, section=aside.section)
         aside.parts = (*(part._aside() for part in self.parts),)
         return aside
 
@@ -276,16 +133,6 @@ class Field:
         whole = change(alone)
         whole.parts = (*map(change, self.parts),)
         return whole
-
-    def _rows(self, field: Mapping[Any, Any]) -> str:
-        """Equations of motion by their right sides."""
-        if not isinstance(field, Mapping):
-            raise TypeError(f"LaTeX, or right sides by the variables of SymPy, and not {field!r}")
-        rows = [rf"\dot{{{self._tex(x)}}}={self._tex(force)}" for x, force in field.items()]
-        tex = r",\quad ".join(rows)
-        if len(defined_names(tex)) != len(rows):
-            raise ValueError(f"{tex}: give each variable one right side")
-        return tex
 
     def __repr__(self) -> str:
         return self._summary(to_plain)
@@ -311,12 +158,12 @@ class Field:
         jets, fixed = {name for name, _, _ in self.scene.jets}, self.scene.constants
         names = [name for name in self.scene.variables if name not in jets]
         one = len(names) < 2
-        moves = ("is mapped" if one else "are mapped") if self.images else f"move{'s' * one}"
+        moves = ("is mapped" if one else "are mapped") if self.law.images else f"move{'s' * one}"
         still = f"{', '.join(map(shown, fixed))} {'are' if len(fixed) > 1 else 'is'} constant"
         moving = f"{', '.join(map(shown, names))} {moves}"
         any_ = [
             f"{shown(one.name)} is any function of {', '.join(map(shown, one.by))}"
-            for one in self.functions
+            for one in self.law.conventions.functions
         ]
         return "; ".join([moving, *([still] if fixed else []), *any_])
 
@@ -338,8 +185,7 @@ class Field:
             ValueError: it defines no new name.
         """
         tex = self._tex(formula)
-        display = self.section.display(self._id("", tex), tex)
-        self.shown.add(display.id)
+        display = self.numbering.display(self.numbering.id("", tex), tex)
         if not [*display]:
             raise ValueError(f"“{tex}” defines no name")
         self.parts = tuple(copy(part) for part in self.parts)
@@ -353,10 +199,13 @@ class Field:
     def _defining(self, display: Display) -> None:
         """Stand on the scene with what a display defines."""
         scene = with_parameters(self.scene, display)
-        if any(_brackets(name for statement in display for name in statement.heads.names)):
+        if any(brackets(name for statement in display for name in statement.heads.names)):
             # What is printed of a bracket is all of it: none that is implied stands beside.
-            left = {n: one for n, one in scene.definitions.items() if n not in self.implied}
-            scene, self.implied = replace(scene, definitions=left), frozenset()
+            left = {n: one for n, one in scene.definitions.items() if n not in self.law.implied}
+            scene, self.law = (
+                replace(scene, definitions=left),
+                replace(self.law, implied=frozenset()),
+            )
         self._stand_on(with_roots(with_units(scene, display).defining(display), display))
 
     def where(self, *relations: Tex) -> Self:
@@ -440,83 +289,26 @@ class Field:
             NotationError: a formula is broken TeX.
             ValueError: a formula is several, or there is no such verdict to expect.
         """
-        if self.parts:
-            return self._of_parts(kind, name, says, expect, printed, attributes)
-        if has_both_signs((printed, *attributes.values())):
+        if self.parts or has_both_signs((printed, *attributes.values())):
+            if self.parts and kind not in BY_CASES and not all(part.signs for part in self.parts):
+                raise ValueError(f"{kind.__name__} is not known of equations by cases: {says}")
+            parts: list[tuple[Field, dict[str, str]]] = [(part, part.signs) for part in self.parts]
             return ClaimInParts(
                 tuple(
-                    self.states(
+                    part.states(
                         kind, name, with_signs(says, signs), expect, with_signs(printed, signs),
                         **{key: with_signs(value, signs) for key, value in attributes.items()},
                     )
-                    for signs in SIGNS
+                    for part, signs in parts or [(self, signs) for signs in SIGNS]
                 )
             )  # fmt: skip
-        if self.functions and (kind not in OF_FUNCTIONS or any(attributes.values())):
-            names = ", ".join(one.name for one in self.functions)
-            raise ValueError(f"{kind.__name__} is not known where {names} may be any function")
-        if self.images:
-            kind, says, attributes = self._of_map(kind, says, attributes)
-        elif "images" in {field.name for field in fields(kind)}:
-            raise ValueError(f"this is no map, but a motion; {kind.__name__} is not known of it")
-        if self.constraints:
-            kind, says, attributes = self._bound(kind, says, attributes)
-        id = self._id(name, self._tex(_first((printed, *attributes.values()))))
+        kind, says, attributes = stated_of(self.law, Stated(kind, says, attributes))
+        id = self.numbering.id(name, self._tex(_first((printed, *attributes.values()))))
         return self._state(id, Finding(kind, self.scene, says, printed, attributes), expect)
-
-    def _of_parts(
-        self,
-        kind: type[Claim],
-        name: str,
-        says: str,
-        expect: str,
-        printed: Tex,
-        attributes: dict[str, Any],
-    ) -> SystemClaim:
-        """A claim of both signs, or of all cases; signs in it are those of the part."""
-        if kind not in BY_CASES and not all(part.signs for part in self.parts):
-            raise ValueError(f"{kind.__name__} is not known of equations by cases: {says}")
-        return ClaimInParts(
-            tuple(
-                part.states(
-                    kind, name, with_signs(says, part.signs), expect,
-                    with_signs(printed, part.signs),
-                    **{key: with_signs(one, part.signs) for key, one in attributes.items()},
-                )
-                for part in self.parts
-            )
-        )  # fmt: skip
 
     def _alternatives(self, equation: Tex) -> tuple[str, ...]:
         """Two equations of which one holds at each point; none where signs are those supposed."""
         return () if any(part.signs for part in self.parts) else alternatives(equation)
-
-    def _of_map(
-        self, kind: type[Claim], says: str, attributes: dict[str, Any]
-    ) -> tuple[type[Claim], str, dict[str, Any]]:
-        """What is claimed of a map; raises ``ValueError`` for a kind that is about motions."""
-        kind = OF_MAPS.get(kind, kind)
-        own = {field.name for field in fields(kind)}
-        attributes = {key: value for key, value in attributes.items() if value or key in own}
-        unknown = attributes.keys() - own
-        if unknown or (kind not in STATIC and "images" not in own):
-            raise ValueError(f"{kind.__name__} is not known of maps: {says}")
-        images = {"images": self.images} if "images" in own else {}
-        for motion, map_ in (("along every motion", "under the map"), ("no motion", "no step")):
-            says = says.replace(motion, map_)
-        return kind, says, {**attributes, **images}
-
-    def _bound(
-        self, kind: type[Claim], says: str, attributes: dict[str, Any]
-    ) -> tuple[type[Claim], str, dict[str, Any]]:
-        """What is claimed on the constraints; raises ``ValueError`` if the kind knows no set."""
-        kind = Implication if kind is Identity else kind
-        of = next((f.name for f in fields(kind) if f.name in ("given", "relations")), "")
-        if not of:
-            raise ValueError(f"{kind.__name__} is not known on constraints: {says}")
-        where = ", ".join(f"${one}$" for one in self.constraints)
-        known = several(attributes.get(of, ()))
-        return kind, f"{says}, where {where}", {**attributes, of: (*known, *self.constraints)}
 
     def _state(self, id: str, finding: Finding, expect: str = "") -> SystemClaim:
         if expect and expect not in {*Verdict}:
@@ -547,25 +339,12 @@ class Field:
         """A formula in the names of the system; raises ``NotationError`` for any other name."""
         return read(tex, vocabulary((self.scene,)))
 
-    @property
-    def _names(self) -> tuple[str, ...]:
-        """The names that stand in the equations of motion, or were defined beside them."""
-        return (*self.scene.names(), *self.scene.vectors)
-
     def _formulas(self, display: Display) -> list[Formula]:
         return [s.formula for s in read_display(display.tex, vocabulary((self.scene,)))]
 
     def _tex(self, formula: Tex) -> str:
         if isinstance(formula, str):
-            jets = {name for name, _, _ in self.scene.jets}
-            moving = {*self.scene.variables} - jets - {self.scene.time}
-            plain = with_columns_in_bold(with_rates(formula), self.columns)
-            plain = with_partials(with_counts(plain, self.counts), moving)
-            plain = with_derivatives(plain, self._by_index)
-            applied = {**collective_arguments([plain]), **self.applied}
-            plain = without_arguments(without_argument(plain, self.functions), applied)
-            plain = with_primes(plain) if self._barred else plain
-            return with_ranges(plain, self._names, self._convention)
+            return self.law.conventions.plain(formula, self.scene)
         if not isinstance(formula, Function):
             return latex_of(formula, self.symbols)
         if self.scene.definitions.get(formula.name) != formula.place:
@@ -580,33 +359,10 @@ class Field:
         tex = self._tex(formula)
         if isinstance(formula, Function):
             return formula.place
-        id = self._new(id, self.shown)
-        display = self.section.lemma(id, tex, source) if source else self.section.display(id, tex)
-        self.shown.add(id)
+        display = self.numbering.display(id, tex, source)
         if len([*display]) != 1:
             raise ValueError(f"“{display.tex}”: one formula is expected; give each by itself")
         return display[1]
-
-    def _id(self, kind: str, tex: str) -> str:
-        """A new id, after the label or the letters of a formula."""
-        label = re.search(r"\\label\{([^}]*)\}", tex)
-        tex = label[1] if label else tex
-        letters = re.sub(r"[^A-Za-z0-9]+", "-", re.sub(r"=\s*0\b", "", tex))[:LONGEST].strip("-")
-        id = self.prefix + "-".join(filter(None, (kind, letters)))
-        return self._new(id, self.shown, self.section.lines)
-
-    def _new(self, id: str, *known: Container[str]) -> str:
-        """An id, with a number if it is known; all smaller numbers are."""
-        new = id
-        while any(new in ids for ids in known):
-            self.numbers[id, len(known)] += 1
-            new = f"{id}.{self.numbers[id, len(known)] + 1}"
-        return new
-
-
-def several(formulas: Texs) -> tuple[Tex, ...]:
-    """Formulas as a tuple, also if it is one."""
-    return tuple(formulas) if isinstance(formulas, tuple | list) else (formulas,)
 
 
 def listed(formula: Tex) -> tuple[Tex, ...]:
@@ -623,8 +379,3 @@ def _first(value: Any) -> Tex:
     if not isinstance(value, tuple):
         return "" if isinstance(value, int) else value
     return next((one for one in map(_first, value) if not isinstance(one, str) or one), "")
-
-
-def _brackets(names: Iterable[str]) -> Iterator[str]:
-    """The names that are Poisson brackets of variables."""
-    return (name for name in names if name.startswith(BRACKET))

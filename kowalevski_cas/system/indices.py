@@ -13,7 +13,7 @@ import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import groupby, product
 
-from kowalevski_cas.notation import NotationError, Vocabulary, split_display
+from kowalevski_cas.notation import Formula, Name, NotationError, Number, Vocabulary, split_display
 from kowalevski_cas.notation.cursor import Cursor
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.ranges import without_ranges
@@ -88,6 +88,29 @@ def with_length(tex: str) -> str:
         if not re.search(rf"(?<![\w\\]){index}\s*(?:=|,[^=]*=|\\in(?![A-Za-z]))(?!=)", tex):
             tex += rf",\quad {index}={','.join(map(str, range(1, length + 1)))}"
     return tex
+
+
+_SHIFTED = re.compile(r"(?P<head>\\[A-Za-z]+|[A-Za-z])\s*_\s*\{\s*[a-z]\s*[-+]\s*\d+\s*\}")
+
+
+def chain_ends(tex: str, given: Mapping[str, Formula]) -> set[str]:
+    r"""The names that only close a chain, or end it: by ``given`` they are other links, or numbers.
+
+    They stand for what a shifted index such as :math:`i+1` names, and are no links of their own.
+
+    >>> from kowalevski_cas.notation import Relation
+    >>> x_0, x_1, x_2, m_1 = map(Name, ("x_0", "x_1", "x_2", "m_1"))
+    >>> given = {"x_0": Relation((x_0, x_2), ("=",)), "m_1": Relation((m_1, Number(1)), ("=",))}
+    >>> chain_ends(r"\dot x_i=m_i(x_{i+1}-x_{i-1})", given)
+    {'x_0'}
+    """
+    links = {one["head"] for one in _SHIFTED.finditer(tex)}
+    return {
+        name
+        for name, formula in given.items()
+        if symbol(name).head in links
+        and all(isinstance(member, Name | Number) for member in formula.children())
+    }
 
 
 _SYMMETRIC = re.compile(

@@ -23,8 +23,9 @@ from kowalevski_cas.paper.implied import canonical_brackets, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display, Printed
-from kowalevski_cas.system.equations import Names, read_rows, vocabulary_of, with_row
 from kowalevski_cas.system.refused import check_unit
+from kowalevski_cas.system.rows import Names, read_rows, vocabulary_of
+from kowalevski_cas.system.scenes import with_row
 from kowalevski_cas.system.vectors import Vectors
 
 STEP = "+1"

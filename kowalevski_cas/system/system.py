@@ -45,7 +45,8 @@ from kowalevski_cas.processes import each
 from kowalevski_cas.questions import collect, forecast, question
 from kowalevski_cas.system.answers import ClaimInParts, Function, SystemClaim, SystemClaims
 from kowalevski_cas.system.cases import EquationOfCase, cases_of, opposite, parts
-from kowalevski_cas.system.field import Field, Tex, Texs, listed, several
+from kowalevski_cas.system.field import Field, Tex, Texs, listed
+from kowalevski_cas.system.kinds import several
 from kowalevski_cas.verify.finding import Finding
 
 
@@ -146,7 +147,7 @@ class System(Field):
 
     def integrable(self, *integrals: Tex, casimirs: Texs = (), expect: str = "") -> SystemClaim:
         """Integrability in the sense of Liouville; the first integral is the Hamiltonian."""
-        if self.images:
+        if self.law.images:
             says = f"the map is integrable in the sense of Liouville, by {self._list(integrals)}"
             kind, own = IntegrableMap, {"invariants": integrals, "casimirs": several(casimirs)}
             return self.states(kind, "integrable", says, expect, **own)
@@ -212,8 +213,8 @@ class System(Field):
         there are equations ``on`` which the motion is looked at, those on that invariant set.
         Of a map they are the polynomials that have the same values at the images.
         """
-        if self.images and not (weighted or on):
-            return self._claims_found("invariants", degree=degree, images=self.images)
+        if self.law.images and not (weighted or on):
+            return self._claims_found("invariants", degree=degree, images=self.law.images)
         given = tuple(map(self._tex, several(on)))
         return self._claims_found("integrals", degree=degree, weighted=weighted, on=given)
 
@@ -244,14 +245,14 @@ class System(Field):
         """
         if self.parts:
             raise ValueError(f"find {name} is asked of one case, or of one sign: print it alone")
-        if (self.images and name != "invariants") or self.functions:
-            of = "maps" if self.images else "a motion with functions that may be any"
+        if (self.law.images and name != "invariants") or self.law.conventions.functions:
+            of = "maps" if self.law.images else "a motion with functions that may be any"
             raise ValueError(f"find {name} is not known of {of}")
         for key in ("degree", "order"):
             value = options.get(key, 0)
             if not isinstance(value, int) or value < 0:
                 raise ValueError(f"{key}={value!r}: a natural number is expected")
-        if not self.images:
+        if not self.law.images:
             forecast(self.scene, name, options.get("degree", 0))
         on = Elaborations(Texts(vocabulary((self.scene,))))
 
@@ -266,4 +267,4 @@ class System(Field):
             replace(finding, on=self.scene) if finding.on is scene else finding
             for finding in findings
         )
-        return SystemClaims(self._state(self._id(name, ""), finding) for finding in here)
+        return SystemClaims(self._state(self.numbering.id(name, ""), finding) for finding in here)

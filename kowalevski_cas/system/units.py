@@ -10,7 +10,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import IN_WORDS, Display
 from kowalevski_cas.paper.unit_matrices import unit_matrices
 from kowalevski_cas.paper.vocabulary import vocabulary
-from kowalevski_cas.system.equations import Names, moving_names, read_rows, vocabulary_of
+from kowalevski_cas.system.rows import Names, moving_names, read_rows, vocabulary_of
 from kowalevski_cas.system.vectors import Vectors
 
 

@@ -35,7 +35,7 @@ class Archive:
             stored = self.certificates.get(name)
             if stored is None or not stored.concerns(statement):
                 raise
-            said = f"{stored.path} is rejected: {error}; it is searched anew"
+            said = f"{stored.path} is rejected: {error}; another one is sought"
             self._rejected[name] = said
             del self.certificates[name]
             return work()

@@ -13,7 +13,6 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.files import read_json
 from kowalevski_cas.notation import Formula
@@ -199,9 +198,8 @@ def _with_away(evidence: Evidence, goal: Goal, away: Any) -> Data:
 
 def _enter(data: Data, setting: Any, elements: list[Element]) -> None:
     """Enter what elements divide by, in an order that no other claim has a part in."""
-    found = finder_of(setting).ring.divisors_of(elements)
-    if found:
-        data["away"] = sorted((encode(formula_in(element)) for element in found), key=json.dumps)
+    if found := finder_of(setting).divisor_formulas(elements):
+        data["away"] = sorted(map(encode, found), key=json.dumps)
 
 
 def dump(data: Data) -> str:

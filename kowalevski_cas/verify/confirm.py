@@ -12,7 +12,6 @@ from math import inf
 from typing import NamedTuple, TypeVar
 
 from kowalevski_cas import UserError
-from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.limits import clock
 from kowalevski_cas.notation import Formula, Name
@@ -88,8 +87,10 @@ class Issued(NamedTuple):
 
 def divisors_by_goal(accepted: Accepted) -> Divided:
     """What the judge divides by, goal by goal, in the names of the problem."""
-    rings = ((finder_of(goal.space).ring, elements) for goal, elements in accepted.divided)
-    return tuple(tuple(map(formula_in, ring.divisors_of(e))) for ring, e in rings)
+    return tuple(
+        tuple(finder_of(goal.space).divisor_formulas(elements))
+        for goal, elements in accepted.divided
+    )
 
 
 def receive(

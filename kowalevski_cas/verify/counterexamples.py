@@ -17,18 +17,9 @@ from kowalevski_cas.notation import (
     to_latex,
     total,
 )
-from kowalevski_cas.paper.claims import (
-    Casimir,
-    Claim,
-    CriticalSet,
-    FirstIntegral,
-    Inequality,
-    Involution,
-    Jacobi,
-    LaxPair,
-    LiouvilleIntegrable,
-)
+from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.claims.forms import ZERO
+from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.collect import collect_sides
 from kowalevski_cas.problem.differentials import functions_for_differentials
 from kowalevski_cas.problem.evidence import (
@@ -53,6 +44,9 @@ from kowalevski_cas.verify.statement import Statement
 
 SHORT = 160
 """The most letters of an equation in LaTeX that is named within a sentence."""
+
+OF_BRACKETS = ("Casimir", "Involution", "Jacobi", "LiouvilleIntegrable")
+"""The kinds of claims that are about Poisson brackets."""
 
 MANY = "infinitely many"
 """How many solutions there are on a circle."""
@@ -86,7 +80,7 @@ def against(
         claimed = len(place.at.setting.variables) - goal.rank
         words = f"by the rank at this point the dimension is {dimension}, not {claimed}"
         return Counterexample(_at(statement, place), Number(dimension), Number(claimed), words)
-    if isinstance(statement.claim, Inequality):
+    if statement.claim.is_kind("Inequality"):
         return _equal_or_less(statement, goal, place)
     if accepted.differs is not None:
         left, right = map(number_formula, accepted.differs)
@@ -133,7 +127,7 @@ def _words(
         of = to_latex(left)
         whose = f" of ${of}$" if len(of) < SHORT else " of a given function" if goal.given else ""
         return f"the {which}derivative{whose} along the motion is ${value}$, not $0$"
-    if isinstance(statement.claim, Casimir | Involution | Jacobi | LiouvilleIntegrable):
+    if statement.claim.is_kind(*OF_BRACKETS):
         if not order:
             return f"a bracket is ${value}$, not $0$"
         rate = f"the derivative of ${to_latex(left)}$ is ${value}$"
@@ -153,8 +147,9 @@ def _words(
         }
         if said & {left, right} or not what:
             return ""
-    words = f"the left side{what} is ${value}$, not ${other}$"
-    if isinstance(statement.claim, CriticalSet):
+    against = "not $0$" if right == Number(0) else f"the right side ${other}$"
+    words = f"the left side{what} is ${value}$, {against}"
+    if statement.claim.is_kind("CriticalSet"):
         surface = to_latex(equal(*(printed_formula(side, setting) for side in goal.given[-1])))
         return f"{words}, though this is a critical point on ${surface}$"
     return f"{words}, though the hypotheses hold" if goal.given else words
@@ -170,7 +165,7 @@ def _failing_equation(goal: Follows, place: PointEvaluation) -> tuple[Formula, F
 def _number(statement: Statement, sides: tuple[Formula, Formula]) -> str:
     """The number of an equation of a critical set, as its paper prints it, if it has one."""
     claim = statement.claim
-    printed = claim.equations if isinstance(claim, CriticalSet) else ()
+    printed: tuple[Printed, ...] = vars(claim)["equations"] if claim.is_kind("CriticalSet") else ()
     for one in printed:
         if statement.on.texts.relation(one).members == sides and one.display.label.startswith("("):
             return f"{one.display.label}, "
@@ -182,19 +177,19 @@ def why(claim: Claim, goal: Goal, evidence: Evidence) -> str:
     match goal, evidence:
         case Fails(conclusions=()), Entailment():
             return "no real point is such that the function has this value"
-        case Fails(), Entailment() if isinstance(claim, FirstIntegral):
+        case Fails(), Entailment() if claim.is_kind("FirstIntegral"):
             return "the function is constant by itself"
-        case Fails(), Entailment() if isinstance(claim, LaxPair):
+        case Fails(), Entailment() if claim.is_kind("LaxPair"):
             return "all invariants of the matrix are constant by themselves: it gives no integral"
         case Fails(), Entailment():
             return "what is said to fail somewhere holds everywhere"
-        case Follows(conclusions=()), At() if isinstance(claim, Inequality):
+        case Follows(conclusions=()), At() if claim.is_kind("Inequality"):
             return "both sides are equal at a real point"
         case Follows(conclusions=()), At():
             return "there is a real point where none is said to be"
         case Rank(functions=(own,)), Minors() if _is_constant(own, goal.space):
             return "the function is constant by itself"
-        case Rank(functions=(_,)), Minors() if isinstance(claim, FirstIntegral):
+        case Rank(functions=(_,)), Minors() if claim.is_kind("FirstIntegral"):
             return "on this set the function is constant by the equations of the set alone"
         case Rank(), Minors():
             return "the differentials depend on each other everywhere"
@@ -243,7 +238,7 @@ def _solutions(statement: Statement, goal: Count, accepted: Accepted) -> Counter
     else:
         points = [place.point.values for place in accepted.places]
         many = f"these are {len(points)} solutions" if len(points) > 1 else "this is a solution"
-        words = f"{many}, and there are to be {goal.number or 'none'}"
+        words = f"{many}, and there should be {goal.number or 'none'}"
         shown = Number(len(points))
     for number, solution in enumerate(points, 1):
         for vector, names in setting.scene.vectors.items():

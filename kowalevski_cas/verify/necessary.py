@@ -8,7 +8,6 @@ from contextlib import suppress
 from kowalevski_cas.algebra.numbers import rank
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Number
-from kowalevski_cas.paper.claims import Dimension
 from kowalevski_cas.paper.denominators import Shape
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
@@ -88,7 +87,7 @@ def _where_it_fails(
     statement: Statement, setting: Elaboration, locus: Locus, formula: Formula, failure: Supported
 ) -> Condition:
     """A condition with a point of its locus where the statement fails."""
-    if isinstance(statement.claim, Dimension):
+    if statement.claim.is_kind("Dimension"):
         return _where_it_is_singular(statement, locus, formula, failure)
     (goal,), verdicts = failure.statement.goals, failure.verdicts
     evidence = verdicts.evidence if isinstance(verdicts, Denial) else verdicts[0]

@@ -211,6 +211,11 @@ class Outcome(NamedTuple):
         correction = self.correction
         return correction is not None and correction.edit is not None and not correction.blamed
 
+    @property
+    def spoiled(self) -> bool:
+        """Whether it fails as printed, and is true as it stands once another formula is mended."""
+        return self.correction is not None and bool(self.correction.blamed)
+
     def corrected_by(self, corrections: Sequence[Correction]) -> Outcome:
         """The outcome with the likeliest of some corrections, and the others as alternatives."""
         first, *others = (*corrections, None)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from functools import cached_property
+from itertools import chain
 
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Application, Formula, Negative, NotationError
@@ -40,14 +41,10 @@ class PrintedFunctions:
     def _numerators(self) -> dict[Shape, Formula]:
         """The functions of the families at the same arguments, by where they vanish."""
         found: dict[Shape, Formula] = {}
-        for application in self.printed:
-            first, *others = application.arguments  # where it vanishes, it does at the opposite too
-            arguments = (first.argument if isinstance(first, Negative) else first, *others)
-            for names in FAMILY_OF[application.function].functions:
-                function = Application(canonical(names.split()[0]), arguments)
-                with suppress(Meaningless, NotationError, ZeroDivisionError):
-                    element = self.setting.finder.scalar(self.setting.plain(function))
-                    found.setdefault(Shape(element), function)
+        for function in dict.fromkeys(chain.from_iterable(map(_relatives, self.printed))):
+            with suppress(Meaningless, NotationError, ZeroDivisionError):
+                element = self.setting.finder.scalar(self.setting.plain(function))
+                found.setdefault(Shape(element), function)
         return found
 
     def put_in(self, formula: Formula) -> Formula:
@@ -59,3 +56,11 @@ class PrintedFunctions:
     def vanishing_with(self, element: Element) -> Formula | None:
         """The function that vanishes where an element does, as cosh u where tanh u has a pole."""
         return self._numerators.get(Shape(element))
+
+
+def _relatives(application: Application) -> Iterator[Application]:
+    """The functions of its family at the same arguments."""
+    first, *others = application.arguments  # where it vanishes, it does at the opposite too
+    arguments = (first.argument if isinstance(first, Negative) else first, *others)
+    for names in FAMILY_OF[application.function].functions:
+        yield Application(canonical(names.split()[0]), arguments)

@@ -23,10 +23,10 @@ from kowalevski_cas.notation import (
     subtree,
 )
 from kowalevski_cas.notation.errors import closeness
-from kowalevski_cas.paper.claims import Claim, Neighbour, OfMap
-from kowalevski_cas.paper.claims.maps import Images
+from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.names import Images
 from kowalevski_cas.paper.scene import Change
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.finder import finder_of
@@ -161,7 +161,7 @@ def stops(claim: Claim, edited: Neighbour, on: Elaborations) -> bool:
         for node in rate.nodes()
         if isinstance(node, Name) and node.name in claim.scene.definitions
     }
-    images = claim.images if isinstance(claim, OfMap) else ()
+    images: Images = getattr(claim, "images", ())  # those of a map
     return stands_still(on(claim.scene), now(edited.claim.scene), about, images)
 
 

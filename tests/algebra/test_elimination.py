@@ -7,7 +7,8 @@ from flint import nmod_mat
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kowalevski_cas.algebra.elimination import LARGEST, PRIME, Echelon, TooLarge, rank, relations
+from kowalevski_cas.algebra.elimination import LARGEST, PRIME, Echelon, rank, relations
+from kowalevski_cas.algebra.polynomials import TooLarge
 from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.checker import elimination
 from tests.sample import sampled

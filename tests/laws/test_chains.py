@@ -57,6 +57,26 @@ def test_a_chain_has_the_ends_that_are_printed(seed):
     assert not differ(System(f"{tex},\\ {still}"), constant, seed)
 
 
+@FEW
+def test_a_sum_over_a_chain_has_each_link_once(seed):
+    chance = random.Random(seed)
+    tex, letter, index, size, _ = chain(chance)
+    left, right = f"{letter}_0", f"{letter}_{size + 1}"
+    ends = [
+        rf"{letter}_{{{index}+{size}}}={letter}_{index}",
+        rf"{left}={letter}_{size},\ {right}={letter}_1",
+        rf"{left}={right}=0",
+    ]
+    closed = System(f"{tex},\\ {chance.choice(ends)}")
+    power = chance.choice(["", "^2"])
+    links = [f"{letter}_{k}{power}" for k in range(1, size + 1)]
+    here = chance.choice([index, "j"])
+    whole = chance.choice([rf"\sum {letter}_{here}{power}", rf"\sum_{here}{letter}_{here}{power}"])
+    assert closed.identity(f"{whole}={'+'.join(links)}").verdict == "proved"
+    assert closed.identity(f"{whole}={'+'.join(links[1:])}").verdict == "refuted"
+    assert closed.identity(f"{whole}={'+'.join([*links, links[0]])}").verdict == "refuted"
+
+
 # -- complex amplitudes -------------------------------------------------------------------------
 
 

@@ -114,7 +114,7 @@ def test_what_is_no_constraint_with_its_multiplier_is_refused(tex, message):
     ],
 )
 def test_a_name_beside_a_constant_is_no_constraint(tex):
-    assert not System(tex).constraints
+    assert not System(tex).law.constraints
 
 
 def test_on_constraints_only_what_is_claimed_of_sets_is_claimed():

@@ -209,26 +209,29 @@ def planar(chance):
 def test_all_polynomial_invariants_of_a_map_are_found(seed):
     chance = random.Random(seed)
     tex, number = chance.choice([*planar(chance)])
-    law = System(tex)
-    *found, every = law.find_integrals(4)
+    system = System(tex)
+    *found, every = system.find_integrals(4)
     assert len(found) == number and all(one.verdict.green for one in (*found, every)), (tex, found)
     assert "each polynomial invariant up to degree 4" in repr(every)
     invariants = [one.claim.printed.tex for one in found]
-    assert all(law.integral(one).verdict.green for one in invariants)
-    values = tuple((name, "7") for name in law.scene.constants)
+    assert all(system.integral(one).verdict.green for one in invariants)
+    values = tuple((name, "7") for name in system.scene.constants)
     for left_out in invariants:
         fewer = tuple(one for one in invariants if one != left_out)
         says = "there are no others"
-        own = {"images": law.images, "invariants": fewer, "degree": 4, "values": values}
+        own = {"images": system.law.images, "invariants": fewer, "degree": 4, "values": values}
         verdict = "error" if values else "refuted"  # others at these values may be none elsewhere
-        assert law.states(AllInvariantsOfMap, "all", says, **own).verdict == verdict, (tex, fewer)
+        assert system.states(AllInvariantsOfMap, "all", says, **own).verdict == verdict, (
+            tex,
+            fewer,
+        )
 
 
 def all_invariants(tex, degree, *known, **values):
     """What is said of the claim that a map has no other invariants, at values of its constants."""
-    law = System(tex)
-    own = {"images": law.images, "invariants": known, "degree": degree}
-    return law.states(AllInvariantsOfMap, "all", "", **own, values=tuple(values.items())).outcome
+    system = System(tex)
+    own = {"images": system.law.images, "invariants": known, "degree": degree}
+    return system.states(AllInvariantsOfMap, "all", "", **own, values=tuple(values.items())).outcome
 
 
 @pytest.mark.parametrize(

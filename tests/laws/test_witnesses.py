@@ -21,6 +21,7 @@ from kowalevski_cas.verify.statement import Statement
 from tests.paper.small import Motion, derivation
 from tests.problem.judges import judged
 from tests.problem.tampering import seal
+from tests.sample import sampled
 
 pytestmark = pytest.mark.usefixtures("uncorrected")
 
@@ -203,3 +204,23 @@ def test_a_set_of_dependent_differentials_has_no_measure_of_its_own(square):
     paper = Motion(r"\dot x=-x,\quad \dot y=2y,\quad \dot z=-z", "x", "y", "z")
     relations = InvariantRelations("set", paper.scene, "", tuple(map(paper, square)))
     assert paper.verdict(LastMultiplier, relations=relations) in ("refuted", "undecided")
+
+
+RATES = [("1", "y"), ("y+1", "x"), ("x", "z"), ("y+z", "-x+z")]
+SHARES = [(1, 1), (0, 0), (1, 0), (0, 1), (2, -1)]
+
+
+@pytest.mark.parametrize(("rates", "shares"), sampled([*product(RATES, SHARES)], 1))
+def test_a_matrix_that_is_singular_on_the_set_makes_no_set_invariant(rates, shares):
+    """Over the fractions any derivative is a combination of functions, as F′ = (F′/x) x."""
+    left = rf"\dot x={rates[0]},\quad \dot y={rates[1]},\quad \dot z=x"
+    paper = Motion(left, "x", "y", "z")
+    claim = InvariantRelations("set", paper.scene, "", (paper("x=0"), paper("y=0")))
+    problem = existing(paper, claim)
+    forces = [row[2] for row in problem["spaces"][0]["field"]]
+    values = {}
+    for i, (force, share) in enumerate(zip(forces, shares, strict=False), 1):
+        values[f"M_{{{i}1}}"] = ["/", ["*", share, force], "x"]
+        values[f"M_{{{i}2}}"] = ["/", ["*", 1 - share, force], "y"]
+    assert not accepts(certificates(problem, values))
+    assert paper.verdict(InvariantRelations, relations=claim.relations) == "refuted"

@@ -142,3 +142,22 @@ def test_an_id_is_given_once_in_all_that_is_used():
     below = Derivation("below", "", "", "", (first,))
     with pytest.raises(ValueError, match="two displays are called eq1"):
         Derivation("above", "", "", "", (second,), rests_on=(below,))
+
+
+@pytest.mark.parametrize("wrong", ["E=v^2", 3, None, ("E=v^2",)])
+@pytest.mark.parametrize(
+    "verb",
+    ["moving", "defining", "redefining", "assuming", "taking", "restricted", "solved", "solving", "naming", "changed"],
+)  # fmt: skip
+def test_a_verb_takes_what_is_printed_and_no_text(verb, wrong):
+    arguments = {"naming": ("E", wrong), "solving": ("r", wrong), "changed": (wrong, tau[1])}
+    if (verb, wrong) == ("solving", None):
+        return  # a root that is printed as such
+    with pytest.raises(TypeError, match=r"is expected|is to hold a statement"):
+        getattr(top, verb)(*arguments.get(verb, (wrong,)))
+
+
+@pytest.mark.parametrize("more", [{"nonzero": "x"}, {"constants": "m"}, {"variables": ["y"]}])
+def test_further_names_are_a_tuple(more):
+    with pytest.raises(TypeError, match="add a comma"):
+        top.having(**more)

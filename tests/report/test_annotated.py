@@ -12,6 +12,7 @@ from kowalevski_cas.reading import read
 from kowalevski_cas.report.annotated import annotate
 from kowalevski_cas.report.document import Document, Equations, Heading, Judgement, Link, Paragraph
 from kowalevski_cas.report.html import render_html
+from kowalevski_cas.report.marks import SPOILED
 from kowalevski_cas.source.files import decode
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.outcome import Verdict
@@ -111,11 +112,26 @@ def test_no_link_is_dead_when_the_page_is_sent_alone() -> None:
 def test_a_definition_that_spoils_what_rests_on_it_is_named() -> None:
     run = misprinted(r"E=\frac{1}{2}(x^2-y^2)")
     document = annotate(audit(synthetic(run.interpretation.derivation), run))
-    told = [b for b in document.blocks if isinstance(b, Judgement) and b.verdict is Verdict.ERROR]
-    assert [said(b.label) for b in told] == ["energy"]
-    assert said(told[0].head).startswith("Suspect. ")
-    blamed = [part.target for part in parts(told[0].head) if isinstance(part, Link)]
+    (told,) = [
+        b
+        for b in document.blocks
+        if isinstance(b, Judgement) and said(b.head).startswith("energy:")
+    ]
+    assert said(told.head).startswith("energy: Misprinted. ") and told.verdict is Verdict.REFUTED
+    assert any(isinstance(block, Equations) for block in told.blocks)
+    blamed = [part.target for part in parts(told.head) if isinstance(part, Link)]
     assert "claim.rate" in blamed and "claim.value" in blamed
+
+
+def test_what_fails_because_of_another_formula_does_not_look_like_a_misprint() -> None:
+    run = misprinted(r"E=\frac{1}{2}(x^2-y^2)")
+    document = annotate(audit(synthetic(run.interpretation.derivation), run))
+    judged = {b.anchor: b for b in document.blocks if isinstance(b, Judgement)}
+    failing = [judged["claim.rate"], judged["claim.value"]]
+    assert [block.verdict for block in failing] == [SPOILED, SPOILED]
+    for block in failing:
+        assert "Fails because of " in said(block.head) and "False" not in said(block.head)
+        assert not any(isinstance(p, Equations) and p.wrong for p in block.blocks)
 
 
 def test_a_source_that_is_its_own_derivation_says_first_what_it_assumes() -> None:

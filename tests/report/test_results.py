@@ -125,9 +125,12 @@ def test_conditions_are_named() -> None:
 
 def test_a_sum_of_squares_is_said_by_its_zeros() -> None:
     squares = condition("a^2+b^2", "")._replace(zeros=(*read("a=0"), *read("b=0")))
+    squares = squares._replace(witness=counterexample(point({"a": "0"}), "1", "2"))
     needs = claim("a", "1", "x=x", "it is so", C, conditions=(condition("x", ""), squares))
     (_, text) = paragraphs(needs, main=("a",))
-    assert text == "a: it is so, where , unless  and ."  # formulas are left out
+    assert text == (  # formulas are left out
+        "a: it is so, where  (sufficient), unless  and  (necessary)."
+    )
 
 
 def test_every_hypothesis_that_is_missing_is_named_on_the_first_screen() -> None:

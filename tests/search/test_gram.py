@@ -5,7 +5,7 @@ from math import prod
 import pytest
 from flint import Ordering, fmpq_mpoly_ctx
 
-from kowalevski_cas.algebra.elimination import TooLarge
+from kowalevski_cas.algebra.polynomials import TooLarge
 from kowalevski_cas.search.gram import GramEquations
 from kowalevski_cas.search.weighted_squares import represent
 

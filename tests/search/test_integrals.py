@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.algebra import load
-from kowalevski_cas.algebra.elimination import TooLarge
 from kowalevski_cas.algebra.kernels import kernel
+from kowalevski_cas.algebra.polynomials import TooLarge
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.notation import Number, to_latex
 from kowalevski_cas.paper.elaborations import Elaborations

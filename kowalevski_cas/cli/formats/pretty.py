@@ -14,6 +14,7 @@ from kowalevski_cas.library import MEND
 from kowalevski_cas.notation import Formula, Vocabulary
 from kowalevski_cas.report.document import Block, Equations, Paragraph
 from kowalevski_cas.report.findings import Findings
+from kowalevski_cas.report.marks import SPOILED, Shown
 from kowalevski_cas.report.places import PaperSection, names, sections
 from kowalevski_cas.report.results import main_results
 from kowalevski_cas.report.sentences import Phrases, group_alike
@@ -179,6 +180,7 @@ class AuditText:
             yield from self._line_of(
                 f"{place}, {why}" if why else place, printed, first.tex,
                 (first.correction, *first.alternatives), first.counterexample,
+                SPOILED if first.causes else Verdict.REFUTED,
             )  # fmt: skip
         for outcome in audit.false:
             yield from self._false(outcome)
@@ -201,6 +203,7 @@ class AuditText:
             f"{place}{plain.text(self.phrases.found([outcome.claim]))}: refuted: "
             f"{outcome.words}{why}", outcome.formulas,
             outcome.source, (outcome.correction, *outcome.alternatives), outcome.counterexample,
+            SPOILED if causes else Verdict.REFUTED,
         )  # fmt: skip
 
     def _line_of(
@@ -210,6 +213,7 @@ class AuditText:
         source: str,
         corrections: Sequence[Correction | None],
         against: Counterexample | None,
+        shown_as: Shown,
     ) -> Iterator[str]:
         said = self.phrases.words(head)
         correction, *others = corrections
@@ -222,7 +226,7 @@ class AuditText:
         yield from plain.wrap(plain.text((*said, ".")))
         shown: list[Block] = []
         if printed or source:
-            shown.append(Equations(printed, source, Verdict.REFUTED))
+            shown.append(Equations(printed, source, shown_as))
         if correction is not None:
             valid = self.phrases.valid(correction.conditions) if correction.edit else ()
             shown.append(Equations(correction.formulas, verdict=correction.verdict, label=valid))

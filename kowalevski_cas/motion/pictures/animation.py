@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+from matplotlib import rc_context
 from matplotlib.animation import PillowWriter
 from matplotlib.patches import Polygon
 
@@ -31,6 +32,9 @@ TRAIL = 60
 
 SIZE, DOTS = 4.2, 100
 
+LETTER = 14
+"""The height of letters in dots, so that they can be read however small the picture is."""
+
 
 def write(motion: AnyMotion, path: Path, count: int | None = None, dots: int = DOTS) -> None:
     """Write the animation of a motion to a file, in so many frames, of so many dots to an inch.
@@ -45,7 +49,7 @@ def write(motion: AnyMotion, path: Path, count: int | None = None, dots: int = D
     disc = np.stack((np.cos(turn), np.sin(turn), 0 * turn), axis=-1)
     tips = np.array([[1.0, 0, 0], [0, 1.0, 0], [0, 0, 0.7], [0, 0, -0.7]])
     scale = 1.5 / max(float(np.max(np.linalg.norm(omega, axis=1))), 1e-9)
-    with style():
+    with style(), rc_context({"font.size": LETTER * 72 / dots}):
         figure = new_figure(SIZE, SIZE)
         figure.set_layout_engine("none")
         axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))

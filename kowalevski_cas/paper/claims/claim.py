@@ -46,6 +46,10 @@ class _Kind:
     def __init_subclass__(cls, kw_only: bool = False) -> None:
         dataclass(eq=False, repr=False, kw_only=kw_only)(cls)
 
+    def is_kind(self, *names: str) -> bool:
+        """Whether it is of one of these kinds; none of them is loaded for this."""
+        return any(kind.__name__ in names for kind in type(self).__mro__)
+
     @cached_property
     def _stands_on(self) -> list[Printed | Scene]:
         """The attributes, and what is in tuples and in claims that are attributes, in its order."""

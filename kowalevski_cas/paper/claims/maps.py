@@ -29,12 +29,10 @@ from kowalevski_cas.paper.components import parts, sides
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.matrices import determinant
+from kowalevski_cas.paper.names import Images
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Fails, Follows, Goal, Rank, identity
 from kowalevski_cas.problem.space import Equation, Meaningless
-
-Images = tuple[tuple[str, str], ...]
-"""The variables with the names of their images."""
 
 
 class OfMap(Claim):

@@ -1,0 +1,177 @@
+"""Scenes with what is defined or supposed beside equations of motion: roots, special constants."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from kowalevski_cas.notation import (
+    Application,
+    Conjugate,
+    Constant,
+    Formula,
+    Modulus,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Relation,
+    Root,
+    rank,
+    read,
+    read_display,
+    times,
+    to_latex,
+)
+from kowalevski_cas.notation.functions import SIGN
+from kowalevski_cas.notation.open import OpenParser
+from kowalevski_cas.notation.vocabulary import VECTOR
+from kowalevski_cas.paper.claims.forms import minus
+from kowalevski_cas.paper.exponents import half_power
+from kowalevski_cas.paper.names import BRACKET, head
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.signs import is_inequality
+from kowalevski_cas.paper.summation import without_sums
+from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
+from kowalevski_cas.paper.vocabulary import vocabulary
+from kowalevski_cas.system.refused import check_no_differentials
+from kowalevski_cas.system.rows import read_rows
+from kowalevski_cas.system.vectors import vectors_of
+
+
+def with_row(scene: Scene, place: Printed, formula: Formula) -> Scene:
+    """A scene with what is defined or supposed beside the equations of motion."""
+    if {*place.heads.names} - {*scene.variables, *scene.constants}:
+        return scene.defining(place)
+    if (supposing := _suppose(scene, place, formula)) is not None:
+        return supposing
+    if len(place.heads.squares) == 1:
+        return scene.adjoining(place)
+    what = "is no equation of motion, and defines no name: print a name alone on one side"
+    raise ValueError(f"{place.tex} {what}; what is supposed is printed with \\ne")
+
+
+def _suppose(scene: Scene, place: Printed, formula: Formula) -> Scene | None:
+    """A scene with what is supposed not to vanish, or to be positive, or the imaginary unit."""
+    if is_inequality(formula):
+        return with_roots(scene, place.display).assuming(place)
+    match formula:
+        case Relation((left, right), (r"\ne",)):
+            return scene.having(nonzero=(to_latex(minus((left, right))),))
+        case Relation((Power(Name("i"), Number(2)), Negative(Number(1))), ("=",)):
+            kept = tuple(name for name in scene.constants if name != "i")
+            return replace(scene, constants=kept).with_unit(place)
+    return None
+
+
+def with_parameters(scene: Scene, display: Display) -> Scene:
+    r"""A scene with the new names of which a display defines functions, as :math:`L(\lambda)`.
+
+    They are constants: a function stands for its value whatever they are. New vectors have
+    components.
+    """
+    words = vocabulary((scene,))
+    if (vectors := vectors_of(display, scene.vectors, words)) != scene.vectors:
+        scene = replace(scene, vectors=vectors)
+    heads_of = [head(name) for place in display for name in place.heads.names]
+    arguments = dict.fromkeys(one for name, listed in heads_of if name != BRACKET for one in listed)
+    known = {name for name, _ in heads_of} | {*scene.names(), *scene.vectors, scene.time, "t"}
+    new = (
+        argument
+        for argument in arguments
+        if argument not in known and not argument.startswith(r"\dot")
+    )
+    return scene.having(constants=tuple(new))
+
+
+def with_levels(scene: Scene, place: Printed) -> Scene:
+    """A scene with the new names in an integral: T for it, or its value, as h in :math:`2T=2h`."""
+    known = {*scene.names(), *scene.definitions, *scene.vectors, scene.time}
+    scene = with_parameters(scene, place.display)
+    heads = place.heads.names or place.heads.multiples
+    for name in heads:
+        if name not in known:
+            scene = scene.naming(name, place)
+    formula = read_rows(place.display, vocabulary((scene,)))[place]
+    members = formula.members if isinstance(formula, Relation) else ()
+    names = [{node.name for node in member.nodes() if isinstance(node, Name)} for member in members]
+    new = {one for own in names if own.isdisjoint({*known, *heads}) for one in own}
+    if known.isdisjoint(one for own in names for one in own):
+        return scene  # of nothing that moves it is no value
+    return scene.having(constants=tuple(sorted(new - {*scene.names()})))
+
+
+def with_roots(scene: Scene, display: Display) -> Scene:
+    """A scene with the square roots that are printed in a display of its names.
+
+    Raises ``ValueError`` if a name is defined there by two expressions, of which one would be lost,
+    and for a bar, which would say nothing.
+    """
+    printed = read_display(display.tex, vocabulary((scene,)))
+    waiting = [without_sums(statement.formula) for statement in printed]
+    for place, formula in zip(display, waiting, strict=True):
+        named = {*place.heads.names} & {*scene.definitions}
+        sides = [side for side in formula.children() if not isinstance(side, Constant)]
+        if named and len(sides) > len(named) + 1:
+            raise ValueError(f"{place.tex} gives {min(named)} twice: leave one side out")
+    inner_first = (node for formula in waiting for node in reversed([*formula.nodes()]))
+    for formula in inner_first:
+        if isinstance(formula, Conjugate) and scene.unit is None:
+            raise ValueError(
+                f"{to_latex(formula)} is a conjugate, and all is real: rename it, or print i^2=-1 "
+                "beside the equations of motion if they are complex"
+            )
+        words = vocabulary((scene,))
+        root = _root(formula)
+        if isinstance(formula, Modulus) and scene.unit and rank(formula.argument, words) != VECTOR:
+            root = Root(times(formula.argument, Conjugate(formula.argument)))
+        if root is not None and (name := to_latex(root)) not in scene.roots:
+            scene = scene.adjoining(name)
+    return scene
+
+
+def _root(formula: Formula) -> Root | None:
+    """The square root that a root, an absolute value, a length or a power 3/2 is made of."""
+    match formula:
+        case Root():
+            return formula
+        case Modulus(argument):
+            return Root(Power(argument, Number(2)))
+        case Application(function, (argument,)) if function == SIGN:
+            return Root(Power(argument, Number(2)))
+        case Power(base, exponent) if half_power(exponent) is not None:
+            return Root(base)
+    return None
+
+
+def _with_real_root(scene: Scene, name: str, place: Printed, formula: Formula) -> Scene:
+    """A scene on which what a relation says to be a square is not negative.
+
+    A claim that does not speak of the name is one about real points, too.
+    """
+    for side in formula.children():
+        if name not in side.names() and not side.names().isdisjoint(scene.constants):
+            tex = rf"{to_latex(side)}\ge0"
+            display = replace(
+                place.display, id=f"{place.display.id}-real", tex=tex, source=IN_WORDS
+            )
+            return with_roots(scene, display).assuming(display)
+    return scene
+
+
+def restrict(scene: Scene, place: Printed) -> Scene:
+    """A scene with what a relation says of its constants."""
+    formula = read(place.tex, vocabulary((scene,)), OpenParser)
+    check_no_differentials(formula)
+    if (supposing := _suppose(scene, place, formula)) is not None:
+        return supposing
+    # A name that is a square is not negative: as the root of it, the other one would be left out.
+    for name in (*place.heads.names, *place.heads.squares):
+        if name in scene.constants:
+            kept = tuple(constant for constant in scene.constants if constant != name)
+            rest = replace(scene, constants=kept)
+            if name not in place.heads.squares:
+                return rest.naming(name, place)
+            return _with_real_root(rest.adjoining(place), name, place, formula)
+    known = ", ".join(scene.constants)
+    solve = f"solve it for one of {known}, or" if known else "there is none:"
+    raise ValueError(f"{place.tex} gives no constant: {solve} declare a further one by `having`")
