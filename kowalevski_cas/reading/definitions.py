@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 from kowalevski_cas.notation import (
     Application,
@@ -17,6 +18,7 @@ from kowalevski_cas.notation import (
     Product,
     Vector,
 )
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
@@ -44,6 +46,8 @@ from kowalevski_cas.reading.phrases import (
 from kowalevski_cas.reading.statements import SourceStatement, derived_names, is_closing
 
 ZERO = Number(0)
+_RUNNING = ("i", "j", "k", "l", "m")
+"""The letters of indices that run, in a bracket of any two coordinates."""
 
 
 def law(item: SourceStatement, known: Known) -> StatementRole | None:
@@ -90,7 +94,9 @@ def _is_coordinate(name: str, known: Known) -> bool:
     """Whether a name moves, or is what moves: with any index, or beyond the end of a chain."""
     closing = (one for one in known.later.get(name, ()) if is_closing(one))
     moves = known.moves(name) or any(map(known.moves, (one.bare[1] for one in closing)))
-    return moves or name.endswith(("_i", "_j"))
+    parts, variables = symbol(name), [symbol(n) for law in known.laws for n in law.variables]
+    runs = parts.index in _RUNNING and any(replace(n, index=parts.index) == parts for n in variables)
+    return moves or runs or name.endswith(("_i", "_j"))
 
 
 def definition(item: SourceStatement, known: Known) -> StatementRole | None:

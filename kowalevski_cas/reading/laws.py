@@ -183,13 +183,16 @@ class _LawFinder:
         law = self.grown(item, (), rows) if beside <= {*rows} else None
         if law is None:
             return None
+        if all(self.is_defined(row, item.section.start) for row in beside):
+            return None  # it is deduced for names that stand for what moves
         old = {name for one in part for name in one.variables}
         rated, named = {*law.variables}, {*self.names.scalars(law.mentions)}
         deduced = cue("deduced", item.lead) and not said
         printed = {row.formula for one in part for row in one.rows}
         if named & old - rated or (deduced and rated <= old):
             return None
-        since = (one for one in self._since(begins, item) if one not in law.momenta)
+        heading = apart[0].start if apart else begins
+        since = (one for one in self._since(heading, item) if one not in law.momenta)
         if not said and any(self._relates(one, item, old) for one in since):
             return None
         if not said and len(law.items) == 1 and rated < old:  # what follows for one of several
