@@ -82,3 +82,23 @@ def test_a_law_of_momenta_may_have_the_letters_of_another_section():
     ball = r"\section{B} The ball has $$\mathbf M=\mathbf I\boldsymbol\omega+D\boldsymbol\gamma\times(\boldsymbol\omega\times\boldsymbol\gamma),$$ where $\mathbf I=\operatorname{diag}(A,B,C)$, and moves by $$\dot{\mathbf M}=\mathbf M\times\boldsymbol\omega,\quad \dot{\boldsymbol\gamma}=\boldsymbol\gamma\times\boldsymbol\omega.$$ "
     found = verdicts(first + ball + r"The function $(\mathbf M,\boldsymbol\gamma)$ is an integral.")
     assert found[r"(\mathbf M,\boldsymbol\gamma)"].green
+
+
+@pytest.mark.parametrize("time", [r"t=\frac{a}{b}s", r"s=\frac{b}{a}t", r"s=\frac{bt}{a}"])
+def test_a_multiple_of_the_time_is_another_time(time):
+    """It is s by letter, beside τ; a wrong factor is not proved."""
+    law = r"The equation of motion is $$\ddot x=-b^2x.$$ With $\tau=bt$ it is $$\frac{d^2x}{d\tau^2}=-x,$$ "
+    text = law + rf"and if time is measured by $s$ with ${time}$, we have $$\frac{{d^2x}}{{ds^2}}=-a^2x.$$"
+    found = verdicts(text)
+    assert found[r"\frac{d^2x}{d\tau^2}=-x"].green
+    assert found[r"\frac{d^2x}{ds^2}=-a^2x"].green
+    false = verdicts(text.replace("-a^2x", "-ax"))
+    assert not false[r"\frac{d^2x}{ds^2}=-ax"].green
+
+
+def test_the_square_of_a_new_constant_defines_it():
+    law = r"The equation of motion is $$\ddot x=-\frac gl x.$$ Put $c^2=g/l$. Then $$\ddot x=-c^2x.$$"
+    assert roles(law)["c^2=g/l"] == "definition"
+    assert verdicts(law)[r"\ddot x=-c^2x"].green
+    assert not verdicts(law.replace("-c^2x", "-cx"))[r"\ddot x=-cx"].green
+    assert roles(law.replace("Put", "If"))["c^2=g/l"] == "assumption"
