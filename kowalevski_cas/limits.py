@@ -79,7 +79,7 @@ def waited(process: int | str = "thread-self") -> float:
     Linux tells them; elsewhere there are none.
     """
     try:
-        with open(f"/proc/{process}/schedstat", encoding="ascii") as told:
+        with open(f"/proc/{process}/schedstat", "rb", buffering=0) as told:
             return int(told.read().split()[1]) / 1e9
     except (OSError, IndexError, ValueError):
         return 0.0

@@ -123,9 +123,9 @@ def run(arguments: argparse.Namespace) -> int:
                 f"{to_plain(condition.expression)} ≠ 0" for condition in outcome.conditions
             )
             said += f", where {where}" if where else ""
-            print(f"{outcome.verdict}  {said}{':  ' if shown else ''}{shown}")
+            _tell(str(outcome.verdict), f"{said}{':  ' if shown else ''}{shown}")
             for sentence in finding.computed:
-                print(f"computed  {_shorten(plain.words(sentence, run.vocabulary), verbose)}")
+                _tell("computed", _shorten(plain.words(sentence, run.vocabulary), verbose))
         checked = plain.many(len(run.certificates), "certificate")
         print(f"{len(outcomes)} found; {checked} checked")
         if not findings and not unfinished:
@@ -133,6 +133,13 @@ def run(arguments: argparse.Namespace) -> int:
     if unfinished:
         raise CommandError(unfinished, UNDECIDED)
     return AS_RECORDED if all(outcome.verdict.green for outcome in outcomes) else UNDECIDED
+
+
+def _tell(how: str, said: str) -> None:
+    """A finding: in one line for other programs, in lines as wide as it is on a terminal."""
+    lines = plain.wrap(said, f"{how}  ") if sys.stdout.isatty() else (f"{how}  {said}",)
+    for line in lines:
+        print(line)
 
 
 def _shorten(shown: str, verbose: bool) -> str:

@@ -12,6 +12,7 @@ _NAME: Final = re.compile(
 )
 _SIGNS: Final = (
     (re.compile(r"\bsqrt\("), "√("),
+    (re.compile(r"\bdot\("), "("),
     (re.compile(r" \* (?=\d)"), "·"),
     (re.compile(r" \* "), ""),
     (re.compile(r" / "), "/"),

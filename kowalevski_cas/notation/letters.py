@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 
 from kowalevski_cas.notation.errors import NotationError
-from kowalevski_cas.notation.symbol import STAR
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.notation.tokens import Token
 
 _STAR = r"(?: \^ (?:star|{ star }))?"
@@ -52,8 +52,8 @@ def with_stars(tokens: list[Token]) -> list[Token]:
         kinds = [behind.kind for behind in found[-4:]]
         size = 4 if kinds == ["^", "{", "star", "}"] else 2 if kinds[-2:] == ["^", "star"] else 0
         if size and (letter := _letter_before(found, len(found) - size)) is not None:
+            letter.text += f"^{found[-1 - (size == 4)].text}"
             del found[-size:]
-            letter.text += STAR
             found[-1].end = token.end
     return found
 
@@ -68,7 +68,7 @@ def _letter_before(tokens: list[Token], end: int) -> Token | None:
     while at > 0 and tokens[at].kind == "}":
         at -= 1
     letter = tokens[at] if at >= 0 else None
-    if letter is None or letter.kind != "letter" or STAR in letter.text:
+    if letter is None or letter.kind != "letter" or symbol(letter.text).star:
         return None
     for closing in range(at + 1, last + 1):  # each brace has an accent before it, and no other
         opening = _opening_brace(tokens, closing)

@@ -6,11 +6,20 @@ is for the vocabulary to say.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from kowalevski_cas.notation import functions
+from kowalevski_cas.notation.decorations import ACCENTS, RAISED, Accent, RaisedSign
 
 
 def _table(**rows: str) -> dict[str, str]:
     return {"\\" + name: action for action, names in rows.items() for name in names.split()}
+
+
+def _names(decorations: Mapping[str, Accent | RaisedSign]) -> str:
+    """The macros for decorations; a sign of the keyboard is none."""
+    own = [name.removeprefix("\\") for name in decorations if name.startswith("\\")]
+    return " ".join((*own, *(one.spelled for one in decorations.values())))
 
 
 # The letters that a macro prints, in Unicode.
@@ -40,7 +49,7 @@ ACTIONS: dict[str, str] = _table(
     text="text mbox hbox textrm textit textbf textup intertext shortintertext",
     font="""mathbf boldsymbol bm bs pmb mathrm operatorname operatorname* mathcal mathbb mathfrak
     mathsf mathit mathnormal mathscr mathbfit symbfit mathbfup symbf symup mathup symit""",
-    diacritic="hat widehat tilde widetilde vec overrightarrow check underline",
+    diacritic=_names(ACCENTS),
     switch="bf rm cal boldmath sf",
     over="over",
     stack="substack",
@@ -54,7 +63,7 @@ ACTIONS: dict[str, str] = _table(
     frac="frac tfrac dfrac cfrac",
     sqrt="sqrt",
     times="cdot times wedge",
-    star="ast",
+    star=_names(RAISED),
     dots="ldots dots cdots dotsb dotsc dotsm",
     prime="prime",
     relation="""coloneqq eqqcolon coloneq eqcolon equiv ne neq leq le leqslant leqq lt geq ge
@@ -107,16 +116,18 @@ SPELLING: dict[str, str] = {
     "\\" + name: spelling
     for spelling, names in {
         "=": "coloneqq eqqcolon coloneq eqcolon", r"\ne": "neq", r"\le": "leq leqslant leqq",
-        "<": "lt", "*": "ast",
+        "<": "lt",
         r"\times": "wedge",
         r"\ge": "geq geqslant geqq", ">": "gt", r"\to": "rightarrow longrightarrow",
         r"\boldsymbol": "bs bm pmb boldmath mathbfit symbfit",
         r"\mathrm": "rm operatorname operatorname* symup mathup",
         r"\mathbf": "bf mathbfup symbf", r"\mathsf": "sf", r"\mathcal": "cal",
         "": "mathnormal", r"\mathit": "symit",
-        r"\vec": "overrightarrow", r"\hat": "widehat", r"\tilde": "widetilde", r"\overline": "bar",
+        r"\overline": "bar",
         "(": "lparen", ")": "rparen", r"\{": "lbrace", r"\}": "rbrace", "[": "lbrack",
         "]": "rbrack", r"\lvert": "lVert", r"\rvert": "rVert",
+        **{name: accent.spelled for name, accent in ACCENTS.items()},
+        **{name: raised.spelled for name, raised in RAISED.items()},
     }.items()
     for name in names.split()
 }  # fmt: skip

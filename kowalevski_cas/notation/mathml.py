@@ -7,14 +7,11 @@ from collections.abc import Iterable, Sequence
 from html import escape
 
 from kowalevski_cas.notation.brackets import is_unmarked
+from kowalevski_cas.notation.decorations import ACCENTS, RATES
 from kowalevski_cas.notation.formula import Conjugate, Formula, Name, Number
 from kowalevski_cas.notation.printer import Printer
 from kowalevski_cas.notation.unicode import SIGNS, glyphs, styled_letter
 
-_ACCENTS = {
-    r"\hat": "^", r"\tilde": "~", r"\check": "ˇ", r"\vec": "→", r"\dot": "˙", r"\ddot": "¨",
-    r"\dddot": "⃛",
-}  # fmt: skip
 _DOTS = {1: "˙", 2: "¨", 3: "⃛", 4: "⃜"}
 _ATOM = re.compile(r"<(m[ion])>[^<]*</\1>")
 _TALL = re.compile("<m(frac|table|underover)")
@@ -53,7 +50,8 @@ class MathML(Printer):
         letter = escape(styled_letter(parts.letter, parts.font))
         text = f'<mi mathvariant="normal">{letter}</mi>' if upright else f"<mi>{letter}</mi>"
         for accent in reversed(parts.accents):
-            text = _under(text) if accent == r"\underline" else _over(text, _ACCENTS[accent])
+            sign = (ACCENTS | RATES)[accent].mathml
+            text = _over(text, sign) if sign else _under(text)
         while dots:
             text = _over(text, _DOTS[min(dots, 4)])
             dots -= min(dots, 4)

@@ -6,6 +6,7 @@ import unicodedata
 from collections.abc import Iterable, Sequence
 from functools import cache
 
+from kowalevski_cas.notation.decorations import ACCENTS, RATES
 from kowalevski_cas.notation.formula import (
     Conjugate,
     CrossProduct,
@@ -23,11 +24,7 @@ from kowalevski_cas.notation.unicode import glyphs, styled_letter
 
 _LOW = str.maketrans("0123456789+-aehijklmnoprstuvxβγρφχ", "₀₁₂₃₄₅₆₇₈₉₊₋ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓᵦᵧᵨᵩᵪ")
 _HIGH = str.maketrans("0123456789+−in", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁱⁿ")
-_MARKS = {
-    r"\hat": "\u0302", r"\tilde": "\u0303", r"\check": "\u030c", r"\vec": "\u20d7",
-    r"\underline": "\u0332",
-    r"\dot": "\u0307", r"\ddot": "\u0308", r"\dddot": "\u20db",
-}  # fmt: skip
+_MARKS = {macro: accent.plain for macro, accent in (ACCENTS | RATES).items()}
 _DOT, _BAR = "\u0307", "\u0304"
 
 

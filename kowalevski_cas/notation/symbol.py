@@ -10,10 +10,12 @@ import re
 from dataclasses import dataclass, replace
 from functools import cache
 
-DIACRITICS = (r"\hat", r"\tilde", r"\check", r"\vec", r"\underline")
+from kowalevski_cas.notation.decorations import ACCENTS, RAISED, RATES
+
+DIACRITICS = (*ACCENTS,)
 """Marks over a letter that make another name of it."""
 
-DOTS = (r"\dot", r"\ddot", r"\dddot")
+DOTS = (*RATES,)
 """Marks over a letter that make it the name of a rate."""
 
 FONTS = (
@@ -26,12 +28,13 @@ BOLD = (r"\mathbf", r"\boldsymbol")
 STAR = "^*"
 
 _ACCENTS = "|".join(map(re.escape, (*DOTS, *DIACRITICS)))
+_RAISED = "|".join(rf"{re.escape(sign)}(?![A-Za-z])" for sign in RAISED)
 _ACCENT = re.compile(rf"({_ACCENTS})\{{")
 _SYMBOL = re.compile(
     rf"""(?P<accents>(?:(?:{_ACCENTS})\{{)*)
     (?:(?P<font>{"|".join(map(re.escape, FONTS))})\{{(?P<styled>[^{{}}]+)\}}
       | (?P<letter>\\[A-Za-z]+|[A-Za-z]))
-    (?P<closing>\}}*)(?P<star>\^\*)?(?:_(?:\{{(?P<low>.+)\}}|(?P<sign>[^{{])))?(?P<primes>'*)""",
+    (?P<closing>\}}*)(?P<star>\^(?:{_RAISED}))?(?:_(?:\{{(?P<low>.+)\}}|(?P<sign>[^{{])))?(?P<primes>'*)""",
     re.VERBOSE | re.DOTALL,
 )
 _VALUE = re.compile(

@@ -192,9 +192,8 @@ class Symbols(Cursor):
         start = token.start
         if not (on.primes or accented):
             return self.application(name, start, on.power)
-        clear = not accented and on.power is None and self.vocabulary.times <= {"t"}
-        by = self.named_argument() if clear else ""
-        if not by:
+        by = "" if accented or on.power is not None else self.named_argument()
+        if not by or not self.vocabulary.times <= {"t", by}:
             message = f"by what is {name} derived? print \\partial {name}/\\partial x"
             raise self.error(message, token)
         piece = self.application(name, start, None)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from kowalevski_cas.notation.brackets import is_unmarked
+from kowalevski_cas.notation.decorations import ACCENTS, RATES
 from kowalevski_cas.notation.formula import Application, Formula, Name
 from kowalevski_cas.notation.printer import Printer
 from kowalevski_cas.notation.unicode import glyphs
@@ -13,11 +14,6 @@ _FONTS = {
     r"\mathbf": "upright(bold({}))", r"\boldsymbol": "bold({})", r"\mathrm": "upright({})",
     r"\mathcal": "cal({})", r"\mathbb": "bb({})", r"\mathfrak": "frak({})", r"\mathsf": "sans({})",
     r"\mathscr": "scr({})",
-}  # fmt: skip
-_ACCENTS = {
-    r"\hat": "hat({})", r"\tilde": "tilde({})", r"\check": "caron({})", r"\vec": "arrow({})",
-    r"\underline": "underline({})",
-    r"\dot": "dot({})", r"\ddot": "dot.double({})", r"\dddot": "dot.triple({})",
 }  # fmt: skip
 # Brackets that group and are not printed; they become round ones when all is printed, so that
 # until then a round bracket is one that stands on the paper.
@@ -48,7 +44,7 @@ class Typst(Printer):
         if parts.font:
             letter = _FONTS[parts.font].format(letter)
         for mark in reversed(parts.accents):
-            letter = _ACCENTS[mark].format(letter)
+            letter = (ACCENTS | RATES)[mark].typst.format(letter)
         index = f"_({' '.join(map(_atom, parts.indices))})" if parts.indices else ""
         star = f"^({parts.star})" if parts.star else ""
         primes = self.prime * len(parts.primes)

@@ -7,6 +7,7 @@ import unicodedata
 from functools import cache
 from typing import NamedTuple
 
+from kowalevski_cas.notation.decorations import RAISED
 from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.macros import GREEK
 from kowalevski_cas.notation.symbol import symbol
@@ -57,7 +58,7 @@ def glyphs(name: str) -> Glyphs:
         letter, font = _value(parts.letter), r"\mathrm"
     elif not font and parts.letter[:1] == "\\" and parts.letter not in _LETTERS:
         font = r"\mathrm"  # a macro of its own, as \sin, is an upright word
-    star = parts.star and "*"
+    star = parts.star and RAISED[parts.star[1:]].shown
     primes = "′" * len(parts.primes)
     return Glyphs(letter, font, parts.accents, star, _index(parts.index), primes)
 

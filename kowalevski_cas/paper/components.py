@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from kowalevski_cas.notation import (
     CrossProduct,
@@ -21,7 +21,7 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.meaning import Meaning
-from kowalevski_cas.problem.space import Let, Meaningless
+from kowalevski_cas.problem.space import EquationOfMotion, Let, Meaningless
 
 ZERO = Number(0)
 SPACE = 3
@@ -95,3 +95,14 @@ def component(vector: Formula, index: int, setting: Meaning) -> Formula:
             first = Product((of(left, j), of(right, k)))
             return Sum((first, Negative(Product((of(left, k), of(right, j))))))
     raise Meaningless(f"{to_latex(vector)} has no component {index + 1}")
+
+
+def row_components(
+    row: EquationOfMotion, setting: Meaning
+) -> Iterator[tuple[str, Formula, Formula]]:
+    """An equation of motion by components: name, factor of its rate, right side."""
+    if len(row.names) == 1:
+        yield row.names[0], row.factor, row.force
+        return
+    for index, name in enumerate(row.names):
+        yield name, component(row.factor, index, setting), component(row.force, index, setting)

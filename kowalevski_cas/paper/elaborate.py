@@ -10,6 +10,7 @@ the setting checks it.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from functools import cached_property
 from itertools import pairwise, takewhile
 
@@ -18,37 +19,41 @@ from kowalevski_cas.algebra.polynomials import Polynomial
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element, Parts, Ring
 from kowalevski_cas.notation import (
-    Constant,
-    Derivative,
     Formula,
     Name,
     Negative,
+    NotationError,
     Number,
     Product,
     Quotient,
     Relation,
-    Root,
-    Vector,
+    to_latex,
 )
-from kowalevski_cas.paper.components import component
+from kowalevski_cas.paper.definitions import Definitions, zero_names
 from kowalevski_cas.paper.denominators import Divisors
+from kowalevski_cas.paper.generators import functions_of
 from kowalevski_cas.paper.inlined import InlinedDefinitions
-from kowalevski_cas.paper.motion import Moving
-from kowalevski_cas.paper.names import head, is_bold
+from kowalevski_cas.paper.meaning import Meaning
+from kowalevski_cas.paper.motion import LawOfMotion
+from kowalevski_cas.paper.partials import Partials
 from kowalevski_cas.paper.plain import Plain
-from kowalevski_cas.paper.roots import root_of_number, solve_for_root
+from kowalevski_cas.paper.radicals import Radicals
+from kowalevski_cas.paper.rates import orders, velocities
+from kowalevski_cas.paper.roots import root_of_number
 from kowalevski_cas.paper.scene import Change as ChangeOfScene
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.signs import Comparison, comparisons, root_of
+from kowalevski_cas.paper.signs import Comparison, comparisons, contradiction, root_of
 from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.paper.transcendental import Transcendental
 from kowalevski_cas.paper.validation import validate
 from kowalevski_cas.problem import finder
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.mentions import mentions
 from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.problem.space import (
     Adjoined,
+    ChangeOfVariables,
     Equation,
+    EquationOfMotion,
     Let,
     Meaningless,
     Raised,
@@ -58,12 +63,15 @@ from kowalevski_cas.problem.space import (
 )
 
 
-class Elaboration(Moving):
+class Elaboration(Meaning):
     """The setting that a scene means.
 
     ``of`` gives the elaboration of another scene under the same texts. ``places`` tells, for
     each name that has been given its meaning, the places of the paper that say so.
     """
+
+    roots: tuple[str, ...] = ()  # until all is known on which they stand
+    powers: tuple[str, ...] = ()
 
     def __init__(
         self,
@@ -75,12 +83,17 @@ class Elaboration(Moving):
         self.scene, self.texts, self._of, self.met = scene, texts, of, met
         change = scene.field
         self.source = of(change.source) if isinstance(change, ChangeOfScene) else None
-        self.zero = frozenset(self._zero_names())
+        self.partials = Partials(self)
+        before = self.source.motion if self.source is not None else None
+        self.motion: LawOfMotion = LawOfMotion(self, self.partials, self.source, before)
+        self._definitions = Definitions(self, self.motion)
+        self.places: dict[str, tuple[Printed, ...]] = {}
+        self.turning: dict[str, Formula] | None = None
+        self.zero = frozenset(zero_names(scene, texts))
         # a coordinate may be given by an equation for its square: then it is adjoined, and no free
         # generator
         named = {name for name in scene.roots if not name.startswith(r"\sqrt")}
         functions = self.transcendental
-        self._powers = {f"{b}^{{{e}}}": (b, e) for b, e in scene.powers}
         moving = [
             *(n for variable in scene.variables for n in functions.instead(variable)),
             *self.velocities.values(),
@@ -96,12 +109,7 @@ class Elaboration(Moving):
         root = self.radicals.root
         self.variables = tuple(root(n) for n in moving if n not in named | self.zero)
         self.constants = tuple(root(n) for n in still if n not in named)
-        self.powers = tuple(self._powers)
-        self.turning: dict[str, Formula] | None = None
-        self._steps: dict[str, Step | None] = {}
-        self._open: list[str] = []
-        self.places: dict[str, tuple[Printed, ...]] = {}
-        self.inverses: dict[object, dict[str, Formula]] = {}
+        self.powers = tuple(f"{base}^{{{exponent}}}" for base, exponent in scene.powers)
         self.supposed = tuple(self._supposed())
         self.roots = tuple(dict.fromkeys(self._root_names()))
 
@@ -160,7 +168,7 @@ class Elaboration(Moving):
             if comparison.sign != r"\ne":
                 reach.name(root_of(comparison.difference))
             groups.append(tuple(sorted(reach.names)))
-        return (*super().together, *groups)
+        return (*self.transcendental.together, *groups)
 
     def _is_power(self, root: str) -> bool:
         """Whether a printed root is that of a name with a root in its place."""
@@ -168,7 +176,7 @@ class Elaboration(Moving):
         return isinstance(radicand, Name) and radicand.name in self.radicals
 
     @cached_property
-    def loci(self) -> tuple[tuple[tuple[Equation, ...], Formula], ...]:  # type: ignore[override] # computed here, an attribute above
+    def loci(self) -> tuple[tuple[tuple[Equation, ...], Formula], ...]:
         """The loci of the scene, in variables, constants and roots."""
         at, found = self.finder, []
         for locus in self.scene.loci:
@@ -191,7 +199,7 @@ class Elaboration(Moving):
         return tuple(name for name in self.roots if name in self.scene.variables)
 
     @cached_property
-    def nonzero(self) -> tuple[Formula, ...]:  # type: ignore[override] # computed here, an attribute above
+    def nonzero(self) -> tuple[Formula, ...]:
         """What the scene takes for granted not to vanish."""
         roots = (Name(self.radicals.root(name)) for name in self.radicals.orders)
         granted = (Name(n) if n in self.roots else self.formula(n) for n in self.scene.nonzero)
@@ -216,7 +224,7 @@ class Elaboration(Moving):
         return False
 
     @cached_property
-    def conjugates(self) -> tuple[tuple[str, str], ...]:  # type: ignore[override] # computed here, an attribute above
+    def conjugates(self) -> tuple[tuple[str, str], ...]:
         """The pairs of conjugate names; none if the unit is printed with another square."""
         if "i" in self.roots:
             step = self.step("i")
@@ -237,16 +245,86 @@ class Elaboration(Moving):
         # whoever is asked while roots are adjoined asks for the finder: it is known before it is
         # complete
         self.__dict__["finder"] = evaluation
-        opened, self._open = self._open, []  # what is being defined may stand under a root
         try:
-            evaluation.adjoin_roots()
-            validate(self)
+            with self._definitions.anew():
+                evaluation.adjoin_roots()
+                validate(self)
+                self._check_suppositions(evaluation)
         except Meaningless:
             del self.__dict__["finder"]  # whoever asks again is refused again
             raise
-        finally:
-            self._open = opened
         return evaluation
+
+    def _check_suppositions(self, at: Evaluation) -> None:
+        """Refuse inequalities that are seen to contradict each other."""
+        if (found := contradiction(self.supposed, at)) is not None:
+            both = " and ".join(to_latex(comparison.said) for comparison in found)
+            where = f"what is supposed on “{self.scene.name}”"
+            raise Meaningless(f"{where} contradicts itself: {both}")
+
+    # -- the motion ------------------------------------------------------------------
+
+    @cached_property
+    def printed_field(self) -> list[Formula]:
+        """The equations of motion, as far as they can be read; who needs them is told the rest."""
+        rows = self.scene.field
+        found: list[Formula] = []
+        for place in () if isinstance(rows, ChangeOfScene) else rows:
+            with suppress(NotationError):
+                found.append(self.texts.relation(place))
+        return found
+
+    @cached_property
+    def transcendental(self) -> Transcendental:
+        """The functions at the arguments that stand in what the scene and the claim print."""
+        return functions_of(self)
+
+    @cached_property
+    def radicals(self) -> Radicals:
+        """The fractional powers in what the scene and the claim print."""
+        if isinstance(self.scene.field, ChangeOfScene):
+            return Radicals((), ())
+        places = [place for place in self.scene.places if place not in self.scene.field]
+        printed = [*self.printed_field, *self.met]
+        for place in places:
+            with suppress(NotationError):
+                printed.append(self.texts.formula(place))
+        for name in self.scene.roots:
+            if name.startswith(r"\sqrt"):
+                printed.append(self.texts.expression(name))
+        names = {*self.scene.variables, *self.scene.constants}
+        functions = self.transcendental
+        under = {name for group in functions.groups for name in functions.names_under(group)}
+        return Radicals(printed, names, under)
+
+    @property
+    def own_variables(self) -> tuple[str, ...]:
+        if self.transcendental.groups:
+            what = f"{to_latex(self.transcendental.groups[0].argument)} stands under a function"
+            raise Meaningless(f"{what}: degrees, volumes and numbers of solutions are not known")
+        return self.variables
+
+    @cached_property
+    def velocities(self) -> dict[str, str]:
+        """The variables of which higher derivatives are printed, and those derivatives' names."""
+        scene = self.scene
+        given = {name: self.definition(name) for name in self._derived_twice()}
+        return velocities(self.printed_field, scene.variables, scene.vectors, given)
+
+    def _derived_twice(self) -> list[str]:
+        """The names with a definition that the equations of motion derive more than once."""
+        derived = {name for one in self.printed_field for name, order in orders(one) if order > 1}
+        return [name for name in self.scene.definitions if name in derived]
+
+    @property
+    def field(self) -> tuple[EquationOfMotion, ...]:
+        """The printed equations of motion, solved for the rates where they are not."""
+        return self.motion.field
+
+    @property
+    def change(self) -> ChangeOfVariables | None:
+        """The change of variables that gives the field."""
+        return self.motion.change
 
     # -- names -------------------------------------------------------------------
 
@@ -254,63 +332,7 @@ class Elaboration(Moving):
         """What defines a name; raises :class:`Meaningless` if nothing does."""
         if name in self.roots and "finder" not in self.__dict__:
             _ = self.finder  # it solves for all roots, in their order
-        if name not in self._steps:
-            if name in self._open:
-                raise Meaningless(f"{name} is defined by itself", name)
-            self._open.append(name)
-            try:
-                self._steps[name] = self._define(name)
-            finally:
-                self._open.pop()
-        return self._steps[name]
-
-    def _define(self, name: str) -> Step | None:
-        scene = self.scene
-        if name in self.variables or name in self.constants:
-            return None
-        if name == "i" and "i" in self.roots:
-            return self._unit()
-        if name in self.roots:
-            return self._root(name)
-        if name in self._powers:
-            base, exponent = self._powers[name]
-            if exponent not in self.constants:
-                raise Meaningless(f"{exponent} is an exponent here, and has a value", exponent)
-            return Raised(name, Name(base), exponent)
-        if name in self.zero:
-            return self._let(name, Number(0), *scene.zero)
-        if name in self.radicals:
-            return self._let(name, self.radicals.value(name))
-        return self._definition_of(name)
-
-    def _definition_of(self, name: str) -> Let:
-        """What a name stands for."""
-        scene = self.scene
-        if name in self.transcendental.derived:
-            return self._let(name, self.transcendental.derived[name].formula)
-        if (whole := self._head(name)) is not None:
-            return self._let(name, self.definition(whole), scene.definitions[whole])
-        if name in scene.vectors:
-            return self._let(name, Vector(tuple(Name(c) for c in scene.vectors[name])))
-        if (place := scene.component(name)) is not None:
-            vector, index = place
-            formula = component(Name(vector), index, self)
-            return self._let(name, formula, scene.definitions[vector])
-        if self.source is not None and name in self.inverse:
-            assert isinstance(scene.field, ChangeOfScene)
-            return self._let(name, self.inverse[name], *scene.field.formulas)
-        raise self._without_meaning(name)
-
-    def _without_meaning(self, name: str) -> Meaningless:
-        what = f"{name} has no meaning on the scene “{self.scene.name}”"
-        if name in self.transcendental:
-            what = f"{name} stands under functions: by itself it is not known here"
-        return Meaningless(what, name)
-
-    def _head(self, name: str) -> str | None:
-        """The head in which a name has variables for arguments, as H has in H(q,p)."""
-        heads = (definition for definition in self.scene.definitions if head(definition)[0] == name)
-        return next(filter(self.scene.of_variables, heads), None)
+        return self._definitions.step(name)
 
     def raised(self, name: str) -> Raised:
         """The step of a power."""
@@ -318,78 +340,11 @@ class Elaboration(Moving):
         assert isinstance(step, Raised)
         return step
 
-    def _let(self, name: str, formula: Formula, *places: Printed) -> Let:
-        self.places[name] = places
-        let = Let(name, self.plain(formula))
-        for other in mentions(let.formula):  # vectors stay as they are, and may run in a circle
-            if (
-                isinstance(other, Name)
-                and (is_bold(other.name) or other.name in self.scene.vectors)
-                and other.name in self.scene.definitions
-            ):
-                self.step(other.name)
-        return let
-
-    def _unit(self) -> Step | None:
-        printed = self.scene.unit
-        if printed is None:
-            assert self.source is not None
-            step = self.source.step("i")
-            self.places["i"] = self.source.places.get("i", ())
-            return step
-        return solve_for_root(self, "i", printed)
-
-    def _root(self, name: str) -> Step:
-        if name in self.transcendental.roots:
-            self.places[name] = ()
-            return Adjoined(name, self.plain(self.transcendental.roots[name].square))
-        printed = self.scene.roots.get(name)
-        if printed is not None:
-            return solve_for_root(self, name, printed)
-        root = self.texts.expression(name)
-        if not isinstance(root, Root):
-            raise Meaningless(f"{name} is not printed as a square root", name)
-        self.places[name] = ()
-        return Adjoined(name, self._without_rates(self.plain(root.argument)))
-
-    def _without_rates(self, radicand: Formula) -> Formula:
-        """What stands under a root by what moves: roots are adjoined before anything has a rate."""
-        if not any(isinstance(one, Derivative) for one in mentions(radicand)):
-            return radicand
-        return formula_in(self.finder.scalar(radicand))
-
-    def _zero_names(self) -> Iterator[str]:
-        for printed in self.scene.zero:
-            members = self.texts.relation(printed).members
-            names = [member.name for member in members if isinstance(member, Name)]
-            if members.count(Number(0)) != 1 or len(names) != len(members) - 1:
-                raise Meaningless(f"the equation at {printed.place} does not set names to zero")
-            for name in names:
-                yield from self.scene.vectors.get(name, (name,))
-
     def definition(self, name: str) -> Formula:
-        """The expression for which a name stands.
+        return self._definitions.definition(name)
 
-        It is the first member of the printed chain that is not a bare name, or
-        else another name, that stands for nothing; a formula that is no equation is the expression
-        itself.
-        """
-        printed = self.scene.definitions.get(name) or self.scene.roots.get(name)
-        if printed is None:
-            raise Meaningless(f"nothing defines {name}", name)
-        formula = self.texts.formula(printed)
-        members = formula.members if isinstance(formula, Relation) else (formula,)
-        own = self.texts.expression(name)
-        others = [m for m in members if m != own and not isinstance(m, Constant)]
-        for one in others:
-            match one:
-                case Product((Number() as factor, multiple)) if multiple == own:
-                    rest = next(other for other in others if other != one)
-                    return Quotient(rest, factor)
-        if not others or (name in printed.heads.names and own not in members):
-            raise Meaningless(f"no expression stands for {name} in its definition", name)
-        given = (m for m in others if getattr(m, "name", "") not in self.scene.definitions)
-        return next((m for m in others if not isinstance(m, Name)), next(given, others[0]))
+    def partial(self, formula: Formula, name: str) -> Formula:
+        return self.partials(formula, name)
 
     def free(self, names: Sequence[str]) -> Evaluation:
         """The setting in FLINT with more variables, bound by nothing; a root may be one."""

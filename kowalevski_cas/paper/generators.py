@@ -19,6 +19,7 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.functions import MEANING
 from kowalevski_cas.paper.arguments import Monomial, product_of, single_name
+from kowalevski_cas.paper.components import row_components
 from kowalevski_cas.paper.differentiate import derivative
 from kowalevski_cas.paper.families import Generators, outside
 from kowalevski_cas.paper.functions import value_of
@@ -169,7 +170,9 @@ def with_generators(
     """
     functions, scene = setting.transcendental, setting.scene
     known = {
-        name: (factor, force) for row in rows for name, factor, force in setting.components(row)
+        name: (factor, force)
+        for row in rows
+        for name, factor, force in row_components(row, setting)
     }
     if functions.depends_on_time:
         known[scene.time] = ONE, ONE

@@ -44,9 +44,9 @@ from kowalevski_cas.paper.functions import value_of
 from kowalevski_cas.paper.logarithms import derivative_of, has_logarithm
 from kowalevski_cas.paper.matrices import OF_MATRICES, by_rows, matrix_times_column, rows
 from kowalevski_cas.paper.meaning import Meaning
-from kowalevski_cas.paper.motion import marks
 from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.radicals import power_under
+from kowalevski_cas.paper.rates import marks
 from kowalevski_cas.paper.roots import root_of_number
 from kowalevski_cas.paper.summation import expand_sum
 from kowalevski_cas.paper.texts import Printed

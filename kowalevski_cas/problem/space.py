@@ -117,18 +117,36 @@ class ChangeOfVariables:
 class Setting(ABC):
     """What a space and a scene that is being elaborated have in common.
 
-    ``variables`` move, ``constants`` do not, ``roots`` and ``powers`` lists the names of
-    generators that steps define; ``nonzero`` is taken for granted not to vanish.
+    ``variables`` move, ``constants`` do not; steps define all other names.
     """
 
     variables: tuple[str, ...]
     constants: tuple[str, ...]
-    nonzero: tuple[Formula, ...]
-    roots: tuple[str, ...]
-    powers: tuple[str, ...]
-    conjugates: tuple[tuple[str, str], ...]
-    loci: tuple[tuple[tuple[Equation, ...], Formula], ...]
-    """Declared places of degeneracy: equations, and what does not vanish elsewhere."""
+
+    @property
+    @abstractmethod
+    def nonzero(self) -> tuple[Formula, ...]:
+        """What is taken for granted not to vanish."""
+
+    @property
+    @abstractmethod
+    def roots(self) -> tuple[str, ...]:
+        """The names of the generators that are adjoined roots, in the order of adjunction."""
+
+    @property
+    @abstractmethod
+    def powers(self) -> tuple[str, ...]:
+        """The names of the generators that are powers."""
+
+    @property
+    @abstractmethod
+    def conjugates(self) -> tuple[tuple[str, str], ...]:
+        """The pairs of conjugate names."""
+
+    @property
+    @abstractmethod
+    def loci(self) -> tuple[tuple[tuple[Equation, ...], Formula], ...]:
+        """Declared places of degeneracy: equations, and what does not vanish elsewhere."""
 
     @cached_property
     def left(self) -> dict[object, Space]:
@@ -202,7 +220,7 @@ class Space(Setting):
         return {step.name: step for step in self.steps}
 
     @property
-    def roots(self) -> tuple[str, ...]:  # type: ignore[override] # computed here, an attribute above
+    def roots(self) -> tuple[str, ...]:
         """The names of roots."""
         return tuple(step.name for step in self.steps if isinstance(step, Adjoined))
 
@@ -213,7 +231,7 @@ class Space(Setting):
         return tuple(name for name in self.roots if name in moving)
 
     @property
-    def powers(self) -> tuple[str, ...]:  # type: ignore[override] # computed here, an attribute above
+    def powers(self) -> tuple[str, ...]:
         """The names of powers."""
         return tuple(step.name for step in self.steps if isinstance(step, Raised))
 

@@ -83,7 +83,7 @@ def integral_words(item: SourceStatement) -> str:
     if not re.match(r"[\s,]*(?:which|whence|where|with|that|откуда|где|котор)", tail) and (
         said := cue("integral", tail)
     ):
-        if last_cue("claim", item.lead[-30:]) < 0 or not item.typed.inline:
+        if last_cue("claim", _CLAUSE.split(item.lead[-30:])[-1]) < 0 or not item.typed.inline:
             return said
     if said := cue("integral", last_clause(_own_lead(item))):
         return said

@@ -46,7 +46,7 @@ def graph(findings: Findings) -> Iterator[Block]:
         return
     yield Heading(("What rests on what",), "section.picture")
     if not drawn.boxes:
-        yield Paragraph(("Each claim was decided from the equations of motion alone.",))
+        yield Paragraph(("No statement here rests on another one.",))
         return
     yield Paragraph(
         ("A line leads from each statement to those that rest on it; lines implied by others "

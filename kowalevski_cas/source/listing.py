@@ -101,7 +101,7 @@ def guess(formulas: Iterable[TypedFormula], capitals: int = MATRIX) -> Vocabular
         vectors=frozenset(bold - matrices),
         matrices=frozenset(matrices),
         functions=frozenset(functions),
-        times=frozenset({"t", r"\tau"} | others),
+        times=frozenset({"t"} | names & {r"\tau"} | others),
         moving=frozenset(names - FUNCTIONS),
     )
 

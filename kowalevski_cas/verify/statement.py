@@ -80,7 +80,7 @@ class Statement:
         for space, setting in self.legend.items():
             steps = space.steps if isinstance(space, Space) else ()
             named = [place for step in steps for place in setting.places.get(step.name, ())]
-            moving = [*setting.motion_places()] if space.field or space.change else []
+            moving = [*setting.motion.places()] if space.field or space.change else []
             used = dict.fromkeys([*named, *moving])
             found |= used
             for place in places | used:

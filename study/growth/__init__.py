@@ -100,7 +100,7 @@ def draw(rows: Sequence[Row]) -> Figure:
             ends = [row["steps"][-1] for row in here if row["method"] != "modular"]
             axes.set_xlim(-0.3, max(ends, default=MOST) + 0.6)
     for axes, case, number in zip(panels[0], CASES, ("(15)", "(16)"), strict=True):
-        axes.set_title(f"{case} variables: {number}", size=8.5, pad=62)
+        axes.set_title(f"{case} variables: {number}", size=8.5, pad=68)
         _name_lines(axes)
     for axes in panels[1]:
         axes.set_xlabel("$k$, the order of the derivative")
@@ -108,12 +108,12 @@ def draw(rows: Sequence[Row]) -> Figure:
 
 
 def _name_lines(axes: Axes) -> None:
-    """Write the name of each line above its last point, side by side where several end together."""
+    """Write the name of each line, behind its mark, above its last point; side by side at one."""
     from numpy import asarray
 
     named = [(str(line.get_label()), line) for line in axes.lines]
     ends = [
-        (float(asarray(line.get_xdata())[-1]), name, line.get_color())
+        (float(asarray(line.get_xdata())[-1]), name, line)
         for name, line in named
         if not name.startswith("_")
     ]
@@ -123,8 +123,13 @@ def _name_lines(axes: Axes) -> None:
     places = [min(x, right - room / 2) for x, *_ in ends]
     for k in range(len(places) - 2, -1, -1):
         places[k] = min(places[k], places[k + 1] - room)
-    for place, (_, name, colour) in zip(places, ends, strict=True):
+    above = axes.get_xaxis_transform()
+    for place, (_, name, line) in zip(places, ends, strict=True):
+        axes.plot(
+            place, 1.04, color=line.get_color(), marker=line.get_marker(), ms=3.5,
+            transform=above, clip_on=False,
+        )  # fmt: skip
         axes.text(
-            place, 1.02, name, color=colour, size=7, rotation=90,
-            ha="center", va="bottom", transform=axes.get_xaxis_transform(),
+            place, 1.07, name, color=INK, size=7, rotation=90,
+            ha="center", va="bottom", transform=above,
         )  # fmt: skip

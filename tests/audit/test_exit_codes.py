@@ -6,6 +6,8 @@ from kowalevski_cas.cli import main
 from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, UNDECIDED
 
 LAW = r"The equations of motion are \[ \dot x=y,\qquad \dot y=-x. \] "
+LAGRANGIAN = r"The Lagrangian is \[ L=\tfrac12\dot x^2-\tfrac12 x^2. \] "
+TRUE_OF_IT = r"Then \[ \frac{d}{dt}(\dot x^2+x^2)=0. \] "
 TRUE = r"Then \[ \frac{d}{dt}(x^2+y^2)=0. \] "
 FALSE = r"Then \[ \frac{d}{dt}(x^2+2y^2)=0. \] "
 AS_READ = r"At some places \[ x^2+y^2=3x. \] "
@@ -28,6 +30,7 @@ PAPERS = [
     ("a sentence that claims and is not read", LAW + TRUE + "\n" + SENTENCE, UNDECIDED, UNDECIDED),
     ("the same, skipped", LAW + TRUE + "\n" + SKIPPED + SENTENCE, AS_RECORDED, AS_RECORDED),
     ("a law and no claim", LAW, NOTHING, NOTHING),
+    ("a law that a Lagrangian gives", LAGRANGIAN + TRUE_OF_IT, AS_RECORDED, AS_RECORDED),
     ("a claim and no law", TRUE, NOTHING, NOTHING),
     ("an identity without a law", r"We have \[ (x+y)^2=x^2+2xy+y^2. \]", NOTHING, NOTHING),
     ("only what is skipped", LAW + "Then\n" + SKIP + TRUE[5:], NOTHING, NOTHING),

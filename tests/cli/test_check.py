@@ -72,7 +72,7 @@ def test_a_line_says_what_is_proved_in_the_order_and_the_numbers_of_the_paper(
     assert main(["check", str(copy)]) == 0
     out = capsys.readouterr().out
     lines = out.splitlines()
-    assert lines[0].startswith("(6): D(J₁² + J₂²) = 0; the differentials of ")
+    assert lines[0].startswith("(6): D(J₁² + J₂²) = 0; the differential of ")
     assert lines[1].startswith("(7): there are expressions M₁₁, ")
     assert lines[2].startswith("(14): it is false that ") and ", for x₁, x₂ ≠ 0" in lines[2]
     assert lines[3].startswith("(14), corrected: D(")

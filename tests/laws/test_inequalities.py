@@ -287,10 +287,31 @@ def test_an_identity_has_the_conditions_of_its_hypotheses(below, sign):
     assert "a" in conditions and len(conditions) == (1 if below in ("a", "a^2+1") else 2)
 
 
+@pytest.mark.parametrize(
+    ("supposed", "is_empty"),
+    [
+        (["0<b<-1"], True),
+        (["b>1", r"2b\le2"], True),
+        ([r"b\ge1", r"2b\le2"], False),
+        (["b<c", "c<b"], True),
+        (["a^2+b<1", "a^2>1-b"], True),
+        (["0<b<1", r"\frac12<b"], False),
+        ([r"b\ne0", r"b\le0"], False),
+    ],
+)
+def test_what_contradicts_itself_is_an_error_whatever_is_claimed(supposed, is_empty):
+    system = System(r"\dot x=ax+b")
+    for one in supposed:
+        system = system.where(one)
+    claim = system.inequality(r"x^2\ge0")
+    assert claim.verdict == ("error" if is_empty else "proved")
+    assert not is_empty or "contradicts itself" in claim.outcome.message
+
+
 @pytest.mark.slow
 def test_what_is_supposed_of_other_letters_is_no_hypothesis():
     """A claim that does not speak of b stands by itself, even where there is no such b."""
-    system = System(r"\dot x=ax+b").where("0<b<-1")
+    system = System(r"\dot x=ax+b").where("b<c").where("c<d").where("d<b")
     assert system.inequality(r"x^2\ge0").verdict == "proved"
     assert system.inequality(r"x^4\ge x").verdict == "refuted"
     for claim in (r"(x+b)^2\ge0", r"x^4\ge x+b"):  # of nothing nothing is said

@@ -1,5 +1,7 @@
 r"""Names by their parts: two prints of one name give it, and two names have two prints."""
 
+import subprocess
+import sys
 from itertools import product
 
 import pytest
@@ -14,6 +16,7 @@ from kowalevski_cas.notation import (
     Power,
     Product,
     Vocabulary,
+    decorations,
     read,
     to_latex,
     to_plain,
@@ -160,3 +163,38 @@ def test_a_star_is_raised_on_a_letter(tex):
 def test_the_type_of_a_letter_ends_before_what_is_no_letter():
     words = Vocabulary(frozenset({"x", r"\mathbf{x}"}))
     assert read(r"\mathbf 3x", words) == Product((Number(3), Name("x")))
+
+
+NEW = r"""
+import sys
+from importlib.util import module_from_spec, spec_from_file_location
+spec = spec_from_file_location("kowalevski_cas.notation.decorations", sys.argv[1])
+sys.modules[spec.name] = decorations = module_from_spec(spec)
+spec.loader.exec_module(decorations)
+decorations.ACCENTS[r"\breve"] = decorations.Accent("\u0306", "\u02d8", "breve({})")
+decorations.RAISED[r"\dagger"] = decorations.RaisedSign("\u2020", "dag")
+
+from kowalevski_cas.notation import Vocabulary, read, to_latex, to_plain
+from kowalevski_cas.notation.mathml import to_mathml
+from kowalevski_cas.notation.open import OpenParser
+from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.notation.typst import to_typst
+for tex in (r"\breve x_1^{\dag}", r"\breve{x_1^\dagger}", r"\breve{x}^\dagger_1"):
+    name = read(tex, Vocabulary(), OpenParser)
+    assert to_latex(name) == r"\breve{x}^\dagger_1", to_latex(name)
+    assert symbol(name.name).accents == (r"\breve",) and symbol(name.name).index == "1"
+    assert read(to_latex(name), Vocabulary(), OpenParser) == name
+    print(to_plain(name), to_typst(name), to_mathml(name), ascii(to_plain(name)))
+others = to_latex(read(r"x^*+x^{\dagger}+\hat x", Vocabulary(), OpenParser))
+assert others == r"x^* + x^\dagger + \hat{x}", others
+"""
+
+
+def test_a_new_decoration_is_a_line_of_one_table(tmp_path):
+    """It is read in all ways of writing it, printed in all formats, and no other name."""
+    script = tmp_path / "new.py"
+    script.write_text(NEW, encoding="utf-8")
+    command = [sys.executable, str(script), decorations.__file__]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    (line,) = {*done.stdout.splitlines()}
+    assert all(part in line for part in ("†", "breve(", "<mo>˘</mo>", "x\\u0306\\u2081\\u2020"))

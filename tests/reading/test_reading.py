@@ -454,3 +454,20 @@ def test_the_only_law_of_a_paper_may_stand_among_its_words(words, law, true, fal
 def test_an_equation_for_the_constant_of_a_motion_is_not_called_false():
     text = PENDULUM + r"With $k=\sin(\theta_0/2)$ we have $\dot\theta^2=4(k^2-\sin^2\frac\theta2)$."
     assert verdicts(text)[r"\dot\theta^2=4(k^2-\sin^2\frac\theta2)"] is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize("by", ["q", "x"])
+def test_a_function_that_is_defined_at_its_argument_is_derived_by_it(by):
+    said = rf"The equations are \[ \dot {by}=p,\qquad \dot p=-2{by}. \] The potential is "
+    said += rf"$V({by})={by}^2$. Its derivative is $V'({by})=2{by}"
+    true = verdicts(f"{said}$.")
+    false = verdicts(f"{said}+1$.")
+    assert true[f"V'({by})=2{by}"] is Verdict.PROVED
+    assert not any(verdict.green for verdict in false.values())
+
+
+def test_what_is_named_and_conserved_is_claimed_whatever_stands_before_the_comma():
+    law = r"The Lagrangian is \[ L=\tfrac12(\dot r^2+r^2\dot\varphi^2)-U r^2. \] "
+    said = r"Since $\varphi$ is cyclic, $p=r^2\dot\varphi"
+    assert verdicts(rf"{law}{said}$ is conserved.")[r"p=r^2\dot\varphi"].green
+    assert not verdicts(rf"{law}{said}\,r$ is conserved.")[r"p=r^2\dot\varphi\,r"].green

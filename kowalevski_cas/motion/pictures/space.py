@@ -76,9 +76,9 @@ def curve(
     axes.autoscale_view()
 
 
-def reach(points: Array) -> float:
-    """The length that axes have beside points (N, 3): half of the largest coordinate."""
-    return 0.5 * float(np.max(np.abs(points))) or 1.0
+def reach(points: Array, share: float = 0.5) -> float:
+    """The length that axes have beside points (N, 3): a share of the largest coordinate, round."""
+    return float(f"{share * np.max(np.abs(points)):.1g}") or 1.0
 
 
 def triad(

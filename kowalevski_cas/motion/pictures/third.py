@@ -15,7 +15,7 @@ ABOUT = HyperellipticForm
 
 CAPTION = (
     "Hodographs of the angular velocity of a motion on $O^4$, in the body and in space, where the "
-    "axes are those of the two fields."
+    "axes are those of the two fields; they have the length that is told."
 )
 
 

@@ -16,7 +16,7 @@ CAPTION = (
     "One trajectory fills its torus. On the left the torus is flat: $T_1$ and $T_2$ are the "
     "periods of the two angles, and $t_1$, $t_2$ their origins; opposite sides of the square are "
     "the same. On the right the torus is the surface of the angular velocities in the body; on "
-    "each line of the net one of the angles rests."
+    "each line of the net one of the angles rests; the axes have the length that is told."
 )
 
 TURNS, POINTS = 12, 4000
@@ -47,7 +47,9 @@ def draw(motion: Motion) -> Figure:
     for loop in net(motion, LINES, 121):
         curve(solid, view, loop[:, :3], FAINT, 0.45, 1.0)
     curve(solid, view, states[:, :3], mark(0).colour, 0.9)
-    triad(solid, view, (r"$\omega_1$", r"$\omega_2$", r"$\omega_3$"), reach(states[:, :3]))
+    length = reach(states[:, :3])
+    triad(solid, view, (r"$\omega_1$", r"$\omega_2$", r"$\omega_3$"), length)
+    solid.set_title(f"axes {length:g}")
     return figure
 
 

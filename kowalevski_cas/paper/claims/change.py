@@ -43,7 +43,7 @@ class InvertibleChange(Claim):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         old = on(self.old)
         try:
-            inverse = on(self.scene).inverse
+            inverse = on(self.scene).motion.inverse
         except SingularChange:
             new = self.scene.variables
             yield Rank(old, tuple(map(old.formula, new)), (), len(new))

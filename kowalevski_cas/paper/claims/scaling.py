@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from kowalevski_cas.notation import Formula, Name, Quotient, times
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import expression, rate
+from kowalevski_cas.paper.components import row_components
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
@@ -37,7 +38,7 @@ class Scaling(Claim):
         }
         equations = []
         for row in simple.field:
-            for name, factor, force in simple.components(row):
+            for name, factor, force in row_components(row, simple):
                 force = _measure(force, measured, simple)
                 factor = _measure(factor, measured, simple)
                 per_time = Quotient(force, time)

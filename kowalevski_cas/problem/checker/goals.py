@@ -137,7 +137,11 @@ class Rank(Goal):
     def words(data: Json) -> str:
         trees = [*data["functions"], *(["+", a, ["-", b]] for a, b in data["given"])]
         shown, size = ", ".join(map(say, trees)), data["rank"]
-        whole = f"the differentials of {shown}, {size} in number, are independent at a real point"
+        whole = f"of the differentials of {shown}, {size} are independent at a real point"
+        if size == len(trees):
+            whole = f"the differentials of {shown} are independent at a real point"
+        if size == len(trees) == 1:
+            whole = f"the differential of {shown} does not vanish at a real point"
         return whole + (f" with {say_all(data['given'])}" if data["given"] else "")
 
 
