@@ -88,7 +88,10 @@ def test_a_law_of_momenta_may_have_the_letters_of_another_section():
 def test_a_multiple_of_the_time_is_another_time(time):
     """It is s by letter, beside τ; a wrong factor is not proved."""
     law = r"The equation of motion is $$\ddot x=-b^2x.$$ With $\tau=bt$ it is $$\frac{d^2x}{d\tau^2}=-x,$$ "
-    text = law + rf"and if time is measured by $s$ with ${time}$, we have $$\frac{{d^2x}}{{ds^2}}=-a^2x.$$"
+    text = (
+        law
+        + rf"and if time is measured by $s$ with ${time}$, we have $$\frac{{d^2x}}{{ds^2}}=-a^2x.$$"
+    )
     found = verdicts(text)
     assert found[r"\frac{d^2x}{d\tau^2}=-x"].green
     assert found[r"\frac{d^2x}{ds^2}=-a^2x"].green
@@ -97,7 +100,9 @@ def test_a_multiple_of_the_time_is_another_time(time):
 
 
 def test_the_square_of_a_new_constant_defines_it():
-    law = r"The equation of motion is $$\ddot x=-\frac gl x.$$ Put $c^2=g/l$. Then $$\ddot x=-c^2x.$$"
+    law = (
+        r"The equation of motion is $$\ddot x=-\frac gl x.$$ Put $c^2=g/l$. Then $$\ddot x=-c^2x.$$"
+    )
     assert roles(law)["c^2=g/l"] == "definition"
     assert verdicts(law)[r"\ddot x=-c^2x"].green
     assert not verdicts(law.replace("-c^2x", "-cx"))[r"\ddot x=-cx"].green
