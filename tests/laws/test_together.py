@@ -107,3 +107,13 @@ def test_the_square_of_a_new_constant_defines_it():
     assert verdicts(law)[r"\ddot x=-c^2x"].green
     assert not verdicts(law.replace("-c^2x", "-cx"))[r"\ddot x=-cx"].green
     assert roles(law.replace("Put", "If"))["c^2=g/l"] == "assumption"
+
+
+def test_a_prime_before_an_argument_derives_by_it_beside_another_time():
+    """By the number π nothing is derived."""
+    law = r"The equation of motion is $$\ddot x=-k\sin x\cos x.$$ With $$W(x)=\frac k2\sin^2x$$ "
+    text = law + r"we have $\ddot x=-W'(x)$, and $$c^2x''=-W'(x)$$ with $\tau=ct$."
+    found = verdicts(text)
+    assert found[r"\ddot x=-W'(x)"].green
+    assert not verdicts(text.replace("=-W'(x)$,", "=-2W'(x)$,"))[r"\ddot x=-2W'(x)"].green
+    assert roles(law + r"we have $W''(\pi)=k$ with $\tau=ct$.")[r"W''(\pi)=k"] == "unread"
