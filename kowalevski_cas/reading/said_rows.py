@@ -70,9 +70,9 @@ def rows_of_conjugates(
     """The rates of the conjugates of what moves by equations with the imaginary unit."""
     if not any(UNIT in row.names for row in rows):
         return
-    still = (one for one in paper.items if one.formula is not None and not one.rates)
     # that a name has the value of another one, at some place, closes no chain
-    aside = [one.formula for one in still if len(one.bare) < 2 or is_closing(one)]
+    still = (one for one in paper.items if len(one.bare) < 2 or is_closing(one))
+    aside = [one.formula for one in still if one.formula is not None and not one.rates]
     formulas = [row.formula for row in rows if row.formula is not None]
     moving = {name for row in rows for name in row.rates}
     of = {conjugate_name(name): row for row in rows for name in row.rates}
