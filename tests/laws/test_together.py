@@ -5,6 +5,7 @@ import random
 import pytest
 
 from kowalevski_cas.reading.known import TOGETHER
+from kowalevski_cas.verify.outcome import Verdict
 from tests.laws.test_prints import FEW
 from tests.reading.test_reading import reading, roles, verdicts
 
@@ -117,3 +118,11 @@ def test_a_prime_before_an_argument_derives_by_it_beside_another_time():
     assert found[r"\ddot x=-W'(x)"].green
     assert not verdicts(text.replace("=-W'(x)$,", "=-2W'(x)$,"))[r"\ddot x=-2W'(x)"].green
     assert roles(law + r"we have $W''(\pi)=k$ with $\tau=ct$.")[r"W''(\pi)=k"] == "unread"
+
+
+def test_what_holds_in_a_limit_is_not_refuted():
+    law = r"The equation of motion is $$\ddot x=-k\dot x-x.$$ For $k\to0$ only $$\ddot x=-x$$ remains."
+    assert verdicts(law)[r"\ddot x=-x"] is Verdict.UNDECIDED
+    assert (
+        verdicts(law.replace(r"For $k\to0$ only", "We have"))[r"\ddot x=-x"] is not Verdict.PROVED
+    )
