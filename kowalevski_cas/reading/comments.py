@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 from difflib import get_close_matches
 
 from kowalevski_cas.notation import NotationError
-from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.reading.grammar import BESIDE, NAMING, Directive, parse, wrong
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 from kowalevski_cas.reading.text import Prose
@@ -23,7 +22,6 @@ class Said:
 
     of: dict[SourceStatement, list[Directive]] = field(default_factory=dict)
     claims: list[Directive] = field(default_factory=list)
-    loci: list[Directive] = field(default_factory=list)
     supposed: dict[SourceStatement, list[SourceStatement]] = field(default_factory=dict)
     """What is supposed from a statement on, though the paper does not print it."""
     unprinted: list[SourceStatement] = field(default_factory=list)
@@ -65,17 +63,11 @@ class Said:
         start = paper.expanded.behind(found.comment.offset)
         return start, max(start, paper.prose.sentence(start)[1])
 
-    def loci_at(self, found: Directive) -> tuple[Locus, ...]:
-        """The loci that comments at the same place say before a claim."""
-        before = (one for one in self.loci if one.comment.line < found.comment.line)
-        here = (one for one in before if self.places.get(one) is self.places.get(found))
-        return tuple(Locus(one.tex, tuple(one.tex.split(",")), one.off) for one in here)
-
     @property
     def directives(self) -> list[Directive]:
         """All of them, each once, in the order of the text."""
         of_formulas = (one for own in self.of.values() for one in own)
-        found = dict.fromkeys([*of_formulas, *self.claims, *self.loci])
+        found = dict.fromkeys([*of_formulas, *self.claims])
         return sorted(found, key=lambda one: (one.comment.offset, one.comment.line))
 
 
@@ -90,30 +82,42 @@ def read_comments(paper: SourcePaper) -> Said:
     for comment in find_comments(paper.source):
         typed = attached.get(comment)
         items = [one for one in paper.items if one.typed is typed]
-        found = parse(comment, _Places(comment, items, paper, said))
-        said.places[found] = typed
-        if not found.is_of_formula:
-            (said.loci if found.verb == "locus" else said.claims).append(found)
-            continue
-        if found.verb == "skip" and found.names == ("sentence",):
-            said.sentences.append(_sentence(comment, paper))
-            continue
-        if typed is None:
-            raise wrong(comment, "no formula follows")
-        chosen = [one for one in items if found.number in (0, one.printed.number)]
-        if not chosen:
-            raise wrong(comment, f"the formula has no statement {found.number}")
-        for item in chosen:
-            if item.formula is None and found.verb != "skip":
-                raise wrong(comment, f"the formula cannot be read: {item.trouble}")
-            _check_names(found, item)
-            said.of.setdefault(item, []).append(found)
-            if found.verb == "suppose":
-                own = said.supposed.setdefault(item, [])
-                id = f"supposed-at-{item.printed.place}-{len(own) + 1}"
-                own.append(_unprinted(comment, found.tex, id, [item], paper))
-                own[-1].order -= 1  # it is in force at the statement itself
+        for found in parse(comment, _Places(comment, items, paper, said)):
+            said.places[found] = typed
+            if found.is_of_formula:
+                _enter(found, items, typed, paper, said)
+            else:
+                said.claims.append(found)
     return said
+
+
+def _enter(
+    found: Directive,
+    items: Sequence[SourceStatement],
+    typed: TypedFormula | None,
+    paper: SourcePaper,
+    said: Said,
+) -> None:
+    """Enter what a comment says of the formula by which it stands."""
+    comment = found.comment
+    if found.verb == "skip" and found.names == ("sentence",):
+        said.sentences.append(_sentence(comment, paper))
+        return
+    if typed is None:
+        raise wrong(comment, "no formula follows")
+    chosen = [one for one in items if found.number in (0, one.printed.number)]
+    if not chosen:
+        raise wrong(comment, f"the formula has no statement {found.number}")
+    for item in chosen:
+        if item.formula is None and found.verb != "skip":
+            raise wrong(comment, f"the formula cannot be read: {item.trouble}")
+        _check_names(found, item)
+        said.of.setdefault(item, []).append(found)
+        if found.verb == "suppose":
+            own = said.supposed.setdefault(item, [])
+            id = f"supposed-at-{item.printed.place}-{len(own) + 1}"
+            own.append(_unprinted(comment, found.tex, id, [item], paper))
+            own[-1].order -= 1  # it is in force at the statement itself
 
 
 @dataclass(frozen=True)

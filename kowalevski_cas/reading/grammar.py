@@ -1,14 +1,18 @@
 r"""What comments of authors may say, made from the attributes of the kinds of claims.
 
     law | map | define NAMES | level NAMES | given NAMES | skip | on PLACES
-    suppose TEX | accept TEX | locus EQUATIONS off TEX
-    claim [KIND [$TEX$] [NUMBER] [FIELD VALUES] ...] [on PLACES]
+    suppose TEX | accept TEX
+    claim [KIND [$TEX$ ...] [NUMBER] [FIELD VALUES] ...] [on PLACES] [in PLACES]
+          [locus EQUATIONS off TEX] ...
 
 A kind is named by words of its name, as ``integral`` for a first integral; each of its attributes
 is a field, by its own name, and a number stands by itself. ``of`` is the field of the places that
 the claim is about, ``with`` that of the integrals of which the values are fixed. A place is a
 label, with a number behind a stop where it has several statements, or TeX in quotes; TeX between
-dollars is a statement that the paper does not print, and behind a kind the one that is claimed.
+dollars is a statement that the paper does not print, and behind a kind one that is claimed.
+``in`` names the display that gives the variables in which the claim is made, ``locus`` where it may
+fail, and what does not vanish elsewhere. A scene of a claim is named by what is supposed on it, and
+a measure by names, a power, and the rest of their unit.
 Before all of it, a number says which statement of a display is meant; ``as`` says a kind of role.
 """
 
@@ -16,7 +20,7 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import MISSING, dataclass, fields, replace
 from difflib import get_close_matches
 from functools import cache
@@ -24,6 +28,7 @@ from typing import Any
 
 from kowalevski_cas.paper import claims
 from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.source.comments import Comment
 from kowalevski_cas.source.text import SourceError
@@ -34,7 +39,7 @@ OF_TEX = ("suppose", "accept")
 """What is followed by a formula: one that is supposed, or the one that should stand there."""
 BESIDE = ("on", *OF_TEX)
 """What may be said of a formula beside its role."""
-VERBS = ("law", *NAMING, "claim", "skip", "locus", *BESIDE)
+VERBS = ("law", *NAMING, "claim", "skip", *BESIDE)
 RULED = (
     "identity", "constant", "integral", "invariant", "rest", "inequality", "solution",
     "approximate", "somewhere", "another-law", "condition", "form",
@@ -61,8 +66,11 @@ _BASE = {attribute.name for attribute in fields(Claim)}
 INVARIANT_SET = "InvariantRelations"
 """The type of an attribute that is the claim of an invariant set: its equations are named."""
 _PLACES = ("Printed", "Printed | None", "tuple[Printed, ...]", INVARIANT_SET)
+SCENE, PAIRS, MEASURES = "Scene", "tuple[tuple[str, str], ...]", "tuple[Measure, ...]"
+"""The types of attributes that a scene gives: one beside it, its conjugates, its units."""
 _NAMES = ("str", "str | None", "tuple[str, ...]")
-_FIELDS = (*_PLACES, *_NAMES, "tuple[int, ...]", "tuple[tuple[str, ...], ...]", "int", "bool")
+_NUMBERS = ("int", "tuple[int, ...]", "bool")
+_FIELDS = (*_PLACES, *_NAMES, *_NUMBERS, "tuple[tuple[str, ...], ...]", SCENE, PAIRS, MEASURES)
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,10 +92,12 @@ class Directive:
     """The statement that is claimed, if the paper does not print it."""
     on: tuple[SourceStatement, ...] | None = None
     """The statements on which the claim rests, if they are said."""
+    change: tuple[SourceStatement, ...] = ()
+    """What gives the variables in which the claim is made, if these are others."""
+    loci: tuple[Locus, ...] = ()
+    """Where the claim may fail."""
     tex: str = ""
-    """The formula that is supposed or accepted, or the equations of a locus."""
-    off: str = ""
-    """What does not vanish off the locus."""
+    """The formula that is supposed or accepted."""
 
     @property
     def place(self) -> str:
@@ -97,8 +107,7 @@ class Directive:
     @property
     def is_of_formula(self) -> bool:
         """Whether it says something of the formula by which it stands."""
-        alone = self.verb != "locus" and self.stated is None
-        return alone and (self.kind is None or of_formula(self.kind))
+        return self.stated is None and (self.kind is None or of_formula(self.kind))
 
 
 def wrong(comment: Comment, words: str, near: str = "", among: Iterable[str] = ()) -> SourceError:
@@ -132,20 +141,29 @@ def of_formula(kind: type[Claim]) -> bool:
     return any("own" in code.co_names for code in codes)
 
 
-def parse(comment: Comment, find: Callable[[str], Sequence[SourceStatement]]) -> Directive:
-    """What a comment says; ``find`` gives the statements of a label, or of TeX.
+def parse(comment: Comment, find: Callable[[str], Sequence[SourceStatement]]) -> list[Directive]:
+    """What a comment says, for each statement that it gives and claims one.
+
+    ``find`` gives the statements of a label, or of TeX.
 
     Raises:
         SourceError: a word is not known, or stands for nothing.
     """
-    return _Parser(comment, find).directive()
+    parser = _Parser(comment, find)
+    made = parser.directive()
+    stated = [replace(made, stated=o, items=(o, *made.items)) for o in parser.stated]
+    return stated or [made]
 
 
 class _Parser:
     def __init__(self, comment: Comment, find: Callable[[str], Sequence[SourceStatement]]) -> None:
         self.comment, self.find = comment, find
-        self.words = [word.strip(",;") or word for word in _WORDS.findall(comment.words)]
+        said, *self.loci = re.split(r"(?:^|\s)locus(?:\s|$)", comment.words)
+        self.words = [word.strip(",;") or word for word in _WORDS.findall(said)]
         self.items: list[SourceStatement] = []
+        self.stated: list[SourceStatement] = []
+        self.on: tuple[SourceStatement, ...] | None = None
+        self.change: tuple[SourceStatement, ...] = ()
 
     def directive(self) -> Directive:
         number = int(self.words.pop(0)) if self.words and self.words[0].isdigit() else 0
@@ -157,11 +175,11 @@ class _Parser:
         made = Directive(self.comment, verb, number)
         if verb == "claim":
             return self.claim(made)
-        if verb in (*OF_TEX, "locus"):
-            tex, _, off = self.comment.words.partition(verb)[2].partition(" off ")
-            if not tex.strip() or bool(off.strip()) != (verb == "locus"):
+        if verb in OF_TEX:
+            tex = self.comment.words.partition(verb)[2].strip()
+            if not tex:
                 raise wrong(self.comment, f"a formula is missing behind {verb}")
-            return replace(made, tex=tex.strip(), off=off.strip())
+            return replace(made, tex=tex)
         if verb == "on":
             on = self.places(self.taken(()))
             return replace(made, items=tuple(self.items), on=on)
@@ -199,16 +217,21 @@ class _Parser:
             ruled = by_rules[0] if by_rules else "identity"
             return replace(made, names=names, ruled=ruled, on=on)
         kind = self.kind()
-        stated = self.stated(kind)
-        values, on = self.values(kind)
-        items = tuple(self.items)
-        return replace(made, kind=kind, values=values, items=items, stated=stated, on=on)
+        while of_formula(kind) and self.words and self.words[0].startswith("$"):
+            self.stated += self.places([self.words.pop(0)])
+        self.items.clear()
+        values, loci = self.values(kind), tuple(map(self.locus, self.loci))
+        return replace(
+            made, kind=kind, values=values, items=tuple(self.items), on=self.on,
+            change=self.change, loci=loci,
+        )  # fmt: skip
 
-    def stated(self, kind: type[Claim]) -> SourceStatement | None:
-        """The statement between dollars behind a kind: that is claimed of it."""
-        if not (of_formula(kind) and self.words and self.words[0].startswith("$")):
-            return None
-        return self.places([self.words.pop(0)])[0]
+    def locus(self, words: str) -> Locus:
+        """A locus: its equations, and behind ``off`` what does not vanish elsewhere."""
+        equations, _, off = map(str.strip, words.partition(" off "))
+        if not (equations and off):
+            raise wrong(self.comment, "a formula is missing behind locus")
+        return Locus(equations, tuple(map(str.strip, equations.split(","))), off)
 
     def kind(self) -> type[Claim]:
         """The kind that the next words name: all of its name, or words that no other one has."""
@@ -230,10 +253,8 @@ class _Parser:
             raise wrong(self.comment, f"which one is meant: {', '.join(candidates)}?")
         return next(iter(candidates.values()))
 
-    def values(
-        self, kind: type[Claim]
-    ) -> tuple[dict[str, object], tuple[SourceStatement, ...] | None]:
-        """The attributes of a kind, and on what the claim rests."""
+    def values(self, kind: type[Claim]) -> dict[str, object]:
+        """The attributes of a kind; on what the claim rests, and in what, is noted."""
         own = {one.name: one for one in own_fields(kind)}
         places = [name for name, one in own.items() if one.type in _PLACES]
         called = {name: name for name in own}
@@ -242,9 +263,8 @@ class _Parser:
         called |= {"with": "levels"} if "levels" in own else {}
         called |= {} if "given" not in own else {"on": "given"}
         values: dict[str, object] = {}
-        on: tuple[SourceStatement, ...] | None = None
         numbers = [name for name, one in own.items() if one.type == "int"]
-        stops = (*called, "of", "on")
+        stops = (*called, "of", "on", "in")
         while self.words:
             word = self.words.pop(0)
             if word.isdigit() and numbers:
@@ -253,17 +273,24 @@ class _Parser:
                 taken = self.taken(stops)
                 values[called[word]] = self.value(own[called[word]].type, taken)
             elif word == "on":
-                on = self.places(self.taken(stops))
+                self.on = self.places(self.taken(stops))
+            elif word == "in":
+                self.change = self.places(self.taken(stops))
             elif word == "of":  # a kind without places: about what it is said
                 self.places(self.taken(stops))
             else:
                 raise wrong(self.comment, f"the word {word} is not known here", word, stops)
-        for name, one in own.items():
-            if name not in values and one.type.startswith("tuple") and name == "levels":
-                values[name] = ()
-            elif name not in values and one.default is MISSING and one.default_factory is MISSING:
-                raise wrong(self.comment, f"{name} is missing")
-        return values, on
+        missing = {name: one for name, one in own.items() if name not in values}
+        return values | {n: () for n in missing if self.is_empty(missing[n])}
+
+    def is_empty(self, one: Any) -> bool:
+        """Whether a field that is not given is empty; else its kind or a change gives it."""
+        if one.name == "levels" and one.type.startswith("tuple"):
+            return True
+        by_change = self.change and one.type in (SCENE, PAIRS)
+        if not by_change and one.default is MISSING and one.default_factory is MISSING:
+            raise wrong(self.comment, f"{one.name} is missing")
+        return False
 
     def taken(self, stops: Sequence[str]) -> list[str]:
         """The words up to one of these."""
@@ -279,6 +306,10 @@ class _Parser:
             if type.startswith("tuple") or type == INVARIANT_SET:
                 return found
             return self.one(found, words)
+        if type == SCENE:
+            return self.places(words)
+        if type == MEASURES:
+            return tuple(self.measures(words))
         if type == "bool":
             return True
         if type in ("str", "str | None"):
@@ -288,7 +319,22 @@ class _Parser:
         if type == "tuple[int, ...]":
             return tuple(map(int, words))
         names = tuple(word.strip('"') for word in words)
+        if type == PAIRS:
+            return tuple(zip(names[::2], names[1::2], strict=False))
         return names if type == "tuple[str, ...]" else tuple((name,) for name in names)
+
+    def measures(self, words: list[str]) -> Iterator[tuple[tuple[str, ...], int, str]]:
+        """Names, the power of the unit of time in their unit, and the rest of it, in turn."""
+        names: list[str] = []
+        left = iter(words)
+        for word in left:
+            if re.fullmatch(r"-?\d+", word) and names:
+                yield tuple(names), int(word), next(left, "1")
+                names = []
+            else:
+                names.append(word.strip('"'))
+        if names:
+            raise wrong(self.comment, f"a power of the unit of time is missing behind {names[-1]}")
 
     def one(self, found: Sequence[Any], words: Sequence[str]) -> Any:
         if len(found) != 1:

@@ -16,8 +16,9 @@ from kowalevski_cas.paper.claims import (
     Inequality,
     InvariantRelations,
 )
+from kowalevski_cas.reading.changed import in_new_variables
 from kowalevski_cas.reading.comments import Said, names_of
-from kowalevski_cas.reading.grammar import INVARIANT_SET, Directive, own_fields, wrong
+from kowalevski_cas.reading.grammar import INVARIANT_SET, PAIRS, SCENE, Directive, own_fields, wrong
 from kowalevski_cas.reading.known import (
     ASSUMPTION,
     CLAIM,
@@ -103,17 +104,25 @@ def said_rung(found: Directive, id: str, stage: Stage, item: SourceStatement | N
     on = found.on or ()
     typed = stage.known.said.places.get(found)
     here = next((one for one in stage.known.items if one.typed is typed), own[0])
-    in_force = (one for place in (here, own[0]) for one in stage.known.supposed(place))
+    in_force = [one for place in (here, own[0]) for one in stage.known.supposed(place)]
     supposed = stage.scene(own, [*on, *dict.fromkeys(in_force)])
     words = (found.kind.__doc__ or "").strip().partition("\n")[0].rstrip(".")
     values = spelled_out(found, stage.known)
     given = tuple(one.printed for one in on if one not in supposed.assumptions)
-    scene = supposed.scene.having(loci=stage.known.said.loci_at(found))
-    if given and "given" in {one.name for one in own_fields(found.kind)}:
+    scene = supposed.scene.having(loci=found.loci)
+    own_types = {one.name: one.type for one in own_fields(found.kind)}
+    if given and "given" in own_types:
         values.setdefault("given", given)
     else:  # what vanishes on a set does so on the whole scene
         scene = scene.restricted(*(one.printed for one in on if ZERO in one.members))
-    for name in (one.name for one in own_fields(found.kind) if one.type == INVARIANT_SET):
+    for name in [name for name in values if own_types[name] == SCENE]:
+        beside: Any = values[name]
+        values[name] = stage.scene(own, [*on, *beside, *dict.fromkeys(in_force)]).scene
+    if found.change:
+        old, scene = scene, in_new_variables(scene, found.change, stage.known)
+        by_change = {SCENE: old, PAIRS: scene.conjugates}
+        values = {n: by_change[t] for n, t in own_types.items() if t in by_change} | values
+    for name in [name for name, type in own_types.items() if type == INVARIANT_SET]:
         relations: Any = values[name]
         values[name] = InvariantRelations(f"{id}/{name}", scene, words, relations=relations)
     place = item.printed if item is not None else None
@@ -140,9 +149,10 @@ def spelled_out(found: Directive, known: Known) -> dict[str, object]:
             return value
         found: list[object] = []
         for one in value:
-            found += (
-                vectors.get(by_letter.get(one, one), (one,)) if isinstance(one, str) else (one,)
-            )
+            if isinstance(one, str):
+                found += vectors.get(by_letter.get(one, one), (one,))
+            else:
+                found.append(components(one))
         return tuple(found)
 
     return {name: components(value) for name, value in (found.values or {}).items()}

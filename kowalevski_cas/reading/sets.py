@@ -1,7 +1,8 @@
 """The sets of which a paper speaks: which of its equations define one together.
 
 What a comma joins is one set; “or” begins another one, and so does “and” between lists, or
-where a name would have two values. Where the words are of planes or points, each is one.
+where a name would have two values. Where the words are of planes each is one, and where they are
+of points those with the same left side are.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ SetOfEquations = tuple[SourceStatement, ...]
 
 _OR = re.compile(r"\b(?:or|или|либо)\b")
 _AND = re.compile(r"\b(?:and|as\s+well\s+as|и|а\s+также)\b|\\&")
+_POINTS = re.compile(r"points|точ", re.IGNORECASE)
 _JOINED = re.compile(r"(?:[\s,;~]|\b(?:and|or|as\s+well\s+as|и|или|либо|а\s+также)\b)*")
 
 
@@ -55,7 +57,7 @@ def _apart(run: Sequence[SourceStatement], text: str) -> Iterator[SetOfEquations
             joined.append("or" if _OR.search(words) else "and")
             lists.append([])
         lists[-1].append(one)
-    several = run[0].typed.inline and bool(cue("places", run[0].before))
+    several = run[0].typed.inline and _are_several(cue("places", run[0].before), run)
     if several and all(len(part) == 1 for part in lists[1:]):
         yield from ((one,) for one in run)
         return
@@ -66,6 +68,12 @@ def _apart(run: Sequence[SourceStatement], text: str) -> Iterator[SetOfEquations
         else:
             found[-1] = [*found[-1], *part]
     yield from map(tuple, found)
+
+
+def _are_several(places: str, run: Sequence[SourceStatement]) -> bool:
+    """Whether each equation is one of the places that words name; a point has coordinates."""
+    one_point = _POINTS.match(places) and len({*map(_left, run)}) == len(run)
+    return bool(places) and not one_point
 
 
 def _differ(one: Sequence[SourceStatement], other: Sequence[SourceStatement]) -> bool:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections import OrderedDict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import chain, count, islice, product
 
 from flint import fmpq, fmpq_mpoly
 
 from kowalevski_cas.algebra.flint import to_flint, to_fraction
+from kowalevski_cas.algebra.numbers import square_root
 
 Assignment = dict[int, Fraction]
 
@@ -23,6 +25,12 @@ RATIOS = 100
 
 CHOICES = 6
 """How many choices of variables to be solved for are tried."""
+
+TRIED = 100
+"""Among how many choices these are looked for."""
+
+KEPT = 16
+"""Of how many sets of constraints the points are kept."""
 
 DENOMINATORS = (1, 2, 3, 3, 7)
 """Denominators of the coordinates that are chosen, in turn."""
@@ -43,14 +51,47 @@ def points(
     if any(c.is_constant() for c in rest) or any(a.is_zero() for a in avoided):
         return
     gone = {v for v, _ in eliminated}
-    for values in _completions(rest, [v for v in variables if v not in gone]):
+    for values in _known_completions(rest, [v for v in variables if v not in gone]):
         if not any(constant(a, values) == 0 for a in avoided):
-            yield _with_eliminated(values, eliminated)
+            yield _with_eliminated({**values}, eliminated)
+
+
+class _Kept:
+    """What comes out of an iterator, for all who ask for it: each is found once."""
+
+    def __init__(self, found: Iterator[Assignment]) -> None:
+        self._found, self._kept = found, list[Assignment]()
+
+    def __iter__(self) -> Iterator[Assignment]:
+        for place in count():
+            if place == len(self._kept):
+                following = next(self._found, None)
+                if following is None:
+                    return
+                self._kept.append(following)
+            yield self._kept[place]
+
+
+_kept: OrderedDict[object, _Kept] = OrderedDict()
+"""The last points of some constraints: goals that have the same hypotheses ask for the same."""
+
+
+def _known_completions(constraints: list[fmpq_mpoly], variables: list[int]) -> Iterable[Assignment]:
+    """The points of :func:`_completions`, if need be those that were found before."""
+    key = (*map(str, constraints), *variables)
+    if key not in _kept:
+        _kept[key] = _Kept(_completions(constraints, variables))
+    _kept.move_to_end(key)
+    while len(_kept) > KEPT:
+        _kept.popitem(last=False)
+    return _kept[key]
 
 
 def _completions(constraints: list[fmpq_mpoly], variables: Sequence[int]) -> Iterator[Assignment]:
     """One point for each choice of starting values, then the other roots for these."""
-    choices, others = list(islice(_choices(constraints, variables), CHOICES)), []
+    tried = islice(_choices(constraints, variables), TRIED)
+    choices = [*islice((one for one in tried if _is_solvable(constraints, one)), CHOICES)]
+    others = []
     ways = ((small_numbers, 0, FIRST), (small_numbers, FIRST, ATTEMPTS), (_ratios, 0, RATIOS))
     for (numbers, first, last), solved in product(ways, choices):
         free = [v for v in variables if v not in solved]
@@ -132,6 +173,26 @@ def _choices(constraints: list[fmpq_mpoly], variables: Sequence[int]) -> Iterato
     return extend(())
 
 
+def _is_solvable(constraints: list[fmpq_mpoly], unknowns: tuple[int, ...]) -> bool:
+    """Whether equations can be solved in turn, or one is linear, for any values of the others."""
+    left = [{v for v in unknowns if c.degrees()[v]} for c in constraints]
+    while any(left):
+        single = next((own for own in left if len(own) == 1), None)
+        if single is None:
+            pairs = zip(constraints, left, strict=True)
+            return any(_is_linear(c, v, own) for c, own in pairs for v in own)
+        left = [own - single for own in left]
+    return True
+
+
+def _is_linear(constraint: fmpq_mpoly, variable: int, unknowns: set[int]) -> bool:
+    """Whether a constraint is linear in an unknown, and no other one stands before that."""
+    if constraint.degrees()[variable] != 1:
+        return False
+    degrees = constraint.derivative(variable).degrees()
+    return not any(degrees[v] for v in unknowns)
+
+
 def _has_matching(sets: Sequence[set[int]]) -> bool:
     """Whether an element can be chosen from each set, all of them different."""
     owner: dict[int, int] = {}
@@ -151,11 +212,10 @@ def _complete(
     constraints: list[fmpq_mpoly], unknowns: int, values: Assignment
 ) -> Iterator[Assignment]:
     """The values with those of the unknown variables, which are solved for one after another."""
-    left = _conditions_on_rest(values, constraints)
+    left, single = _first_to_solve(values, constraints)
     if not unknowns:
         yield from [] if left else [values]
         return
-    single = next((c for c in left if sum(1 for d in c.degrees() if d) == 1), None)
     if single is not None:
         for found in _solve_one(single):
             yield from _complete(left, unknowns - 1, {**values, **found})
@@ -178,7 +238,9 @@ def _with_eliminated(
 
 def _solve_one(polynomial: fmpq_mpoly) -> Iterator[Assignment]:
     """The rational roots of a polynomial in one variable, in the order of the quadratic formula."""
-    variable = next(k for k, d in enumerate(polynomial.degrees()) if d)
+    variable, degree = next((k, d) for k, d in enumerate(polynomial.degrees()) if d)
+    if degree == 2 and square_root(_discriminant(polynomial, variable)) is None:
+        return iter(())
     roots = [
         -constant(factor, {}) / to_fraction(factor.derivative(variable).leading_coefficient())
         for factor, _ in polynomial.factor()[1]
@@ -188,10 +250,29 @@ def _solve_one(polynomial: fmpq_mpoly) -> Iterator[Assignment]:
     return ({variable: root} for root in sorted(roots, reverse=not upwards))
 
 
-def _conditions_on_rest(values: Assignment, constraints: list[fmpq_mpoly]) -> list[fmpq_mpoly]:
-    """What constraints say of the other variables, if these have values."""
+def _discriminant(polynomial: fmpq_mpoly, variable: int) -> Fraction:
+    """The discriminant of a quadratic polynomial in one variable."""
+    by_degree = {int(m[variable]): to_fraction(c) for m, c in polynomial.to_dict().items()}
+    c, b, a = (by_degree.get(degree, Fraction(0)) for degree in range(3))
+    return b * b - 4 * a * c
+
+
+def _first_to_solve(
+    values: Assignment, constraints: list[fmpq_mpoly]
+) -> tuple[list[fmpq_mpoly], fmpq_mpoly | None]:
+    """What constraints say of the other variables, and the first that says it of one alone.
+
+    Those behind it are left as they are: if it has no root nobody needs them.
+    """
     entered: dict[str | int, fmpq] = {k: to_flint(value) for k, value in values.items()}
-    return [c for c in (c.subs(entered) for c in constraints) if not c.is_zero()]
+    left: list[fmpq_mpoly] = []
+    for place, constraint in enumerate(constraints):
+        condition = constraint.subs(entered)
+        if not condition.is_zero():
+            left.append(condition)
+            if sum(1 for degree in condition.degrees() if degree) == 1:
+                return [*left, *constraints[place + 1 :]], condition
+    return left, None
 
 
 def _ratios() -> Iterator[Iterator[Fraction]]:

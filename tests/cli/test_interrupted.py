@@ -3,6 +3,10 @@
 import json
 import os
 import signal
+import subprocess
+import sys
+import time
+from random import Random
 from threading import Thread
 
 import pytest
@@ -104,3 +108,34 @@ def test_what_fails_is_told_when_it_is_read_and_is_decided_once():
         id: one.verdict for id, one in without.items()
     }
     assert [one.verdict for one in without.values()].count(Verdict.REFUTED) == 1
+
+
+def evidence(paper):
+    """The files of the evidence of a paper, by their names."""
+    folder = paper.with_suffix(".evidence")
+    return {str(f.relative_to(folder)): f.read_bytes() for f in folder.rglob("*") if f.is_file()}
+
+
+@pytest.mark.slow
+def test_an_interruption_at_any_moment_leaves_the_evidence_whole(paper, tmp_path):
+    recording = [sys.executable, "-m", "kowalevski_cas", "record"]
+    start = time.monotonic()
+    subprocess.run([*recording, paper], capture_output=True)
+    took, whole = time.monotonic() - start, evidence(paper)
+    assert "record.json" in whole
+    random, ends = Random(1), set()
+    for number in range(12):
+        other = tmp_path / str(number) / paper.name
+        other.parent.mkdir()
+        other.write_text(PAPER)
+        process = subprocess.Popen(
+            [*recording, other], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
+        time.sleep(random.uniform(0, took))
+        process.send_signal(signal.SIGINT)
+        ends.add(process.wait())
+        known = evidence(other)
+        assert known.items() <= whole.items() and ("record.json" not in known or known == whole)
+        subprocess.run([*recording, other], capture_output=True)
+        assert evidence(other) == whole
+    assert ends & {130, -signal.SIGINT}

@@ -155,18 +155,69 @@ def test_an_accepted_formula_is_read_by_what_rests_on_it_and_its_own_print_stays
     assert rate.verdict.green and rate.corrected == ("T",)
 
 
-def test_a_locus_is_tried_by_the_claims_that_follow_it_there():
-    lines = "%kc: locus p=0, q=0 off p^2+q^2\n%kc: claim dimension 2 of set"
-    text = paper().text.replace("On the set", f"On the set\n{lines}")
+LOCUS = "locus p=0, q=0 off p^2+q^2"
+
+
+def test_a_locus_is_tried_by_the_claim_that_names_it():
+    text = paper().text.replace("On the set", f"On the set\n%kc: claim dimension 2 of set {LOCUS}")
     (found,) = read(Source("top.tex", text)).statements
     (locus,) = found.claim.scene.loci
-    assert (locus.equations, locus.condition) == (("p=0", " q=0"), "p^2+q^2")
+    assert (locus.equations, locus.condition) == (("p=0", "q=0"), "p^2+q^2")
 
 
 def test_a_locus_is_tried_by_the_claim_of_a_formula_as_well():
-    lines = "%kc: locus p=0, q=0 off p^2+q^2\n%kc: claim implication given T"
+    lines = f"%kc: claim implication given T {LOCUS}"
     text = paper().text.replace("On the set", f"On the set\n{lines}")
     assert len(told(Source("top.tex", text), "set").claim.scene.loci) == 1
+
+
+def test_several_formulas_that_are_not_printed_are_claimed_one_by_one():
+    lines = "%kc: claim implication $qr=rq$ $qr=pp$ on set"
+    text = paper().text.replace("On the set", f"On the set\n{lines}")
+    run = ReadingSession(read(Source("top.tex", text)))
+    first, second = (run.outcomes[one.claim.id] for one in run.reading.statements)
+    assert first.verdict.green and not second.verdict.green
+
+
+OSCILLATOR = r"""The equations of motion are
+\begin{equation}\label{motion} \dot x=y,\quad \dot y=-x,\quad \dot u=0. \end{equation}
+With $i^2=-1$ and $\tau=it$ we take new variables
+CHANGE
+\begin{equation}\label{new} z=x+iy,\quad w=x-iy. \end{equation}
+We look at
+%kc: given
+\begin{equation}\label{circle} zw=1. \end{equation}
+"""
+
+
+def test_a_change_of_variables_is_invertible_and_its_rows_are_conjugates():
+    source = Source("top.tex", OSCILLATOR.replace("CHANGE", "%kc: claim invertible change in new"))
+    run = ReadingSession(read(source))
+    (claim,) = (one.claim for one in run.reading.statements)
+    assert claim.scene.variables == ("z", "w", "u") and claim.pairs == (("z", "w"),)
+    assert run.outcomes[claim.id].verdict is Verdict.PROVED
+
+
+@pytest.mark.parametrize(("dimension", "verdict"), [(2, Verdict.PROVED), (1, Verdict.REFUTED)])
+def test_a_claim_in_new_variables_is_one_of_their_space(dimension, verdict):
+    line = f"%kc: claim dimension {dimension} of circle in new"
+    run = ReadingSession(read(Source("top.tex", OSCILLATOR.replace("CHANGE", line))))
+    (claim,) = (one.claim for one in run.reading.statements)
+    assert run.outcomes[claim.id].verdict is verdict
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("w=x-iy", "w=x+2iy", "no row of the change gives the conjugate of z"),
+        ("i^2=-1", "i^2=1", "i is no imaginary unit"),
+        (r" and $\tau=it$", "", "the paper prints no other time"),
+    ],
+)
+def test_what_a_change_does_not_say_is_an_error(old, new, words):
+    text = OSCILLATOR.replace("CHANGE", "%kc: claim invertible change in new").replace(old, new)
+    with pytest.raises(SourceError, match=words):
+        read(Source("top.tex", text))
 
 
 def test_the_same_comments_stand_in_a_file_beside():
@@ -189,7 +240,7 @@ def test_the_same_comments_stand_in_a_file_beside():
         ("%kc: 3 skip", "the formula has no statement 3"),
         ("%kc:", "it says nothing"),
         ("%kc: suppose", "a formula is missing behind suppose"),
-        ("%kc: locus p=0", "a formula is missing behind locus"),
+        ("%kc: claim dimension 2 of set locus p=0", "a formula is missing behind locus"),
         ("%kc: suppose p=", "the formula breaks off here"),
         ("%kc: claim implication given $p=$", "the formula breaks off here"),
         ('%kc: on "x=y"', "is no formula of the paper"),

@@ -30,7 +30,7 @@ def test_thirty_comments_are_the_most():
     ("table", "comments"), [("bare", None), ("with comments", first_paper.COMMENTS)]
 )
 def test_it_agrees_with_the_derivation_or_the_difference_is_explained(table, comments):
-    run, recorded = first_paper.session(comments), first_paper.recorded()
+    run, recorded = first_paper.session(comments, timeout=60), first_paper.recorded()
     found = first_paper.beside_each_other(run)
     differing = {id for id, verdict in recorded.items() if found[id] != verdict}
     assert differing == {id for one in DIFFERENCES[table].values() for id in one["claims"]}

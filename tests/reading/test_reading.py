@@ -471,3 +471,19 @@ def test_what_is_named_and_conserved_is_claimed_whatever_stands_before_the_comma
     said = r"Since $\varphi$ is cyclic, $p=r^2\dot\varphi"
     assert verdicts(rf"{law}{said}$ is conserved.")[r"p=r^2\dot\varphi"].green
     assert not verdicts(rf"{law}{said}\,r$ is conserved.")[r"p=r^2\dot\varphi\,r"].green
+
+
+@pytest.mark.parametrize(
+    ("words", "green"),
+    [
+        (r"The points $p=a$, $q=0$ are equilibria.", True),
+        (r"The point $p=a$, $q=0$ is an equilibrium.", True),
+        pytest.param(r"The points $p=a$, $q=1$ are equilibria.", False, marks=pytest.mark.slow),
+        pytest.param(r"The lines $p=a$, $q=0$ are invariant.", False, marks=pytest.mark.slow),
+        pytest.param(r"The points $q=0$, $q=1$ are equilibria.", False, marks=pytest.mark.slow),
+    ],
+)
+def test_a_point_is_given_by_its_coordinates_together(words, green):
+    law = r"The equations are \[ \dot p=q,\qquad \dot q=a-p+q. \] "
+    found = verdicts(law + words)
+    assert found and all(verdict.green is green for verdict in found.values())
