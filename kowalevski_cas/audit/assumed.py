@@ -8,6 +8,7 @@ from typing import NamedTuple
 from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.audited import Audited
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading import ASSUMPTION, CONVENTION, DEFINITION
 
 
@@ -36,7 +37,7 @@ def assumptions_of(audit: Audit) -> Iterator[Assumed]:
             claims = (f.claim.id for f in claiming if f.claim and place in f.claim.reads())
             yield Assumed("convention", f"${place.tex}$", place, tuple(claims))
     names = dict.fromkeys(name for formula in claiming for name in formula.constants)
-    for name in names:
+    for name in (one for one in names if one != PI):
         claims = (f.claim.id for f in claiming if f.claim and name in f.constants)
         yield Assumed("constant", f"${name}$ is defined nowhere", None, tuple(claims))
 

@@ -125,7 +125,9 @@ class Findings:
     def _not_decided(self, outcome: Outcome) -> Judgement:
         """What is neither proved nor refuted: how it was read, and why it is open."""
         where = self.phrases.links([outcome.claim])
-        head = (*where, ": ", *self.phrases.sentence(outcome.words or outcome.message))
+        head: Text = (*where, ": ", *self.phrases.sentence(outcome.message))
+        if outcome.words:
+            head = (*where, ", as it was read: ", *self.phrases.words(outcome.words), ".")
         shown: list[Block] = []
         if outcome.source:
             shown.append(Equations(outcome.formulas, outcome.source))

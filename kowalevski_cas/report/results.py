@@ -88,7 +88,8 @@ def _sign(results: Sequence[Outcome]) -> Text:
     """What the sign of a condition means, where it stands first."""
     if not any(outcome.verdict is Verdict.CONDITIONAL for outcome in results):
         return ()
-    return (" ", Sign(Verdict.CONDITIONAL), f" {MARKS[Verdict.CONDITIONAL].meaning}.")
+    meaning = MARKS[Verdict.CONDITIONAL].meaning
+    return (" The sign ", Sign(Verdict.CONDITIONAL), f" marks what {meaning}.")
 
 
 def _reach(findings: Findings, results: Sequence[Outcome]) -> Text:

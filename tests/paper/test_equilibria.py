@@ -96,7 +96,7 @@ def test_on_the_exceptional_locus_there_is_a_circle(outcome) -> None:
     [condition] = outcome.conditions
     found = condition.witness
     assert found is not None and (found.left, found.right) == ("infinitely many", Number(4))
-    assert condition.words == "for $a=b$ and $c=0$ there are infinitely many"
+    assert condition.words == "for $a^2=b^2$ and $c=0$ there are infinitely many"
     angles = [Fraction(0), Fraction(1), Fraction(-1), Fraction(1, 2), Fraction(7)]
     states = [state for t in angles for state in listed(at_angle(found, t))]
     assert len(set(states)) == len(angles)
