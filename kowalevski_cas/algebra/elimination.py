@@ -118,20 +118,22 @@ def relations(vectors: Sequence[Vector]) -> list[Relation]:
 
 def _blocks(vectors: Sequence[Vector]) -> list[list[int]]:
     """The vectors, in groups of which no two have an entry at the same place."""
-    above = [*range(len(vectors))]  # in a tree for each group, with its first vector on top
-    first: dict[Any, int] = {}
+    at = defaultdict[Any, list[int]](list)
     for k, vector in enumerate(vectors):
-        top = k
         for place in vector:
-            if (other := first.setdefault(place, top)) != top:
-                while above[other] != other:
-                    above[other] = other = above[above[other]]
-                above[max(top, other)] = top = min(top, other)
-    groups = defaultdict[int, list[int]](list)
-    for k in range(len(vectors)):
-        above[k] = top = above[above[k]]  # the tops of those before are known
-        groups[top].append(k)
-    return [*groups.values()]
+            at[place].append(k)
+    blocks, left = list[list[int]](), dict.fromkeys(range(len(vectors)))
+    while left:
+        first, _ = left.popitem()
+        block, waiting = [first], [*vectors[first]]
+        while waiting:  # each place is looked at once
+            new = [k for k in at.pop(waiting.pop(), ()) if k in left]
+            block += new
+            for k in new:
+                del left[k]
+                waiting += vectors[k]
+        blocks.append(sorted(block))
+    return sorted(blocks)
 
 
 def _by_last(found: Iterable[Relation]) -> list[Relation]:

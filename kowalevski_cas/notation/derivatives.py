@@ -5,7 +5,16 @@ from __future__ import annotations
 from kowalevski_cas.notation.atoms import Atoms
 from kowalevski_cas.notation.cursor import Piece
 from kowalevski_cas.notation.errors import NotationError
-from kowalevski_cas.notation.formula import Application, Derivative, Name, Partial, Quotient
+from kowalevski_cas.notation.formula import (
+    Application,
+    Derivative,
+    Formula,
+    Name,
+    Number,
+    Partial,
+    Product,
+    Quotient,
+)
 
 _DIFFERENTIALS = ("d", r"\partial")
 
@@ -47,7 +56,7 @@ class Derivatives(Atoms):
         applied = self.at == below - braced
         if applied:
             self.at = behind
-            piece = self.operand(f"the derivative by {by[-1]}")
+            piece = self.differentiated(f"the derivative by {by[-1]}")
             if self.tokens[self.at].kind in ("^", "prime"):
                 piece = self.scripts(piece)
             end = self.tokens[self.at - 1].end
@@ -61,6 +70,19 @@ class Derivatives(Atoms):
             end = self.tokens[self.at - 1].end
         piece = _derivative(piece, d, by, start, end)
         return piece if applied else self.scripts(piece)
+
+    def differentiated(self, operator: str) -> Piece:
+        """What a derivative is applied to; a number before it goes with it."""
+        start, level = self.at, self.level
+        if self.tokens[start].kind != "open":
+            factor = self.factor()
+            if _is_rational(factor[0]) and self.starts():
+                rest = self.operand(operator)
+                if self.starts():
+                    raise self.error(f"how far does {operator} reach? set brackets")
+                return Product((factor[0], rest[0])), factor[1], rest[2], (factor, rest)
+            self.at, self.level = start, level
+        return self.operand(operator)
 
     def at_arguments(self, piece: Piece, by: list[str]) -> Piece:
         r"""A function at the names behind its derivative, as \frac{\partial H}{\partial p}(q,p)."""
@@ -192,6 +214,14 @@ class Derivatives(Atoms):
         digit = self.take()
         self.at += braced
         return int(digit.text) if len(digit.text) < 3 else 0
+
+
+def _is_rational(formula: Formula) -> bool:
+    """Whether it is printed as a whole number, or a fraction of two."""
+    match formula:
+        case Number() | Quotient(Number(), Number()):
+            return True
+    return False
 
 
 def _derivative(piece: Piece, d: str, by: list[str], start: int, end: int) -> Piece:

@@ -62,7 +62,7 @@ def without_ranges(tokens: list[Token], tex: str) -> tuple[list[Token], Ranges]:
             continue
         values = _values(tokens[slice(*match.span("values"))])
         for letter in letters:
-            if found.setdefault(letter.text, values) != values:
+            if [*found.setdefault(letter.text, values)] != [*values]:
                 message = f"a second range of {letter.text}: name one of the indices otherwise"
                 raise NotationError(message, tex, letter.start)
         first = tokens[match.start()]

@@ -187,13 +187,14 @@ class Symbols(Cursor):
     def applied(self, name: str, token: Token, on: _Scripts, accented: bool) -> Piece:
         r"""A function with its argument; with primes, as in :math:`V'(q)`, derived by it.
 
-        Beside another time than t primes are derivatives by that.
+        Beside another time than t primes at a time are derivatives by that.
         """
         start = token.start
         if not (on.primes or accented):
             return self.application(name, start, on.power)
         by = "" if accented or on.power is not None else self.named_argument()
-        if not by or not self.vocabulary.times <= {"t", by}:
+        times = self.vocabulary.times
+        if not by or not (by not in times or times <= {"t", by}):
             message = f"by what is {name} derived? print \\partial {name}/\\partial x"
             raise self.error(message, token)
         piece = self.application(name, start, None)
@@ -211,7 +212,8 @@ class Symbols(Cursor):
         finally:
             self.at, self.level = start, level
         argument = listed[0][0]
-        return argument.name if len(listed) == 1 and isinstance(argument, Name) else ""
+        named = len(listed) == 1 and isinstance(argument, Name) and argument.name != r"\pi"
+        return argument.name if named and isinstance(argument, Name) else ""
 
     def phase(self) -> Piece | None:
         r"""Constants and what moves, as in \cos\omega t or \sin kx; ``None``, and no move, else.

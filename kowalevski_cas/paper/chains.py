@@ -2,7 +2,8 @@ r"""Chains of equalities, as :math:`\dot q=\partial H/\partial p=p/m` and :math:
 
 A chain gives what stands first by what stands last; what stands between has to be equal to that,
 and is passed over if it only gives names that stand nowhere else. Names that are all said to be
-equal, :math:`m_1=m_2=m`, are given by the last one.
+equal, :math:`m_1=m_2=m`, are given by the last one. Of :math:`\mathbf r=(x,y,z)=…` the list names
+the components.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ RATE = (
     rf"|\s{NAME}|\\[A-Za-z]+(?:_\w)?)"
 )
 _IS_RATE = re.compile(rf"{RATE}|\\frac\s*\{{\s*d(?:\^\d)?\s*{NAME}\s*\}}\s*\{{[^{{}}]*\}}")
+_LISTED = re.compile(rf"\(\s*{NAME}(?:\s*,\s*{NAME})+\s*\)")
 _CALLED = re.compile(rf"(?P<name>{NAME})\s*(?:\\left\s*)?\([^()]*\)")
 
 
@@ -47,6 +49,10 @@ def without_chains(tex: str, moving: Collection[str] = ()) -> Chains:
         if len(members) < 2 or any(map(_is_constant, members[:2])):
             continue
         rest = names_in(without(tex, [(start, end)])) | {*moving}
+        if len(members) == 3 and _LISTED.fullmatch(members[1]) and not _is_given(members[0]):
+            rows = [f"{members[0]}={one}" for one in members[1:]]
+            changed = changed[:start] + r",\quad ".join(rows) + changed[end:]
+            continue
         given, others = _sides(members, rest)
         if not others and not any(map(_is_indexed, members)):
             if moving and all(_head(one) not in {*map(_head, moving)} for one in members):

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.notation import (
     Constant,
+    Derivative,
     Formula,
     Name,
     Number,
@@ -146,7 +148,13 @@ class Definitions:
         if not isinstance(root, Root):
             raise Meaningless(f"{name} is not printed as a square root", name)
         self.setting.places[name] = ()
-        return Adjoined(name, self.setting.plain(root.argument))
+        return Adjoined(name, self._without_rates(self.setting.plain(root.argument)))
+
+    def _without_rates(self, radicand: Formula) -> Formula:
+        """What stands under a root by what moves: roots are adjoined before anything has a rate."""
+        if not any(isinstance(one, Derivative) for one in mentions(radicand)):
+            return radicand
+        return formula_in(self.setting.finder.scalar(radicand))
 
     def definition(self, name: str) -> Formula:
         """The expression for which a name stands.

@@ -42,7 +42,8 @@ from kowalevski_cas.paper.rates import orders, velocities
 from kowalevski_cas.paper.roots import root_of_number
 from kowalevski_cas.paper.scene import Change as ChangeOfScene
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.signs import Comparison, comparisons, contradiction, root_of
+from kowalevski_cas.paper.signs import root_of
+from kowalevski_cas.paper.suppositions import Suppositions
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.paper.transcendental import Transcendental
 from kowalevski_cas.paper.validation import validate
@@ -110,7 +111,7 @@ class Elaboration(Meaning):
         self.variables = tuple(root(n) for n in moving if n not in named | self.zero)
         self.constants = tuple(root(n) for n in still if n not in named)
         self.powers = tuple(f"{base}^{{{exponent}}}" for base, exponent in scene.powers)
-        self.supposed = tuple(self._supposed())
+        self.supposed = Suppositions(scene, texts)
         self.roots = tuple(dict.fromkeys(self._root_names()))
 
     def _root_names(self) -> Iterator[str]:
@@ -126,35 +127,19 @@ class Elaboration(Meaning):
                 names += [] if number else [name]
         # in the order of adjunction: numbers first, for any radicand may have their roots in it
         yield from (*primes, *names, *self.transcendental.roots)
-        yield from (
-            root_of(comparison.difference)
-            for comparison in self.supposed
-            if comparison.sign != r"\ne"
-        )
-        if self.supposed:  # a printed root is not negative, nor is the root of it imaginary
+        yield from self.supposed.roots
+        if (
+            self.supposed.comparisons
+        ):  # a printed root is not negative, nor is the root of it imaginary
             printed_roots = [name for name in names if name.startswith(r"\sqrt")]
             signs = {rf"\sqrt{{{name}}}": name for name in printed_roots}
             yield from (sign for sign, name in signs.items() if name not in signs)
 
-    def _supposed(self) -> Iterator[Comparison]:
-        """What the inequalities of the scene say; not what numbers say of each other."""
-        for printed in self.scene.signs:
-            for comparison in comparisons(self.texts.comparison(printed)):
-                if comparison.sign == "=" or comparison.number is False:
-                    raise Meaningless(f"{printed.tex} is no inequality that can be supposed")
-                if comparison.number is None:
-                    yield comparison
-
     @cached_property
     def unprinted(self) -> frozenset[str]:
         """The roots that say what is not negative, and that no scene declares."""
-        supposed = {
-            root_of(comparison.difference)
-            for comparison in self.supposed
-            if comparison.sign != r"\ne"
-        }
         signs = {rf"\sqrt{{{name}}}" for name in self.roots}
-        return frozenset((supposed - {*self.scene.roots}) | signs)
+        return frozenset((self.supposed.roots.keys() - self.scene.roots.keys()) | signs)
 
     @cached_property
     def together(self) -> tuple[tuple[str, ...], ...]:
@@ -162,7 +147,7 @@ class Elaboration(Meaning):
         known = {*self.roots}
         signs = ((name, rf"\sqrt{{{name}}}") for name in self.roots)
         groups: list[tuple[str, ...]] = [two for two in signs if two[1] in known]
-        for comparison in self.supposed:
+        for comparison in self.supposed.comparisons:
             reach = Reach(self)
             reach.formula(self.formula(comparison.difference))
             if comparison.sign != r"\ne":
@@ -203,11 +188,7 @@ class Elaboration(Meaning):
         """What the scene takes for granted not to vanish."""
         roots = (Name(self.radicals.root(name)) for name in self.radicals.orders)
         granted = (Name(n) if n in self.roots else self.formula(n) for n in self.scene.nonzero)
-        strict = (
-            self.formula(comparison.difference)
-            for comparison in self.supposed
-            if comparison.sign != r"\le"
-        )
+        strict = map(self.formula, self.supposed.strict())
         said = (one for one in (*granted, *strict) if not self._is_given_by_number(one))
         return (*said, *self.transcendental.nonzero, *roots)
 
@@ -249,18 +230,11 @@ class Elaboration(Meaning):
             with self._definitions.anew():
                 evaluation.adjoin_roots()
                 validate(self)
-                self._check_suppositions(evaluation)
+                self.supposed.check(evaluation)
         except Meaningless:
             del self.__dict__["finder"]  # whoever asks again is refused again
             raise
         return evaluation
-
-    def _check_suppositions(self, at: Evaluation) -> None:
-        """Refuse inequalities that are seen to contradict each other."""
-        if (found := contradiction(self.supposed, at)) is not None:
-            both = " and ".join(to_latex(comparison.said) for comparison in found)
-            where = f"what is supposed on “{self.scene.name}”"
-            raise Meaningless(f"{where} contradicts itself: {both}")
 
     # -- the motion ------------------------------------------------------------------
 

@@ -1,10 +1,10 @@
 r"""What a Hamiltonian, a Lagrangian or canonical equations imply, and papers do not print.
 
 Of :math:`H=\frac12p^2+U` beside the brackets of the coordinates the equations of motion are
-:math:`\dot x=\{x,H\}`; without brackets those of Hamilton, where each momentum tells its
-coordinate: :math:`p_i` that of :math:`q_i`, :math:`p_\varphi` that of :math:`\varphi`. Of :math:`L`
-they are those of Lagrange. Where equations of Hamilton are printed, the canonical bracket goes with
-them.
+:math:`\dot x=\{x,H\}`, or :math:`\{H,x\}` if :math:`\{p,q\}=1` is printed; without brackets those
+of Hamilton, where each momentum tells its coordinate: :math:`p_i` that of :math:`q_i`,
+:math:`p_\varphi` that of :math:`\varphi`. Of :math:`L` they are those of Lagrange. Where equations
+of Hamilton are printed, the canonical bracket goes with them.
 """
 
 from __future__ import annotations
@@ -43,7 +43,11 @@ def implied_equations(formulas: Sequence[Formula]) -> list[str]:
     heads = {name for formula in formulas for name in _heads(formula)}
     energy = next((name for name in HAMILTONIANS if name in heads), "")
     if coordinates := [*_coordinates(formulas)] if energy else []:
-        return [rf"{rate_name(x)}=\{{{x},{energy}\}}" for x in coordinates]
+        turned = any(map(_is_turned, formulas))
+        sides = ((energy, x) if turned else (x, energy) for x in coordinates)
+        return [
+            rf"{rate_name(x)}=\{{{a},{b}\}}" for x, (a, b) in zip(coordinates, sides, strict=True)
+        ]
     rated = dict.fromkeys(name for formula in formulas for name in _rated(formula))
     action = next((name for name in LAGRANGIANS if name in heads), "")
     if action and rated:
@@ -127,6 +131,20 @@ def _heads(formula: Formula) -> Iterator[str]:
             yield member.name
         elif isinstance(member, Application):
             yield member.function
+
+
+def _is_turned(formula: Formula) -> bool:
+    r"""Whether the bracket of a momentum with its coordinate is printed, :math:`\{p,q\}=1`.
+
+    Then the equations of motion are :math:`\dot x=\{H,x\}`.
+    """
+    match formula:
+        case Relation((PoissonBracket(Name(x), Name(y)), value), _):
+            pair = (y, x) if isinstance(value, Negative) else (x, y)
+            return (
+                symbol(pair[0]).letter in ("p", "P") and _coordinate(pair[0], pair[1:]) == pair[1]
+            )
+    return False
 
 
 def _coordinates(formulas: Sequence[Formula]) -> Iterator[str]:

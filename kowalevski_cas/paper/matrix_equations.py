@@ -69,7 +69,7 @@ def equations_of_entries(formulas: Mapping[Printed, Formula], time: str) -> Iter
     moving = {name: ring.generator(rate) for name, rate in zip(unknown, rates, strict=True)}
     pairs = [pair for place in laws for pair in _equations(formulas[place], space)]
     vanishing = at.moving(moving, ()).differences(pairs)
-    more = [*_derivatives(vanishing, [n for n in still if symbol(n).letter in SPECTRAL], space)]
+    more = [*_derivatives(vanishing, [n for n in still if n in SPECTRAL], space)]
     found = solve_linear([*vanishing, *more], rates)
     for name, rate, value in zip(unknown, rates, found, strict=True):
         if value is None:

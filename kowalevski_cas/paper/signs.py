@@ -8,8 +8,7 @@ says so. Nothing but equations, at real points, is left to be proved.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from fractions import Fraction
+from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -25,7 +24,6 @@ from kowalevski_cas.notation import (
     to_latex,
 )
 from kowalevski_cas.paper.roots import rationals
-from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Meaningless
 
 SIGNS = {"<": "<", ">": "<", r"\le": r"\le", r"\ge": r"\le", r"\ne": r"\ne"}
@@ -93,29 +91,3 @@ def is_inequality(formula: Formula) -> bool:
 def root_of(formula: Formula) -> str:
     """The name of the root of a formula that is not negative."""
     return to_latex(Root(formula))
-
-
-def contradiction(
-    supposed: Sequence[Comparison], at: Evaluation
-) -> tuple[Comparison, Comparison] | None:
-    """Two comparisons of which positive multiples add up to a number that is too small, if any do.
-
-    Longer combinations, as of a < b, b < c and c < a, are not looked for.
-    """
-    known: dict[frozenset[object], list[tuple[Fraction, Comparison]]] = {}
-    for comparison in supposed:
-        if comparison.sign == r"\ne" or (element := at.scalar(comparison.difference)).denominator:
-            continue
-        terms = {(mask, e): c for mask, part in element.terms().items() for e, c in part.items()}
-        units = [(mask, e) for mask, e in terms if not mask and not any(e)]
-        number = sum(map(terms.pop, units), Fraction())
-        if not terms:
-            continue
-        scale = abs(terms[max(terms)])
-        part = {(one, c / scale) for one, c in terms.items()}
-        for other, before in known.get(frozenset((one, -c) for one, c in part), ()):
-            rest = other + number / scale
-            if rest < 0 or (rest == 0 and "<" in (comparison.sign, before.sign)):
-                return before, comparison
-        known.setdefault(frozenset(part), []).append((number / scale, comparison))
-    return None

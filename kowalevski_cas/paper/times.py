@@ -21,13 +21,15 @@ class TimeChange(NamedTuple):
 
 
 def time_change(left: Formula, right: Formula) -> TimeChange | None:
-    r"""What an equation says of another time: :math:`\tau=\kappa t`, :math:`dt=f\,d\tau`.
+    r"""What an equation says of another time: by :math:`\tau=\kappa t`, t=κτ, :math:`dt=f\,d\tau`.
 
     Its rate stands below a line where t is given by it, so that its zeros are conditions.
     """
     match left:
         case Name(time) if time != TIME and (scale := _scale(right)) is not None:
             return TimeChange(time, scale, varies=False)
+        case Name("t") if isinstance(right, Product) and isinstance(right.factors[-1], Name):
+            return TimeChange(right.factors[-1].name, _inverse(product(*right.factors[:-1])), False)
         case Derivative(Name("t"), mark) if mark not in ("dot", "prime", TIME):
             return TimeChange(mark, _inverse(right), varies=True)
     first, second = _differential(left), _differential(right)
@@ -53,6 +55,11 @@ def _scale(formula: Formula) -> Formula | None:
             return None if scale is None else Negative(scale)
         case Product((*rest, Name("t"))):
             return product(*rest)
+        case Quotient(Name("t"), below):
+            return _inverse(below)
+        case Quotient(above, below):
+            scale = _scale(above)
+            return None if scale is None else Quotient(scale, below)
     return None
 
 

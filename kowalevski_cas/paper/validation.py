@@ -15,7 +15,7 @@ from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.scene import Change as ChangeOfScene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.space import Adjoined, Meaningless, Space
+from kowalevski_cas.problem.space import Adjoined, Contradictory, Meaningless, Space
 
 
 def validate(setting: Meaning) -> None:
@@ -134,4 +134,5 @@ def _assumptions(setting: Meaning) -> None:
         product = product * setting.finder.scalar(formula)
         if product.is_zero:
             what = f"{tex} is taken for granted not to vanish, and the relations make it vanish"
-            raise _refuse(setting, what, "leave it out, or mend the relations")
+            refused = _refuse(setting, what, "leave it out, or mend the relations")
+            raise Contradictory(str(refused))

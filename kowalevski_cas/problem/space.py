@@ -30,6 +30,10 @@ class Meaningless(ValueError):
         self.name = name
 
 
+class Contradictory(Meaningless):
+    """What is supposed, and is seen to hold nowhere."""
+
+
 @dataclass(frozen=True)
 class NameDefinition:
     """What says what a name means; what many statements ask of it is found once."""

@@ -27,7 +27,13 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
     rated = {name for one in later for name in one.rates}
     for _, group in groupby(later, key=lambda one: one.sentence):
         sentence = [*group]
-        giving = [one for one in sentence if _gives(one, law, seen)]
+        before = [one for one in items if one.order < sentence[0].order]
+        given_by_old = _resting(before, {*law.variables})
+        giving = [
+            one
+            for one in sentence
+            if _gives(one, law, seen) and given_by_old.isdisjoint(one.members[1].names())
+        ]
         given = {name for one in giving for name in _names(one, law)}
         new = dict.fromkeys(
             name for one in giving for name in sorted(one.names) if name not in seen | {"t"}
@@ -39,6 +45,16 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
                 break
         for one in sentence:
             seen |= one.names
+
+
+def _resting(items: Sequence[SourceStatement], moving: set[str]) -> set[str]:
+    """The names that statements give by what moves, or by such names."""
+    found: set[str] = set()
+    for one in items:
+        if one.bare and one.bare[0] not in moving and one.members[0] == Name(one.bare[0]):
+            rest = one.names - {one.bare[0]}
+            found |= {one.bare[0]} if rest & (moving | found) else set()
+    return found
 
 
 def _names(item: SourceStatement, law: Law) -> tuple[str, ...]:

@@ -17,6 +17,11 @@ _ANEW = re.compile(
 _GOES_ON = re.compile(r"[\s,~]*(?!(?:and|but|while|whereas|и|а|но)\b)[\w§]")
 """How words begin that go on with what holds under a condition."""
 
+_SAYS = re.compile(
+    r"[\s,~]*(?:it|they|this|these|we|one|he|она?|они|оно|это|мы)\s+\w+", re.IGNORECASE
+)
+"""How words begin that say something of what was spoken of before, under a condition."""
+
 
 class Clauses:
     """The conditions of a sentence: each belongs to the claims behind it, or to those before.
@@ -60,6 +65,7 @@ class Clauses:
     def _suppose(self, statement: SourceStatement) -> None:
         anew = _ANEW.search(statement.lead)
         goes_on = MARK in statement.after and _GOES_ON.match(statement.tail)
+        goes_on = goes_on or _SAYS.match(statement.tail)
         listed = self._before in self.behind and _is_joined(statement)
         if self._claims and (listed or not (anew and goes_on)):
             self.behind.add(statement)

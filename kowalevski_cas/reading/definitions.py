@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from kowalevski_cas.notation import (
     Application,
     Constant,
@@ -14,12 +12,11 @@ from kowalevski_cas.notation import (
     Number,
     PoissonBracket,
     Power,
-    Product,
     Vector,
 )
-from kowalevski_cas.paper.names import BRACKET, head
-from kowalevski_cas.paper.transcendental import PI
+from kowalevski_cas.paper.names import head
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.fresh import is_called_constant, is_fresh, without_factor
 from kowalevski_cas.reading.known import (
     ASSUMPTION,
     CLAIM,
@@ -28,6 +25,7 @@ from kowalevski_cas.reading.known import (
     LEVEL,
     NAMING,
     NOTATION,
+    TOGETHER,
     Known,
     StatementRole,
 )
@@ -40,7 +38,7 @@ from kowalevski_cas.reading.phrases import (
     supposing,
     words_behind,
 )
-from kowalevski_cas.reading.statements import SourceStatement, derived_names, is_closing
+from kowalevski_cas.reading.statements import SourceStatement, is_closing
 
 ZERO = Number(0)
 
@@ -95,11 +93,11 @@ def _is_coordinate(name: str, known: Known) -> bool:
 def definition(item: SourceStatement, known: Known) -> StatementRole | None:
     """A name that nothing has defined, alone on a side."""
     given = item.printed.heads
-    fresh = [n for n in given.names or given.multiples if _is_fresh(n, item, known)]
+    fresh = [n for n in given.names or given.multiples if is_fresh(n, item, known)]
     if not fresh:
         return None
     heads = {head(name)[0] for name in fresh}
-    alone = [_without_factor(m) for m in item.members]
+    alone = [without_factor(m) for m in item.members]
     others = [m for m in alone if getattr(m, "name", getattr(m, "function", "")) not in heads]
     if not any(known.is_known(n) for n in item.names - {*fresh}) and is_number(others):
         why = "gives a number for a name"
@@ -111,8 +109,7 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(ASSUMPTION, why, reach_of_constants(item), tuple(fresh))
     if len(others) == 1 and isinstance(others[0], Derivative) and not _is_law_left(item):
         return StatementRole(LEVEL, f"names the rate {plain(fresh[0])}", "", tuple(fresh))
-    role = _integral_that_defines(item, known, fresh)
-    if role is not None:
+    if role := _integral_that_defines(item, known, fresh) or _constant(item, known, fresh):
         return role
     if len([m for m in others if not isinstance(m, Name | Constant)]) > 1:
         why = f"a chain of equalities; it names {plain(fresh[0])}"
@@ -146,7 +143,7 @@ def _level(
     if named and item.members and item.members[0] == named[0]:
         why = f"names the value {plain(fresh[0])} of {plain(named[0].name)}"
         return StatementRole(LEVEL, why, "", (*fresh,))
-    first = _without_factor(item.members[0])
+    first = without_factor(item.members[0])
     behind = not named and len(others) == len(item.members) - 1
     if behind and not isinstance(first, Name | Application | PoissonBracket):
         if known.varying(item.names - {*fresh}):
@@ -166,6 +163,15 @@ def repeated(item: SourceStatement, known: Known) -> StatementRole | None:
         if role is not None and role.name in NAMING and one.order < item.order:
             if role.name != CLAIM or (role.names and item.typed.inline):
                 return StatementRole(NOTATION, f"said before, at {one.printed.place}")
+    return None
+
+
+def together(item: SourceStatement, known: Known) -> StatementRole | None:
+    """One of several equations that give names which none of them gives alone."""
+    for law in known.laws:
+        if item in law.together:
+            words = f"gives {', '.join(map(plain, law.new))}, with others"
+            return StatementRole(DEFINITION, words, TOGETHER)
     return None
 
 
@@ -191,9 +197,11 @@ def change(item: SourceStatement, known: Known) -> StatementRole | None:
 
 def square(item: SourceStatement, known: Known) -> StatementRole | None:
     """The square of a name that nothing has defined, alone on a side."""
-    fresh = [n for n in item.printed.heads.squares if _is_fresh(n, item, known)]
-    if not fresh or not known.varying(item.names - {*fresh}):
+    fresh = [n for n in item.printed.heads.squares if is_fresh(n, item, known)]
+    if not fresh:
         return None
+    if not known.varying(item.names - {*fresh}):
+        return _square_of_constants(item, known, fresh)
     first = item.members[0] == Power(Name(fresh[0]), Number(2))
     claimed = _integral_further_off(item, known) if first else integral_words(item)
     claimed = claimed or words_behind(item, "integral")
@@ -212,77 +220,28 @@ def square(item: SourceStatement, known: Known) -> StatementRole | None:
     )
 
 
-def _is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
-    """Whether nothing has said yet what a name is."""
-    function, arguments = head(name)
-    if function == BRACKET or (function == PI and item.members[0] != Name(PI)):
-        return False
-    if found := known.definitions.get(function) or known.definitions.get(
-        known.names.whole(function)
-    ):
-        if _defines_anew(item, found):
-            return True
-        bound = {n for one in found for name in one.printed.heads.names for n in head(name)[1]}
-        unclear = any(not known.is_explained(n) for one in found for n in one.names - bound)
-        rests = any(function in known.below(n) for n in item.names - {function})
-        return unclear and not rests and all(known.is_explained(n) for n in item.names)
-    if known.moves(function) or function in known.times:
-        return False
-    alone = (Name(function), Power(Name(function), Number(2)))
-    rest = (m for m in item.members if m not in alone and _without_factor(m) not in alone)
-    if any(function in m.names() for m in rest) and not arguments:
-        return False
-    others = item.names - {function, *arguments}
-    new = bool(others) and not any(map(known.is_known, others))
-    first = known.seen.get(function)
-    return (
-        first is None
-        or (known.roles[first].name in (LAW, DEFINITION) and first.sentence == item.sentence)
-        or (first.typed is item.typed and item.members[:1] == (Name(function),))
-        or (known.roles[first].name == LAW and _gives(function, item, known))
-        or (bool(cue("where", item.lead)) and _is_near(first, item))
-        or _is_explained(function, first, item)
-        or (known.roles[first].name == LAW and function in derived_names(first))
-        or (new and not item.typed.inline)
-    )
+def _square_of_constants(
+    item: SourceStatement, known: Known, fresh: list[str]
+) -> StatementRole | None:
+    """The square of a new constant by known ones, where words define it."""
+    new = not any(map(known.is_known, fresh))
+    others = [m for m in item.members if m.names().isdisjoint(fresh)]
+    said = cue("define", item.lead) and not cue("if", item.lead)
+    if new and said and item.members[0] == Power(Name(fresh[0]), Number(2)):
+        if not is_number(others) and all(map(known.is_known, item.names - {*fresh})):
+            why = f"first with the square of {plain(fresh[0])} alone on a side"
+            return StatementRole(DEFINITION, why, "square", (*fresh,))
+    return None
 
 
-def _without_factor(formula: Formula) -> Formula:
-    """What stands behind a number, as T in 2T; a formula that is no such product itself."""
-    match formula:
-        case Product((Number(), inner)):
-            return inner
-    return formula
-
-
-def _defines_anew(item: SourceStatement, found: list[SourceStatement]) -> bool:
-    """Whether words let a display of another section define a name once more."""
-    apart = all(one.section not in item.sections for one in found)
-    said = cue("hamiltonian", item.lead[-40:]) or cue("define", item.lead)
-    return apart and not item.typed.inline and bool(said) and not cue("derived", item.lead)
-
-
-def _gives(name: str, item: SourceStatement, known: Known) -> bool:
-    """Whether a display gives a name of the law by what moves, as it does a potential."""
-    first = item.members[0] if item.members else None
-    alone = name in (getattr(first, "name", ""), getattr(first, "function", ""))
-    moving = known.varying(item.names - {name})
-    return alone and bool(moving) and not item.typed.inline and not item.derives
-
-
-_FOR = re.compile(r"\W*(?:for|with|для)\W*", re.IGNORECASE)
-"""All that stands before what says what a name was, as in “the rate vanishes for F=x²”."""
-
-
-def _is_explained(name: str, first: SourceStatement, item: SourceStatement) -> bool:
-    """Whether it is said behind the claim of a rate of which function that is."""
-    behind = first.sentence == item.sentence and _FOR.fullmatch(item.lead) is not None
-    return behind and name in first.rates
-
-
-def _is_near(one: SourceStatement, item: SourceStatement) -> bool:
-    """Whether a statement may explain what another one has before it: in its paragraph."""
-    return one.paragraph == item.paragraph
+def _constant(item: SourceStatement, known: Known, fresh: list[str]) -> StatementRole | None:
+    """What is said to be the constant of which something has been claimed: that it is one."""
+    first = known.seen.get(fresh[0])
+    used = first is not None and known.roles[first].name == CLAIM
+    if used and is_called_constant(fresh[0], item, known) and known.varying(item.names - {*fresh}):
+        why = f"{plain(fresh[0])} is called a constant; it is this"
+        return StatementRole(CLAIM, why, "integral", (*fresh,))
+    return None
 
 
 def _is_law_left(item: SourceStatement) -> bool:

@@ -59,7 +59,18 @@ def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
             and bool(cue("lasting", item.lead))
         )
         or _is_below_other_rates(item, known)
+        or _is_in_limit(item, known)
     )
+
+
+def _is_in_limit(item: SourceStatement, known: Known) -> bool:
+    """Whether what tends to something is printed before a statement, in its sentence."""
+    before = (
+        one
+        for one in known.items
+        if one.sentence == item.sentence and one.typed.start < item.typed.start
+    )
+    return any(re.search(r"\\to(?![A-Za-z])|\\rightarrow", one.typed.tex) for one in before)
 
 
 def _stands_apart(

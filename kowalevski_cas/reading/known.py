@@ -40,6 +40,9 @@ LAW, DEFINITION, LEVEL, ASSUMPTION, CLAIM, NOTATION, OTHER, UNREAD, CONVENTION =
 CONSTRAINT = "constraint"
 """The kind of an assumption on which all motion is."""
 
+TOGETHER = "together"
+"""The kind of a definition that gives names with others: it is supposed where these are used."""
+
 UNIT_MATRIX = "unit matrix"
 """The kind of a convention that a name is one."""
 
@@ -252,6 +255,12 @@ class Known:
         """The constraints of the motion, with their derivatives."""
         return [one for one in self.assumptions if self.roles[one].kind == CONSTRAINT]
 
+    def _together(self, item: SourceStatement) -> list[SourceStatement]:
+        """The equations that give names of a statement together."""
+        laws = [law for law in self.laws if law.together]
+        names = {inner for name in item.names for inner in self.below(name)} if laws else set()
+        return [one for law in laws for one in law.together if names & {*law.new}]
+
     def supposed_elsewhere(self, item: SourceStatement) -> list[list[SourceStatement]]:
         """The assumptions about constants, by sentences, that are not in force at a later place."""
         found: dict[tuple[int, int], list[SourceStatement]] = {}
@@ -268,7 +277,7 @@ class Known:
 
         A later assumption about the same one name, as x > 0 after x = 0, takes the place of one.
         """
-        bound = self.bound
+        bound = [*self.bound, *self._together(item)]
         before = [one for one in self.assumptions if one.order < item.order and one not in bound]
         last = {one.names: one for one in sorted(before, key=lambda one: one.order)}
         return [one for one in bound if one is not item] + [
@@ -284,9 +293,10 @@ class Known:
 
     def reaches(self, one: SourceStatement, item: SourceStatement) -> bool:
         """Whether what is said at a statement is in force at another one."""
-        if self.roles[one].kind.startswith("set") or self.roles[one].kind == CONSTRAINT:
+        kind = self.roles[one].kind
+        if kind.startswith("set") or kind == CONSTRAINT:
             return False
-        if self.roles[one].kind == "of the sentence":
+        if kind == "of the sentence":
             return one.sentence == item.sentence
         return _within(one, item)
 

@@ -27,6 +27,8 @@ class Law:
     """What gives variables of the base by new names, if it is the same law in these."""
     new: tuple[str, ...] = ()
     """These names."""
+    together: tuple[SourceStatement, ...] = ()
+    """The equations that give new names together, of which its own are the derivatives."""
     images: tuple[tuple[str, str], ...] = ()
     """The variables of a map with their images; none of a motion."""
     solved: tuple[SourceStatement, ...] = ()
@@ -73,6 +75,8 @@ class Law:
             return tuple(x for x, _ in self.images)
         if self.base is not None and self.change:
             return (*(name for name in self.base.variables if name not in self.given), *self.new)
+        if self.base is not None and self.together:
+            return (*self.base.variables, *self.new)
         moving = {one.bare[0]: name for one, name in self.momenta.items()}
         rated = (name for item in self.items for name in item.rates)
         own = self.names.scalars(moving.get(self.names.whole(name), name) for name in rated)

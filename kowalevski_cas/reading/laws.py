@@ -18,6 +18,7 @@ from kowalevski_cas.reading.said_rows import (
     rows_of_matrices,
 )
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, is_numerical
+from kowalevski_cas.reading.together import find_together
 from kowalevski_cas.reading.unprinted import implied_rows
 
 
@@ -125,7 +126,9 @@ class _LawFinder:
             for one in self.paper.items
             if begins <= one.typed.start and (end is None or one.order < end.order)
         ]
-        return [change for law in part for change in find_changes(law, items)]
+        changed = [change for law in part for change in find_changes(law, items)]
+        together = [more for law in part for more in find_together(law, items, self.paper)]
+        return [*changed, *together]
 
     def first(self, item: SourceStatement) -> Law | None:
         """The law of a paper that has none before a row."""
@@ -180,13 +183,17 @@ class _LawFinder:
         law = self.grown(item, (), rows) if beside <= {*rows} else None
         if law is None:
             return None
+        if all(self.is_defined(row, item.section.start) for row in beside):
+            return None  # it is deduced for names that stand for what moves
         old = {name for one in part for name in one.variables}
         rated, named = {*law.variables}, {*self.names.scalars(law.mentions)}
         deduced = cue("deduced", item.lead) and not said
         printed = {row.formula for one in part for row in one.rows}
         if named & old - rated or (deduced and rated <= old):
             return None
-        if not said and any(self._relates(one, item, old) for one in self._since(begins, item)):
+        heading = apart[0].start if apart else begins
+        since = (one for one in self._since(heading, item) if one not in law.momenta)
+        if not said and any(self._relates(one, item, old) for one in since):
             return None
         if not said and len(law.items) == 1 and rated < old:  # what follows for one of several
             return None

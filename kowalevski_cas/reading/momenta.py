@@ -38,9 +38,11 @@ def find_momenta(
             beside = (row for row in rows for at in own[:1] if at.section in row.sections)
             rated = {n for row in beside for n in names.scalars(row.rates)}
             inner = {names.whole(n) for n in one.members[1].names()}
-            moving = inner & in_law & {*names.vectors} - given
-            if len(moving) == 1 and rated.isdisjoint(names.scalars(moving)):
-                found[one] = moving.pop()
+            unknown = inner & in_law & {*names.vectors} - given
+            moving = [one for one in unknown if rated.isdisjoint(names.scalars([one]))]
+            again = any(of.bare[0] == name and of.section in one.sections for of in found)
+            if len(moving) == 1 and not again:
+                found[one] = moving[0]
     return found
 
 

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from kowalevski_cas.reading.hypotheses import last_place
 from kowalevski_cas.reading.known import DEFINITION, Known
 from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.unprinted import is_printed
 
 
 class Oddity(NamedTuple):
@@ -82,5 +83,6 @@ def _is_circular(name: str, one: SourceStatement, known: Known) -> bool:
 def _moves_twice(name: str, one: SourceStatement, known: Known) -> bool:
     """Whether a statement and another row of a law give the rate of a name, and no other rate."""
     laws = [law.rows for law in known.laws if one in law.rows]
-    alone = [row for rows in laws for row in rows if [*row.rates] == [name]]
+    rows = (row for rows in laws for row in rows if is_printed(row))
+    alone = [row for row in rows if [*row.rates] == [name]]
     return one in alone and len({*alone}) > 1

@@ -262,7 +262,7 @@ class _DerivationReader:
             for tex in self.parts.said.accepted(item):
                 sections[item.printed.display.section].accept(item.printed, tex)
         own = [one for one in sections.values() if one.displays] or [*sections.values()][:1]
-        own[0].scenes["names"] = self._names()
+        own[0].scenes |= self._names()
         for claim in claims:
             places = sorted(claim.reads(), key=lambda one: one.place)
             place = claim.printed or next(iter((*claim.places(), *places)))
@@ -271,8 +271,8 @@ class _DerivationReader:
             section.lines[claim.id] = (path, self.paper.lines.get(place.display.id, 0))
         return Derivation(re.sub(r".*/|\.tex$", "", path), path, "", path, tuple(own))
 
-    def _names(self) -> Scene:
-        """All names of the paper, so that each statement can be read."""
+    def _names(self) -> dict[str, Scene]:
+        """All names of the paper, so that each statement can be read, by each of its times."""
         words = self.paper.words
         vectors = self.parts.known[0].names.vectors
         components = {part for own in vectors.values() for part in own}
@@ -295,7 +295,8 @@ class _DerivationReader:
                     places[name] = item.printed
         scalars = sorted({*scalars} - functions.keys())
         scene = Scene("all names", vectors, (), tuple(scalars), definitions=places)
-        return replace(scene, time=(*clocks, "t")[0])
+        times = dict.fromkeys(clocks or ["t"])
+        return {f"names-{time}": replace(scene, time=time) for time in times}
 
 
 __all__ = ["JudgedStatement", "Reading", "read"]

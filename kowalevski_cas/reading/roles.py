@@ -15,6 +15,7 @@ from kowalevski_cas.reading.definitions import (
     law,
     repeated,
     square,
+    together,
     unit,
 )
 from kowalevski_cas.reading.index_ranges import is_range
@@ -135,8 +136,8 @@ def other(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 RULES: tuple[Rule, ...] = (
-    unread, expression, law, constraint, unit, bracket, unjudged, inequality, repeated, change,
-    claimed_set, solution, definition, square, assumption, value, approximate, rate, zero_set,
-    integral, identity, other,
+    unread, expression, law, constraint, together, unit, bracket, unjudged, inequality, repeated,
+    change, claimed_set, solution, definition, square, assumption, value, approximate, rate,
+    zero_set, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

@@ -17,7 +17,7 @@ from kowalevski_cas.paper.differentials import differentials, rates
 from kowalevski_cas.paper.matrix_equations import equations_of_entries
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
+from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, is_closing
 from kowalevski_cas.reading.unprinted import definitions_below
 
 SOURCE = "the equation that says it"
@@ -55,8 +55,10 @@ def rows_of_matrices(
 
 
 def rows_of_differentials(paper: SourcePaper) -> Iterator[SourceStatement]:
-    """The rates for each chain of differentials."""
+    """The rates for each chain of differentials; one that gives another time gives no rate."""
     for item in paper.items:
+        if item.other_time in paper.words.times:
+            continue
         if item.formula is not None and differentials(item.formula):
             for number, tex in enumerate(rates(item.formula), 1):
                 yield _row(paper, item, number, tex)
@@ -68,7 +70,9 @@ def rows_of_conjugates(
     """The rates of the conjugates of what moves by equations with the imaginary unit."""
     if not any(UNIT in row.names for row in rows):
         return
-    aside = [one.formula for one in paper.items if one.formula is not None and not one.rates]
+    # that a name has the value of another one, at some place, closes no chain
+    still = (one for one in paper.items if len(one.bare) < 2 or is_closing(one))
+    aside = [one.formula for one in still if one.formula is not None and not one.rates]
     formulas = [row.formula for row in rows if row.formula is not None]
     moving = {name for row in rows for name in row.rates}
     of = {conjugate_name(name): row for row in rows for name in row.rates}

@@ -23,7 +23,13 @@ from kowalevski_cas.report.evidence import Evidence
 from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.marks import MARKS, Shown, shown_as
 from kowalevski_cas.report.places import ClaimGroup, PaperSection, ReportItem
-from kowalevski_cas.report.sentences import capital, group_alike, list_in_words, supposed
+from kowalevski_cas.report.sentences import (
+    capital,
+    capitalise,
+    group_alike,
+    list_in_words,
+    supposed,
+)
 from kowalevski_cas.report.witnesses import Witness
 from kowalevski_cas.tools import title
 from kowalevski_cas.verify.outcome import Outcome, Verdict
@@ -166,6 +172,8 @@ class Passages:
         facts = [(outcome.claim, self._record(outcome)) for outcome in outcomes]
         for claims, (said, *_) in group_alike(facts):
             names: Text = list_in_words([(Code(claim),) for claim in claims])
+            if not self.certified:  # no file has these names
+                names = capitalise(self.phrases.links(claims))
             yield Paragraph((*names, ": ", *said, "."), "record")
 
     def _record(self, outcome: Outcome) -> Text:

@@ -18,6 +18,7 @@ from kowalevski_cas.problem.examine import law
 from kowalevski_cas.problem.goals import Exists, Fails, Follows, Simple
 from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation, all_names
+from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.combinations import cofactors_for
 from kowalevski_cas.search.numbers import linear_combination, solve_for_numbers
 from kowalevski_cas.search.place import Candidate, PointFinder
@@ -106,12 +107,16 @@ def _group(rows: list[Linear]) -> list[Linear]:
 def _solve_for_values(
     group: list[Linear], at: Evaluation, goal: Follows
 ) -> dict[str, Element] | None:
-    """One equation is divided by its coefficients; several are a linear system."""
+    """One equation is divided by its coefficients; several are a linear system.
+
+    At last it is divided in what moves, by constants that then are conditions.
+    """
     names = list(dict.fromkeys(name for _, coefficients in group for name in coefficients))
     if len(group) == 1:
         free, coefficients = group[0]
         known = [at.scalar(c) for c in coefficients.values()]
-        row = cofactors_for(-at.scalar(free), known, goal.main)
+        target, moving = -at.scalar(free), tuple(at.setting.variables)
+        row = cofactors_for(target, known, goal.main) or cofactors(target, known, (moving,))
         return None if row is None else dict(zip(coefficients, row, strict=True))
     zero = at.ring.zero
     matrix = [[at.scalar(cs[name]) if name in cs else zero for name in names] for _, cs in group]

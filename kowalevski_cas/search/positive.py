@@ -14,7 +14,7 @@ from kowalevski_cas.search.points import Assignment, small_numbers
 STARTS = 40
 """From how many points steps are taken."""
 
-VALUES = tuple(fmpq(k) for k in (1, 2, 3, 4, 5, 6, -1, -2, -3, -4))
+VALUES = tuple(fmpq(k) for k in (1, 2, 3, 4, 5, 6, -1, -2, -3, -4, 0))
 """What a coordinate is changed to."""
 
 

@@ -30,11 +30,16 @@ MANY = 12
 class RealCoordinates:
     """Real coordinates for the generators of a space, and its elements in them.
 
-    Of the roots only those in ``names`` matter.
+    Of the roots only those in ``names`` matter. Those on which others rest are coordinates, too,
+    if these are ``inner_roots`` that matter.
     """
 
     def __init__(
-        self, at: Evaluation, constraints: Sequence[Element], names: Sequence[str]
+        self,
+        at: Evaluation,
+        constraints: Sequence[Element],
+        names: Sequence[str],
+        inner_roots: bool = True,
     ) -> None:
         self.ring = ring = at.ring
         pairs = dict(at.setting.conjugates)
@@ -48,6 +53,10 @@ class RealCoordinates:
         }
         inner = {bit for r in roots.values() for mask in r.parts for bit in _bits(mask)}
         inner |= {bit for element in constraints for bit in _roots_in_some(element)}
+        if not inner_roots:
+            unit = {bit for bit, name in enumerate(ring.roots) if name == "i"}
+            over = {name: {b for mask in r.parts for b in _bits(mask)} for name, r in roots.items()}
+            roots, inner = {name: r for name, r in roots.items() if over[name] <= unit}, set()
         moving = {*at.setting.coordinates, *pairs, *partners, *(ring.roots[bit] for bit in inner)}
         self.moving = [name for name in roots if name in moving]
         self.radicands = [roots[name] for name in roots if name not in moving]
@@ -149,12 +158,7 @@ def real_points(
     coordinates = RealCoordinates(at, zero, names)
     constraints = [e for element in zero for e in coordinates.equations(element)]
     constraints = distinct([*constraints, *coordinates.relations()])
-    avoid = [
-        polynomial
-        for element in nonzero
-        if (equations := coordinates.equations(element))
-        for polynomial in [sum((e * e for e in equations), coordinates.context.constant(0))]
-    ]
+    avoid = [*_to_avoid(nonzero, coordinates)]
     found = points(constraints, range(len(coordinates.names)), avoid)
     radicands = [*map(coordinates.equations, coordinates.radicands)]
 
@@ -179,10 +183,23 @@ def real_points(
     yield from kept
     if constraints or len(radicands) <= MANY:
         yield from (point for _, point in usable(found))
-    if not constraints:
-        parts = [part for radicand in radicands for part in radicand]
-        found = positive_points(parts, len(coordinates.names), avoid)
-        yield from (point for _, point in usable(found))
+    if not any(map(coordinates.equations, zero)):
+        alone = RealCoordinates(at, zero, names, inner_roots=False)
+        yield from () if alone.moving else _by_steps(alone, nonzero)
+
+
+def _by_steps(coordinates: RealCoordinates, nonzero: Sequence[Element]) -> Iterator[ExactPoint]:
+    """Points at which no root is taken of what is negative, by steps towards them."""
+    parts = [part for one in coordinates.radicands for part in coordinates.equations(one)]
+    avoid = [*_to_avoid(nonzero, coordinates)]
+    yield from map(coordinates.point, positive_points(parts, len(coordinates.names), avoid))
+
+
+def _to_avoid(nonzero: Sequence[Element], coordinates: RealCoordinates) -> Iterator[fmpq_mpoly]:
+    """What vanishes where some of these elements does."""
+    for element in nonzero:
+        if equations := coordinates.equations(element):
+            yield sum((e * e for e in equations), coordinates.context.constant(0))
 
 
 def points_with_squares(

@@ -22,6 +22,7 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evidence import Proof
 from kowalevski_cas.problem.examine import value_of
 from kowalevski_cas.search.combinations import Combinations, complete
+from kowalevski_cas.search.gram import Representation
 from kowalevski_cas.search.weighted_squares import represent
 
 DEPTH = 12
@@ -79,6 +80,21 @@ class RealCases:
             cases = (self.proof([*known, *group], len(known), depth - 1) for group in groups)
             if found is not None and (proofs := complete(cases)) is not None:
                 return Proof(formula_rows([found]), formula_rows(groups), tuple(proofs), power)
+        return self._at_edges(known) if depth == DEPTH else None
+
+    def _at_edges(self, known: Sequence[Element]) -> Proof | None:
+        r"""A proof from equations that inequalities leave, as :math:`a=0` for ``0\le a\le0``."""
+        weights = self._weights([*map(self.flat.polynomial, [*known, *self.everything])])
+        squares = [square for _, square in weights]
+        for root, square in weights[: len(self.ring.roots)]:
+            found = represent(-square, squares)
+            if found is None:
+                continue
+            # the square of this root and these ones have the sum zero, whatever is known
+            group = (root, *self._squared(found, weights))
+            inside = self.proof([*known, *group], len(known) + len(group), DEPTH - 1)
+            row = [self.ring.zero for _ in known]
+            return inside and Proof(formula_rows([row]), formula_rows([group]), (inside,))
         return None
 
     def _units(self, known: Sequence[Element]) -> list[Element]:
@@ -182,18 +198,23 @@ class RealCases:
                 found = represent(target, [w for _, w in weights], [*others, *more])
                 if found is None:
                     continue
-                group = tuple(
-                    self._element(base) * self.ring.number(part) * self._root(places, weights)
-                    for places, squares in found.summands
-                    for number, base in squares
-                    for part in few_squares(number)
-                    if part
-                )
+                group = (*self._squared(found, weights),)
                 row = [*map(self.flat.element, found.factors[: len(others)])]
                 row.insert(k, self.flat.element(sign * factor * odd) * below)
                 if group != (known[k],):
                     return group, row
         return None
+
+    def _squared(
+        self, found: Representation, weights: Sequence[tuple[Element, object]]
+    ) -> Iterator[Element]:
+        """What is squared in a sum of squares times weights, which are squares of roots."""
+        for places, squares in found.summands:
+            for number, base in squares:
+                for part in few_squares(number):
+                    if part:
+                        root = self._root(places, weights)
+                        yield self._element(base) * self.ring.number(part) * root
 
     def _odd_divisors(self, element: Element) -> fmpq_mpoly:
         """What an element is divided by an odd number of times: of this its sign depends."""

@@ -12,11 +12,13 @@ from kowalevski_cas.paper.initial_values import without_initial_values
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives, with_rates
 from kowalevski_cas.system.beside import columns, with_columns_in_bold, with_upright_unit
+from kowalevski_cas.system.bracket_laws import with_laws_of_brackets
 from kowalevski_cas.system.indices import (
     counts,
     has_permutation,
     with_counts,
     with_length,
+    with_pairs,
     with_range_of_names,
     with_ranges,
     with_symmetry,
@@ -25,6 +27,7 @@ from kowalevski_cas.system.inverses import without_inverses
 from kowalevski_cas.system.maps import has_bars, with_primes, without_steps
 from kowalevski_cas.system.partials import moving_names, with_partials
 from kowalevski_cas.system.real_parts import with_real_parts
+from kowalevski_cas.system.skew_matrices import with_skew_matrices
 from kowalevski_cas.system.unknown import (
     Unknown,
     said_functions,
@@ -83,8 +86,9 @@ class PlainPrint(NamedTuple):
 
 
 def spelled_out(tex: str) -> str:
-    """A print with what its author does not say: that i is the unit, and what real parts are."""
-    return with_real_parts(with_rates_of_functions(with_upright_unit(with_rates(tex))))
+    """A print with what its author does not say: what i is, real parts, laws of any function."""
+    tex = with_real_parts(with_rates_of_functions(with_upright_unit(with_rates(tex))))
+    return with_skew_matrices(with_laws_of_brackets(tex))
 
 
 def plain_print(tex: str, vectors: Vectors, map: bool) -> PlainPrint:
@@ -101,7 +105,7 @@ def plain_print(tex: str, vectors: Vectors, map: bool) -> PlainPrint:
     moving = () if map else moving_names(tex)
     tex, equalities = without_chains(tex if map else without_initial_values(tex, moving), moving)
     if not map:
-        tex = with_range_of_names(with_symmetry(with_length(tex)))
+        tex = with_range_of_names(with_pairs(with_symmetry(with_length(tex))))
         tex = with_partials(tex, moving_names(tex))
     applied = printed_arguments([tex], vectors)
     functions = (*unknown_functions(tex),)

@@ -86,8 +86,10 @@ def with_motion(tex: str, vectors: Vectors, declared: Names = (), arguments: Nam
 def constraints_in(display: Display, vectors: Vectors, declared: Names = ()) -> list[Printed]:
     """The constraints among equations of motion with multipliers."""
     formulas = read_rows(display, vocabulary_of(display, vectors, declared))
-    moving = {name for formula in formulas.values() for name in moving_names(formula)}
-    return constraints(formulas, moving, vectors)
+    laws = matrix_equations(formulas)
+    rest = {place: formula for place, formula in formulas.items() if place not in laws}
+    moving = {name for formula in rest.values() for name in moving_names(formula)}
+    return constraints(rest, moving, vectors)
 
 
 def with_time(tex: str, vectors: Vectors, declared: Names = ()) -> str:
@@ -132,7 +134,7 @@ def scene_by(display: Display, name: str, vectors: Vectors, declared: Names = ()
     names = [node.name for node in nodes if isinstance(node, Name)]
     check_marks(formulas.values())
     check_motion(display, formulas, laws, moving, defined.union(declared))
-    variables = tuple(part for one in moving for part in vectors.get(one, (one,)))
+    variables = (*dict.fromkeys(part for one in moving for part in vectors.get(one, (one,))),)
     fixed = [one for one in names if one not in defined and one not in words.matrices]
     parts = dict.fromkeys(part for one in fixed for part in vectors.get(one, (one,)))
     constants = tuple(part for part in parts if part not in variables and part not in defined)

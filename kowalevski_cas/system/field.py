@@ -6,23 +6,38 @@ from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from copy import copy
 from dataclasses import replace
+from functools import partial
 from typing import Any, Self
 
 from kowalevski_cas.library import MADE
-from kowalevski_cas.notation import Formula, read, read_display, split_display, to_plain
+from kowalevski_cas.notation import (
+    Formula,
+    NotationError,
+    read,
+    read_display,
+    split_display,
+    to_plain,
+)
 from kowalevski_cas.paper.claims import Casimir, Claim, FirstIntegral, Identity
 from kowalevski_cas.paper.derivation import Section
-from kowalevski_cas.paper.relations import solve_for_constant
+from kowalevski_cas.paper.relations import real_ways, solve_for_constant
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
+from kowalevski_cas.problem.space import Contradictory
 from kowalevski_cas.system.answers import ClaimInParts, Function, SystemClaim, in_html
 from kowalevski_cas.system.cases import LawOfCase, laws_by_cases
 from kowalevski_cas.system.kinds import BY_CASES, Stated, stated_of
 from kowalevski_cas.system.numbering import Numbering
 from kowalevski_cas.system.printed_law import brackets, read_law
-from kowalevski_cas.system.refused import check_constant, check_field, names_of
-from kowalevski_cas.system.scenes import restrict, with_levels, with_parameters, with_roots
+from kowalevski_cas.system.refused import check_constant, check_field, check_possible, names_of
+from kowalevski_cas.system.scenes import (
+    restrict,
+    with_lengths,
+    with_levels,
+    with_parameters,
+    with_roots,
+)
 from kowalevski_cas.system.signs import SIGNS, alternatives, has_both_signs, with_signs
 from kowalevski_cas.system.solved import (
     gives_constant,
@@ -70,6 +85,8 @@ class Field:
         MADE.append(self.section)
         self.numbering = Numbering(self.section, f"{name}-" if name else "")
         laws = laws_by_cases(field) if isinstance(field, str) else ()
+        self.by_cases = bool(laws)
+        """Whether the equations of motion are printed by cases, of which a motion may leave one."""
         for equations, _ in laws[::-1] or [(field, ())]:
             self._take(equations, name, vectors or {}, map)
         self._take_cases(laws, name, vectors or {}, map)
@@ -216,32 +233,70 @@ class Field:
             ValueError: a relation gives no constant, or gives it by what moves.
         """
         if self.parts:
-            return self._each(lambda one: one.where(*with_signs(relations, one.signs)))
+            return self._in_each(
+                partial(one.where, *with_signs(relations, one.signs)) for one in self.parts
+            )
         if has_both_signs(relations):
             return self._with_both_signs(relations)
         special, said = copy(self), ", ".join(map(self._tex, relations))
-        scene = self.scene.called(f"{self.scene.name} where {said}")
-        simple = (one for tex in relations for one in simple_relations(self._tex(tex), scene))
-        for tex in simple:
-            scene = with_new_names(tex, scene)
-            if speaks_of_constants(tex, scene) and not gives_constant(tex, scene):
-                rooted = with_roots(scene, Display("", tex, ""))
-                solved, below = solve_for_constant(tex, rooted)
-                tex, scene = solved or tex, scene.having(nonzero=below)
-            place = self._place("where", tex, IN_WORDS)
-            constants, scene = scene.constants, with_roots(restrict(scene, place), place.display)
-            check_constant(scene, place, constants)
-            special.special += (place.display,)
-        special._stand_on(scene)
+        special.scene = self.scene.called(f"{self.scene.name} where {said}")
+        simple = [one for tex in relations for one in simple_relations(self._tex(tex), self.scene)]
+        for k, tex in enumerate(simple):
+            scene = with_new_names(tex, special.scene)
+            ways: list[tuple[str, ...]] = [(tex,)]
+            with suppress(NotationError):  # of an unknown name it is said below what to do
+                ways = real_ways(tex, with_roots(scene, Display("", tex, "")))
+            if not ways:
+                raise Contradictory(f"{tex}: no real constants obey this beside what is supposed")
+            if len(ways) > 1:
+                rest = simple[k + 1 :]
+                return self._in_each(partial(special.where, *way, *rest) for way in ways)
+            for one in ways[0]:
+                special._specialize(one, scene)
+                scene = special.scene
+        special._stand_on(special.scene)
         return special
+
+    def _specialize(self, tex: str, scene: Scene) -> None:
+        """Stand on a scene where a relation of constants holds, solved for one if it gives none."""
+        if speaks_of_constants(tex, scene) and not gives_constant(tex, scene):
+            rooted = with_roots(scene, Display("", tex, ""))
+            solved, below = solve_for_constant(tex, rooted)
+            tex, scene = solved or tex, scene.having(nonzero=below)
+        place = self._place("where", tex, IN_WORDS)
+        constants = scene.constants
+        scene = with_roots(restrict(scene, place), place.display)
+        check_constant(scene, place, constants)
+        self.scene, self.special = scene, (*self.special, place.display)
 
     def _with_both_signs(self, relations: tuple[Tex, ...]) -> Self:
         """The systems for the upper and for the lower signs: what is claimed is so for both."""
-        parts = []
-        for signs in SIGNS:
-            part = self.where(*with_signs(relations, signs))
-            part.signs = signs
-            parts.append(part)
+        return self._in_each(partial(self._with_signs, relations, signs) for signs in SIGNS)
+
+    def _with_signs(self, relations: tuple[Tex, ...], signs: dict[str, str]) -> Self:
+        """The system for one of both signs."""
+        part = self.where(*with_signs(relations, signs))
+        part.signs = signs
+        return part
+
+    def _in_each(self, cases: Iterable[Callable[[], Self]]) -> Self:
+        """A system of which is claimed what is claimed in each case, if it is not seen to be none.
+
+        Raises :class:`Contradictory` if all contradict what is supposed.
+        """
+        parts, error = list[Self](), None
+        for case in cases:
+            try:
+                part = case()
+                if not part.parts:
+                    check_possible(part.scene)
+                parts.append(part)
+            except Contradictory as contradiction:
+                error = contradiction
+        if error and not parts:
+            raise error
+        if len(parts) == 1 and not parts[0].signs:
+            return parts[0]
         whole = copy(parts[0])
         whole.signs, whole.parts = {}, (*parts,)
         return whole
@@ -290,7 +345,7 @@ class Field:
             ValueError: a formula is several, or there is no such verdict to expect.
         """
         if self.parts or has_both_signs((printed, *attributes.values())):
-            if self.parts and kind not in BY_CASES and not all(part.signs for part in self.parts):
+            if self.by_cases and kind not in BY_CASES:
                 raise ValueError(f"{kind.__name__} is not known of equations by cases: {says}")
             parts: list[tuple[Field, dict[str, str]]] = [(part, part.signs) for part in self.parts]
             return ClaimInParts(
@@ -327,6 +382,7 @@ class Field:
         for place in claim.places():
             claim = replace(claim, scene=with_units(claim.scene, place.display))
             with suppress(ValueError):  # what cannot be read is the outcome of the claim
+                claim = replace(claim, scene=with_lengths(claim.scene, place.display))
                 claim = replace(claim, scene=with_roots(claim.scene, place.display))
         self.section.claim(claim)
         if expect:

@@ -113,6 +113,10 @@ def chain_ends(tex: str, given: Mapping[str, Formula]) -> set[str]:
     }
 
 
+_OF_PAIR = re.compile(
+    r"(?:\\[A-Za-z]+|[A-Za-z])\s*_\s*\{\s*(?P<j>[a-z])\s*(?P<k>[a-z])\s*\}"
+    r"(?:\s*\^\s*(?:2|\{\s*2\s*\}))?\s*&?\s*="
+)
 _SYMMETRIC = re.compile(
     r"(?P<head>(?:\\[A-Za-z]+|[A-Za-z])\s*_)\s*\{\s*(?P<i>[a-z])\s*(?P<j>[a-z])\s*\}\s*=\s*"
     r"(?P<sign>-?)\s*(?P=head)\s*\{\s*(?P=j)\s*(?P=i)\s*\}"
@@ -167,6 +171,36 @@ def with_range_of_names(tex: str) -> str:
             listed = {(*values[j],) for j in beside}
             if len(listed) == 1 and len(known := min(listed)) > 1:
                 tex += rf",\quad {index}={','.join(map(str, known))}"
+    return tex
+
+
+def with_pairs(tex: str) -> str:
+    r"""A display with what is defined for the pairs of which a sum is taken, for each of these.
+
+    >>> with_pairs(r"H=\sum_{j<k}r_{jk}, r_{jk}^2=x_j+x_k, k=1,2,3")
+    'H=\\sum_{j<k}r_{jk}, r_{12}^2=x_1+x_2,\\quad r_{13}^2=x_1+x_3,\\quad r_{23}^2=x_2+x_3, k=1,2,3'
+    """
+    try:
+        tokens, ranges = without_ranges(scan(tex), tex)
+    except NotationError:
+        return tex  # who reads it says so
+    signs = [SumSign.at(tokens, k) for k, token in enumerate(tokens) if token.kind in SIGNS]
+    pairs = {(*sign.letters,): sign.terms({}, ranges) for sign in signs if len(sign.letters) == 2}
+    for start, end in sorted({*split_display(tex)}, reverse=True):
+        head = _OF_PAIR.match(tex[start:end].lstrip())
+        letters = (head["j"], head["k"]) if head else ()
+        terms = pairs.get(letters)
+        if not terms or ranges.keys() >= {*letters}:
+            continue
+        own = [t for t in tokens if start <= t.start and t.end <= end and t.text in letters]
+        rows = []
+        for values in terms:
+            row = tex[start:end]
+            for token in reversed(own):
+                at = token.start - start
+                row = row[:at] + str(values[token.text]) + row[at + len(token.text) :]
+            rows.append(row.strip())
+        tex = tex[:start] + r",\quad ".join(rows) + tex[end:]
     return tex
 
 

@@ -193,6 +193,11 @@ def check_field(scene: Scene) -> None:
     _ = Elaborations(Texts(vocabulary((scene,))))(scene).field
 
 
+def check_possible(scene: Scene) -> None:
+    """Refuse a scene on which what is supposed is seen to hold nowhere, by ``Contradictory``."""
+    _ = Elaborations(Texts(vocabulary((scene,))))(scene).finder
+
+
 def check_constant(scene: Scene, place: Printed, known: Container[str]) -> None:
     """Refuse a ``known`` constant that a relation gives by what moves: it would be none."""
     space = Elaborations(Texts(vocabulary((scene,))))(scene)

@@ -16,6 +16,7 @@ from kowalevski_cas.notation import (
     Power,
     Relation,
     Root,
+    Sum,
     rank,
     read,
     read_display,
@@ -24,7 +25,9 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.functions import SIGN
 from kowalevski_cas.notation.open import OpenParser
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.notation.vocabulary import VECTOR
+from kowalevski_cas.paper.applied import SPECTRAL
 from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.exponents import half_power
 from kowalevski_cas.paper.names import BRACKET, head
@@ -35,7 +38,7 @@ from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.refused import check_no_differentials
 from kowalevski_cas.system.rows import read_rows
-from kowalevski_cas.system.vectors import vectors_of
+from kowalevski_cas.system.vectors import lengths, vectors_of
 
 
 def with_row(scene: Scene, place: Printed, formula: Formula) -> Scene:
@@ -47,7 +50,10 @@ def with_row(scene: Scene, place: Printed, formula: Formula) -> Scene:
     if len(place.heads.squares) == 1:
         return scene.adjoining(place)
     what = "is no equation of motion, and defines no name: print a name alone on one side"
-    raise ValueError(f"{place.tex} {what}; what is supposed is printed with \\ne")
+    raise ValueError(
+        f"{place.tex} {what}; what is supposed is printed with "
+        r"\ne, and an equation that holds on a set is given to a claim"
+    )
 
 
 def _suppose(scene: Scene, place: Printed, formula: Formula) -> Scene | None:
@@ -84,7 +90,10 @@ def with_parameters(scene: Scene, display: Display) -> Scene:
 
 
 def with_levels(scene: Scene, place: Printed) -> Scene:
-    """A scene with the new names in an integral: T for it, or its value, as h in :math:`2T=2h`."""
+    r"""A scene with the new names in an integral: T for it, or its value, as h in :math:`2T=2h`.
+
+    The parameter of a spectral curve, :math:`\det(L-\mu)`, is any number.
+    """
     known = {*scene.names(), *scene.definitions, *scene.vectors, scene.time}
     scene = with_parameters(scene, place.display)
     heads = place.heads.names or place.heads.multiples
@@ -92,12 +101,34 @@ def with_levels(scene: Scene, place: Printed) -> Scene:
         if name not in known:
             scene = scene.naming(name, place)
     formula = read_rows(place.display, vocabulary((scene,)))[place]
+    curves = (n for n in formula.nodes() if isinstance(n, Application) and n.function == r"\det")
+    spectral = {name for curve in curves for name in curve.names() if name in SPECTRAL} - known
+    scene = scene.having(constants=(*sorted(spectral),))
+    known |= spectral
     members = formula.members if isinstance(formula, Relation) else ()
     names = [{node.name for node in member.nodes() if isinstance(node, Name)} for member in members]
     new = {one for own in names if own.isdisjoint({*known, *heads}) for one in own}
     if known.isdisjoint(one for own in names for one in own):
         return scene  # of nothing that moves it is no value
     return scene.having(constants=tuple(sorted(new - {*scene.names()})))
+
+
+def with_lengths(scene: Scene, display: Display) -> Scene:
+    r"""A scene with the lengths of vectors that a display names, as :math:`\gamma^2=1`.
+
+    Raises ``ValueError`` for a capital, which may be something else than the length.
+    """
+    known = {*scene.names(), *scene.definitions, *scene.roots, scene.time}
+    vectors = {
+        name: parts
+        for name, parts in scene.vectors.items()
+        if symbol(name).without_type.name not in known
+    }
+    formulas = [*read_rows(display, vocabulary((scene,))).values()] if vectors else []
+    for tex in lengths(formulas, vectors, scene.variables):
+        place = replace(display, id=f"{display.id}-length", tex=tex, source=IN_WORDS)
+        scene = with_roots(scene.defining(place), place)
+    return scene
 
 
 def with_roots(scene: Scene, display: Display) -> Scene:
@@ -124,9 +155,17 @@ def with_roots(scene: Scene, display: Display) -> Scene:
         root = _root(formula)
         if isinstance(formula, Modulus) and scene.unit and rank(formula.argument, words) != VECTOR:
             root = Root(times(formula.argument, Conjugate(formula.argument)))
-        if root is not None and (name := to_latex(root)) not in scene.roots:
+        if root is not None and {name := to_latex(root), _opposite(root)}.isdisjoint(scene.roots):
             scene = scene.adjoining(name)
     return scene
+
+
+def _opposite(root: Root) -> str:
+    r"""The same length as it may be printed otherwise: :math:`|a-b|` is :math:`|b-a|`."""
+    match root:
+        case Root(Power(Sum((left, Negative(right))), exponent)):
+            return to_latex(Root(Power(Sum((right, Negative(left))), exponent)))
+    return to_latex(root)
 
 
 def _root(formula: Formula) -> Root | None:
@@ -158,6 +197,17 @@ def _with_real_root(scene: Scene, name: str, place: Printed, formula: Formula) -
     return scene
 
 
+def _with_real_roots(scene: Scene, place: Printed, formula: Formula) -> Scene:
+    """A scene on which the roots of constants are real that a relation prints."""
+    for k, root in enumerate(node for node in formula.nodes() if isinstance(node, Root)):
+        names = root.argument.names()
+        if names and names <= {*scene.constants}:
+            id, tex = f"{place.display.id}-root-{k}", rf"{to_latex(root.argument)}\ge0"
+            display = replace(place.display, id=id, tex=tex, source=IN_WORDS)
+            scene = with_roots(scene, display).assuming(display)
+    return scene
+
+
 def restrict(scene: Scene, place: Printed) -> Scene:
     """A scene with what a relation says of its constants."""
     formula = read(place.tex, vocabulary((scene,)), OpenParser)
@@ -170,7 +220,7 @@ def restrict(scene: Scene, place: Printed) -> Scene:
             kept = tuple(constant for constant in scene.constants if constant != name)
             rest = replace(scene, constants=kept)
             if name not in place.heads.squares:
-                return rest.naming(name, place)
+                return _with_real_roots(rest.naming(name, place), place, formula)
             return _with_real_root(rest.adjoining(place), name, place, formula)
     known = ", ".join(scene.constants)
     solve = f"solve it for one of {known}, or" if known else "there is none:"

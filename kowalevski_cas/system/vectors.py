@@ -104,7 +104,8 @@ def lengths(
     Raises ``ValueError`` for a capital, which may be a mass beside a moment.
     """
     names = {name for formula in formulas for name in formula.names()}
-    heads = {one.name for f in formulas for one in f.children()[:1] if isinstance(one, Name)}
+    firsts = (f.members[0] for f in formulas if isinstance(f, Relation))
+    heads = {one.name for one in firsts if isinstance(one, Name)}
     components = {part for parts in vectors.values() for part in parts}
     for name, parts in vectors.items():
         letter = symbol(name).without_type

@@ -204,6 +204,31 @@ def test_a_constant_that_is_a_square_is_not_negative(relation):
     assert plane().where(relation).inequality("a>0").verdict == "refuted"
 
 
+@pytest.mark.parametrize(
+    ("order", "left"),
+    sampled(
+        [
+            ([r"0\le a\le0"], "a=0"),
+            ([r"a\ge0", r"a\le0"], "a=0"),
+            ([r"a\ge b", r"b\ge c", r"c\ge a"], "a=c"),
+            ([r"a^2\le1", r"b^2\le1", "a+b=2"], "a=b"),
+        ],
+        1,
+    ),
+)
+def test_weak_inequalities_may_leave_an_edge(order, left):
+    system = plane()
+    for one in order:
+        system = system.where(one)
+    assert system.identity(left).verdict == "proved"
+    assert system.identity(f"{left}+1").verdict == "refuted"
+    name = left.partition("=")[0]
+    assert system.inequality(left.replace("=", r"\le ")).verdict == "proved"
+    assert system.inequality(left.replace("=", "<")).verdict == "refuted"
+    beyond = system.where(left.replace("=", ">")).identity(f"{name}=7").verdict
+    assert beyond in ("undecided", "error")  # of nothing nothing is said
+
+
 def test_an_inequality_is_never_taken_for_an_equality():
     assert plane().identity(r"a\le a").verdict == "error"
     assert plane().where(r"a\ge0").integral(r"y^2+ax^2").verdict == "refuted"

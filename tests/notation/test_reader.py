@@ -231,3 +231,15 @@ def test_a_span_is_the_source_that_printed_the_node():
 def test_what_can_be_read_in_two_ways_is_not_read(tex):
     with pytest.raises(NotationError):
         read(tex, WORDS)
+
+
+@pytest.mark.parametrize("number", ["2", r"\frac12", r"\tfrac{3}4"])
+@pytest.mark.parametrize("derived", ["(x_1+x_2)", r"\left[x_1x_2\right]", "x_1^2", "x_1"])
+def test_a_number_behind_a_derivative_goes_with_what_is_derived(number, derived):
+    bare, in_brackets = (
+        read(rf"\frac{{d}}{{d\tau}}{one}+a", WORDS)
+        for one in (number + derived, rf"\left({number}{derived}\right)")
+    )
+    assert bare == in_brackets
+    with pytest.raises(NotationError, match="how far does the derivative"):
+        read(rf"\frac{{d}}{{d\tau}}{number}{derived}a", WORDS)

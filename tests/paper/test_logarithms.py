@@ -117,3 +117,18 @@ def test_all_arithmetics_and_the_checker_agree(tmp_path):
         f"v.integral(r'{INTEGRAL.replace('-', '+')}', expect='refuted')\n"
     )
     assert main(["record", str(file)]) == 0 and main(["check", str(file)]) == 0
+
+
+@pytest.mark.parametrize(
+    "tex",
+    [
+        r"\frac{d}{dt}\ln\frac{\dot x}{x}=\frac{\ddot x}{\dot x}-\frac{\dot x}{x}",
+        r"\sqrt{\dot x\dot y}\sqrt{\dot x\dot y}=\dot x\dot y",
+    ],
+)
+def test_a_root_of_rates_is_certified(volterra, tex):
+    assert volterra.identity(tex).verdict in (Verdict.CONDITIONAL, Verdict.PROVED)
+
+
+def test_a_false_equation_with_the_logarithm_of_a_rate_is_refuted(volterra):
+    assert volterra.identity(r"\frac{d}{dt}\ln\dot x=\frac{\dot x}{x}").verdict is Verdict.REFUTED

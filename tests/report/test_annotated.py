@@ -10,7 +10,15 @@ from kowalevski_cas.audit.reading import ReadingSession, audit_reading
 from kowalevski_cas.cli import main
 from kowalevski_cas.reading import read
 from kowalevski_cas.report.annotated import annotate
-from kowalevski_cas.report.document import Document, Equations, Heading, Judgement, Link, Paragraph
+from kowalevski_cas.report.document import (
+    Code,
+    Document,
+    Equations,
+    Heading,
+    Judgement,
+    Link,
+    Paragraph,
+)
 from kowalevski_cas.report.html import render_html
 from kowalevski_cas.report.marks import SPOILED
 from kowalevski_cas.source.files import decode
@@ -121,6 +129,12 @@ def test_a_definition_that_spoils_what_rests_on_it_is_named() -> None:
     assert any(isinstance(block, Equations) for block in told.blocks)
     blamed = [part.target for part in parts(told.head) if isinstance(part, Link)]
     assert "claim.rate" in blamed and "claim.value" in blamed
+
+
+def test_a_page_without_certificates_names_formulas_by_their_numbers() -> None:
+    records = [b for b in parts(page().blocks) if isinstance(b, Paragraph) and b.kind == "record"]
+    told = [record for record in records if "decided by" in said(record.text)]
+    assert told and not any(isinstance(part, Code) for record in told for part in record.text)
 
 
 def test_what_fails_because_of_another_formula_does_not_look_like_a_misprint() -> None:

@@ -1,0 +1,113 @@
+"""Which names are new where a statement gives them: nothing has said yet what they are."""
+
+from __future__ import annotations
+
+import re
+
+from kowalevski_cas.notation import Formula, Name, Number, Power, Product
+from kowalevski_cas.paper.names import BRACKET, head
+from kowalevski_cas.paper.transcendental import PI
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.known import CLAIM, DEFINITION, LAW, Known
+from kowalevski_cas.reading.statements import SourceStatement, derived_names
+
+
+def is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
+    """Whether nothing has said yet what a name is."""
+    function, arguments = head(name)
+    if function == BRACKET or (function == PI and item.members[0] != Name(PI)):
+        return False
+    if found := known.definitions.get(function) or known.definitions.get(
+        known.names.whole(function)
+    ):
+        if _defines_anew(item, found):
+            return True
+        bound = {n for one in found for name in one.printed.heads.names for n in head(name)[1]}
+        unclear = any(not known.is_explained(n) for one in found for n in one.names - bound)
+        rests = any(function in known.below(n) for n in item.names - {function})
+        return unclear and not rests and all(known.is_explained(n) for n in item.names)
+    if known.moves(function) or function in known.times:
+        return False
+    alone = (Name(function), Power(Name(function), Number(2)))
+    rest = (m for m in item.members if m not in alone and without_factor(m) not in alone)
+    if any(function in m.names() for m in rest) and not arguments:
+        return False
+    others = item.names - {function, *arguments}
+    new = bool(others) and not any(map(known.is_known, others))
+    first = known.seen.get(function)
+    return (
+        first is None
+        or (known.roles[first].name in (LAW, DEFINITION) and first.sentence == item.sentence)
+        or (first.typed is item.typed and item.members[:1] == (Name(function),))
+        or (known.roles[first].name == LAW and _gives(function, item, known))
+        or (bool(cue("where", item.lead)) and _is_near(first, item))
+        or _is_explained(function, first, item)
+        or (known.roles[first].name == LAW and function in derived_names(first))
+        or (new and not item.typed.inline)
+        or _is_used_before(function, first, item, known)
+    )
+
+
+def _is_used_before(name: str, first: SourceStatement, item: SourceStatement, known: Known) -> bool:
+    """Whether what has been claimed of a name is said of what a statement behind it gives it for.
+
+    Nothing else gives the name, or supposes anything of it, and no words derive the statement.
+    """
+    giving = (one for one in known.items if one.members[:1] == (Name(name),))
+    if known.roles[first].name != CLAIM or next(giving, item) is not item:
+        return False
+    if cue("if", item.lead) or not known.varying(item.names - {name}):
+        return False
+    if name in derived_names(first):
+        return True
+    supposed = any(name in known.roles[one].names for one in known.assumptions)
+    mentioned = any(name in law.mentions for law in known.laws)
+    alone = item.members[0] == Name(name) and not item.typed.inline
+    explained = all(map(known.is_explained, item.names - {name}))
+    told = bool(cue("deduced", item.lead)) and not is_called_constant(name, item, known)
+    return alone and explained and not (supposed or mentioned or told)
+
+
+def is_called_constant(name: str, item: SourceStatement, known: Known) -> bool:
+    """Whether words call a name a constant, before a statement, or right before it."""
+    before = (one for one in known.items if one.formula == Name(name) and one.order < item.order)
+    leads = [item.lead, *(one.lead for one in before)]
+    return any(cue("a constant", lead[-40:]) for lead in leads)
+
+
+def without_factor(formula: Formula) -> Formula:
+    """What stands behind a number, as T in 2T; a formula that is no such product itself."""
+    match formula:
+        case Product((Number(), inner)):
+            return inner
+    return formula
+
+
+def _defines_anew(item: SourceStatement, found: list[SourceStatement]) -> bool:
+    """Whether words let a display of another section define a name once more."""
+    apart = all(one.section not in item.sections for one in found)
+    said = cue("hamiltonian", item.lead[-40:]) or cue("define", item.lead)
+    return apart and not item.typed.inline and bool(said) and not cue("derived", item.lead)
+
+
+def _gives(name: str, item: SourceStatement, known: Known) -> bool:
+    """Whether a display gives a name of the law by what moves, as it does a potential."""
+    first = item.members[0] if item.members else None
+    alone = name in (getattr(first, "name", ""), getattr(first, "function", ""))
+    moving = known.varying(item.names - {name})
+    return alone and bool(moving) and not item.typed.inline and not item.derives
+
+
+_FOR = re.compile(r"\W*(?:for|with|для)\W*", re.IGNORECASE)
+"""All that stands before what says what a name was, as in “the rate vanishes for F=x²”."""
+
+
+def _is_explained(name: str, first: SourceStatement, item: SourceStatement) -> bool:
+    """Whether it is said behind the claim of a rate of which function that is."""
+    behind = first.sentence == item.sentence and _FOR.fullmatch(item.lead) is not None
+    return behind and name in first.rates
+
+
+def _is_near(one: SourceStatement, item: SourceStatement) -> bool:
+    """Whether a statement may explain what another one has before it: in its paragraph."""
+    return one.paragraph == item.paragraph

@@ -1,0 +1,70 @@
+r"""Names that equations give together, as u and v by :math:`r=u+v` and :math:`p^2+q^2=uv`.
+
+They move: by the derivatives of these equations, where these determine their rates. What is said
+of them holds where the equations hold.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from itertools import groupby
+
+from kowalevski_cas.notation import Name, PoissonBracket, to_latex
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
+from kowalevski_cas.reading.unprinted import unprinted
+
+SAYS = "the equation that gives it with others"
+_INTRODUCES = re.compile(
+    r"\bintroduc\w+|\bdefin\w+\s+by|\bvariables?\b|\bcoordinates?\b|\bвв[её]д\w+|\bвводя\b"
+    r"|\bопредел\w+|\bпеременн\w+|\bкоординат\w+",
+    re.IGNORECASE,
+)
+"""Words by which names are introduced, and not given values."""
+
+
+def find_together(law: Law, items: Sequence[SourceStatement], paper: SourcePaper) -> Iterator[Law]:
+    """The law with the names that sentences behind it give by as many equations.
+
+    The sentence, or one before it in the paragraph, names them.
+    """
+    later = [one for one in items if one.order > law.order]
+    for _, group in groupby(later, key=lambda one: one.sentence):
+        sentence = [*group]
+        first = sentence[0]
+        seen = {*law.mentions, *law.variables}.union(
+            *(one.names for one in items if one.order < first.order and one.members)
+        )
+        giving = [one for one in sentence if _gives(one, law, seen)]
+        new = sorted({name for one in giving for name in one.names - seen})
+        named = {
+            one.formula.name
+            for one in items
+            if isinstance(one.formula, Name) and one.paragraph == first.paragraph
+            and one.order < giving[-1].order
+        } if giving else set()  # fmt: skip
+        said = giving and _INTRODUCES.search(giving[0].before) and cue("define", giving[0].before)
+        if said and len(new) == len(giving) and named.issuperset(new):
+            rows = tuple(_row(one, paper) for one in giving)
+            yield Law(rows, law.names, base=law, together=tuple(giving), new=tuple(new))
+
+
+def _gives(item: SourceStatement, law: Law, seen: set[str]) -> bool:
+    """Whether a statement says something of what moves and of new names, and gives none alone."""
+    if len(item.members) != 2 or item.derives or item.formula is None:
+        return False
+    new, heads = item.names - seen, item.printed.heads
+    alone = {*heads.names, *heads.squares, *heads.multiples, *item.bare}
+    old = {*law.names.scalars(item.names)} & {*law.variables}
+    brackets = any(isinstance(node, PoissonBracket) for node in item.formula.nodes())
+    vectors = item.names & {*law.names.vectors}
+    return bool(new and old) and not (new & alone or brackets or vectors)
+
+
+def _row(item: SourceStatement, paper: SourcePaper) -> SourceStatement:
+    """The derivative of an equation."""
+    left, right = (rf"\frac{{d}}{{dt}}\left({to_latex(one)}\right)" for one in item.members)
+    id = f"derivative-of-{item.printed.display.id}{item.printed.number}"
+    return unprinted(paper, id, f"{left}={right}", item, SAYS)
