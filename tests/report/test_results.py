@@ -58,7 +58,8 @@ def test_without_a_main_result_nothing_is_said() -> None:
 )  # fmt: skip
 def test_the_verdict_says_whether_it_stands(verdict: Verdict, sentence: str) -> None:
     first, second = paragraphs(claim("a", "1", "x=x", "it is so", verdict), main=("a",))
-    sign = f" {C} {MARKS[C].meaning}." if verdict is C else ""  # where a sign needs words
+    means = f" The sign {C} marks what {MARKS[C].meaning}."
+    sign = means if verdict is C else ""  # where a sign needs words
     assert first == f"The main result {sentence}.{sign}"
     assert "it is so" in second
 
