@@ -215,7 +215,6 @@ def test_a_span_is_the_source_that_printed_the_node():
         r"\Re ab",
         r"\Re(a)^2",
         r"\sin a b",
-        r"\varphi'(s)",
         r"{\bs\alpha}\times{\bs\beta}\times{\bs\alpha}",
         r"{\bs\alpha}\cdot{\bs\beta}\cdot{\bs\alpha}",
         "[a,b]",
