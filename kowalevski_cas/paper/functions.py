@@ -14,6 +14,7 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.notation.functions import DERIVATIVE_OF, SIGN
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.names import head
+from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.problem.space import Meaningless
 
 
@@ -34,6 +35,24 @@ def _check_known_elsewhere(
             said = f"{name} stands in {function}, and has {min(below & arguments)} in it"
             raise Meaningless(f"{said}: print it as a function of that, too")
         waiting += below
+
+
+def check_derivative(formula: Formula, setting: Meaning) -> None:
+    """Refuse the derivative of a function by an argument that stands in its definition as well.
+
+    By :math:`V(q)=cq^2` the derivative of :math:`V(c)=c^3` is not :math:`V'(c)=2c^2`.
+    """
+    if not (isinstance(formula, Partial) and isinstance(formula.argument, Application)):
+        return
+    function, by = formula.argument, formula.by
+    for name in setting.scene.definitions:
+        own, arguments = head(name)
+        if own != function.function or by in arguments or Name(by) not in function.arguments:
+            continue
+        reach = Reach(setting)
+        reach.formula(setting.definition(name))
+        if by in reach.names:
+            raise Meaningless(f"{by} stands in what {name} is: name its argument otherwise", by)
 
 
 def value_of(formula: Application, setting: Meaning) -> Formula:

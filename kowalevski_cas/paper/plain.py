@@ -40,7 +40,7 @@ from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.paper.brackets import Brackets
 from kowalevski_cas.paper.components import parts
 from kowalevski_cas.paper.exponents import fraction, is_whole, linear_exponent
-from kowalevski_cas.paper.functions import value_of
+from kowalevski_cas.paper.functions import check_derivative, value_of
 from kowalevski_cas.paper.logarithms import derivative_of, has_logarithm
 from kowalevski_cas.paper.matrices import OF_MATRICES, by_rows, matrix_times_column, rows
 from kowalevski_cas.paper.meaning import Meaning
@@ -88,6 +88,7 @@ class Plain:
         """The formula in the operations of a space."""
         if is_arithmetic(formula) and not any(map(self._rank, mentions(formula))):
             return formula
+        check_derivative(formula, self.setting)
         match formula:
             case RealPart(argument) | ImaginaryPart(argument):
                 return _part(self(argument), isinstance(formula, RealPart))

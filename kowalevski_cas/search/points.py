@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 from itertools import chain, count, islice, product
 
 from flint import fmpq, fmpq_mpoly
@@ -59,13 +60,17 @@ def points(
 class _Kept:
     """What comes out of an iterator, for all who ask for it: each is found once."""
 
-    def __init__(self, found: Iterator[Assignment]) -> None:
-        self._found, self._kept = found, list[Assignment]()
+    def __init__(self, begin: Callable[[], Iterator[Assignment]]) -> None:
+        self._begin, self._found, self._kept = begin, begin(), list[Assignment]()
 
     def __iter__(self) -> Iterator[Assignment]:
         for place in count():
             if place == len(self._kept):
-                following = next(self._found, None)
+                try:
+                    following = next(self._found, None)
+                except BaseException:  # as an interruption: there may be more than these
+                    self._found = islice(self._begin(), place, None)
+                    raise
                 if following is None:
                     return
                 self._kept.append(following)
@@ -80,7 +85,7 @@ def _known_completions(constraints: list[fmpq_mpoly], variables: list[int]) -> I
     """The points of :func:`_completions`, if need be those that were found before."""
     key = (*map(str, constraints), *variables)
     if key not in _kept:
-        _kept[key] = _Kept(_completions(constraints, variables))
+        _kept[key] = _Kept(partial(_completions, constraints, variables))
     _kept.move_to_end(key)
     while len(_kept) > KEPT:
         _kept.popitem(last=False)

@@ -487,3 +487,11 @@ def test_a_point_is_given_by_its_coordinates_together(words, green):
     law = r"The equations are \[ \dot p=q,\qquad \dot q=a-p+q. \] "
     found = verdicts(law + words)
     assert found and all(verdict.green is green for verdict in found.values())
+
+
+@pytest.mark.parametrize("value", ["3c^2", "2c^2"])
+@pytest.mark.parametrize("body", ["cq^2", "kq^2", r"c\,q^2+q", r"q^2\ln c"])
+def test_a_derivative_at_a_letter_of_the_definition_is_not_judged(body, value):
+    law = r"The equations are \[ \dot q=p,\qquad \dot p=-cq,\qquad \dot r=r. \] "
+    given = rf"Put $k=c$. The potential is $V(q)={body}$. Its derivative is $V'(c)={value}$."
+    assert not any(verdict.green for verdict in verdicts(law + given).values())

@@ -72,3 +72,23 @@ def test_a_quadratic_equation_has_the_roots_of_its_formula():
     assert [*room._solve_one(X**2 - 2)] == []
     assert [*room._solve_one(4 * X**2 - 9)] == [{0: Fraction(3, 2)}, {0: Fraction(-3, 2)}]
     assert [*room._solve_one(X**2 - 2 * X + 1)] == [{0: Fraction(1)}]
+
+
+def test_who_is_interrupted_loses_no_points(monkeypatch):
+    x, y = fmpq_mpoly_ctx.get(("g0", "g1"), Ordering.lex).gens()
+    circle = [x**2 + y**2 - 7 * x * y - 1]
+    room._kept.clear()
+    whole = [*islice(points(circle, [0, 1]), 5)]
+    room._kept.clear()
+    complete, calls = room._complete, []
+
+    def interrupted(*arguments):
+        calls.append(arguments)
+        if len(calls) == 3:
+            raise KeyboardInterrupt
+        return complete(*arguments)
+
+    monkeypatch.setattr(room, "_complete", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        [*islice(points(circle, [0, 1]), 5)]
+    assert [*islice(points(circle, [0, 1]), 5)] == whole
