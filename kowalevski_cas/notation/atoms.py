@@ -49,7 +49,7 @@ class Atoms(Symbols):
         kind = self.tokens[self.at].kind
         if kind == "letter":
             piece = self.symbol()
-        elif self.starts():
+        elif self.starts() or kind == "bar":
             piece = getattr(self, "read_" + kind)()
         else:
             raise self.unexpected()
@@ -81,10 +81,10 @@ class Atoms(Symbols):
 
     def read_bar(self) -> Piece:
         """A number between bars."""
-        start = self.take().start
+        start, outer = self.take().start, self.barred
         self.barred = True
         inner = self.sum()
-        self.barred = False
+        self.barred = outer
         self.close("bar")
         return self.scripts(self.modulus(inner, start))
 
