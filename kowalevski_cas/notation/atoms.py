@@ -153,8 +153,11 @@ class Atoms(Symbols):
         node = Root(argument[0]) if order == 2 else Radical(argument[0], order)
         return self.scripts((node, sign.start, end, (argument,)))
 
-    def read_list(self, pair: bool = False) -> tuple[Piece, ...]:
-        """What stands between brackets, separated by commas; a pair may stand in braces."""
+    def read_list(self, braces: bool = False, pair: bool = False) -> tuple[Piece, ...]:
+        r"""What stands between brackets, separated by commas; a pair may stand in braces.
+
+        A longer list may, too, if ``braces`` are round ones there, as in \max\{a,b,c\}.
+        """
         opening = self.take()
         items = [self.sum()]
         while self.tokens[self.at].kind == "comma":
@@ -169,6 +172,7 @@ class Atoms(Symbols):
         if opening.text == "[":
             ranks = {rank(item[0], self.vocabulary) for item in items}
             paired &= ranks in ({MATRIX}, {VECTOR})
+        paired |= braces and opening.text == r"\{"
         if len(items) > 1 and opening.text in ("[", r"\{") and not paired:
             message = "a list in these brackets cannot be read; use round ones"
             if opening.text == "[":

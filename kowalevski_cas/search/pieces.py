@@ -77,9 +77,7 @@ def proof_by_pieces(
 class _Pieces:
     """The absolute values in goals, in the order of the tower, and how they fall into cases."""
 
-    def __init__(
-        self, goals: Sequence[Element], whole: Sequence[Element], at: Evaluation
-    ) -> None:
+    def __init__(self, goals: Sequence[Element], whole: Sequence[Element], at: Evaluation) -> None:
         self.goals, self.whole, self.at, self.ring = goals, whole, at, at.ring
         self.size = len(self.ring.polynomials.generators)
         self.left = LARGEST
@@ -241,12 +239,7 @@ class _Pieces:
         return next((self.ring.generator(self.ring.roots[bit]) for bit in bits), None)
 
     def _forced(
-        self,
-        k: int,
-        piece: Piece,
-        sign: int,
-        root: Element,
-        used: Sequence[tuple[Bound, Fraction]],
+        self, k: int, piece: Piece, sign: int, root: Element, used: Sequence[tuple[Bound, Fraction]]
     ) -> Proof | None:
         """A proof where what stands between bars, with the sign, is a sum S of squares.
 
@@ -268,7 +261,9 @@ class _Pieces:
         return Proof(formula_rows([row]), formula_rows([group]), (step,), _power(group))
 
 
-def _as_squares(bounds: Sequence[Bound], weights: Sequence[Fraction]) -> list[tuple[Bound, Fraction]]:
+def _as_squares(
+    bounds: Sequence[Bound], weights: Sequence[Fraction]
+) -> list[tuple[Bound, Fraction]]:
     """Bounds with numbers, the squares of which times the bounds add up to a combination."""
     return [
         (bound, part)

@@ -24,6 +24,7 @@ from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.system.refused import check_unit
+from kowalevski_cas.system.roots import with_roots
 from kowalevski_cas.system.rows import Names, read_rows, vocabulary_of
 from kowalevski_cas.system.scenes import with_row
 from kowalevski_cas.system.vectors import Vectors
@@ -132,7 +133,7 @@ class Map:
     """
 
     def __init__(self, display: Display, vectors: Vectors, declared: Names, index: str) -> None:
-        words = vocabulary_of(display, vectors, declared)
+        self.display, words = display, vocabulary_of(display, vectors, declared)
         printed = read_rows(display, words).values()
         nodes = (node for formula in printed for node in formula.nodes())
         names = dict.fromkeys(node.name for node in nodes if isinstance(node, Name))
@@ -185,7 +186,9 @@ class Map:
         if len(self.implicit) != len(self.left):
             said = ", ".join(self.left)
             raise ValueError(f"{len(self.implicit)} equations for {said}: print one for each")
-        yield from solutions(self.scene("", vectors), self.left, self.implicit)
+        scene = self.scene("", vectors)
+        rooted = with_roots(scene.having(variables=tuple(self.left)), self.display)
+        yield from solutions(replace(scene, roots=rooted.roots), self.left, self.implicit)
 
 
 def with_images(tex: str, vectors: Vectors, declared: Names, index: str) -> str:

@@ -22,6 +22,7 @@ from kowalevski_cas.system.equations import (
 )
 from kowalevski_cas.system.indices import chain_ends
 from kowalevski_cas.system.maps import Map, index_of_map, with_images
+from kowalevski_cas.system.roots import with_roots
 from kowalevski_cas.system.symbols import latex_of
 from kowalevski_cas.system.units import with_unit_matrices
 from kowalevski_cas.system.unknown import TIMES, check_said, with_jets
@@ -69,7 +70,8 @@ def read_law(
     if map or index:
         display = place(with_images(tex, parts, words, index))
         found = Map(display, parts, words, index)
-        images, scene = (*found.images.items(),), found.scene(name, parts)
+        images = (*found.images.items(),)
+        scene = with_roots(found.scene(name, parts), display)
     else:
         arguments = [by for one in functions for by in one.by if by not in TIMES]
         tex = with_unit_matrices(tex, parts, words)
