@@ -18,6 +18,7 @@ from kowalevski_cas.notation.layout import split_display
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.macros import SPELLING
 from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.amplitudes import conjugate_images, with_conjugates
 from kowalevski_cas.paper.images import images_by_index, solutions
 from kowalevski_cas.paper.implied import canonical_brackets, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET, head
@@ -177,6 +178,8 @@ class Map:
         for one, place in self.rows.items():
             scene = scene.naming(one, place)
         check_unit(scene.constants)
+        if scene.unit is not None:
+            scene = with_conjugates(scene, self.formulas.values())
         return scene
 
     def solutions(self, vectors: Vectors) -> Iterator[str]:
@@ -195,6 +198,9 @@ def with_images(tex: str, vectors: Vectors, declared: Names, index: str) -> str:
     """The equations of a map with its images, and the canonical bracket if none is printed."""
     found = Map(Display("map", tex, ""), vectors, declared, index)
     more = [*found.solutions(vectors)]
+    whole = Map(Display("map", r",\quad ".join((tex, *more)), ""), vectors, declared, index)
+    rows = {one: whole.formulas[place] for one, place in whole.rows.items()}
+    more += conjugate_images([*whole.formulas.values()], rows, whole.images)
     if not any(name.startswith(BRACKET) for place in found.others for name in place.heads.names):
         names = [*found.images]
         try:
