@@ -8,12 +8,15 @@ from functools import partial
 
 from kowalevski_cas.notation import (
     Application,
+    Conjugate,
     Formula,
+    Modulus,
     Name,
     Negative,
     NotationError,
     Number,
     Power,
+    Product,
     Quotient,
     times,
 )
@@ -61,7 +64,10 @@ def functions_of(setting: Meaning) -> Transcendental:
     free, expanded = free_names(setting, [*own, *printed]), partial(_expand, setting)
     values, formulas = _values(setting), [*own, *defined, *printed]
     formulas += _applied(setting, formulas)
-    return Transcendental(formulas, free, moving, constants, time, expanded, values, radicals)
+    pairs = {a: b for pair in scene.conjugates for a, b in (pair, pair[::-1])}
+    return Transcendental(
+        formulas, free, moving, constants, time, expanded, values, radicals, pairs
+    )
 
 
 def _applied(setting: Meaning, formulas: Iterable[Formula]) -> list[Formula]:
@@ -105,12 +111,25 @@ def _values(setting: Meaning) -> Iterator[tuple[Application, Formula]]:
 
 
 def _expand(setting: Meaning, formula: Formula, inside: tuple[str, ...] = ()) -> Formula:
-    """A formula in which no name is a defined one."""
+    """A formula in which no name is a defined one, and of names no conjugate and no length."""
+    match formula:
+        case Conjugate(Name(name)) if (other := _conjugate(setting, name)) is not None:
+            return other
+        case Power(Modulus(Name(name) as own), Number(2)) if (
+            other := _conjugate(setting, name)
+        ) is not None:
+            return Product((own, other))
     if not isinstance(formula, Name) or formula.name not in setting.scene.definitions:
         return formula.map_children(lambda child: _expand(setting, child, inside))
     if formula.name in inside:
         raise Meaningless(f"{formula.name} is defined by itself", formula.name)
     return _expand(setting, setting.definition(formula.name), (*inside, formula.name))
+
+
+def _conjugate(setting: Meaning, name: str) -> Name | None:
+    """The conjugate of a complex variable, or constant; ``None`` of what is real."""
+    pairs = (pair for pair in setting.scene.conjugates if name in pair)
+    return next((Name(a if b == name else b) for a, b in pairs), None)
 
 
 def _is_imaginary(setting: Meaning, unit: Printed) -> bool:
