@@ -24,7 +24,7 @@ from kowalevski_cas.notation.functions import MEANING
 from kowalevski_cas.paper.arguments import Monomial, product_of, single_name
 from kowalevski_cas.paper.components import row_components
 from kowalevski_cas.paper.differentiate import derivative
-from kowalevski_cas.paper.families import Generators, outside
+from kowalevski_cas.paper.families import Generators, outside, template
 from kowalevski_cas.paper.functions import value_of
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.names import head
@@ -33,7 +33,7 @@ from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.paper.transcendental import Transcendental
 from kowalevski_cas.problem.goals import Follows, Goal, Rank, simple
 from kowalevski_cas.problem.prune import Reach
-from kowalevski_cas.problem.space import EquationOfMotion, Meaningless
+from kowalevski_cas.problem.space import Equation, EquationOfMotion, Meaningless
 
 ONE, ZERO = Number(1), Number(0)
 
@@ -261,6 +261,38 @@ def _rate(
     return ONE, derivative(argument, rates, setting.step)
 
 
+def values_at_zero(given: Iterable[Equation], setting: Meaning) -> Iterator[Equation]:
+    r"""What functions are where given equations make their argument vanish, as z = 0 makes |z|²."""
+    zero = {one for pair in given for one, other in (pair, pair[::-1]) if other == ZERO}
+    for group in setting.transcendental.groups:
+        values, parts = group.kind.family.zero, dict(group.monomial)
+        vanishes = not zero.isdisjoint(parts) and min(parts.values()) > 0
+        if vanishes and values.keys() == group.kind.family.rates.keys():
+            yield from ((group.values[one], template(tex)) for one, tex in values.items())
+
+
+def _unknown(given: Sequence[Equation], setting: Meaning) -> list[str]:
+    """The names in given equations of which it is not known what these say of functions."""
+    reach = Reach(setting)
+    for formula in (side for equation in given for side in equation):
+        reach.formula(formula)
+    zero = {*values_at_zero(given, setting)}
+    settled = {name for name, _ in zero}
+    open_ = [
+        group
+        for group in setting.transcendental.groups
+        if not settled.issuperset(group.values.values())
+    ]
+    found = reach.names & setting.transcendental.dependent
+    if zero <= {*given} and found.isdisjoint(
+        name
+        for group in open_
+        for name in (*group.names.values(), *setting.transcendental.names_under(group))
+    ):
+        return []
+    return sorted(found)
+
+
 def check_hypotheses(goals: Iterable[Goal]) -> None:
     """Refuse given equations about generators that do not take all values by themselves.
 
@@ -271,10 +303,7 @@ def check_hypotheses(goals: Iterable[Goal]) -> None:
         if not isinstance(setting, Meaning) or not setting.transcendental.dependent:
             continue
         given = goal.given if isinstance(goal, Follows | Rank) else ()
-        reach = Reach(setting)
-        for formula in (side for equation in given for side in equation):
-            reach.formula(formula)
-        found = sorted(reach.names & setting.transcendental.dependent)
+        found = _unknown(given, setting)
         if not found and isinstance(goal, Rank) and len(goal.functions) + len(given) > 1:
             reach = Reach(setting)
             for formula in goal.functions:
