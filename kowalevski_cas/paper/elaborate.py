@@ -230,7 +230,7 @@ class Elaboration(Meaning):
             with self._definitions.anew():
                 evaluation.adjoin_roots()
                 validate(self)
-                self.supposed.check(evaluation)
+                self.supposed.check(evaluation, self.plain)
         except Meaningless:
             del self.__dict__["finder"]  # whoever asks again is refused again
             raise
