@@ -56,7 +56,7 @@ class Symbols(Cursor):
     term: Callable[[], Piece]
     factor: Callable[[], Piece]
     bracket: Callable[[], Piece]
-    read_list: Callable[[], tuple[Piece, ...]]
+    read_list: Callable[..., tuple[Piece, ...]]
 
     # Names
 

@@ -191,7 +191,7 @@ class _Pieces:
         cases = complete(self.proof(k + 1, part) for part in parts)
         row = [self.ring.zero for _ in piece.known]
         groups = formula_rows([[part.known[-1]] for part in parts])
-        return cases and Proof(formula_rows([row]), groups, tuple(cases))
+        return Proof(formula_rows([row]), groups, tuple(cases)) if cases else None
 
     def _vanishing(self, piece: Piece) -> Proof | None:
         """A proof that the goals vanish where they are linear functions."""
@@ -203,7 +203,9 @@ class _Pieces:
     def _positive(self, piece: Piece) -> Proof | None:
         """A proof that the known element is no zero: it is a sum of squares, one of a number."""
         form, bounds = self._form(piece.known[0], piece), self._bounds(piece)
-        for least in POSITIVE if form is not None else ():
+        if form is None:
+            return None
+        for least in POSITIVE:
             rest = [*form[:-1], form[-1] - least]
             weights = combination_in_cone([bound.form for bound in bounds], rest)
             if weights is not None:
