@@ -81,11 +81,14 @@ class Atoms(Symbols):
 
     def read_bar(self) -> Piece:
         """A number between bars."""
-        start, outer = self.take().start, self.barred
+        start, outer, first = self.take().start, self.barred, self.at
         self.barred = True
         inner = self.sum()
         self.barred = outer
+        nested = any(token.kind == "bar" for token in self.tokens[first : self.at])
         self.close("bar")
+        if nested and self.starts():
+            raise self.error(r"which bars belong together? print \left| and \right|")
         return self.scripts(self.modulus(inner, start))
 
     def modulus(self, inner: Piece, start: int) -> Piece:

@@ -231,7 +231,7 @@ class Elaboration(Meaning):
                 evaluation.adjoin_roots()
                 validate(self)
                 self.supposed.check(evaluation, self.plain)
-        except Meaningless:
+        except BaseException:  # an interruption, too: it is not complete
             del self.__dict__["finder"]  # whoever asks again is refused again
             raise
         return evaluation

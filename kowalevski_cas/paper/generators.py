@@ -278,19 +278,14 @@ def _unknown(given: Sequence[Equation], setting: Meaning) -> list[str]:
         reach.formula(formula)
     zero = {*values_at_zero(given, setting)}
     settled = {name for name, _ in zero}
-    open_ = [
-        group
-        for group in setting.transcendental.groups
-        if not settled.issuperset(group.values.values())
-    ]
+    known, unknown = set[str](), set[str]()
+    for group in setting.transcendental.groups:
+        below = (name for parameter in group.kind.parameters for name in parameter.names())
+        names = {*group.names.values(), *setting.transcendental.names_under(group), *below}
+        is_known = settled.issuperset(group.values.values())
+        known, unknown = (known | names, unknown) if is_known else (known, unknown | names)
     found = reach.names & setting.transcendental.dependent
-    if zero <= {*given} and found.isdisjoint(
-        name
-        for group in open_
-        for name in (*group.names.values(), *setting.transcendental.names_under(group))
-    ):
-        return []
-    return sorted(found)
+    return [] if zero <= {*given} and found <= known - unknown else sorted(found)
 
 
 def check_hypotheses(goals: Iterable[Goal]) -> None:

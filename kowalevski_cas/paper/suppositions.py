@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 
-from kowalevski_cas.algebra.cones import combination_in_cone
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, to_latex
 from kowalevski_cas.paper.scene import Scene
@@ -54,6 +53,8 @@ def _contradiction(
     supposed: Sequence[Comparison], differences: Sequence[Element]
 ) -> list[Comparison]:
     """Comparisons of which positive multiples add up to a number that is too small, if any do."""
+    from kowalevski_cas.algebra.cones import combination_in_cone  # few scenes suppose anything
+
     terms = [
         {(mask, e): c for mask, part in one.terms().items() for e, c in part.items()}
         for one in differences

@@ -47,7 +47,7 @@ class Bound(NamedTuple):
     square: Element
 
 
-class Piece(NamedTuple):
+class LinearPiece(NamedTuple):
     """What is known on a piece: elements that vanish, and what the absolute values are there.
 
     To an absolute value belong the place of what vanishes, the sign, and the linear function.
@@ -69,7 +69,7 @@ def proof_by_pieces(
         return None
     found = _Pieces(goals, whole, at)
     try:
-        return found.proof(0, Piece((*known,))) if found.order else None
+        return found.proof(0, LinearPiece((*known,))) if found.order else None
     except TooManyPieces:
         return None
 
@@ -138,7 +138,7 @@ class _Pieces:
                     form[exponents.index(1) if any(exponents) else self.size] = value
         return (*form,), roots
 
-    def _form(self, element: Element, piece: Piece) -> Form | None:
+    def _form(self, element: Element, piece: LinearPiece) -> Form | None:
         """A linear function of the generators on a piece; none if it is not known there."""
         linear = self._coefficients(element)
         if linear is None or not linear[1].keys() <= piece.values.keys():
@@ -149,7 +149,7 @@ class _Pieces:
             form = tuple(one + value * other for one, other in zip(form, own, strict=True))
         return form
 
-    def _row(self, element: Element, piece: Piece) -> list[Element]:
+    def _row(self, element: Element, piece: LinearPiece) -> list[Element]:
         """What the known elements are multiplied by, so that without them no root is left."""
         row = [self.ring.zero for _ in piece.known]
         linear = self._coefficients(element)
@@ -163,7 +163,7 @@ class _Pieces:
                     roots[other] = roots.get(other, Fraction(0)) + sign * value * own
         return row
 
-    def _bounds(self, piece: Piece) -> list[Bound]:
+    def _bounds(self, piece: LinearPiece) -> list[Bound]:
         """What is not negative on a piece, the number 1 among it."""
         one = Bound((*[Fraction(0)] * self.size, Fraction(1)), self.ring.one, self.ring.one)
         forms = ((bit, self._form(square, piece)) for bit, square in self._supposed.items())
@@ -173,7 +173,7 @@ class _Pieces:
             if form is not None
         ]
 
-    def proof(self, k: int, piece: Piece) -> Proof | None:
+    def proof(self, k: int, piece: LinearPiece) -> Proof | None:
         """A proof on a piece, where the absolute values before the place k are linear."""
         if k == len(self.order):
             return self._vanishing(piece) if self.goals else self._positive(piece)
@@ -193,14 +193,14 @@ class _Pieces:
         groups = formula_rows([[part.known[-1]] for part in parts])
         return Proof(formula_rows([row]), groups, tuple(cases)) if cases else None
 
-    def _vanishing(self, piece: Piece) -> Proof | None:
+    def _vanishing(self, piece: LinearPiece) -> Proof | None:
         """A proof that the goals vanish where they are linear functions."""
         forms = [self._form(goal, piece) for goal in self.goals]
         if any(form is None or any(form) for form in forms):
             return None
         return Proof(formula_rows([self._row(goal, piece) for goal in self.goals]))
 
-    def _positive(self, piece: Piece) -> Proof | None:
+    def _positive(self, piece: LinearPiece) -> Proof | None:
         """A proof that the known element is no zero: it is a sum of squares, one of a number."""
         form, bounds = self._form(piece.known[0], piece), self._bounds(piece)
         if form is None:
@@ -226,14 +226,16 @@ class _Pieces:
         """What stands between the bars, or its opposite."""
         return self.moduli[bit] * self.ring.number(sign)
 
-    def _part(self, bit: int, sign: int, piece: Piece, more: Sequence[Element]) -> Piece:
+    def _part(
+        self, bit: int, sign: int, piece: LinearPiece, more: Sequence[Element]
+    ) -> LinearPiece:
         """The part of a piece where an absolute value is what stands in it, times the sign."""
         signed = self._signed(bit, sign)
         form = self._form(signed, piece)
         assert form is not None
         zero = self.ring.generator(self.ring.roots[bit]) - signed
         known = (*piece.known, *more, zero)
-        return Piece(known, {**piece.values, bit: (len(known) - 1, sign, form)})
+        return LinearPiece(known, {**piece.values, bit: (len(known) - 1, sign, form)})
 
     def _root_of(self, modulus: Element) -> Element | None:
         """The root of an absolute value, which says that it is not negative."""
@@ -241,7 +243,12 @@ class _Pieces:
         return next((self.ring.generator(self.ring.roots[bit]) for bit in bits), None)
 
     def _forced(
-        self, k: int, piece: Piece, sign: int, root: Element, used: Sequence[tuple[Bound, Fraction]]
+        self,
+        k: int,
+        piece: LinearPiece,
+        sign: int,
+        root: Element,
+        used: Sequence[tuple[Bound, Fraction]],
     ) -> Proof | None:
         """A proof where what stands between bars, with the sign, is a sum S of squares.
 
