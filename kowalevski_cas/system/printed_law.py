@@ -22,6 +22,7 @@ from kowalevski_cas.system.equations import (
 )
 from kowalevski_cas.system.indices import chain_ends
 from kowalevski_cas.system.maps import Map, index_of_map, with_images
+from kowalevski_cas.system.refused import check_raised
 from kowalevski_cas.system.roots import with_roots
 from kowalevski_cas.system.symbols import latex_of
 from kowalevski_cas.system.units import with_unit_matrices
@@ -57,6 +58,8 @@ def read_law(
 
     ``place`` makes a display of it. Raises ``ValueError`` if it is none; the message says why.
     """
+    if isinstance(field, str):
+        check_raised(field)
     tex = spelled_out(field) if isinstance(field, str) else _rows(field, symbols)
     tex, conventions, equalities, said = plain_print(tex, vectors, map)
     functions = conventions.functions

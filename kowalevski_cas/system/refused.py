@@ -30,6 +30,13 @@ _WORD = re.compile(
     r"(?<![A-Za-z])(?:sin|cos|tan|cot|exp|log|ln|sinh|cosh|tanh|sqrt|where|with|and|for|const|if)"
     "(?![A-Za-z])"
 )
+_RAISED = re.compile(
+    r"((?<![A-Za-z_\\])(?<!_\{)[A-Za-df-z]|(?<!_)(?<!_\{)\\(?!sum|prod|int|oint|lim)[A-Za-z]+)"
+    r"\s*\}?\s*\^\s*(?:\{\s*(?P<braced>1|[i-n])\s*\}|(?P<alone>1|[i-n])(?!\d))"
+)
+_RANGE = re.compile(r"(?<![A-Za-z_{\\])([i-n])\s*=\s*\d\s*,")
+_SUMMED = re.compile(r"\\(?:sum|prod)\s*_\s*\{?\s*([i-n])(?![A-Za-z])")
+_MOMENTA = {"q": "p"}
 _PERMUTATION = re.compile(r"\\(?:var)?epsilon_\{\d{3}\}")
 _KRONECKER = re.compile(r"\\delta_\{[i-n]{2}\}")
 
@@ -144,6 +151,25 @@ def check_words(tex: str) -> None:
             rf"print \{word}" if rf"\{word}" in FUNCTIONS else "print words outside of formulas"
         )
         raise ValueError(f"“{word}” is a product of letters here: {instead}")
+
+
+def check_raised(tex: str) -> None:
+    """Refuse letters that are raised to 1, or to what runs: they are indices, or may be.
+
+    Of a sum that is a polynomial, as of x^i, only a letter that has indices below elsewhere may be
+    meant so, or a coordinate q beside p_i.
+    """
+    ranges = {one[1] for one in _RANGE.finditer(tex)}
+    summed = {one[1] for one in _SUMMED.finditer(tex)}
+    for found in _RAISED.finditer(tex):
+        letter, raised = found[1], found["braced"] or found["alone"]
+        low = f"{letter}_{raised}"
+        if raised == "1":
+            raise ValueError(f"{letter}^1 is no power: print the index below, as {low}")
+        others = (letter, _MOMENTA.get(letter, letter))
+        beside = any(f"{one}_" in re.sub(r"[\s{}]", "", tex) for one in others)
+        if raised in ranges or (raised in summed and beside):
+            raise ValueError(f"{letter}^{raised} is a power or has an index: print {low}, or terms")
 
 
 def check_stars(constants: Iterable[str], others: Container[str]) -> None:
