@@ -79,8 +79,11 @@ def without_extremes(formula: Formula) -> Formula:
     return formula
 
 
-def _by_moduli(formula: Application) -> Formula | None:
+def _by_moduli(formula: Application, setting: Meaning) -> Formula | None:
     """A sign, a maximum or a minimum by absolute values; ``None`` for any other function."""
+    complex_names = {"i", *(name for pair in setting.conjugates for name in pair)}
+    if formula.function in EXTREMES and setting.scene.unit and formula.names() & complex_names:
+        raise Meaningless(f"which of complex numbers is {formula.function}?", formula.function)
     match formula:
         case Application(function, (argument,)) if function == SIGN:
             return Quotient(argument, Modulus(argument))
@@ -107,7 +110,7 @@ def value_of(formula: Application, setting: Meaning) -> Formula:
                 raise Meaningless(f"{name} is used with other velocities: define it anew")
             _check_known_elsewhere(name, body, {*arguments}, setting)
             return substitute(body, values)
-    if (known := _by_moduli(formula)) is not None:
+    if (known := _by_moduli(formula, setting)) is not None:
         return known
     what = f"the function {formula.function} has no meaning here"
     if formula.function in DERIVATIVE_OF:

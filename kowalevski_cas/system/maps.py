@@ -18,6 +18,7 @@ from kowalevski_cas.notation.layout import split_display
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.macros import SPELLING
 from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.paper.amplitudes import conjugate_images, with_conjugates
 from kowalevski_cas.paper.images import images_by_index, solutions
 from kowalevski_cas.paper.implied import canonical_brackets, conjugate_pairs
@@ -59,13 +60,17 @@ def index_of_map(tex: str) -> str:
         tex = tex[:start] + tex[end:] if tex[start:end].lstrip().startswith(r"\{") else tex
     tokens = scan(tex)
     letters = [letter + index for letter, index in Cursor(tex, tokens, Vocabulary()).letters()]
-    if any(token.kind in ("prime", "accent") or token.text == "d" for token in tokens):
+    if any(token.kind == "prime" or token.text == "d" or _is_dot(token) for token in tokens):
         return ""
     steps = {symbol(name).index[:-2] for name in letters if symbol(name).index.endswith(STEP)}
     here = {symbol(name).index for name in letters}
     bound = set(re.findall(r"\\(?:sum|prod)\s*_\s*\{?\s*([A-Za-z])", tex))
     found = [one for one in steps - bound if len(one) == 1 and one.isalpha() and one in here]
     return found[0] if len(found) == 1 else ""
+
+
+def _is_dot(token: Token) -> bool:
+    return token.kind == "accent" and "dot" in token.text
 
 
 def images_by_primes(formulas: Collection[Formula]) -> dict[str, str]:

@@ -126,3 +126,18 @@ def test_the_map_of_lozi_contracts_areas():
     assert law.where("b=1").measure().verdict.green
     assert law.identity("x_{n+1}-y_n=1-a|x_n|").verdict == "proved"
     assert law.identity("x_{n+1}-y_n=1-ax_n").verdict == "refuted"
+
+
+def test_no_complex_number_is_the_largest():
+    law = System(r"i\dot z=z,\ r=|z|^2,\ i^2=-1")
+    assert law.identity(r"\max(r,-1)=\max(-1,r)").verdict == "proved"
+    for claim in (r"\max(z,\bar z)=z", r"\max(iz,1)=\max(1,iz)"):
+        assert law.identity(claim).verdict == "error", claim
+
+
+@pytest.mark.parametrize("bar", [r"\bar z_n", r"\overline{z_n}", r"\overline z_n"])
+def test_a_bar_in_a_map_with_steps_is_a_conjugate(bar):
+    law = System(rf"z_{{n+1}}=i{bar},\ i^2=-1")
+    assert law.integral("|z_n|^2").verdict == "proved"
+    assert law.integral(r"z_n^2").verdict == "refuted"
+    assert law.identity(rf"z_n={bar}").verdict == "refuted"

@@ -387,3 +387,28 @@ def test_and_turned_round_where_that_is_negative():
 def test_products_of_inequalities_bound_what_is_in_two_of_them():
     system = System(r"\dot x=ax+b").where("b>1").where("a>0").where(r"\frac1a>b")
     assert system.inequality("a<1").verdict == "proved"
+
+
+@given(
+    st.lists(
+        st.tuples(ENDS, ENDS, ENDS, st.sampled_from(["<", r"\le", ">", r"\ge"])),
+        min_size=1, max_size=4,
+    )
+)  # fmt: skip
+def test_what_has_a_point_is_not_said_to_contradict_itself(supposed):
+    """And half-planes of which each point of a large grid is outside of one are empty, or edges."""
+    rows = [(f"{a}a+({b})b{sign}{c}", a, b, c, SIGNS[sign]) for a, b, c, sign in supposed if a or b]
+    quarters = [Fraction(k, 4) for k in range(-24, 25)]
+    inside = any(
+        all(holds(a * x + b * y, c) for _, a, b, c, holds in rows)
+        for x, y in product(quarters, quarters)
+    )
+    system = plane()
+    try:
+        for tex, *_ in rows:
+            system = system.where(tex)
+        outcome = system.inequality(r"x^2\ge0").outcome
+    except ValueError as error:
+        assert not inside, error
+    else:
+        assert not inside or outcome.verdict == "proved", outcome.message
