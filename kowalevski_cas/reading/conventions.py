@@ -12,6 +12,7 @@ from kowalevski_cas.paper.implied import canonical_pairs, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.unit_matrices import unit_matrices
 from kowalevski_cas.reading.known import CONVENTION, UNIT_MATRIX, Known, StatementRole
+from kowalevski_cas.reading.names import AXES
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
@@ -63,6 +64,7 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
             entries = ",".join("1" if k == int(number[1]) else "0" for k in range(1, SPACE + 1))
             item = unprinted(paper, f"basis-{number[1]}{suffix}", f"{vector}=({entries})")
             yield item, StatementRole(CONVENTION, "a vector of the basis", "basis", (vector,))
+    yield from _components(known, suffix)
     for q, p in _conjugate(known):
         tex = rf"\{{{q},{p}\}}=1"
         item = unprinted(paper, re.sub(r"\W+", "-", f"bracket-of-{q}-{p}{suffix}"), tex)
@@ -74,6 +76,19 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
             unprinted(paper, f"unit{suffix}", "i^2=-1"),
             StatementRole(CONVENTION, "the imaginary unit", "unit"),
         )
+
+
+def _components(known: Known, suffix: str) -> Iterator[tuple[SourceStatement, StatementRole]]:
+    """The components along the axes of vectors that move, where no equation names them."""
+    printed = {item.printed.tex.replace(" ", "") for item in known.items}
+    for vector, parts in sorted(known.names.vectors.items()):
+        along = {symbol(part).index or part for part in parts} <= {*AXES}
+        if along and not known.is_defined(vector) and any(map(known.moves, parts)):
+            tex = f"{vector}=({','.join(parts)})"
+            if tex.replace(" ", "") not in printed:
+                name = re.sub(r"\W+", "-", symbol(vector).without_type.name).strip("-")
+                role = StatementRole(CONVENTION, "its components along the axes", "vector")
+                yield unprinted(known.paper, f"components-of-{name}{suffix}", tex), role
 
 
 def _unit_matrices(

@@ -27,12 +27,14 @@ def find_laws(paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] 
 
     The first display with rates of names that nothing defines is grown until the rates of all that
     moves in it are there. Another set has new variables, or is set up as another system. Where none
-    is printed, there may be that of a Hamiltonian, or one among the words, but beside ``maps``.
+    is printed, or not all of it, there may be that of a Hamiltonian, or one among the words, but
+    beside ``maps``.
     """
     found = [*_LawFinder(paper, names, said).laws()]
     if maps:
         return found
-    rows = () if found else tuple(implied_rows(paper))
+    whole = bool(found) and not any(one.rates for one in paper.unfinished)
+    rows = () if whole else tuple(implied_rows(paper))
     if rows:
         return [Law(rows, names)]
     return found or [*_LawFinder(paper, names, said, inline=True).laws()]
@@ -88,7 +90,8 @@ class _LawFinder:
     def _may_be_row(self, item: SourceStatement) -> bool:
         if verb := self.said.verb(item):
             return verb == "law" and bool(item.rates)
-        return is_row(item) and item not in self.paper.approximate and item not in self.paper.maps
+        paper = self.paper
+        return is_row(item) and item not in paper.approximate | paper.maps | paper.unfinished
 
     def _defines(self, item: SourceStatement) -> bool:
         """Whether a statement gives a name an expression, and is neither a row nor of one."""

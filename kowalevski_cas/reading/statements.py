@@ -114,6 +114,14 @@ class SourceStatement:
         return tuple(one.name for one in self.members if isinstance(one, Name))
 
 
+_DOTS = re.compile(r"\s*(?:\\[lcv]?dots[a-z]?|\.\.\.)[\s.,;]*")
+
+
+def is_ellipsis(item: SourceStatement) -> bool:
+    """Whether a statement is an ellipsis: it stands for more statements like those beside it."""
+    return _DOTS.fullmatch(item.printed.tex) is not None
+
+
 @dataclass(frozen=True)
 class SourcePaper:
     """A source with its formulas as displays, and their statements in the order of the text."""
@@ -138,6 +146,12 @@ class SourcePaper:
         for item in self.items:
             found.setdefault(item.formula, []).append(item)
         return found
+
+    @cached_property
+    def unfinished(self) -> frozenset[SourceStatement]:
+        """The equations of displays in which dots stand for more of them, with these dots."""
+        dotted = {id(item.typed) for item in self.items if is_ellipsis(item)}
+        return frozenset(item for item in self.items if id(item.typed) in dotted)
 
     @cached_property
     def approximate(self) -> frozenset[SourceStatement]:
