@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 
-from kowalevski_cas.notation import PoissonBracket
+from kowalevski_cas.notation import Name, PoissonBracket, Vector
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.implied import canonical_pairs, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET
@@ -80,15 +80,19 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
 
 def _components(known: Known, suffix: str) -> Iterator[tuple[SourceStatement, StatementRole]]:
     """The components along the axes of vectors that move, where no equation names them."""
-    printed = {item.printed.tex.replace(" ", "") for item in known.items}
+    printed = set[str]()
+    for item in known.items:
+        match item.members:
+            case (Name(name), Vector()):
+                printed.add(name)
     for vector, parts in sorted(known.names.vectors.items()):
         along = {symbol(part).index or part for part in parts} <= {*AXES}
-        if along and not known.is_defined(vector) and any(map(known.moves, parts)):
+        free = vector not in printed and not known.is_defined(vector)
+        if along and free and any(map(known.moves, parts)):
+            name = re.sub(r"\W+", "-", symbol(vector).without_type.name).strip("-")
+            role = StatementRole(CONVENTION, "its components along the axes", "vector")
             tex = f"{vector}=({','.join(parts)})"
-            if tex.replace(" ", "") not in printed:
-                name = re.sub(r"\W+", "-", symbol(vector).without_type.name).strip("-")
-                role = StatementRole(CONVENTION, "its components along the axes", "vector")
-                yield unprinted(known.paper, f"components-of-{name}{suffix}", tex), role
+            yield unprinted(known.paper, f"components-of-{name}{suffix}", tex), role
 
 
 def _unit_matrices(

@@ -238,7 +238,7 @@ class _LawFinder:
         """Whether a name that a row derives is defined before, from an offset on, or beside it."""
         return any(
             since <= one.typed.start < row.typed.start or one.sentence == row.sentence
-            for name in row.rates
+            for name in {*row.rates, *map(self.names.whole, row.rates)}
             for one in self.defining.get(name, ())
         )
 

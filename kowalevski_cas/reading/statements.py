@@ -5,10 +5,19 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation, Vocabulary
+from kowalevski_cas.notation import (
+    Derivative,
+    Formula,
+    Name,
+    NotationError,
+    Partial,
+    Relation,
+    Vocabulary,
+)
 from kowalevski_cas.notation.symbol import name_of_rate, symbol
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.times import time_change
@@ -119,7 +128,9 @@ _DOTS = re.compile(r"\s*(?:\\[lcv]?dots[a-z]?|\.\.\.)[\s.,;]*")
 
 def is_ellipsis(item: SourceStatement) -> bool:
     """Whether a statement is an ellipsis: it stands for more statements like those beside it."""
-    return _DOTS.fullmatch(item.printed.tex) is not None
+    with suppress(NotationError):  # what cannot be parted into statements is none
+        return item.formula is None and _DOTS.fullmatch(item.printed.tex) is not None
+    return False
 
 
 @dataclass(frozen=True)
