@@ -195,7 +195,11 @@ class _LawFinder:
         if named & old - rated or (deduced and rated <= old):
             return None
         heading = apart[0].start if apart else begins
-        since = (one for one in self._since(heading, item) if one not in law.momenta)
+        since = (
+            one
+            for one in self._since(heading, item)
+            if one not in law.momenta and not len(one.bare) == len(one.members) == 2
+        )  # a new letter for what moved before is that of the new system
         if not said and any(self._relates(one, item, old) for one in since):
             return None
         if not said and len(law.items) == 1 and rated < old:  # what follows for one of several

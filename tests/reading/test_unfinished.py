@@ -95,3 +95,26 @@ def test_constants_that_differ_for_all_indices_are_supposed_and_nothing_is_missi
     $H=a_2x_1^2+a_1x_2^2$ is conserved."""
     found = audit_reading(ReadingSession(reading(text), timeout=5))
     assert not [one for one in found.formulas if one.verdict in WRONG]
+
+
+# -- another system by other letters -------------------------------------------------------
+
+
+REAL = r"""\section{All} The equations are \[ \dot E=P,\qquad \dot P=ED,\qquad
+\dot D=-\tfrac12(\bar EP+E\bar P) . \] The bar denotes the complex conjugate.
+\section{Real ones} With $E=x$, $P=y$, $D=z$ \[ \dot x=y,\qquad \dot y=xz,\qquad \dot z=-xy . \]"""
+
+
+@pytest.mark.parametrize(("factor", "green"), [("", True), ("2", False)])
+def test_other_letters_for_what_moves_set_up_another_system(factor, green):
+    text = REAL + rf"The integral is \[ c={factor}y^2+z^2 . \]"
+    assert [one.green for one in verdicts(text).values()] == [green]
+    assert [*roles(text).values()].count(LAW) == 6
+
+
+def test_a_second_value_that_a_list_supposes_is_supposed():
+    text = (
+        REAL
+        + r"The integrals are \[ h=\tfrac12x^2+z,\qquad c=y^2+z^2 . \] For $h=1$, $2c=3$ it is so."
+    )
+    assert roles(text)["2c=3"] == "assumption"
