@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Sequence
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Power, Product, Relation
+from kowalevski_cas.notation import Derivative, Formula, Name, Power, Product, Relation, Vector
 from kowalevski_cas.reading.changes import find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
@@ -244,6 +244,7 @@ class _LawFinder:
             since <= one.typed.start < row.typed.start or one.sentence == row.sentence
             for name in {*row.rates, *map(self.names.whole, row.rates)}
             for one in self.defining.get(name, ())
+            if name in row.rates or not isinstance(one.members[1], Vector)
         )
 
     def undefined(self, since: int) -> list[SourceStatement]:
