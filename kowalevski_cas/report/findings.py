@@ -9,7 +9,15 @@ from types import MappingProxyType
 from kowalevski_cas.notation import Derivative, Formula, Relation
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.report.compare import mark_differences, ratio_of_sides
-from kowalevski_cas.report.document import Block, Equations, Heading, Judgement, Paragraph, Text
+from kowalevski_cas.report.document import (
+    Block,
+    Code,
+    Equations,
+    Heading,
+    Judgement,
+    Paragraph,
+    Text,
+)
 from kowalevski_cas.report.sentences import (
     Phrases,
     capital,
@@ -123,10 +131,12 @@ class Findings:
         if outcome.words:
             head = (*where, ", as it was read: ", *self.phrases.words(outcome.words), ".")
         shown: list[Block] = []
+        late = outcome.verdict is Verdict.TIMEOUT
+        more: Text = (" A longer ", Code("--timeout"), " may decide it.") if late else ()
         if outcome.source:
             shown.append(Equations(outcome.formulas, outcome.source))
         if outcome.words and outcome.message:
-            shown.append(Paragraph(self.phrases.sentence(outcome.message)))
+            shown.append(Paragraph(self.phrases.sentence(outcome.message) + more))
         if outcome.counterexample:
             shown.append(Paragraph(self.why(outcome), "note"))
         return Judgement(outcome.verdict, "", head, blocks=tuple(shown))

@@ -92,7 +92,7 @@ def test_0_as_recorded(cli, write):
     assert cli("record", folder)[0] == 0
     code, out, _ = cli("verify", folder)
     assert code == 0
-    assert out.rstrip().endswith("; as recorded")
+    assert out.rstrip().endswith("as recorded")
 
 
 def test_0_when_everything_is_proved_and_there_is_no_record(cli, write):

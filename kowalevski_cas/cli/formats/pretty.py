@@ -123,10 +123,10 @@ def _summary(result: ComparedRun) -> Iterator[str]:
     noun = result.standard
     if not result.differences:
         none = "; there is no record to compare with (`kowalevski-cas record`)"
-        yield from plain.wrap(f"{head}; as {noun}{'' if result.recorded else none}")
+        yield from plain.wrap(f"{head}; as\xa0{noun}{'' if result.recorded else none}")
     else:
-        other = "THE RECORD" if result.recorded else "WHAT IS EXPECTED"
-        yield from plain.wrap(f"{head}; DIFFERENT FROM {other}:")
+        other = "THE\xa0RECORD" if result.recorded else "WHAT\xa0IS\xa0EXPECTED"
+        yield from plain.wrap(f"{head}; DIFFERENT\xa0FROM\xa0{other}:")
         for difference in result.differences:
             yield f"  {difference.claim}: {noun} {difference.recorded}, found {difference.found}"
 
