@@ -64,7 +64,7 @@ def without_extremes(formula: Formula) -> Formula:
     >>> from kowalevski_cas.notation import Vocabulary, read, to_plain
     >>> words = Vocabulary(frozenset("xy"), functions=frozenset([r"\max"]))
     >>> to_plain(without_extremes(read(r"\max(x,y)", words)))
-    '1/2 (x + y + |x - y|)'
+    '(x + y + |x − y|)/2'
 
     Of one number there is none: it is left as it is.
     """
