@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from functools import partial
 
 from kowalevski_cas.notation import (
@@ -28,7 +29,7 @@ from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.scene import Change
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.paper.transcendental import Transcendental
-from kowalevski_cas.problem.goals import Follows, Goal, Rank, simple
+from kowalevski_cas.problem.goals import Equation, Follows, Goal, Rank, simple
 from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.problem.space import EquationOfMotion, Meaningless
 
@@ -242,10 +243,32 @@ def _rate(
     return ONE, derivative(argument, rates, setting.step)
 
 
+def with_values_at_zero(goal: Goal) -> Goal:
+    r"""A goal with :math:`\sin x=0`, :math:`\cos x=1` beside :math:`x=0` that is given."""
+    if not isinstance(goal, Follows) or not isinstance(goal.space, Meaning):
+        return goal
+    known, found = {*goal.given}, dict.fromkeys(goal.given)
+    for group in _at_zero(goal.given, goal.space.transcendental):
+        for letter, tex in group.kind.family.zero.items():
+            found[group.values[letter], Number(int(tex))] = None
+    return goal if found.keys() == known else replace(goal, given=(*found,))
+
+
+def _at_zero(given: Iterable[Equation], functions: Transcendental) -> Iterator[Generators]:
+    """The functions of names that are given to be zero, and that stand in no other argument."""
+    for equation in given:
+        match equation:
+            case (Name(name), Number(0)) | (Number(0), Name(name)):
+                own = [g for g in functions.groups if name in functions.names_under(g)]
+                if all(single_name(g.monomial) == name and g.kind.family.zero for g in own):
+                    yield from own
+
+
 def check_hypotheses(goals: Iterable[Goal]) -> None:
     """Refuse given equations about generators that do not take all values by themselves.
 
-    Nor is anything known of the dependence of several functions of them.
+    What is zero has functions of which the values are known. Nor is anything known of the
+    dependence of several functions of such generators.
     """
     for goal in (part for whole in goals for part in simple(whole)):
         setting = goal.space
@@ -255,7 +278,9 @@ def check_hypotheses(goals: Iterable[Goal]) -> None:
         reach = Reach(setting)
         for formula in (side for equation in given for side in equation):
             reach.formula(formula)
-        found = sorted(reach.names & setting.transcendental.dependent)
+        at_zero = [*_at_zero(given, setting.transcendental)]
+        known = {name for g in at_zero for name in (*g.names.values(), single_name(g.monomial))}
+        found = sorted(reach.names & setting.transcendental.dependent - known)
         if not found and isinstance(goal, Rank) and len(goal.functions) + len(given) > 1:
             reach = Reach(setting)
             for formula in goal.functions:
