@@ -10,7 +10,7 @@ from kowalevski_cas.paper.addition import addition_theorems
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.generators import check_hypotheses, with_values_at_zero
+from kowalevski_cas.paper.generators import check_hypotheses
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.codec import digest
 from kowalevski_cas.problem.evidence import At, Denial, Evidence
@@ -37,7 +37,7 @@ class Statement:
     ) -> None:
         self.claim, self.on = claim, claim.settings(on)
         if goals is None:
-            claimed = tuple(map(with_values_at_zero, claim.goals(self.on)))
+            claimed = tuple(claim.goals(self.on))
             goals = (*claimed, *addition_theorems(claimed))
         self.claimed: tuple[Goal, ...] = goals
         if not self.claimed:  # all of them would hold
