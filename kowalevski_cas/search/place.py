@@ -146,7 +146,7 @@ class PointFinder:
         )
         irrational = [points_with_squares(at, names, norms, avoid)] if squares else []
         for kind in chain(rational, irrational):
-            tried = (
+            tried: Iterator[Candidate] = (
                 Candidate(at, point, negative, squares)
                 for point, squares in islice(kind, TRIES)
                 for negative in _negative(at, point)

@@ -147,6 +147,14 @@ Then \[ k^2=(n+LEFT)^2. \]""".replace("LEFT", left)
     assert outcome(paper(last=last), id).verdict.green is green
 
 
+@pytest.mark.parametrize(("number", "green"), sampled([(27, True), (28, False)], 1))
+def test_a_comment_supposes_a_list(number, green):
+    line = "%kc: suppose p>0, q>0, r>0\n%kc: claim inequality"
+    last = f"Always\n{line}\n\\[ {number}pqr\\le(p+q+r)^3 . \\]"
+    (id,) = (id for id in ReadingSession(read(paper(last=last))).outcomes if "pqr" in id)
+    assert outcome(paper(last=last), id).verdict.green is green
+
+
 @pytest.mark.slow
 def test_what_is_supposed_is_no_condition_any_more():
     assert outcome(paper()).verdict is Verdict.CONDITIONAL
