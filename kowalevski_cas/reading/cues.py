@@ -142,6 +142,10 @@ CUES: dict[str, str] = {
         small\s+(?:angle|deviation|oscillation|motion|displacement|vibration)\w* infinitesimal\w*
         перв\w+\s+(?:порядк|приближени)\w+ линеариз\w+ линейн\w+\s+(?:уравнени|систем)\w+
         мал\w+\s+(?:колебани|отклонени)\w+""",
+    "small": r"""
+        small\s+(?:angle|oscillation|vibration|deviation|displacement)\w*
+        (?:angles?|deviations?|displacements?)[\s,]*(?:is|are|being|remains?)\s+small\b
+        мал\w+\s+(?:уг(?:ол|л)|колебани|отклонени)\w*""",
     "denied": r"""
         \bnot\s+(?:true|an?\s+integral|constant|conserved|the|valid|hold|correct|preserved|in\s+general)
         does\s+not\s+(?:hold|vanish|follow) (?:is|are)\s+not\s+(?:\w+\s+){0,2}§
