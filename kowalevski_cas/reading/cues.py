@@ -88,6 +88,8 @@ CUES: dict[str, str] = {
         привод\w+ вытека\w+""",
     "here": r"""
         (?:\bon|\bif|\bwhen|\bfor|\bat|\bwhere|\bна|\bпри|\bесли)\s+(?:the\s+)?(?:\w+\s+){0,2}(?:§[\s,]*)*$""",
+    "on a set": r"""
+        \b(?:on|at|на)(?:\s+the\s+\w+)?[\s~]*$""",
     "either root": r"""
         signs?\s+of\s+(?:the\s+|this\s+)?(?:square\s+)?(?:roots?|radicals?) either\s+sign
         (?:roots?|radicals?)\s+(?:has|have|takes?|is|are)\s+(?:taken\s+with\s+)?(?:the|either|that|both)\s+signs?
@@ -148,6 +150,8 @@ CUES: dict[str, str] = {
         instead\s+of\s*(?:§|$) contradict\w+ if\s+it\s+were \bwere\b would\s+be fails?\b cannot\b
         \b(?:no|without)\s+(?:\w+\s+){0,2}integrals?(?:\s+\w+){0,3}\s*§ refut\w+
         §[\s,]*(?:\w+\s+){0,2}(?:no|without)\s+(?:\w+\s+){0,2}integrals?
+        \b(?:without|dropping)\s+(?:the\s+)?(?:restriction|condition|assumption|hypothesis)\w*\s*(?:§|$)
+        \bбез\s+(?:ограничени|услови|предположени)\w+\s*(?:§|$)
         in\s+place\s+of\s*(?:§|$) \bneither\b ^\s*nor\s*§ ^\s*ни\s*§
         невер\w+ ошиб\w+ ложн\w+ опечат\w+
         вместо\s*(?:§|$) противореч\w+ не\s+явля\w+ не\s+сохраня\w+ нельзя не\s+выполн\w+

@@ -142,7 +142,7 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
             continue
         role = known.roles.get(one)
         set_there = role is not None and (role.kind in SETS or role.name == ASSUMPTION)
-        if one.sentence == item.sentence and one.members and cue("here", f"{one.before} "):
+        if one.sentence == item.sentence and _is_place(one):
             return True
         if one.sentence == item.sentence and set_there:
             return True
@@ -155,6 +155,13 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
         if proved and not apart and role is not None and role.name == ASSUMPTION and one.members:
             return True
     return False
+
+
+def _is_place(one: SourceStatement) -> bool:
+    """Whether words before an equation, or before a name, say that it is a place."""
+    if isinstance(one.formula, Name):
+        return bool(cue("on a set", one.lead))
+    return bool(one.members) and bool(cue("here", f"{one.before} "))
 
 
 def _is_supposed(one: SourceStatement) -> bool:

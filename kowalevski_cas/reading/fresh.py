@@ -87,7 +87,9 @@ def _defines_anew(item: SourceStatement, found: list[SourceStatement]) -> bool:
     """Whether words let a display of another section define a name once more."""
     apart = all(one.section not in item.sections for one in found)
     said = cue("hamiltonian", item.lead[-40:]) or cue("define", item.lead)
-    return apart and not item.typed.inline and bool(said) and not cue("derived", item.lead)
+    timed = item.names & {"t"}  # it is a solution
+    anew = apart and not item.typed.inline and not timed
+    return anew and bool(said) and not cue("derived", item.lead)
 
 
 def _gives(name: str, item: SourceStatement, known: Known) -> bool:

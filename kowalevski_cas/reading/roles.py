@@ -13,6 +13,7 @@ from kowalevski_cas.reading.definitions import (
     change,
     definition,
     law,
+    named_set,
     repeated,
     square,
     together,
@@ -35,6 +36,7 @@ from kowalevski_cas.reading.propositions import (
     claimed_set,
     identity,
     integral,
+    point,
     rate,
     solution,
     zero_set,
@@ -44,6 +46,8 @@ from kowalevski_cas.reading.suppositions import assumption, inequality, value
 
 _BELONGING = re.compile(r"\b(?:of|in|for|by|with|on)[\s~]*(?:the\s+)?(?:\w+\s+)?$")
 """How words end behind which something belongs to a name, and is spoken of itself."""
+
+_END_OF_PROOF = re.compile(r"\s*\\(?:(?:black)?square|Box|qed)\s*")
 
 Rule = Callable[[SourceStatement, Known], StatementRole | None]
 
@@ -56,9 +60,11 @@ def role_of(item: SourceStatement, known: Known) -> StatementRole:
 
 
 def unread(item: SourceStatement, known: Known) -> StatementRole | None:
-    """What cannot be read; what says over what an index runs is no statement."""
+    """What cannot be read; ranges of indices and marks at the end of proofs are no statements."""
     if is_range(item.typed):
         return StatementRole(NOTATION, "says over what an index runs")
+    if _END_OF_PROOF.fullmatch(item.typed.tex):
+        return StatementRole(NOTATION, "marks the end of a proof")
     return StatementRole(UNREAD, item.trouble) if item.trouble else None
 
 
@@ -136,8 +142,8 @@ def other(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 RULES: tuple[Rule, ...] = (
-    unread, expression, law, constraint, together, unit, bracket, unjudged, inequality, repeated,
-    change, claimed_set, solution, definition, square, assumption, value, approximate, rate,
+    unread, expression, named_set, law, constraint, together, unit, bracket, unjudged, inequality, repeated,
+    change, claimed_set, point, solution, definition, square, assumption, value, approximate, rate,
     zero_set, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

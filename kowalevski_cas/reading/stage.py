@@ -215,6 +215,8 @@ class Stage:
         """A law as it is printed anew before, where the assumptions for that are not in force."""
         known = self.known
         cited, supposed = {*known.cited(at)}, {*known.supposed(at)}
+        if cited & law.printed:
+            return law
         for one in reversed(known.restated):
             new = {*one.items} - {*law.rows}
             if one.restates is law and max(item.order for item in new) < at.order:
