@@ -46,9 +46,5 @@ RATES = {
 }
 """Those that make the name of a rate of it, by the number of dots."""
 
-RAISED = {
-    "*": RaisedSign("*", "*", "ast"),
-    "+": RaisedSign("+", "⁺"),
-    "-": RaisedSign("−", "⁻"),
-}
+RAISED = {"*": RaisedSign("*", "*", "ast"), "+": RaisedSign("+", "⁺"), "-": RaisedSign("−", "⁻")}
 """By the sign, or its macro."""

@@ -7,7 +7,6 @@ import unicodedata
 from functools import cache
 from typing import NamedTuple
 
-from kowalevski_cas.notation.decorations import RAISED
 from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.macros import GREEK
 from kowalevski_cas.notation.symbol import symbol

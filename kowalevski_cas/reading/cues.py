@@ -227,6 +227,7 @@ CUES: dict[str, str] = {
 _CITED = re.compile(r"[\s~]*(?:[^\W\d]+[\s~]*)?\(?\\(?:eq|c|C|auto)?ref(?![A-Za-z])")
 """A citation behind words: they say what is cited, and nothing of what follows."""
 
+_MAP = re.compile(r"\bmap(?:ping)?$|отображени\w+$", re.IGNORECASE)
 _VERB = re.compile(r"lineari[sz](?:ing|e)|neglecting|differentiating|линеаризу\w+", re.IGNORECASE)
 """Words that do something with what is cited behind them."""
 
@@ -243,6 +244,7 @@ def cues(name: str, words: str, start: int = 0) -> Iterator[re.Match[str]]:
     """The places, from an offset on, at which some words give a cue."""
     for found in _pattern(name).finditer(words, start):
         cited = _CITED.match(words, found.end()) and not _OF.match(words, found.end())
+        cited = cited and not _MAP.search(found[0])  # an invariant of a map that is cited
         if not cited or _VERB.match(found[0]):
             yield found
 

@@ -168,7 +168,12 @@ def repeated(item: SourceStatement, known: Known) -> StatementRole | None:
     """What has been said before, sign for sign, to name something."""
     for one in known.paper.alike[item.formula]:
         role = known.roles.get(one)
-        if role is not None and role.name in NAMING and role.kind != "set" and one.order < item.order:
+        if (
+            role is not None
+            and role.name in NAMING
+            and role.kind != "set"
+            and one.order < item.order
+        ):
             if role.name != CLAIM or (role.names and item.typed.inline):
                 return StatementRole(NOTATION, f"said before, at {one.printed.place}")
     return None

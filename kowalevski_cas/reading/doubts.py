@@ -15,6 +15,7 @@ from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, SET
 from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.laws import is_row
+from kowalevski_cas.reading.measures import differentials_of_images
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.phrases import integral_words, is_conditional
@@ -60,6 +61,9 @@ def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
         )
         or _is_below_other_rates(item, known)
         or _is_in_limit(item, known)
+        or bool(
+            differentials_of_images(known.paper.expanded.text[item.typed.start : item.typed.end])
+        )
     )
 
 

@@ -21,6 +21,7 @@ from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives
 from kowalevski_cas.paper.summation import without_sums
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.reading.measures import with_jacobian
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.listing import guess
 from kowalevski_cas.source.tokens import tokens_of
@@ -38,7 +39,7 @@ def by_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
     for formula, tex in zip(formulas, without_new_names(texts), strict=True):
         with suppress(NotationError):  # who reads it says so
             tex = without_initial_values(tex, moving)
-        tex = with_derivatives(tex, by)
+        tex = with_jacobian(with_derivatives(tex, by))
         with suppress(ValueError):  # at other arguments it cannot be read
             tex = without_arguments(tex, known)
         yield formula if tex == formula.tex else replace(formula, tex=tex)

@@ -26,7 +26,7 @@ def is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
         unclear = any(not known.is_explained(n) for one in found for n in one.names - bound)
         rests = any(function in known.below(n) for n in item.names - {function})
         return unclear and not rests and all(known.is_explained(n) for n in item.names)
-    if known.moves(function) or function in known.times:
+    if known.moves(function) or function in known.times or known.is_step(function):
         return False
     alone = (Name(function), Power(Name(function), Number(2)))
     rest = (m for m in item.members if m not in alone and without_factor(m) not in alone)

@@ -56,7 +56,8 @@ def _named_before(item: SourceStatement, known: Known) -> SetOfEquations:
 
 
 _THERE = re.compile(
-    r"[\s,;]*(?:and\s+)?(?:where|there|with|at\s+which|for\s+which|где|там|с|при\s+этом)\b", re.IGNORECASE
+    r"[\s,;]*(?:and\s+)?(?:where|there|with|at\s+which|for\s+which|где|там|с|при\s+этом)\b",
+    re.IGNORECASE,
 )
 
 

@@ -271,13 +271,17 @@ class _LawFinder:
         own += rows_of_conjugates(self.paper, own)
         return Law(tuple(sorted(own, key=lambda row: row.order)), self.names, momenta=momenta)
 
-    def beside(self, first: SourceStatement, rows: Sequence[SourceStatement]) -> Iterator[SourceStatement]:
+    def beside(
+        self, first: SourceStatement, rows: Sequence[SourceStatement]
+    ) -> Iterator[SourceStatement]:
         """A row and those that follow it in its display, without a word between."""
         last = first
         for row in rows:
             if row.typed is first.typed:
                 yield row
-            elif row.order > first.order and row.sentence == first.sentence and _is_joined(last, row):
+            elif (
+                row.order > first.order and row.sentence == first.sentence and _is_joined(last, row)
+            ):
                 last = row
                 yield row
 
@@ -341,7 +345,9 @@ def is_row(item: SourceStatement) -> bool:
 
 def _is_joined(one: SourceStatement, other: SourceStatement) -> bool:
     """Whether two statements are rows of one display, the second right behind the first."""
-    return not one.typed.inline and one.typed.kind == other.typed.kind and not other.lead.strip(" ,;")
+    return (
+        not one.typed.inline and one.typed.kind == other.typed.kind and not other.lead.strip(" ,;")
+    )
 
 
 def _is_chain(members: Sequence[Formula]) -> bool:

@@ -25,6 +25,10 @@ _BRACES = re.compile(
     rf"(?P<body>[^:|]*)(?P<end>{_SIZE}\\\}}{_GAP}*[.,;]?{_GAP}*)",
     re.DOTALL,
 )
+_MAP = re.compile(
+    rf"\s*(?:{_LETTER}\s*:)?\s*\([^()]*\)\s*\\mapsto\s*\([^()]*'\s*\){_GAP}*,(?=.*=)", re.DOTALL
+)
+"""What is mapped to its image, with the name of the map, before the equations for it."""
 _EQUATION = re.compile(r"(?<![<>:!])=(?!:)")
 
 
@@ -36,7 +40,9 @@ def without_set_names(formulas: Iterable[TypedFormula]) -> Iterator[tuple[TypedF
     for formula in formulas:
         found = _COLON.fullmatch(formula.tex) or _BRACES.fullmatch(formula.tex)
         if found is None or ":" in found["body"] or not _EQUATION.search(found["body"]):
-            yield formula, ""
+            named = _MAP.match(formula.tex)
+            blank = " " * len(named[0]) + formula.tex[len(named[0]) :] if named else formula.tex
+            yield replace(formula, tex=blank), ""
             continue
         named = found["name"] + found["sign"]
         end = found.groupdict().get("end") or ""

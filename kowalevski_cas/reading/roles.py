@@ -47,6 +47,8 @@ from kowalevski_cas.reading.suppositions import assumption, inequality, value
 _BELONGING = re.compile(r"\b(?:of|in|for|by|with|on)[\s~]*(?:the\s+)?(?:\w+\s+)?$")
 """How words end behind which something belongs to a name, and is spoken of itself."""
 
+_MAPSTO = re.compile(r"\([^()]*\)\s*\\mapsto\s*\([^()]*'\s*\)\s*(?:,|\.|$)")
+"""What is mapped to its image, which has primes: this says that there is a map."""
 _END_OF_PROOF = re.compile(r"\s*\\(?:(?:black)?square|Box|qed)\s*")
 
 Rule = Callable[[SourceStatement, Known], StatementRole | None]
@@ -65,6 +67,8 @@ def unread(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(NOTATION, "says over what an index runs")
     if _END_OF_PROOF.fullmatch(item.typed.tex):
         return StatementRole(NOTATION, "marks the end of a proof")
+    if _MAPSTO.match(item.typed.tex[item.typed.tex.find("(") :]) and item.trouble:
+        return StatementRole(DEFINITION, "says what a map takes to what")
     return StatementRole(UNREAD, item.trouble) if item.trouble else None
 
 

@@ -196,6 +196,7 @@ class Stage:
         known = self.known
         below = {n for item in items for name in self._mentioned(item) for n in known.below(name)}
         moved = {*known.names.scalars(below)}
+        moved |= {x for law in known.laws for x, new in law.images if new in moved}
         moved = {name for name in moved if any(name in law.variables for law in known.laws)}
         before = [law for law in known.laws if law.first.typed.start <= at.typed.start]
         before = before or known.laws
@@ -221,6 +222,9 @@ class Stage:
             new = {*one.items} - {*law.rows}
             if one.restates is law and max(item.order for item in new) < at.order:
                 special = {*known.special(one)}
+                of = {name for other in special - supposed for name in known.roles[other].names}
+                if any(of & {*known.roles[other].names} for other in supposed):
+                    return law  # other values are supposed here
                 if special and (not special <= supposed or new & cited):
                     return one
         return law

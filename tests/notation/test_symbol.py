@@ -35,13 +35,22 @@ from kowalevski_cas.notation.symbol import (
 from kowalevski_cas.notation.typst import to_typst
 
 LETTERS = ("x", "q", r"\omega")
-INDICES = ("", "1", "12", "1,2", "*", "+", "-", "1+", r"\alpha", "x_1", "n", r"\mathrm{eff}", r"\mathbf{n}")
-RAISED_AS = {
-    "": ("",),
-    STAR: ("^*", "^{*}", r"^\ast"),
-    "^+": ("^+", "^{+}"),
-    "^-": ("^-", "^{-}"),
-}
+INDICES = (
+    "",
+    "1",
+    "12",
+    "1,2",
+    "*",
+    "+",
+    "-",
+    "1+",
+    r"\alpha",
+    "x_1",
+    "n",
+    r"\mathrm{eff}",
+    r"\mathbf{n}",
+)
+RAISED_AS = {"": ("",), STAR: ("^*", "^{*}", r"^\ast"), "^+": ("^+", "^{+}"), "^-": ("^-", "^{-}")}
 """How a sign may be raised on a letter."""
 TYPES = ("", *(font for font in FONTS if font != r"\mathrm"))
 """A single letter in upright type is the letter."""
