@@ -60,7 +60,7 @@ def point_at(found: Sequence[Audited], repairs: Mapping[str, Correction], readin
             here = [one for one in strange if one.item.printed in lines]
             audited.causes = (*dict.fromkeys(one.item.printed.place for one in here),)
             where: dict[str, dict[int, None]] = {}
-            for one in here:
+            for one in (one for one in here if one.words != audited.message):
                 where.setdefault(one.words, {})[lines[one.item.printed]] = None
             said += [
                 f"{words} (line{'s' * (len(at) > 1)} {', '.join(map(str, at))})"

@@ -19,7 +19,7 @@ from kowalevski_cas.audit.describe import Describer
 from kowalevski_cas.audit.doubted import point_at, repairs_of_doubted
 from kowalevski_cas.audit.places import Correspondence
 from kowalevski_cas.limits import time_limit
-from kowalevski_cas.notation import Edit, Name, Negative, Number, Power, Relation, edits
+from kowalevski_cas.notation import Edit, Formula, Name, Negative, Number, Power, Relation, edits
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.texts import Printed, Texts
@@ -189,23 +189,37 @@ class ReadingSession:
             return
         texts = self.interpretation.texts.reading(mended)
         again = self._session.under(self.interpretation.under(texts))
+        claims = {claim.id: claim for claim in self.interpretation.derivation.claims}
         for outcome in self._run(again, Causes(), rest).outcomes:
             own = outcome.correction is not None and not outcome.correction.blamed
             late = found[outcome.claim].verdict is Verdict.TIMEOUT
             if own or (outcome.verdict.green and not late):
-                self.causes.places[outcome.claim] = (*mended,)
+                causes = self._needed(claims[outcome.claim], mended)
+                self.causes.places[outcome.claim] = causes
                 corrections = () if outcome.correction is None else (outcome.correction,)
-                if not corrections and len(mended) == 1:
-                    self.causes.corrections[outcome.claim] = self._of_other(outcome)
+                if not corrections:
+                    self.causes.corrections[outcome.claim] = self._of_others(outcome, causes)
                 failed = found[outcome.claim]._replace(verdict=Verdict.REFUTED, message="")
                 found[outcome.claim] = failed.corrected_by(corrections)
 
-    def _of_other(self, outcome: Outcome) -> Correction:
-        """The correction of the one formula that is blamed, by which a claim is proved."""
-        ((place, edit),) = self.causes.misprints.items()
+    def _needed(self, claim: Claim, mended: Mapping[Printed, Formula]) -> tuple[Printed, ...]:
+        """The misprints on which a claim stands, without those that need not be mended for it."""
+        kept = [place for place in mended if place in claim.reads()]
+        for place in kept[:]:
+            fewer = {other: mended[other] for other in kept if other != place}
+            with suppress(TimeoutError), time_limit(PATIENCE):
+                texts = self.interpretation.texts.reading(fewer)
+                if fewer and self.interpretation.holds(claim, texts):
+                    kept.remove(place)
+        return (*kept,)
+
+    def _of_others(self, outcome: Outcome, causes: Sequence[Printed]) -> Correction:
+        """The correction of the formulas that are blamed, by which a claim is proved."""
+        place, *besides = causes
+        edit = self.causes.misprints[place]
         return Correction(
             (edit.formula,), edit.words, outcome.verdict, outcome.conditions, printed=place,
-            edit=edit, blamed=(edit.statement.formula,),
+            edit=edit, blamed=(edit.statement.formula,), besides=(*besides,),
         )  # fmt: skip
 
     def _doubt(self, found: dict[str, Outcome]) -> None:

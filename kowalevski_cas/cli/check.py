@@ -1,7 +1,7 @@
 """Check certificates with the independent checker, and compare them with the record and the print.
 
-It says in a line what each certificate proves, or why it is rejected; the problem of each claim is
-written anew from the printed formulas. `python -I -S
+It says in a line which statement each certificate proves or refutes, or why it is rejected; the
+problem of each claim is written anew from the printed formulas. `python -I -S
 kowalevski_cas/problem/checker FILE...` does so too, and trusts nothing else of this program.
 """
 
@@ -19,7 +19,7 @@ from kowalevski_cas.library import available, find, load, source
 from kowalevski_cas.problem.checker import Certificate, printable
 from kowalevski_cas.verify.certificate import FOLDER
 from kowalevski_cas.verify.committed import Checked, Expected, check_committed, check_files
-from kowalevski_cas.verify.outcome import CORRECTED
+from kowalevski_cas.verify.outcome import CORRECTED, Verdict
 from kowalevski_cas.verify.record import load_record
 
 
@@ -48,7 +48,8 @@ def run(arguments: argparse.Namespace) -> int:
             print(plain.bold(found.derivation))
         for name, certificate in found.accepted.items():
             if not arguments.full:
-                print(plain.shorten(_line(found, name, certificate)))
+                verdict, said = found.said.get(name) or _by_itself(certificate)
+                print(plain.shorten(f"{plain.sign(verdict)}{said}"))
                 continue
             print(f"{name.removesuffix(certificate.claim)}{certificate.summary()}")
             for line in certificate.lines():
@@ -56,12 +57,10 @@ def run(arguments: argparse.Namespace) -> int:
     return tell(results)
 
 
-def _line(found: Checked, name: str, certificate: Certificate) -> str:
-    """What a certificate proves, by the number of the equation that it is about if it has one."""
-    claim = certificate.claim
-    proved = readable(certificate.summary().removeprefix(f"{claim}: "))
-    corrected = ", corrected" if name != claim else ""
-    return f"{found.called.get(claim, claim)}{corrected}: {proved}"
+def _by_itself(certificate: Certificate) -> tuple[Verdict, str]:
+    """What a certificate proves of which nobody says to which derivation it belongs."""
+    verdict = Verdict.PROVED if certificate.sign == "holds" else Verdict.REFUTED
+    return verdict, readable(certificate.summary())
 
 
 def tell(results: Sequence[Checked]) -> int:

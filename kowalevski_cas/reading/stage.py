@@ -209,7 +209,7 @@ class Stage:
         law = next(iter((named or smallest)[::-1]), None)
         for name in known.names.scalars(name for item in items for name in item.rates):
             if law is None or not (known.is_defined(name) or name in law.variables):
-                raise ValueError(f"nothing says how ${name}$ moves")
+                raise ValueError(f"no equation says how ${name}$ moves")
         return self._restated(law, at) if law is not None else None
 
     def _restated(self, law: Law, at: SourceStatement) -> Law:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from kowalevski_cas.reading.text import Prose
@@ -77,12 +77,36 @@ _CLOSED = re.compile(r"(?:[\s.,;]|\\[\])]|\${1,2}(?=\s)|\\end\s*\{\w+\*?\}|\\lab
 """What belongs to the display before a sentence."""
 
 
+_DISPLAY = re.compile(r"\\begin\b|\\\[|\$\$")
+_REFERENCE = re.compile(r"\\(?:eq)?ref\s*\{([^{}]*)\}")
+_MACRO = re.compile(r"\\[A-Za-z]+\*?\s*")
+
+
 class Uncovered(NamedTuple):
     """A sentence or a formula that no verdict covers: where it begins, and what it states."""
 
     line: int
     words: str
     kind: str
+
+    @property
+    def cue(self) -> str:
+        """The words that state it."""
+        return self.kind.partition("“")[2].removesuffix("”")
+
+    def read(self, number: Callable[[str], str] = str) -> str:
+        """The words up to a display, with mathematics between dollars, and no other TeX.
+
+        Args:
+            number: what the author's label of an equation stands for.
+        """
+        shown = _DISPLAY.split(self.words)[0]
+        parts = _REFERENCE.sub(lambda of: f"({number(of[1])})", shown).split("$")
+        parts[::2] = [
+            re.sub(r"[{}]", "", _MACRO.sub("", part.replace("~", " "))) for part in parts[::2]
+        ]
+        read = "$".join(parts).strip()
+        return read if shown == self.words else f"{read} …"
 
 
 def sentences(

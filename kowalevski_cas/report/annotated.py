@@ -25,6 +25,7 @@ from kowalevski_cas.report.document import (
     Equations,
     Heading,
     Inline,
+    Items,
     Judgement,
     Link,
     Paragraph,
@@ -36,7 +37,7 @@ from kowalevski_cas.report.marks import shown_as
 from kowalevski_cas.report.paragraphs import FIRST, FormulaBlocks
 from kowalevski_cas.report.places import PaperSection, ReportItem, numbered, sections
 from kowalevski_cas.report.prose import read_article
-from kowalevski_cas.report.sentences import capital, list_in_words
+from kowalevski_cas.report.sentences import capitalise, list_in_words
 from kowalevski_cas.report.trust import trust
 from kowalevski_cas.source.displays import TypedFormula, find_formulas
 from kowalevski_cas.source.listing import guess
@@ -45,6 +46,10 @@ from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
 _CLOSING: Final = {"$": "$", "$$": "$$", "\\[": "\\]", "\\(": "\\)"}
 _TITLE: Final = re.compile(r"\\title\s*(?:\[[^\]]*\])?\s*\{([^{}\\]*)\}")
 _NUMBER: Final = re.compile(r"^\s*(?:\\S(?![A-Za-z])\s*)?(?:\d+\.?(?![\w-]))?\s*")
+_IN_WORDS: Final = (
+    "Sentences that state something in words on which there is no verdict, though there may be one "
+    "on a formula in them:"
+)
 _UNKNOWN: Final = " is defined nowhere"
 _END: Final = re.compile(r"\\end\s*\{document\}")
 
@@ -156,15 +161,22 @@ class _Annotated:
         unjudged = [formula for formula in audit.formulas if formula.verdict == OPEN]
         if unjudged or audit.uncovered:
             yield Heading(("What is not judged",), "unjudged", 2)
-        told = (
-            f"{self._called(formula)}: {(formula.message or formula.reason).partition(chr(10))[0]}."
-            for formula in unjudged
-        )
-        yield from (Paragraph(words(capital(said))) for said in dict.fromkeys(told))
-        for passage in audit.uncovered:
-            shown, display, _ = passage.words.partition(r"\begin{")
-            code = Code(f"{shown}…" if shown and display else passage.words)
-            yield Paragraph((f"Line {passage.line}, without a verdict: ", code))
+        reasons: dict[str, dict[str, None]] = {}
+        for formula in unjudged:
+            why = (formula.message or formula.reason).partition("\n")[0]
+            reasons.setdefault(why, {})[self._called(formula)] = None
+        told = [
+            capitalise((*list_in_words([(place,) for place in places]), ": ", *words(f"{why}.")))
+            for why, places in reasons.items()
+        ]
+        yield from _list_of(told)
+        if audit.uncovered:
+            yield Paragraph((_IN_WORDS,), leads=True)
+        labels = {label: str(link.text[0]) for label, link in self._labels().items()}
+        yield from _list_of([
+            (f"Line {one.line} (“{one.cue}”): ", *words(one.read(lambda key: labels.get(key, key))))
+            for one in audit.uncovered
+        ])  # fmt: skip
 
     def _called(self, formula: Audited) -> str:
         """A formula by its number, or by its line."""
@@ -195,14 +207,16 @@ class _Annotated:
         blocks: list[Block] = []
         if display.id in self.begins:
             blocks.append(Paragraph((), anchor=self.begins[display.id]))
+        before = ""
         for item in items:
             if item is own and wrong is not None:
                 blocks.append(wrong)
                 if not own.stated:
                     continue
-            if item.source:
+            if item.source and item.source != before:
                 said = self.contents.phrases.sentence(item.source, ":")
                 blocks.append(Paragraph(said, "note", leads=True))
+            before = item.source
             if item.stated or item.source or not typed.inline:
                 blocks += self.contents.passages.item(item)
         if not typed.inline:
@@ -317,6 +331,12 @@ def _with_reasons(audit: Audit) -> Run:
         return outcome._replace(message=told.get(outcome.claim) or outcome.message)
 
     return audit.run._replace(outcomes=tuple(map(explained, audit.run.outcomes)))
+
+
+def _list_of(said: Sequence[Text]) -> Iterator[Block]:
+    """A list of sentences, if there are any."""
+    if said:
+        yield Items(tuple((Paragraph(text),) for text in said))
 
 
 def _titled(section: PaperSection) -> PaperSection:

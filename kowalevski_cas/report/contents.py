@@ -190,19 +190,22 @@ class Contents:
     def _legend(self) -> Iterator[Block]:
         """What the marks mean, and “valid for”."""
         outcomes = self.run.outcomes
-        present = [shown for shown in MARKS if any(shown_as(o) == shown for o in outcomes)]
+        corrections = [o.correction for o in outcomes if o.correction]
+        used = {*map(shown_as, outcomes), *(c.verdict for c in corrections)}
+        used |= {Verdict.REFUTED} if any(c.blamed for c in corrections) else set()
+        present = [shown for shown in MARKS if shown in used]
         means = list_in_words([(Sign(shown), f" {MARKS[shown].meaning}") for shown in present])
         divided = [c.expression for o in outcomes for c in o.conditions if not c.witness]
         valid: Text = ()
         if divided:
             valid = (
                 " “Valid for ", nonzero(divided[0]), "” means that the formula, or a definition "
-                "or equation that it uses, has this denominator: the condition is sufficient, and "
-                "whether it is necessary is not said.",
+                "or equation that it uses, has this denominator: it is proved wherever this does "
+                "not vanish, and elsewhere nothing is proved.",
             )  # fmt: skip
         if self.findings.missing:
-            valid = (*valid, " A missing hypothesis is necessary: a point is given where the "
-                "statement fails without it.")  # fmt: skip
+            valid = (*valid, " A missing hypothesis cannot be left out: a point is given where "
+                "the statement fails without it.")  # fmt: skip
         names = self.phrases.names.values()
         ours = next((name.number for name in names if not name.number.startswith("(")), "")
         if ours and any(name.number.startswith("(") for name in names):

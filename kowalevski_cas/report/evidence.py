@@ -99,15 +99,16 @@ class Evidence:
             if (one := row.correction)
         ]
         for claims, ones in group_alike(
-            having, lambda one: (one.words, one.verdict, one.conditions)
+            having, lambda one: (one.words, one.verdict, one.conditions, one.besides)
         ):
             one = ones[0]
             formulas = tuple(formula for each in ones for formula in each.formulas)
             what: Text = ("Correction" if one.edit else "The nearest true statement",)
             if one.blamed:
                 rows = [row for row in self.rows if row.claim in claims]
-                what, formulas = ("Correction of ", *self.phrases.slip(rows)), ()
-            said: Text = (Emphasis(what), *self._of(claims), ": ", *self.phrases.words(one.words))
+                what, formulas = ("Correction of ", *self.phrases.spoilers(rows[0])), ()
+            words = (" together",) if one.besides else (": ", *self.phrases.words(one.words))
+            said: Text = (Emphasis(what), *self._of(claims), *words)
             if one.conditions:
                 said = (*said, "; it holds where ", *self.phrases.where(one.conditions))
             if one.accepted:

@@ -7,10 +7,11 @@ from functools import cached_property
 from types import MappingProxyType
 
 from kowalevski_cas.notation import Derivative, Formula, Relation
+from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.report.compare import mark_differences, ratio_of_sides
 from kowalevski_cas.report.document import (
     Block,
-    Emphasis,
+    Code,
     Equations,
     Heading,
     Judgement,
@@ -23,7 +24,7 @@ from kowalevski_cas.report.sentences import (
     capitalise,
     count_in_words,
     group_alike,
-    nonzero,
+    violates_no,
 )
 from kowalevski_cas.verify.outcome import FALSE_AS_READ, Condition, Correction, Outcome, Verdict
 
@@ -61,7 +62,8 @@ class Findings:
     def slips(self) -> tuple[Slip, ...]:
         """The misprints: the same change in rows of one display is one slip."""
         spoiled = [(o.claim, o) for o in self.refuted if o.correction and o.correction.edit]
-        return tuple(ones for _, ones in group_alike(spoiled, _slip))
+        alike = (ones for _, ones in group_alike(spoiled, _slip))
+        return tuple(tuple(sorted(ones, key=_has_others)) for ones in alike)
 
     @cached_property
     def false(self) -> tuple[Outcome, ...]:
@@ -129,10 +131,12 @@ class Findings:
         if outcome.words:
             head = (*where, ", as it was read: ", *self.phrases.words(outcome.words), ".")
         shown: list[Block] = []
+        late = outcome.verdict is Verdict.TIMEOUT
+        more: Text = (" A longer ", Code("--timeout"), " may decide it.") if late else ()
         if outcome.source:
             shown.append(Equations(outcome.formulas, outcome.source))
         if outcome.words and outcome.message:
-            shown.append(Paragraph(self.phrases.sentence(outcome.message)))
+            shown.append(Paragraph(self.phrases.sentence(outcome.message) + more))
         if outcome.counterexample:
             shown.append(Paragraph(self.why(outcome), "note"))
         return Judgement(outcome.verdict, "", head, blocks=tuple(shown))
@@ -142,10 +146,10 @@ class Findings:
         if self.missing:
             many = count_in_words(len(self.missing), "missing hypothesis", "missing hypotheses")
             yield Heading((capital(many),), "hypotheses", 2)
-            for expression, needing in self.missing.items():
+            for needing in self.missing.values():
                 reasons = group_alike(needing, lambda condition: condition.words)
                 said = tuple(self._reason(claims, condition) for claims, (condition, *_) in reasons)
-                head: Text = ("We need ", nonzero(expression), ".")
+                head: Text = ("We need ", *violates_no(needing[0][1]), ".")
                 yield Judgement(Verdict.CONDITIONAL, "", head, blocks=said)
 
     def _misprint(self, slip: Slip) -> Judgement:
@@ -156,8 +160,9 @@ class Findings:
         words = self.phrases.words(correction.words)
         head: Text = (*where, ": ", *words, *((", ", *valid) if valid else ()), ".")
         if correction.blamed:
-            failing = self.phrases.links([outcome.claim for outcome in slip])
-            head = (*head, " Because of it ", *failing, f" fail{'s' * (len(slip) == 1)}.")
+            spoiled = [o.claim for o in self.outcomes if _is_spoiled(o, correction.printed)]
+            failing = self.phrases.links(spoiled)
+            head = (*head, " Because of it ", *failing, f" fail{'s' * (len(spoiled) == 1)}.")
         printed, meant = mark_differences(correction.blamed or first.formulas, correction.formulas)
         source = "" if correction.blamed else first.source
         shown: list[Block] = [
@@ -202,10 +207,8 @@ class Findings:
         if correction is None:
             head = (*head, " No true statement was found near it.")
             return Judgement(outcome.verdict, "", head, blocks=tuple(shown))
-        head = (*head, " ", Emphasis(("Correct:",)), " ", *self.phrases.words(correction.words))
-        if correction.conditions:
-            head = (*head, ", where ", *self.phrases.where(correction.conditions))
-        return Judgement(outcome.verdict, "", (*head, "."), blocks=tuple(shown))
+        head = (*head, *self.phrases.correct(correction))
+        return Judgement(outcome.verdict, "", head, blocks=tuple(shown))
 
     def _reason(self, claims: Sequence[str], condition: Condition) -> Paragraph:
         """What some claims say, and what happens without the hypothesis."""
@@ -248,6 +251,19 @@ def _slip(outcome: Outcome) -> object:
     correction = outcome.correction
     assert correction is not None
     return correction.words, correction.printed and correction.printed.display.id
+
+
+def _is_spoiled(outcome: Outcome, place: Printed | None) -> bool:
+    """Whether a claim is among those that fail because of what is printed at another place."""
+    correction = outcome.correction
+    if correction is None or not correction.blamed:
+        return False
+    return place in (correction.printed, *correction.besides)
+
+
+def _has_others(outcome: Outcome) -> bool:
+    """Whether a claim that a slip has spoiled needs other corrections as well."""
+    return bool(outcome.correction and outcome.correction.besides)
 
 
 def _is_rate(outcome: Outcome) -> bool:

@@ -34,7 +34,7 @@ MARKS: Final[dict[Shown, VerdictMark]] = {
     Verdict.ENCLOSED: VerdictMark("enclosed", "±", r"$\pm$", "$plus.minus$", "555555", "AAAAAA",
         "holds within a named radius"),
     Verdict.REFUTED: VerdictMark("false", "✗", r"$\boldsymbol{\times}$", "$bold(times)$",
-        "A3201D", "FF8A80", "is false: it fails at a point that is given"),
+        "A3201D", "FF8A80", "is false or misprinted, as an exact point shows"),
     SPOILED: VerdictMark("fails because of another formula", "(✗)", r"$(\boldsymbol{\times})$",
         "$(bold(times))$", "8A5A00", "E0B050", "fails only because another formula is misprinted"),
     Verdict.UNDECIDED: VerdictMark("undecided", "?", r"?", "?", "555555", "AAAAAA",

@@ -100,7 +100,7 @@ class Passages:
             own = row.outcome
             beside = [self.phrases.words(own.words)] if own and len(words) > 1 else []
             if own and own.spoiled:
-                beside.append(("fails because of ", *self.phrases.slip((own,))))
+                beside.append(("fails because of ", *self.phrases.spoilers(own)))
             if own and len(where) > 1 and self._where(own):
                 beside.append(("valid for ", *self._where(own)))
             shown.append(
@@ -140,7 +140,7 @@ class Passages:
     def _word(self, outcome: Outcome) -> Text:
         """The verdict as a sentence; of what another formula makes false, which one does."""
         if outcome.spoiled:
-            return ("Fails because of ", *self.phrases.slip((outcome,)), ".")
+            return ("Fails because of ", *self.phrases.spoilers(outcome), ".")
         known = f", {self.findings.denier}" if outcome in self.findings.denied else ""
         return (f"{MARKS[outcome.verdict].word.capitalize()}{known}.",)
 

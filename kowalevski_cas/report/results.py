@@ -54,13 +54,10 @@ def _fate(verdicts: Sequence[Verdict]) -> str:
 def _statement(phrases: Phrases, outcome: Outcome) -> Judgement:
     """A statement with its sign, where it holds, and a link to its place."""
     sufficient = _where(phrases, [one for one in outcome.conditions if not one.witness])
-    needed = [one for one in outcome.conditions if one.witness]
-    necessary = _where(phrases, [one for one in needed if not one.zeros])
-    excepted = [list_in_words([(zero,) for zero in one.zeros]) for one in needed]
-    unless = list_in_words([zeros for zeros in excepted if zeros], ", or ")
-    valid: Text = (", where ", *sufficient, " (sufficient)") if sufficient else ()
-    valid += (", where ", *necessary, " (necessary)") if necessary else ()
-    valid += (", unless ", *unless, " (necessary)") if unless else ()
+    needed = phrases.where(one for one in outcome.conditions if one.witness)
+    valid: Text = (", where ", *sufficient, " (elsewhere nothing is proved)") if sufficient else ()
+    if needed:
+        valid += (", and " if sufficient else ", where ", *needed, " (without which it is false)")
     words = phrases.words(outcome.words.rstrip("."))
     return Judgement(
         shown_as(outcome), "", (*phrases.links([outcome.claim]), ": ", *words, *valid, ".")

@@ -9,6 +9,7 @@ from typing import Final, TypeVar
 
 from kowalevski_cas.notation import (
     Formula,
+    Name,
     Negative,
     Number,
     Relation,
@@ -19,9 +20,16 @@ from kowalevski_cas.notation import (
     read_prose,
     split_display,
 )
-from kowalevski_cas.report.document import Code, Inline, Link, Text, anchor
+from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.report.document import Code, Emphasis, Inline, Link, Text, anchor
 from kowalevski_cas.report.places import ClaimName, PaperSection
-from kowalevski_cas.verify.outcome import Condition, Counterexample, Outcome, PrintedPoint, Value
+from kowalevski_cas.verify.outcome import (
+    Condition,
+    Correction,
+    Counterexample,
+    Outcome,
+    PrintedPoint,
+)
 
 T = TypeVar("T")
 
@@ -114,6 +122,17 @@ def capitalise(text: Text) -> Text:
 def nonzero(formula: Formula) -> Formula:
     """That a formula is not zero."""
     return Relation((formula, ZERO), (r"\ne",))
+
+
+def violates_no(condition: Condition) -> Text:
+    """That a condition holds: of a sum of squares, that one of them is not zero, if this is short.
+
+    A sum of squares of letters says it best itself.
+    """
+    zeros = [zero for zero in condition.zeros if isinstance(zero, Relation)]
+    if all(isinstance(zero.members[0], Name) and zero.members[1] == ZERO for zero in zeros):
+        return (nonzero(condition.expression),)
+    return list_in_words([(Relation(zero.members, (r"\ne",)),) for zero in zeros], " or ")
 
 
 def supposed(formulas: Iterable[Formula]) -> Text:
@@ -248,22 +267,42 @@ class Phrases:
         correction = slip[0].correction
         if correction is None or correction.printed is None or not correction.blamed:
             return self.found([outcome.claim for outcome in slip])
-        display, number = correction.printed.display, correction.printed.number
-        several = len(split_display(display.tex)) > 1
-        label = self.displays.get(display.id, display.label)
+        return self._printed(correction.printed) or ("formula ", *correction.blamed)
+
+    def spoilers(self, outcome: Outcome) -> Text:
+        """All misprints by which a claim fails that holds once they are mended."""
+        correction = outcome.correction
+        besides = [self._printed(place) for place in correction.besides] if correction else []
+        return list_in_words(
+            [self.slip((outcome,)), *(name or ("a formula without a number",) for name in besides)]
+        )
+
+    def _printed(self, place: Printed) -> Text:
+        """What a formula is called by the number of its display; nothing if that has none."""
+        several = len(split_display(place.display.tex)) > 1
+        label = self.displays.get(place.display.id, place.display.label)
         link: Text = (Link(self.labels[label], (label,)) if label in self.labels else label,)
         if not label:
-            return ("formula ", *correction.blamed)
-        return (f"formula {number} of ", *link) if several else link
+            return ()
+        return (f"formula {place.number} of ", *link) if several else link
 
     def where(self, conditions: Iterable[Condition]) -> Text:
         """What several conditions say."""
-        return list_in_words([(nonzero(condition.expression),) for condition in conditions])
+        said = [violates_no(condition) for condition in conditions]
+        if len(said) > 1:  # what has an “or” in it is kept together
+            said = [("(", *one, ")") if len(one) > 1 else one for one in said]
+        return list_in_words(said)
 
     def valid(self, conditions: Iterable[Condition]) -> Text:
         """Under which conditions something is valid; nothing if it always is."""
         where = self.where(conditions)
         return ("valid for ", *where) if where else ()
+
+    def correct(self, correction: Correction) -> Text:
+        """What is true in place of something false, as a sentence behind it."""
+        said: Text = (" ", Emphasis(("Correct:",)), " ", *self.words(correction.words))
+        where = self.where(correction.conditions)
+        return (*said, *((", where ", *where) if where else ()), ".")
 
     def values(self, found: Counterexample, rate: bool = False) -> Text:
         """A point and what fails there, as a sentence; it says how a rate on the left is found."""
@@ -275,20 +314,16 @@ class Phrases:
 
     @staticmethod
     def at(at: PrintedPoint) -> Text:
-        """``At`` and the coordinates of a point, equal ones together."""
-        same: dict[Value, list[Formula]] = {}
-        for name, value in at.values.items():
-            if name != value:
-                same.setdefault(value, []).append(name)
+        """``At`` and the coordinates of a point, one by one; of many zeros, that all else is 0."""
+        values = {name: value for name, value in at.values.items() if name != value}
+        zeros = [name for name, value in values.items() if value == ZERO]
+        rest = len(zeros) < len(values) and len(zeros) > 3
         items: list[Text] = []
-        rest = False
-        for value, names in same.items():
-            if value == ZERO and len(same) > 1 and len(names) > 3:
-                rest = True
-            elif isinstance(value, str):
-                items.append((equal(*names), f" = {value}"))
-            else:
-                items.append((equal(*names, value),))
+        for name, value in values.items():
+            if isinstance(value, str):
+                items.append((name, f" = {value}"))
+            elif not (rest and value == ZERO):
+                items.append((equal(name, value),))
         if rest:
             items.append(("the other variables ", ZERO))
         return ("At ", *list_in_words(items, ", "), ": ") if items else ()

@@ -11,10 +11,11 @@ from kowalevski_cas.report.findings import Findings, Slip, lacks
 from kowalevski_cas.report.sentences import (
     Phrases,
     capital,
+    capitalise,
     count_in_words,
     in_words,
     list_in_words,
-    nonzero,
+    violates_no,
 )
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 
@@ -40,12 +41,14 @@ def wrong_places(findings: Findings) -> Iterator[Block]:
         yield Paragraph((Emphasis(("Misprinted.",), strong=True), *_evidence(findings.slips)))
         yield from (_misprint(phrases, slip) for slip in findings.slips)
     if findings.false:
-        yield Paragraph((Emphasis(("False.",), strong=True),))
+        many = count_in_words(len(findings.false), "statement")
+        verb = "is" if len(findings.false) == 1 else "are"
+        yield Paragraph((Emphasis((f"{capital(many)} {verb} false.",), strong=True),))
         yield from (_falsehood(phrases, outcome) for outcome in findings.false)
     if findings.missing:
         needed = [
-            (nonzero(expression), " (for ", *phrases.links([claim for claim, _ in needing]), ")")
-            for expression, needing in findings.missing.items()
+            (*violates_no(needing[0][1]), " (for ", *phrases.links(id for id, _ in needing), ")")
+            for needing in findings.missing.values()
         ]
         lead = Emphasis(("Not stated, though needed:",), strong=True)
         yield Paragraph((lead, " ", *list_in_words(needed), "."))
@@ -104,13 +107,14 @@ def _length(text: Sequence[Inline]) -> int:
 
 
 def _falsehood(phrases: Phrases, outcome: Outcome) -> Judgement:
-    """What is false, and the point that shows it."""
+    """What is false, the point that shows it, and what is true in its place."""
     words, found = phrases.words(outcome.words.rstrip(".")), outcome.counterexample
-    said = (*phrases.found([outcome.claim]), " is false", *((": “", *words, "”") if words else ()))
+    said = (*capitalise(phrases.found([outcome.claim])), *((": “", *words, "”") if words else ()))
     why = phrases.values(found) if found else ()
     if _length(why) > LONGEST:
         why = ()
-    return Judgement(outcome.verdict, "", (*said, ".", *((" ", *why) if why else ())))
+    correct = phrases.correct(outcome.correction) if outcome.correction else ()
+    return Judgement(outcome.verdict, "", (*said, ".", *((" ", *why) if why else ()), *correct))
 
 
 def tally(findings: Findings) -> str:

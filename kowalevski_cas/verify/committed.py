@@ -15,15 +15,17 @@ from types import MappingProxyType
 
 from kowalevski_cas.files import read
 from kowalevski_cas.limits import tell
-from kowalevski_cas.notation import NotationError
+from kowalevski_cas.notation import NotationError, print_prose, read_prose, to_plain
+from kowalevski_cas.paper.claims.claim import Claim, Neighbour
 from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.certificate import FOLDER
-from kowalevski_cas.verify.corrections import recorded_correction
+from kowalevski_cas.verify.corrections import formulas_printed_by, recorded_correction
 from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.loci import goals_where_violated
-from kowalevski_cas.verify.outcome import CORRECTED, Run
+from kowalevski_cas.verify.outcome import CORRECTED, Run, Verdict
 from kowalevski_cas.verify.statement import Statement
 
 Record = Mapping[str, Mapping[str, object]]
@@ -35,14 +37,14 @@ class Checked:
 
     ``accepted`` has what it accepts by claim, corrections after a slash; ``rejected`` says why
     for the others, by file; ``without`` lists the recorded claims that have none. They are those of
-    a ``derivation``, in which some claims are ``called`` by the number of an equation.
+    a ``derivation``; each is ``said`` as it has them, with the recorded verdict.
     """
 
     accepted: dict[str, checker.Certificate] = field(default_factory=dict)
     rejected: dict[str, str] = field(default_factory=dict)
     without: tuple[str, ...] = ()
     derivation: str = ""
-    called: Mapping[str, str] = field(default_factory=dict)
+    said: dict[str, tuple[Verdict, str]] = field(default_factory=dict)
 
     @property
     def total(self) -> int:
@@ -106,8 +108,7 @@ def certificates_of(record: Record) -> list[str]:
 
 def check_files(paths: Sequence[Path], about: Expected | None = None) -> Checked:
     """Check certificates; those of a derivation have to be about what is expected."""
-    of = about.derivation if about is not None else None
-    found = Checked(derivation=of.name, called=equation_numbers(of)) if of else Checked()
+    found = Checked(derivation=about.derivation.name if about is not None else "")
     for done, path in enumerate(paths):
         tell(path.stem, done, len(paths))
         corrected = path.parent.name == CORRECTED
@@ -124,6 +125,11 @@ def check_files(paths: Sequence[Path], about: Expected | None = None) -> Checked
             found.rejected[str(path)] = checker.printable(said) or type(error).__name__
             continue
         found.accepted[name] = certificate
+        if about is not None and not about.decided:  # a run has words of its own
+            divides = any(theorem.divisors for theorem in certificate.theorems)
+            mended = Verdict.CONDITIONAL if divides else Verdict.PROVED
+            verdict = mended if corrected else Verdict(str(about.record[claim]["verdict"]))
+            found.said[name] = verdict, about.said(claim, corrected)
     return found
 
 
@@ -135,7 +141,7 @@ def equation_numbers(derivation: Derivation) -> dict[str, str]:
         displays = {place.display for place in ([printed] if printed else claim.establishes())}
         label = displays.pop().label if len(displays) == 1 else ""
         if printed and len([*printed.display]) > 1:
-            label = f"{label}, formula {printed.number}" if label else ""
+            label = f"formula {printed.number} of {label}" if label else ""
         if label:
             found.setdefault(label, claim.id)
     return {claim: number for number, claim in found.items()}
@@ -157,6 +163,26 @@ class Expected:
     def interpretation(self) -> Interpretation:
         """What is printed."""
         return Interpretation(self.derivation)
+
+    @cached_property
+    def numbers(self) -> dict[str, str]:
+        """The numbers of equations, by the claims about them."""
+        return equation_numbers(self.derivation)
+
+    def said(self, id: str, corrected: bool) -> str:
+        """What is printed of a claim, or its recorded correction: in words and plain formulas."""
+        claim, texts = self._claim(id), self.interpretation.texts
+        assert claim is not None
+        number = self.numbers.get(id, id)
+        words, formulas = claim.words, claim.formulas(texts)
+        if corrected:
+            near = self._correction(claim, self.interpretation.on(claim))
+            assert near is not None  # or its certificate was not accepted
+            number, words = f"{number}, corrected", "" if near[0].edit else near[0].words
+            formulas = formulas_printed_by(near[0]) if near[0].edit else ()
+        shown = ", ".join(map(to_plain, formulas))
+        told = print_prose(read_prose(words, texts.vocabulary), str, to_plain)
+        return f"{number}: {': '.join(filter(None, (told, shown)))}"
 
     def compare(self, name: str, certificate: checker.Certificate, corrected: bool) -> None:
         """Reject a certificate that is about something else."""
@@ -187,17 +213,22 @@ class Expected:
 
     def printed(self, id: str, corrected: bool) -> Statement | None:
         """What is printed of a claim, or its recorded correction; ``None`` if it says nothing."""
-        claim = next(
-            (candidate for candidate in self.derivation.claims if candidate.id == id), None
-        )
+        claim = self._claim(id)
         if claim is None:
             return None
         with suppress(NotationError, Meaningless):  # what says nothing has no certificate
             on = self.interpretation.on(claim)
             if not corrected:
                 return Statement(claim, on)
-            entry = self.record[id]
-            elsewhere = str(entry.get("mended", ""))
-            near = recorded_correction(claim, on, str(entry.get("correction")), elsewhere)
+            near = self._correction(claim, on)
             return None if near is None else near[1]
         return None
+
+    def _claim(self, id: str) -> Claim | None:
+        return next((claim for claim in self.derivation.claims if claim.id == id), None)
+
+    def _correction(self, claim: Claim, on: Elaborations) -> tuple[Neighbour, Statement] | None:
+        """The recorded correction of a claim, and what it says."""
+        entry = self.record[claim.id]
+        elsewhere = str(entry.get("mended", ""))
+        return recorded_correction(claim, on, str(entry.get("correction")), elsewhere)

@@ -122,8 +122,8 @@ class Correction(NamedTuple):
     checker has accepted, and ``divided`` what the judge divides by, goal by goal. If it is no
     formula of the claim that is wrong, but one on which it stands, ``blamed`` is what is printed
     there, and ``formulas`` are what should be; ``others`` are the true claims that stand on it as
-    well, and stay true. A relation of constants that is to be supposed stands at a place of its
-    own.
+    well, and stay true; ``besides`` are other misprints, which are to be mended with it for the
+    claim to be true. A relation of constants that is to be supposed stands at a place of its own.
     """
 
     formulas: tuple[Formula, ...]
@@ -138,6 +138,7 @@ class Correction(NamedTuple):
     divided: Divided = ()
     blamed: tuple[Formula, ...] = ()
     others: tuple[str, ...] = ()
+    besides: tuple[Printed, ...] = ()
 
     @property
     def elsewhere(self) -> str:

@@ -8,6 +8,7 @@ import pytest
 
 from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.cli import main
+from kowalevski_cas.reading.uncovered import Uncovered
 from kowalevski_cas.source.formulas import typed_formulas
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.source.tokens import tokens_of
@@ -110,3 +111,21 @@ def test_what_no_verdict_covers_is_listed(tmp_path, capsys):
     assert [one["words"].split()[0] for one in listed] == ["There", "Almost"]
     main(["audit", "--alone", str(path)])
     assert "What the text claims and no verdict covers" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("words", "read"),
+    [
+        (r"Only $x^2$ is constant.", "Only $x^2$ is constant."),
+        (r"By~\eqref{a} and \ref{b} \emph{all} motions", "By (1) and (b) all motions"),
+        (
+            r"Since it is real, \begin{equation} x=y, \end{equation} and so on",
+            "Since it is real, …",
+        ),
+        (r"\smallskip Real motions for \[x<1\]", "Real motions for …"),
+    ],
+)
+def test_a_sentence_is_shown_up_to_its_display_without_tex(words, read):
+    passage = Uncovered(1, words, "number: “all”")
+    assert passage.read(lambda label: {"a": "1"}.get(label, label)) == read
+    assert passage.cue == "all"

@@ -92,14 +92,14 @@ def test_0_as_recorded(cli, write):
     assert cli("record", folder)[0] == 0
     code, out, _ = cli("verify", folder)
     assert code == 0
-    assert out.rstrip().endswith("; as recorded")
+    assert out.rstrip().endswith("as recorded")
 
 
 def test_0_when_everything_is_proved_and_there_is_no_record(cli, write):
     code, out, _ = cli("verify", write())
     assert code == 0
     assert "2 claims: 2 proved" in out
-    assert "there is no record to compare with (`kowalevski-cas record`)" in out
+    assert "there is no record to compare with (`kowalevski-cas record`)" in " ".join(out.split())
 
 
 @pytest.mark.parametrize(

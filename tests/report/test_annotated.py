@@ -18,6 +18,7 @@ from kowalevski_cas.report.document import (
     Judgement,
     Link,
     Paragraph,
+    Sign,
 )
 from kowalevski_cas.report.html import render_html
 from kowalevski_cas.report.marks import SPOILED
@@ -210,3 +211,27 @@ def test_a_misprint_that_spoils_several_formulas_is_told_once_with_all_of_them()
     assert numbers == [("(1)",), ("(2)",), ("(3)",)]  # as TeX counts
     assert said(told.head[-1]) == " fail."
     assert not any(getattr(b, "anchor", "") == "false" for b in document.blocks)
+
+
+TWO = r"""\begin{document}The equations of motion are
+\begin{equation}\dot x=y,\quad\dot y=-x,\quad\dot u=v,\quad\dot v=-u.\end{equation} Let
+\begin{equation}F=x^2-y^2,\end{equation} \begin{equation}G=u^2-v^2.\end{equation} Then
+\begin{equation}\dot F=0,\end{equation} \begin{equation}\dot G=0,\end{equation}
+and for $P=FG$ we have \begin{equation}\dot P=0.\end{equation} \end{document}"""
+
+
+def test_a_claim_that_two_misprints_spoil_is_shown_as_spoiled_and_names_both() -> None:
+    found = audit_reading(ReadingSession(read(decode("two.tex", TWO.encode())), timeout=20))
+    document = annotate(found)
+    judged = [b for b in document.blocks if isinstance(b, Judgement) and b.verdict is SPOILED]
+    numbers = [[p.text[0] for p in parts(b.head) if isinstance(p, Link)] for b in judged]
+    assert numbers == [["(2)"], ["(3)"], ["(2)", "(3)"]]
+    assert all("Fails because of " in said(block.head) for block in judged)
+    start = next(
+        k for k, b in enumerate(document.blocks) if getattr(b, "anchor", "") == "misprints"
+    )
+    slips = [b for b in document.blocks[start + 1 : start + 3] if isinstance(b, Judgement)]
+    numbers = [[p.text[0] for p in parts(b.head) if isinstance(p, Link)] for b in slips]
+    assert numbers == [["(2)", "(4)", "(6)"], ["(3)", "(5)", "(6)"]]
+    (legend,) = (b for b in document.blocks if "only because another" in said(b))
+    assert Sign(Verdict.REFUTED) in legend.text and Sign(SPOILED) in legend.text

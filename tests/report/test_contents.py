@@ -270,12 +270,12 @@ class TestEvidence:
     def test_arithmetics_that_disagree_are_named(self) -> None:
         assert "FLINT says undecided and SymPy says timeout" in said(WHOLE.blocks)
 
-    def test_coordinates_that_are_equal_stand_together(self) -> None:
+    def test_each_coordinate_has_its_equation(self) -> None:
         one = claim("a", "1", "x=y", "", R, counterexample=counterexample(
             point({"x_1": "1", "y_1": "1", "z_1": "0"}), "0", "1"
         ))  # fmt: skip
         told = next(p for p in parts(document(one)) if isinstance(p, Paragraph) and "At " in p.text)
-        assert sum(isinstance(part, Formula) for part in told.text) == 2 + 2
+        assert sum(isinstance(part, Formula) for part in told.text) == 3 + 2
 
     def test_certificates_and_programs_are_named_only_if_there_are_any(self) -> None:
         assert "certificate" not in said(under(WHOLE, "holds"))

@@ -79,8 +79,8 @@ def test_what_is_false_beside_them_is_counted() -> None:
     )
     assert "other" not in paragraphs(*both, main=("a", "b"))[0]
     heading, false = wrong_places(findings)
-    assert said(heading.text) == "False."
-    assert isinstance(false, Judgement) and "is false: “it is not so”" in said(false.head)
+    assert said(heading.text) == "One statement is false."
+    assert isinstance(false, Judgement) and "“it is not so”" in said(false.head)
 
 
 def test_a_misprint_has_its_two_values_beside_it() -> None:
@@ -124,13 +124,19 @@ def test_conditions_are_named() -> None:
     assert isinstance(block, Judgement) and "where" in said(block.head)
 
 
-def test_a_sum_of_squares_is_said_by_its_zeros() -> None:
-    squares = condition("a^2+b^2", "")._replace(zeros=(*read("a=0"), *read("b=0")))
-    squares = squares._replace(witness=counterexample(point({"a": "0"}), "1", "2"))
-    needs = claim("a", "1", "x=x", "it is so", C, conditions=(condition("x", ""), squares))
+@pytest.mark.parametrize(
+    ("squares", "zeros", "words"), [("a^2+b^2", "a=0,b=0", ""), ("(a-x)^2+b^2", "a=x,b=0", " or ")]
+)
+def test_that_a_sum_of_squares_is_not_zero_is_said_of_them_unless_they_are_of_letters(
+    squares: str, zeros: str, words: str
+) -> None:
+    needed = condition(squares, "", counterexample(point({"a": "0"}), "1", "2"))
+    needed = needed._replace(zeros=(*read(zeros),))
+    needs = claim("a", "1", "x=x", "it is so", C, conditions=(condition("x", ""), needed))
     (_, text) = paragraphs(needs, main=("a",))
+    where = f"{words} " if words else " "
     assert text == (  # formulas are left out
-        "a: it is so, where  (sufficient), unless  and  (necessary)."
+        f"a: it is so, where  (elsewhere nothing is proved), and {where}(without which it is false)."
     )
 
 

@@ -123,10 +123,10 @@ def _summary(result: ComparedRun) -> Iterator[str]:
     noun = result.standard
     if not result.differences:
         none = "; there is no record to compare with (`kowalevski-cas record`)"
-        yield f"{head}; as {noun}{'' if result.recorded else none}"
+        yield from plain.wrap(f"{head}; as\xa0{noun}{'' if result.recorded else none}")
     else:
-        other = "THE RECORD" if result.recorded else "WHAT IS EXPECTED"
-        yield f"{head}; DIFFERENT FROM {other}:"
+        other = "THE\xa0RECORD" if result.recorded else "WHAT\xa0IS\xa0EXPECTED"
+        yield from plain.wrap(f"{head}; DIFFERENT\xa0FROM\xa0{other}:")
         for difference in result.differences:
             yield f"  {difference.claim}: {noun} {difference.recorded}, found {difference.found}"
 
@@ -175,7 +175,9 @@ class AuditText:
         for ids, (first, *_) in group_alike(((f.id, f) for f in audit.formulas if f.wrong), _slip):
             why = "; ".join(audit.said(first))
             place = ":".join(map(str, filter(None, first.region[:2])))
-            place = f"{place}: {self.called(first, ids)}: {first.verdict}"
+            called = self.called(first, ids)
+            named = "" if called == f"line {first.line}" else f"{called}: "  # the place says it
+            place = f"{place}: {named}{first.verdict}"
             printed = () if first.formula is None else (first.formula,)
             yield from self._line_of(
                 f"{place}, {why}" if why else place, printed, first.tex,
@@ -248,12 +250,9 @@ class AuditText:
             if passage.kind == "formula":
                 lines.setdefault(passage.words, []).append(str(passage.line))
             else:
-                words = (
-                    passage.words
-                    if len(passage.words) <= SHORT
-                    else f"{passage.words[: SHORT - 1]}…"
-                )
-                yield from plain.wrap(f"{passage.line}: {words}")
+                said = plain.text(self.phrases.words(passage.read()))
+                said = said if len(said) <= SHORT else f"{said[: SHORT - 1]}…"
+                yield from plain.wrap(f"{passage.line} (“{passage.cue}”): {said}", "  ", 4)
         formulas = (f"{words} ({', '.join(places)})" for words, places in lines.items())
         yield from plain.wrap("; ".join(formulas)) if lines else ()
 
@@ -261,10 +260,10 @@ class AuditText:
         """How many there are of each verdict."""
         audit = self.audit
         claims = Counter(str(outcome.verdict) for outcome in audit.outcomes.values())
-        yield _count(len(audit.formulas), "formula", audit.counts)
+        yield from plain.wrap(_count(len(audit.formulas), "formula", audit.counts))
         claimed = _count(len(audit.outcomes), "claim", claims)
         checked = plain.many(len(audit.certificates), "certificate")
-        yield f"{claimed}; {checked} checked; {audit.seconds:.2f} s"
+        yield from plain.wrap(f"{claimed}; {checked} checked; {audit.seconds:.2f} s")
 
 
 def _slip(formula: Audited) -> object:

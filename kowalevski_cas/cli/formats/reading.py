@@ -79,7 +79,7 @@ def _assumptions(audit: Audit, phrases: Phrases) -> Iterator[str]:
     if listed:
         yield from ("", plain.bold("What is assumed"))
     for words in dict.fromkeys(listed):
-        yield from (f"  {line}" for line in plain.wrap(plain.text(phrases.words(words))))
+        yield from plain.wrap(plain.text(phrases.words(words)), "  ", 4)
 
 
 def _doubts(audit: Audit, phrases: Phrases) -> Iterator[str]:
@@ -89,7 +89,8 @@ def _doubts(audit: Audit, phrases: Phrases) -> Iterator[str]:
     if unclear or in_words:
         yield from ("", plain.bold("What is not decided"))
     for formula in unclear:
-        words = phrases.words(f"{_where(audit, formula)}: {formula.message}")
+        more = ". A longer --timeout may decide it" if formula.verdict == Verdict.TIMEOUT else ""
+        words = phrases.words(f"{_where(audit, formula)}: {formula.message}{more}")
         yield from plain.wrap(plain.text(words))
         if formula.formula is not None:
             yield from plain.lines([Equations((formula.formula,), formula.tex)], 2)
@@ -106,10 +107,12 @@ def _open(audit: Audit, phrases: Phrases) -> Iterator[str]:
     unjudged = [formula for formula in audit.formulas if formula.verdict == OPEN]
     if unjudged:
         yield from ("", plain.bold("What is not judged"))
-    for formula in unjudged:
-        message = formula.message.splitlines()[0] if formula.message else formula.reason
-        words = phrases.words(f"{_where(audit, formula)}: {message}")
-        yield from (f"  {line}" for line in plain.wrap(plain.text(words)))
+    told = (
+        f"{_where(audit, one)}: {one.message.partition(chr(10))[0] or one.reason}"
+        for one in unjudged
+    )
+    for words in dict.fromkeys(told):
+        yield from plain.wrap(plain.text(phrases.words(words)), "  ", 4)
 
 
 def _where(audit: Audit, formula: Audited) -> str:

@@ -17,6 +17,8 @@ MODULES = {
 }
 """The modules of the kinds, and of what all of them share, by name."""
 
+__all__ = [*MODULES]
+
 
 def __getattr__(name: str) -> Any:
     """A kind, loaded when it is first asked for."""
