@@ -15,7 +15,8 @@ _LETTER = (
 _START = r"(?P<start>\s*(?:\\label\{[^{}]*\}\s*)*)"
 _GAP = r"(?:\\[ ,;:!]|\\q?quad(?![A-Za-z])|~|\s)"
 _COLON = re.compile(
-    rf"{_START}(?P<name>{_LETTER})(?P<sign>\s*:(?:\s*(?:\\[ ,;:!]|\\q?quad(?![A-Za-z])|~))+)(?P<body>.*)",
+    rf"{_START}(?P<name>{_LETTER})"
+    r"(?P<sign>\s*:(?:\s*(?:\\[ ,;:!]|\\q?quad(?![A-Za-z])|~))+)(?P<body>.*)",
     re.DOTALL,
 )
 r"""A letter with a colon and a space before equations: without a space it may be a ratio."""
@@ -40,9 +41,10 @@ def without_set_names(formulas: Iterable[TypedFormula]) -> Iterator[tuple[TypedF
     for formula in formulas:
         found = _COLON.fullmatch(formula.tex) or _BRACES.fullmatch(formula.tex)
         if found is None or ":" in found["body"] or not _EQUATION.search(found["body"]):
-            named = _MAP.match(formula.tex)
-            blank = " " * len(named[0]) + formula.tex[len(named[0]) :] if named else formula.tex
-            yield replace(formula, tex=blank), ""
+            mapped = _MAP.match(formula.tex)
+            until = mapped.end() if mapped else 0
+            blank = " " * until + formula.tex[until:]
+            yield replace(formula, tex=blank) if until else formula, ""
             continue
         named = found["name"] + found["sign"]
         end = found.groupdict().get("end") or ""

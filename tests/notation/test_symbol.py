@@ -188,7 +188,7 @@ spec = spec_from_file_location("kowalevski_cas.notation.decorations", sys.argv[1
 sys.modules[spec.name] = decorations = module_from_spec(spec)
 spec.loader.exec_module(decorations)
 decorations.ACCENTS[r"\breve"] = decorations.Accent("\u0306", "\u02d8", "breve({})")
-decorations.RAISED[r"\dagger"] = decorations.RaisedSign("\u2020", "dag")
+decorations.RAISED[r"\dagger"] = decorations.RaisedSign("\u2020", "\u2020", "dag")
 
 from kowalevski_cas.notation import Vocabulary, read, to_latex, to_plain
 from kowalevski_cas.notation.mathml import to_mathml
