@@ -7,15 +7,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
-from kowalevski_cas.notation import (
-    Formula,
-    Name,
-    NotationError,
-    Relation,
-    Vocabulary,
-    defined_names,
-    rank,
-)
+from kowalevski_cas.notation import Formula, NotationError, Vocabulary, defined_names
 from kowalevski_cas.notation.layout import StatementTokens
 from kowalevski_cas.notation.layout import statements as placed
 from kowalevski_cas.notation.open import OpenParser, is_exponential
@@ -56,31 +48,11 @@ def by_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
 def vocabulary_of(formulas: Sequence[TypedFormula]) -> Vocabulary:
     """The names of a paper; those with primes are names where rates of some are printed."""
     words = _letters(formulas)
-    words = _with_matrices(formulas, words) if words.matrices else words
     found: set[str] = set()
     for formula in formulas:
         with suppress(NotationError, RecursionError):
             found |= {*primed_names(formula.tex, words)}
     return replace(words, scalars=words.scalars | found, moving=words.moving | found)
-
-
-def _with_matrices(formulas: Sequence[TypedFormula], words: Vocabulary) -> Vocabulary:
-    """The vocabulary in which a letter that is equal to a matrix, as L+zQ may be, is one too."""
-    mentioned = [one for one in formulas if any(name in one.tex for name in words.matrices)]
-    found = {
-        member.name
-        for one in mentioned
-        for tree, _, _ in read_formula(one, one.tex, words)
-        if isinstance(tree, Relation) and tree.is_equality and len(tree.members) == 2
-        for member, other in (tree.members,)
-        if isinstance(member, Name) and rank(other, words) == MATRIX
-    } - words.matrices
-    if not found:
-        return words
-    matrices = words.matrices | found
-    return _with_matrices(
-        formulas, replace(words, matrices=matrices, scalars=words.scalars - found)
-    )
 
 
 def _letters(formulas: Sequence[TypedFormula]) -> Vocabulary:
@@ -161,13 +133,10 @@ _CAPITAL = re.compile(r"(?<![A-Za-z\\])[A-Z](?![A-Za-z_])")
 def _by_elements(formulas: Sequence[TypedFormula], known: frozenset[str]) -> frozenset[str]:
     """The letters of which the elements are given, and that stand in commutators of matrices."""
     given = {letter for one in formulas for letter in _ELEMENT.findall(one.tex)}
-    sides = [one.tex.split("=") for one in formulas if one.tex.count("=") == 1]
-    letters = [[{*_CAPITAL.findall(side)} for side in pair] for pair in sides]
-    made = {letter for left, right in letters if right & (given | known) for letter in left}
     found: set[str] = set()
     for pair in (pair for one in formulas for pair in _PAIR.findall(one.tex)):
         beside = [{*_CAPITAL.findall(part)} for part in pair]
-        if all(own & (given | known | made) for own in beside):
+        if all(own & (given | known) for own in beside):
             found |= set[str]().union(*beside) & given
     return frozenset(found)
 

@@ -33,6 +33,7 @@ from kowalevski_cas.paper.relations import solve_for_constant
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.reading.forces import refuse_unsaid_forces
 from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, Known
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.statements import SourceStatement, derived_names
@@ -210,7 +211,10 @@ class Stage:
         for name in known.names.scalars(name for item in items for name in item.rates):
             if law is None or not (known.is_defined(name) or name in law.variables):
                 raise ValueError(f"no equation says how ${name}$ moves")
-        return self._restated(law, at) if law is not None else None
+        if law is None:
+            return None
+        refuse_unsaid_forces(law, at, known)
+        return self._restated(law, at)
 
     def _restated(self, law: Law, at: SourceStatement) -> Law:
         """A law as it is printed anew before, where the assumptions for that are not in force."""
