@@ -47,6 +47,11 @@ from kowalevski_cas.reading.suppositions import assumption, inequality, value
 _BELONGING = re.compile(r"\b(?:of|in|for|by|with|on)[\s~]*(?:the\s+)?(?:\w+\s+)?$")
 """How words end behind which something belongs to a name, and is spoken of itself."""
 
+_OF_MEASURE = re.compile(
+    r"\b(?:densit(?:y|ies)|measures?|volumes?|areas?|плотност\w+|мер[аыу]|объ[её]м\w*)[\s~]*$",
+    re.IGNORECASE,
+)
+"""Words right before the density of a measure, or a form."""
 _MAPSTO = re.compile(r"\([^()]*\)\s*\\mapsto\s*\([^()]*'\s*\)\s*(?:,|\.|$)")
 """What is mapped to its image, which has primes: this says that there is a map."""
 _END_OF_PROOF = re.compile(r"\s*\\(?:(?:black)?square|Box|qed)\s*")
@@ -91,6 +96,9 @@ def expression(item: SourceStatement, known: Known) -> StatementRole | None:
             return role
         if setting := cue("another-law", item.words):
             return StatementRole(CLAIM, f"of a law that is not printed: “{setting}”", "another-law")
+        if measure := _OF_MEASURE.search(item.lead):
+            why = f"“{said}” is said of a measure: “{measure[0].strip()}”"
+            return StatementRole(CLAIM, why, "form")
         if _has_differentials(item, known):
             return StatementRole(CLAIM, f"“{said}” is said of a differential form", "form")
         return StatementRole(CLAIM, f"“{said}” is said of it", "integral")

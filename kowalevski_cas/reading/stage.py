@@ -21,7 +21,7 @@ from kowalevski_cas.notation import (
     read,
     to_latex,
 )
-from kowalevski_cas.notation.functions import FAMILY_OF, SIGN
+from kowalevski_cas.notation.functions import FAMILY_OF, FUNCTIONS, SIGN
 from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.amplitudes import conjugate_name, with_conjugates
@@ -315,7 +315,7 @@ class Stage:
             taken |= {*arguments, *summation_indices(arguments), DELTA}
         clocks = {name for item in self.known.clocks for name in (item.other_time, "d")}
         taken |= {*closure.variables, "t"} | words.matrices | clocks
-        taken |= words.functions - words.scalars
+        taken |= (words.functions | FUNCTIONS) - words.scalars
         taken |= {"i"} if self.known.units else set()
         for name in self.known.names.scalars(sorted(closure.names)):
             if name not in taken and not name.startswith(BRACKET):
