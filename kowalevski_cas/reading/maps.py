@@ -11,6 +11,7 @@ from dataclasses import replace
 
 from kowalevski_cas.notation import Derivative, Formula, Name, PoissonBracket, Summation, to_latex
 from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.amplitudes import conjugate_images, conjugate_name
 from kowalevski_cas.paper.images import images_by_index, solutions
 from kowalevski_cas.paper.implied import canonical_brackets, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET
@@ -139,17 +140,19 @@ def enter_maps(parts: Parts) -> None:
         for number, law in enumerate((one for one in known.laws if one.images), 1):
             suffix = f"-{place + 1}-{number}"
             try:
-                solved = [*_solved(law, known, suffix)]
+                found = [*_solved(law, known, suffix)]
             except (ValueError, Meaningless) as error:
                 known.lost |= dict.fromkeys(law.unsolved, str(error))
-                solved = []
-            found = [*solved, *_later(law, solved, known, suffix)]
+                found = []
             law.solved = tuple(found)
             brackets = [*_brackets(law, known, suffix)]
+            later = [*_later(law, found, known, suffix)]
+            found += [*_conjugates(law, known, suffix), *later]
+            law.solved = tuple(found)
             for item in (*found, *brackets):
                 parts.places[item] = place
                 why = "follows from the map" if item in found else "the canonical bracket"
-                gives = item.printed.heads.names if item in brackets or item in solved else ()
+                gives = () if item in later else item.printed.heads.names
                 parts.enter(item, StatementRole(CONVENTION, why, "", gives))
 
 
@@ -199,6 +202,25 @@ def _shifted(formula: Formula, index: str, k: int) -> Formula:
         return formula
     later = int(step[1] or 0) + k
     return Name(replace(parts, index=f"{index}{later:+}" if later else index).name)
+
+
+def _conjugates(law: Law, known: Known, suffix: str) -> list[SourceStatement]:
+    """The images of the conjugates of what is complex in a map with the imaginary unit."""
+    units = [one.formula for one in known.units if one.formula is not None]
+    rows = {name: one.formula for name, one in law.given.items() if one.formula is not None}
+    try:
+        conjugate = conjugate_images([*rows.values(), *units], rows, dict(law.images))
+    except ValueError as error:
+        known.lost |= dict.fromkeys(rows, str(error))
+        return []
+    found = [
+        unprinted(known.paper, f"conjugate-{number}{suffix}", tex, law.first, "the conjugate")
+        for number, tex in enumerate(conjugate, 1)
+    ]
+    new = {one.bare[0] for one in found}
+    pairs = [(conjugate_name(x), conjugate_name(y)) for x, y in law.images]
+    law.images = (*law.images, *((x, y) for x, y in pairs if y in new))
+    return found
 
 
 def _brackets(law: Law, known: Known, suffix: str) -> Iterator[SourceStatement]:

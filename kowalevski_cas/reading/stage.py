@@ -27,6 +27,7 @@ from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.amplitudes import conjugate_name, with_conjugates
 from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.exponents import half_power
+from kowalevski_cas.paper.functions import without_extremes
 from kowalevski_cas.paper.logarithms import roots as real_roots
 from kowalevski_cas.paper.names import BRACKET, DELTA, head, summation_indices
 from kowalevski_cas.paper.relations import solve_for_constant
@@ -355,7 +356,7 @@ class Stage:
         Where logarithms and arcs are real, others are.
         """
         yield from map(to_latex, real_roots(formula) if formula is not None else ())
-        for node in formula.nodes() if formula is not None else ():
+        for node in without_extremes(formula).nodes() if formula is not None else ():
             match node:
                 case Root():
                     yield to_latex(node)

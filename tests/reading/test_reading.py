@@ -511,3 +511,7 @@ def test_a_measure_that_is_preserved_is_no_constant_function(words):
         f.role.kind for f in reading(text + r"Hence the function $xy$ is preserved.").formulas
     }
     assert "integral" in constant
+
+
+def test_a_formula_with_nothing_in_it_is_no_ellipsis():
+    assert LAW in roles(TOP + r"Nothing stands in $\quad$, and in $\label{a}$ neither.").values()
