@@ -235,3 +235,15 @@ def test_a_claim_that_two_misprints_spoil_is_shown_as_spoiled_and_names_both() -
     assert numbers == [["(2)", "(4)", "(6)"], ["(3)", "(5)", "(6)"]]
     (legend,) = (b for b in document.blocks if "only because another" in said(b))
     assert Sign(Verdict.REFUTED) in legend.text and Sign(SPOILED) in legend.text
+
+
+def test_of_a_display_that_is_not_read_every_formula_is_shown_as_it_is_typed() -> None:
+    text = (
+        r"\begin{document}The motion is $$\dot p=q,\quad \dot q=-p.$$ Then "
+        r"\begin{equation}\dot p=-\frac{du}{d\varphi},\qquad \frac{d^2u}{d\varphi^2}+u=3.\end{equation}"
+        r"\end{document}"
+    )
+    html = of_the_paper(
+        annotate(audit_reading(ReadingSession(read(decode("a.tex", text.encode())))))
+    )
+    assert r"\dot p=-\frac{du}{d\varphi}" in html and r"\frac{d^2u}{d\varphi^2}+u=3" in html
