@@ -38,9 +38,11 @@ DENOMINATORS = (1, 2, 3, 3, 7)
 
 
 def points(
-    constraints: Sequence[fmpq_mpoly], variables: Sequence[int], avoid: Sequence[fmpq_mpoly] = ()
+    constraints: Sequence[fmpq_mpoly],
+    variables: Sequence[int],
+    avoid: Sequence[Sequence[fmpq_mpoly]] = (),
 ) -> Iterator[Assignment]:
-    """Rational points where the constraints vanish and the expressions to avoid do not.
+    """Rational points where the constraints vanish, and of each group to avoid not every one does.
 
     ``variables`` are indices of generators. Variables that a constraint gives at
     once are eliminated. For the constraints that remain, one variable each is
@@ -48,12 +50,13 @@ def points(
     equations are linear, or have rational roots.
     """
     rest, eliminated = eliminate([c for c in constraints if not c.is_zero()], variables)
-    avoided = [_substitute_found(a, eliminated) for a in avoid]
-    if any(c.is_constant() for c in rest) or any(a.is_zero() for a in avoided):
+    avoided = [[_substitute_found(one, eliminated) for one in group] for group in avoid]
+    vanishing = any(all(one.is_zero() for one in group) for group in avoided)
+    if any(c.is_constant() for c in rest) or vanishing:
         return
     gone = {v for v, _ in eliminated}
     for values in _known_completions(rest, [v for v in variables if v not in gone]):
-        if not any(constant(a, values) == 0 for a in avoided):
+        if all(any(constant(one, values) for one in group) for group in avoided):
             yield _with_eliminated({**values}, eliminated)
 
 

@@ -191,15 +191,18 @@ def real_points(
 def _by_steps(coordinates: RealCoordinates, nonzero: Sequence[Element]) -> Iterator[ExactPoint]:
     """Points at which no root is taken of what is negative, by steps towards them."""
     parts = [part for one in coordinates.radicands for part in coordinates.equations(one)]
-    avoid = [*_to_avoid(nonzero, coordinates)]
+    squares = ([one * one for one in group] for group in _to_avoid(nonzero, coordinates))
+    avoid = [sum(group, coordinates.context.constant(0)) for group in squares]
     yield from map(coordinates.point, positive_points(parts, len(coordinates.names), avoid))
 
 
-def _to_avoid(nonzero: Sequence[Element], coordinates: RealCoordinates) -> Iterator[fmpq_mpoly]:
-    """What vanishes where some of these elements does."""
+def _to_avoid(
+    nonzero: Sequence[Element], coordinates: RealCoordinates
+) -> Iterator[Sequence[fmpq_mpoly]]:
+    """What vanishes together where one of these elements does."""
     for element in nonzero:
         if equations := coordinates.equations(element):
-            yield sum((e * e for e in equations), coordinates.context.constant(0))
+            yield equations
 
 
 def points_with_squares(
@@ -230,7 +233,7 @@ def points_with_squares(
         return
     halves = [_halved(polynomial, squared) for polynomial in (*constraints, *radicands)]
     avoid = [
-        _halved(equation, squared)
+        (_halved(equation, squared),)
         for element in nonzero
         for equation in coordinates.equations(element)[:1]
         if all(_is_even([equation], place) for place in squared)

@@ -73,7 +73,7 @@ def test_pseudo_division_is_an_identity(a, g, h):
 @given(terms(3, 1), terms(3, 1))
 def test_points_lie_on_their_constraints_and_off_what_they_avoid(a, b):
     p, q = polynomial(a), polynomial(b)
-    for at in islice(points([p], range(3), [q]), 3):
+    for at in islice(points([p], range(3), [[q]]), 3):
         assert constant(p, at) == 0 != constant(q, at)
 
 
