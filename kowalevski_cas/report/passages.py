@@ -180,7 +180,7 @@ class Passages:
 
     def _record(self, outcome: Outcome) -> Text:
         agreeing = [title(name) for name, v in outcome.verdicts.items() if v is outcome.verdict]
-        text: Text = ("decided by ", *_names(agreeing))
+        text: Text = ("decided by ", *_names(agreeing)) if agreeing else ("not decided",)
         if outcome.claim in self.certified:
             also = [w.name for w in self.programs if outcome.claim in w.claims]
             text = (*text, "; the certificate is accepted by ", *_names(["the checker", *also]))
