@@ -158,7 +158,7 @@ class Describer:
             audited.verdict = SUSPECT
 
 
-_RANGES = re.compile(r"(?:,\\quad [a-z]=\d(?:,\d)*)*")
+_RANGES = re.compile(r"(?:,\\quad (?:[a-z]=\d(?:,\d)*|\([a-z](?:\\neq?|[<>]) [a-z]\)))*")
 
 
 def _read_as(typed: str, read: str) -> str:

@@ -49,7 +49,7 @@ class Atoms(Symbols):
         kind = self.tokens[self.at].kind
         if kind == "letter":
             piece = self.symbol()
-        elif self.starts():
+        elif self.starts() or kind == "bar":
             piece = getattr(self, "read_" + kind)()
         else:
             raise self.unexpected()
@@ -81,11 +81,14 @@ class Atoms(Symbols):
 
     def read_bar(self) -> Piece:
         """A number between bars."""
-        start = self.take().start
+        start, outer, first = self.take().start, self.barred, self.at
         self.barred = True
         inner = self.sum()
-        self.barred = False
+        self.barred = outer
+        nested = any(token.kind == "bar" for token in self.tokens[first : self.at])
         self.close("bar")
+        if nested and self.starts():
+            raise self.error(r"which bars belong together? print \left| and \right|")
         return self.scripts(self.modulus(inner, start))
 
     def modulus(self, inner: Piece, start: int) -> Piece:
@@ -153,8 +156,11 @@ class Atoms(Symbols):
         node = Root(argument[0]) if order == 2 else Radical(argument[0], order)
         return self.scripts((node, sign.start, end, (argument,)))
 
-    def read_list(self, pair: bool = False) -> tuple[Piece, ...]:
-        """What stands between brackets, separated by commas; a pair may stand in braces."""
+    def read_list(self, braces: bool = False, pair: bool = False) -> tuple[Piece, ...]:
+        r"""What stands between brackets, separated by commas; a pair may stand in braces.
+
+        A longer list may, too, if ``braces`` are round ones there, as in \max\{a,b,c\}.
+        """
         opening = self.take()
         items = [self.sum()]
         while self.tokens[self.at].kind == "comma":
@@ -169,6 +175,7 @@ class Atoms(Symbols):
         if opening.text == "[":
             ranks = {rank(item[0], self.vocabulary) for item in items}
             paired &= ranks in ({MATRIX}, {VECTOR})
+        paired |= braces and opening.text == r"\{"
         if len(items) > 1 and opening.text in ("[", r"\{") and not paired:
             message = "a list in these brackets cannot be read; use round ones"
             if opening.text == "[":

@@ -9,7 +9,7 @@ from kowalevski_cas.notation.errors import NotationError, Undeclared
 from kowalevski_cas.notation.formula import Formula, Name
 from kowalevski_cas.notation.macros import GREEK
 from kowalevski_cas.notation.symbol import symbol
-from kowalevski_cas.notation.tokens import DEEPEST, Token
+from kowalevski_cas.notation.tokens import DEEPEST, UNFINISHED, Token
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
 # A node, the interval that printed it, and the pieces of its children.
@@ -20,7 +20,6 @@ END = "end of formula"
 STARTS = frozenset(
     """letter number open frac sqrt accent operator const dots begin sum product""".split()
 )
-_UNFINISHED = frozenset({"sign", "relation", "times", "slash", "open", "{", "comma"})
 _INDEX = frozenset({"letter", "number", "sign", "comma", "star", "prime", "_"})
 
 
@@ -67,7 +66,7 @@ class Cursor:
         if token.kind == "stop" and self.tokens[self.at + 1].kind == "number":
             return self.error("write a zero before the decimal point")
         if token.kind == "relation":
-            if self.at == 0 or self.tokens[self.at - 1].kind in _UNFINISHED:
+            if self.at == 0 or self.tokens[self.at - 1].kind in UNFINISHED:
                 return self.error(f"something is missing before {token.text}")
             return self.error(f"the relation {token.text} stands inside brackets or an argument")
         if token.kind == "plusminus":

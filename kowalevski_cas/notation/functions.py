@@ -236,6 +236,9 @@ AT_AMPLITUDE = {
 SIGN = r"\mathrm{sign}"
 """The sign of what is not zero."""
 
+EXTREMES = (r"\max", r"\min")
+"""The largest and the smallest of some numbers."""
+
 _OTHERS = ("max", "min", "det", "tr Tr", "sign sgn sg")
 _MACROS = frozenset(
     """sin cos tan cot sec csc sinh cosh tanh coth arcsin arccos arctan exp ln log max min

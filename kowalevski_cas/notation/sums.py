@@ -12,7 +12,7 @@ from itertools import pairwise, product
 from operator import ge, gt, le, lt, ne
 from typing import NamedTuple
 
-from kowalevski_cas.notation.tokens import BEGINNING, ENDING, Token
+from kowalevski_cas.notation.tokens import BEGINNING, ENDING, Token, bars_around
 
 Ranges = Mapping[str, range | tuple[int, ...]]
 Values = Mapping[str, int]
@@ -43,10 +43,11 @@ class SumSign(NamedTuple):
                 break
             depth += _depths(tokens[begin])
             begin += 1
-        end, barred = begin, False
-        while end < len(tokens) and (depth or barred or tokens[end].kind not in _BEHIND):
+        end, bars = begin, bars_around(tokens)
+        while end < len(tokens) and bars[end] >= bars[first]:
+            if not depth and bars[end] == bars[first] and tokens[end].kind in _BEHIND:
+                break
             depth += _depths(tokens[end])
-            barred ^= tokens[end].kind == "bar"
             if depth < 0:
                 break
             end += 1

@@ -86,9 +86,9 @@ class Symbol:
         accents = tuple(accent for accent in self.accents if accent != r"\vec")
         return replace(self, font="", accents=accents)
 
-    def component(self, number: int) -> Symbol:
-        r"""A component of a vector, as :math:`\omega_1` of :math:`\boldsymbol\omega`."""
-        return replace(self.without_type, index=f"{self.index}{number}")
+    def component(self, axis: int | str) -> Symbol:
+        r"""A component of a vector, as :math:`p_1` or :math:`p_x` of :math:`\mathbf p`."""
+        return replace(self.without_type, index=f"{self.index}{axis}")
 
     def in_other_types(self) -> list[Symbol]:
         r"""The symbols for the same vector in the other types in use for vectors.

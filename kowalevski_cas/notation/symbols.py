@@ -21,7 +21,7 @@ from kowalevski_cas.notation.formula import (
     Product,
     Transposed,
 )
-from kowalevski_cas.notation.functions import LETTERS
+from kowalevski_cas.notation.functions import EXTREMES, LETTERS
 from kowalevski_cas.notation.macros import GREEK, INSTEAD
 from kowalevski_cas.notation.tokens import DEEPEST, Token
 from kowalevski_cas.notation.values import rank
@@ -56,7 +56,7 @@ class Symbols(Cursor):
     term: Callable[[], Piece]
     factor: Callable[[], Piece]
     bracket: Callable[[], Piece]
-    read_list: Callable[[], tuple[Piece, ...]]
+    read_list: Callable[..., tuple[Piece, ...]]
 
     # Names
 
@@ -177,7 +177,9 @@ class Symbols(Cursor):
         if power is not None and _may_be_inverse(power[0]):
             raise self.error(f"a negative power of the function {name} is ambiguous")
         opened = self.tokens[self.at].kind == "open"
-        below = self.read_list() if opened else (self.phase() or self.operand(name),)
+        below = (
+            self.read_list(name in EXTREMES) if opened else (self.phase() or self.operand(name),)
+        )
         end = self.tokens[self.at - 1].end
         piece: Piece = (Application(name, tuple(b[0] for b in below)), start, end, below)
         if power is not None:

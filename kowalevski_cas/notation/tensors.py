@@ -13,7 +13,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from kowalevski_cas.notation.errors import NotationError
-from kowalevski_cas.notation.tokens import BEGINNING, ENDING, Token
+from kowalevski_cas.notation.tokens import BEGINNING, ENDING, Token, bars_around
 
 Values = Mapping[str, int]
 SPACE = range(1, 4)
@@ -189,12 +189,11 @@ def _letters(tokens: Sequence[Token]) -> list[str]:
 def _depths(tokens: Sequence[Token], index: bool = True) -> list[int]:
     """The number of brackets around each token, perhaps without those of indices and accents."""
     found, opened = list[int](), list[bool]()
-    before, barred = "", False
-    for token in tokens:
+    before = ""
+    for token, bars in zip(tokens, bars_around(tokens), strict=True):
         if token.kind in ENDING and opened:
             opened.pop()
-        barred ^= token.kind == "bar"
-        found.append(sum(opened) + barred)
+        found.append(sum(opened) + bars)
         if token.kind in BEGINNING:
             opened.append(index or before not in ("_", "accent"))
         before = token.kind

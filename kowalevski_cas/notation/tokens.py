@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from kowalevski_cas.notation.errors import NotationError
 
@@ -34,6 +35,21 @@ class Token:
         self.text = text
         self.start = start
         self.end = end
+
+
+UNFINISHED = frozenset("sign plusminus relation times slash open { comma cell row".split())
+"""The kinds of tokens behind which a factor is missing."""
+
+
+def bars_around(tokens: Sequence[Token]) -> list[int]:
+    """The number of bars that are open at each token: behind a factor one closes, if it can."""
+    found, opened, missing = list[int](), 0, False
+    for token in tokens:
+        opens = token.kind == "bar" and (missing or not opened)
+        opened += opens - (token.kind == "bar" and not opens)
+        found.append(opened)
+        missing = opens or token.kind in UNFINISHED
+    return found
 
 
 def after_group(tex: str, at: int) -> int:

@@ -8,7 +8,7 @@ own.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from kowalevski_cas.algebra import load
@@ -86,6 +86,31 @@ def conjugate_equations(formulas: Sequence[Formula], moving: Collection[str]) ->
     return [*new, *([] if SQUARE in formulas else [to_latex(SQUARE)])]
 
 
+def conjugate_images(
+    formulas: Sequence[Formula], rows: Mapping[str, Formula], images: Mapping[str, str]
+) -> list[str]:
+    r"""The conjugates of the equations of a map with :math:`i^2=-1` that are not their own.
+
+    Args:
+        formulas: all that is printed.
+        rows: the equations, by the images that they give.
+        images: the variables with their images.
+
+    Raises ``ValueError`` if one is printed.
+    """
+    if SQUARE not in formulas:
+        return []
+    starred = [new for new in rows if _without_bar(new) != new]
+    if starred:
+        raise ValueError(f"{starred[0]}: the image of the conjugate follows: leave it out")
+    found, before = {*_under_bars(formulas)} & {*images}, -1
+    while before != len(found):
+        before = len(found)
+        found |= {one for pair in images.items() if not found.isdisjoint(pair) for one in pair}
+        found |= {new for new, row in rows.items() if not _is_real(row, found)}
+    return [to_latex(_conjugate(row, found)) for new, row in rows.items() if new in found]
+
+
 def _has_unit(formulas: Sequence[Formula], moving: Collection[str]) -> bool:
     """Whether what moves is complex: by its bars, and by what i can only be the unit in."""
     laws = [one for one in formulas if isinstance(one, Relation) and _rates(one)]
@@ -144,7 +169,7 @@ def _complex_names(
         found |= new
 
 
-def _is_real(row: Relation, complex_names: Collection[str]) -> bool:
+def _is_real(row: Formula, complex_names: Collection[str]) -> bool:
     """Whether an equation is its own conjugate, where some names are complex."""
     there, other = (
         minus((one.children()[0], one.children()[-1]))

@@ -24,6 +24,11 @@ RATE = (
     rf"|\s{NAME}|\\[A-Za-z]+(?:_\w)?)"
 )
 _IS_RATE = re.compile(rf"{RATE}|\\frac\s*\{{\s*d(?:\^\d)?\s*{NAME}\s*\}}\s*\{{[^{{}}]*\}}")
+_RATIO = re.compile(
+    rf"\\[dt]?frac\s*\{{(?:\s|\\,)*d\s*{NAME}\s*\}}\s*\{{(?!\s*d\s*{NAME}\s*\}}).*\}}"
+    rf"|d\s*{NAME}\s*(?:/(?!\s*d\s*{NAME}\s*$).*)?",
+    re.DOTALL,
+)
 _LISTED = re.compile(rf"\(\s*{NAME}(?:\s*,\s*{NAME})+\s*\)")
 _CALLED = re.compile(rf"(?P<name>{NAME})\s*(?:\\left\s*)?\([^()]*\)")
 
@@ -46,7 +51,7 @@ def without_chains(tex: str, moving: Collection[str] = ()) -> Chains:
     changed = tex
     for start, end in places:
         members = _members(tex[start:end])
-        if len(members) < 2 or any(map(_is_constant, members[:2])):
+        if len(members) < 2 or any(map(_is_constant, members[:2])) or all(map(_is_ratio, members)):
             continue
         rest = names_in(without(tex, [(start, end)])) | {*moving}
         if len(members) == 3 and _LISTED.fullmatch(members[1]) and not _is_given(members[0]):
@@ -68,6 +73,11 @@ def without_chains(tex: str, moving: Collection[str] = ()) -> Chains:
         rows = [f"{one}={last}" for one in given]
         changed = changed[:start] + r",\quad ".join(rows) + changed[end:]
     return Chains(changed, tuple(reversed(equalities)))
+
+
+def _is_ratio(member: str) -> bool:
+    r"""Whether a member is a differential over something, as dx/P of dx/P = dy/Q = dt."""
+    return _RATIO.fullmatch(member.strip()) is not None
 
 
 def without_new_names(texts: Iterable[str]) -> list[str]:

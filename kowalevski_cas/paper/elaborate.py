@@ -230,8 +230,8 @@ class Elaboration(Meaning):
             with self._definitions.anew():
                 evaluation.adjoin_roots()
                 validate(self)
-                self.supposed.check(evaluation)
-        except Meaningless:
+                self.supposed.check(evaluation, self.plain)
+        except BaseException:  # an interruption, too: it is not complete
             del self.__dict__["finder"]  # whoever asks again is refused again
             raise
         return evaluation

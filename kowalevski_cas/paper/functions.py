@@ -7,11 +7,14 @@ from kowalevski_cas.notation import (
     Formula,
     Modulus,
     Name,
+    Negative,
+    Number,
     Partial,
     Quotient,
+    Sum,
     substitute,
 )
-from kowalevski_cas.notation.functions import DERIVATIVE_OF, SIGN
+from kowalevski_cas.notation.functions import DERIVATIVE_OF, EXTREMES, SIGN
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.names import head
 from kowalevski_cas.problem.prune import Reach
@@ -55,6 +58,40 @@ def check_derivative(formula: Formula, setting: Meaning) -> None:
             raise Meaningless(f"{by} stands in what {name} is: name its argument otherwise", by)
 
 
+def without_extremes(formula: Formula) -> Formula:
+    r"""A formula with maxima and minima by absolute values.
+
+    >>> from kowalevski_cas.notation import Vocabulary, read, to_plain
+    >>> words = Vocabulary(frozenset("xy"), functions=frozenset([r"\max"]))
+    >>> to_plain(without_extremes(read(r"\max(x,y)", words)))
+    '(x + y + |x − y|)/2'
+
+    Of one number there is none: it is left as it is.
+    """
+    formula = formula.map_children(without_extremes)
+    match formula:
+        case Application(function, (first, *others)) if function in EXTREMES and others:
+            for other in others:
+                apart: Formula = Modulus(Sum((first, Negative(other))))
+                apart = apart if function == EXTREMES[0] else Negative(apart)
+                first = Quotient(Sum((first, other, apart)), Number(2))
+            return first
+    return formula
+
+
+def _by_moduli(formula: Application, setting: Meaning) -> Formula | None:
+    """A sign, a maximum or a minimum by absolute values; ``None`` for any other function."""
+    complex_names = {"i", *(name for pair in setting.conjugates for name in pair)}
+    if formula.function in EXTREMES and setting.scene.unit and formula.names() & complex_names:
+        raise Meaningless(f"which of complex numbers is {formula.function}?", formula.function)
+    match formula:
+        case Application(function, (argument,)) if function == SIGN:
+            return Quotient(argument, Modulus(argument))
+        case Application(function, (_, _, *_)) if function in EXTREMES:
+            return without_extremes(formula)
+    return None
+
+
 def value_of(formula: Application, setting: Meaning) -> Formula:
     """The expression for which a function with these arguments stands."""
     for name in setting.scene.definitions:
@@ -73,8 +110,8 @@ def value_of(formula: Application, setting: Meaning) -> Formula:
                 raise Meaningless(f"{name} is used with other velocities: define it anew")
             _check_known_elsewhere(name, body, {*arguments}, setting)
             return substitute(body, values)
-    if formula.function == SIGN and len(formula.arguments) == 1:
-        return Quotient(formula.arguments[0], Modulus(formula.arguments[0]))
+    if (known := _by_moduli(formula, setting)) is not None:
+        return known
     what = f"the function {formula.function} has no meaning here"
     if formula.function in DERIVATIVE_OF:
         what += ": only its derivative is known, in a first integral or where it is derived"

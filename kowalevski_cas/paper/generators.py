@@ -8,12 +8,15 @@ from functools import partial
 
 from kowalevski_cas.notation import (
     Application,
+    Conjugate,
     Formula,
+    Modulus,
     Name,
     Negative,
     NotationError,
     Number,
     Power,
+    Product,
     Quotient,
     times,
 )
@@ -21,7 +24,7 @@ from kowalevski_cas.notation.functions import MEANING
 from kowalevski_cas.paper.arguments import Monomial, product_of, single_name
 from kowalevski_cas.paper.components import row_components
 from kowalevski_cas.paper.differentiate import derivative
-from kowalevski_cas.paper.families import Generators, outside
+from kowalevski_cas.paper.families import Generators, outside, template
 from kowalevski_cas.paper.functions import value_of
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.names import head
@@ -30,7 +33,7 @@ from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.paper.transcendental import Transcendental
 from kowalevski_cas.problem.goals import Follows, Goal, Rank, simple
 from kowalevski_cas.problem.prune import Reach
-from kowalevski_cas.problem.space import EquationOfMotion, Meaningless
+from kowalevski_cas.problem.space import Equation, EquationOfMotion, Meaningless
 
 ONE, ZERO = Number(1), Number(0)
 
@@ -61,7 +64,10 @@ def functions_of(setting: Meaning) -> Transcendental:
     free, expanded = free_names(setting, [*own, *printed]), partial(_expand, setting)
     values, formulas = _values(setting), [*own, *defined, *printed]
     formulas += _applied(setting, formulas)
-    return Transcendental(formulas, free, moving, constants, time, expanded, values, radicals)
+    pairs = {a: b for pair in scene.conjugates for a, b in (pair, pair[::-1])}
+    return Transcendental(
+        formulas, free, moving, constants, time, expanded, values, radicals, pairs
+    )
 
 
 def _applied(setting: Meaning, formulas: Iterable[Formula]) -> list[Formula]:
@@ -105,12 +111,25 @@ def _values(setting: Meaning) -> Iterator[tuple[Application, Formula]]:
 
 
 def _expand(setting: Meaning, formula: Formula, inside: tuple[str, ...] = ()) -> Formula:
-    """A formula in which no name is a defined one."""
+    """A formula in which no name is a defined one, and of names no conjugate and no length."""
+    match formula:
+        case Conjugate(Name(name)) if (other := _conjugate(setting, name)) is not None:
+            return other
+        case Power(Modulus(Name(name) as own), Number(2)) if (
+            other := _conjugate(setting, name)
+        ) is not None:
+            return Product((own, other))
     if not isinstance(formula, Name) or formula.name not in setting.scene.definitions:
         return formula.map_children(lambda child: _expand(setting, child, inside))
     if formula.name in inside:
         raise Meaningless(f"{formula.name} is defined by itself", formula.name)
     return _expand(setting, setting.definition(formula.name), (*inside, formula.name))
+
+
+def _conjugate(setting: Meaning, name: str) -> Name | None:
+    """The conjugate of a complex variable, or constant; ``None`` of what is real."""
+    pairs = (pair for pair in setting.scene.conjugates if name in pair)
+    return next((Name(a if b == name else b) for a, b in pairs), None)
 
 
 def _is_imaginary(setting: Meaning, unit: Printed) -> bool:
@@ -242,6 +261,33 @@ def _rate(
     return ONE, derivative(argument, rates, setting.step)
 
 
+def values_at_zero(given: Iterable[Equation], setting: Meaning) -> Iterator[Equation]:
+    r"""What functions are where given equations make their argument vanish, as z = 0 makes |z|²."""
+    zero = {one for pair in given for one, other in (pair, pair[::-1]) if other == ZERO}
+    for group in setting.transcendental.groups:
+        values, parts = group.kind.family.zero, dict(group.monomial)
+        vanishes = not zero.isdisjoint(parts) and min(parts.values()) > 0
+        if vanishes and values.keys() == group.kind.family.rates.keys():
+            yield from ((group.values[one], template(tex)) for one, tex in values.items())
+
+
+def _unknown(given: Sequence[Equation], setting: Meaning) -> list[str]:
+    """The names in given equations of which it is not known what these say of functions."""
+    reach = Reach(setting)
+    for formula in (side for equation in given for side in equation):
+        reach.formula(formula)
+    zero = {*values_at_zero(given, setting)}
+    settled = {name for name, _ in zero}
+    known, unknown = set[str](), set[str]()
+    for group in setting.transcendental.groups:
+        below = (name for parameter in group.kind.parameters for name in parameter.names())
+        names = {*group.names.values(), *setting.transcendental.names_under(group), *below}
+        is_known = settled.issuperset(group.values.values())
+        known, unknown = (known | names, unknown) if is_known else (known, unknown | names)
+    found = reach.names & setting.transcendental.dependent
+    return [] if zero <= {*given} and found <= known - unknown else sorted(found)
+
+
 def check_hypotheses(goals: Iterable[Goal]) -> None:
     """Refuse given equations about generators that do not take all values by themselves.
 
@@ -252,10 +298,7 @@ def check_hypotheses(goals: Iterable[Goal]) -> None:
         if not isinstance(setting, Meaning) or not setting.transcendental.dependent:
             continue
         given = goal.given if isinstance(goal, Follows | Rank) else ()
-        reach = Reach(setting)
-        for formula in (side for equation in given for side in equation):
-            reach.formula(formula)
-        found = sorted(reach.names & setting.transcendental.dependent)
+        found = _unknown(given, setting)
         if not found and isinstance(goal, Rank) and len(goal.functions) + len(given) > 1:
             reach = Reach(setting)
             for formula in goal.functions:

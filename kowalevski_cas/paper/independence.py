@@ -7,7 +7,7 @@ from math import prod
 from kowalevski_cas.notation import Formula, Name, Root
 from kowalevski_cas.paper.families import Generators, Kind
 from kowalevski_cas.paper.meaning import Meaning
-from kowalevski_cas.problem.goals import Goal, simple
+from kowalevski_cas.problem.goals import Exists, Goal, simple
 from kowalevski_cas.problem.prune import Reach
 
 
@@ -20,6 +20,7 @@ def decides(goal: Goal) -> bool:
     for part in simple(goal):
         if isinstance(part.space, Meaning) and part.space.transcendental.groups:
             reach = Reach(part.space)
+            reach.bound = {*goal.bound} if isinstance(goal, Exists) else set()
             reach.goal(part)
             used = [
                 group

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, to_latex
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.signs import Comparison, comparisons, root_of
@@ -39,35 +40,43 @@ class Suppositions:
         """The differences that do not vanish."""
         return (one.difference for one in self.comparisons if one.sign != r"\le")
 
-    def check(self, at: Evaluation) -> None:
+    def check(self, at: Evaluation, plain: Callable[[Formula], Formula]) -> None:
         """Refuse what is seen to contradict itself."""
-        if (found := _contradiction(self.comparisons, at)) is not None:
+        differences = [at.scalar(plain(one.difference)) for one in self.comparisons]
+        if found := _contradiction(self.comparisons, differences):
             both = " and ".join(to_latex(comparison.said) for comparison in found)
             where = f"what is supposed on “{self.scene.name}”"
             raise Contradictory(f"{where} contradicts itself: {both}")
 
 
 def _contradiction(
-    supposed: Sequence[Comparison], at: Evaluation
-) -> tuple[Comparison, Comparison] | None:
-    """Two comparisons of which positive multiples add up to a number that is too small, if any do.
+    supposed: Sequence[Comparison], differences: Sequence[Element]
+) -> list[Comparison]:
+    """Comparisons of which positive multiples add up to a number that is too small, if any do."""
+    from kowalevski_cas.algebra.cones import combination_in_cone  # few scenes suppose anything
 
-    Longer combinations, as of a < b, b < c and c < a, are not looked for.
-    """
-    known: dict[frozenset[object], list[tuple[Fraction, Comparison]]] = {}
-    for comparison in supposed:
-        if comparison.sign == r"\ne" or (element := at.scalar(comparison.difference)).denominator:
+    terms = [
+        {(mask, e): c for mask, part in one.terms().items() for e, c in part.items()}
+        for one in differences
+    ]
+    known = [
+        (comparison, own)
+        for comparison, own, element in zip(supposed, terms, differences, strict=True)
+        if comparison.sign != r"\ne" and not element.denominator
+    ]
+    monomials = {(mask, e) for _, own in known for mask, e in own}
+    others = sorted(one for one in monomials if one[0] or any(one[1]))
+    units = monomials.difference(others)
+    # the number 1 is positive as well
+    rows = [[Fraction(k == len(others)) for k in range(len(others) + 1)]]
+    for _, own in known:
+        number = sum((own[unit] for unit in units & own.keys()), Fraction(0))
+        rows.append([*(own.get(one, Fraction(0)) for one in others), number])
+    for k, row in enumerate(rows):
+        if k and known[k - 1][0].sign != "<":
             continue
-        terms = {(mask, e): c for mask, part in element.terms().items() for e, c in part.items()}
-        units = [(mask, e) for mask, e in terms if not mask and not any(e)]
-        number = sum(map(terms.pop, units), Fraction())
-        if not terms:
-            continue
-        scale = abs(terms[max(terms)])
-        part = {(one, c / scale) for one, c in terms.items()}
-        for other, before in known.get(frozenset((one, -c) for one, c in part), ()):
-            rest = other + number / scale
-            if rest < 0 or (rest == 0 and "<" in (comparison.sign, before.sign)):
-                return before, comparison
-        known.setdefault(frozenset(part), []).append((number / scale, comparison))
-    return None
+        weights = combination_in_cone(rows, [-value for value in row])
+        if weights is not None:
+            weights[k] += 1
+            return [one for (one, _), w in zip(known, weights[1:], strict=True) if w]
+    return []

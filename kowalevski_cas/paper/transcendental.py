@@ -74,8 +74,9 @@ class Transcendental:
     """The functions in some formulas, of which the names are known to be ``variables`` or not.
 
     ``free`` are names that stand by themselves as well, outside of functions; the ``time`` is none
-    of the variables, and ``radicals`` are roots, with the names on which they rest. Calling it
-    writes a function out in generators.
+    of the variables, and ``radicals`` are roots, with the names on which they rest; of what is
+    complex, with its ``conjugates``, a function stands at real products only. Calling it writes a
+    function out in generators.
     """
 
     def __init__(
@@ -88,8 +89,9 @@ class Transcendental:
         expanded: Callable[[Formula], Formula],
         printed: Iterable[tuple[Application, Formula]] = (),
         radicals: Mapping[str, frozenset[str]] = MappingProxyType({}),
+        conjugates: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
-        self.radicals = radicals
+        self.radicals, self.conjugates = radicals, conjugates
         self.free, self.time, self.expanded = frozenset(free), time, expanded
         self.phases: dict[Kind, Phases] = {}
         self.known = KnownValues(printed, self._argument)
@@ -137,10 +139,18 @@ class Transcendental:
         return (
             all(map(is_arithmetic, (formula for monomial in argument for formula, _ in monomial)))
             and {*self.variables, *self.constants}.issuperset(
-                name for monomial in argument for name in names_in(monomial)
+                name for monomial in argument for name in self._names_in(monomial)
             )
             and below.issubset(self.constants)  # by what moves these functions are not derived
         )
+
+    def _names_in(self, monomial: Monomial) -> Iterator[str]:
+        r"""The names in a product, without those that are real together, as :math:`z\bar z`."""
+        exponents = dict(monomial)
+        for formula, exponent in monomial:
+            other = self.conjugates.get(formula.name) if isinstance(formula, Name) else None
+            if other is None or exponents.get(Name(other)) != exponent:
+                yield from formula.names()
 
     def _is_value(self, kind: Kind) -> Callable[[Monomial], bool]:
         """Whether the functions at a term are known."""

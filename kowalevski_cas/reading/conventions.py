@@ -6,12 +6,13 @@ import re
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 
-from kowalevski_cas.notation import PoissonBracket
+from kowalevski_cas.notation import Name, PoissonBracket, Vector
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.implied import canonical_pairs, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.unit_matrices import unit_matrices
 from kowalevski_cas.reading.known import CONVENTION, UNIT_MATRIX, Known, StatementRole
+from kowalevski_cas.reading.names import AXES
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
@@ -63,6 +64,7 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
             entries = ",".join("1" if k == int(number[1]) else "0" for k in range(1, SPACE + 1))
             item = unprinted(paper, f"basis-{number[1]}{suffix}", f"{vector}=({entries})")
             yield item, StatementRole(CONVENTION, "a vector of the basis", "basis", (vector,))
+    yield from _components(known, suffix)
     for q, p in _conjugate(known):
         tex = rf"\{{{q},{p}\}}=1"
         item = unprinted(paper, re.sub(r"\W+", "-", f"bracket-of-{q}-{p}{suffix}"), tex)
@@ -74,6 +76,23 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
             unprinted(paper, f"unit{suffix}", "i^2=-1"),
             StatementRole(CONVENTION, "the imaginary unit", "unit"),
         )
+
+
+def _components(known: Known, suffix: str) -> Iterator[tuple[SourceStatement, StatementRole]]:
+    """The components along the axes of vectors that move, where no equation names them."""
+    printed = set[str]()
+    for item in known.items:
+        match item.members:
+            case (Name(name), Vector()):
+                printed.add(name)
+    for vector, parts in sorted(known.names.vectors.items()):
+        along = {symbol(part).index or part for part in parts} <= {*AXES}
+        free = vector not in printed and not known.is_defined(vector)
+        if along and free and any(map(known.moves, parts)):
+            name = re.sub(r"\W+", "-", symbol(vector).without_type.name).strip("-")
+            role = StatementRole(CONVENTION, "its components along the axes", "vector")
+            tex = f"{vector}=({','.join(parts)})"
+            yield unprinted(known.paper, f"components-of-{name}{suffix}", tex), role
 
 
 def _unit_matrices(

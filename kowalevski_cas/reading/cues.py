@@ -23,8 +23,8 @@ CUES: dict[str, str] = {
         do(?:es)?\s+not\s+(?:change|depend\s+on\s+(?:the\s+)?time) интеграл\w* сохраня\w+
         постоян(?:на|но|ны|ен)\b не\s+меня\w+""",
     "energy": r"""
-        (?<!instead\sof\sthe\s)\benergy\b(?!\s+levels?)(?:\s+(?!satisf|chang|equation)\w+){0,5}[\s:,]*$
-        \bэнерги[яи]\b(?:\s+\w+){0,4}[\s:,—-]*$""",
+        (?<!instead\sof\sthe\s)(?<!kinetic\s)(?<!potential\s)\benergy\b(?!\s+levels?)(?:\s+(?!satisf|chang|equation)\w+){0,5}[\s:,]*$
+        (?<!етическ..\s)(?<!нциальн..\s)\bэнерги[яи]\b(?:\s+\w+){0,4}[\s:,—-]*$""",
     "its constant": r"""
         (?<=\w)(?<!\band)\s+with\s+the\s+constants?[\s:]*$
         (?<=\w)(?<!\bи)\s+с\s+постоянн(?:ой|ыми)[\s:]*$""",
@@ -128,23 +128,26 @@ CUES: dict[str, str] = {
         lineari[sz]\w+
         neglect\w*\s+(?:\w+\s+){0,3}(?:terms|orders?|powers|squares|products|quantities)
         (?:terms|orders?|powers|squares|products|quantities)\s+(?:\S+\s+){0,6}?neglect\w*
-        small\s+(?:§|deviation|oscillation|perturbation|amplitude|parameter|variation|displacement|vibration|quantit)\w*
+        small\s+(?:§|angle|deviation|oscillation|motion|perturbation|amplitude|parameter|rotation|variation|displacement|vibration|quantit)\w*
+        (?:§|angles?|deviations?|displacements?|amplitudes?)[\s,]*(?:is|are|being|remains?)\s+small\b
         first\s+variation asymptotic(?:ally\s+equal|\s+(?:expansion|formula|series|equation))
         infinitesimal\w* перв\w+\s+приближени\w+ приближ[её]нн\w+
         линеариз\w+ пренебрег\w+\s+(?:\w+\s+){0,3}(?:член|слагаем|степен|квадрат|величин)\w+
-        мал\w+\s+(?:§|колебани|отклонени|возмущени|параметр|амплитуд)\w* бесконечно\s+мал\w+
+        мал\w+\s+(?:§|уг(?:ол|л)|колебани|движени|отклонени|возмущени|параметр|амплитуд)\w*
+        бесконечно\s+мал\w+
         член\w+\s+(?:перв|втор|высш)\w+\s+порядк\w+""",
     "linear": r"""
         first\s+(?:order|approximation|variation) lineari[sz]\w*
         linear\s+(?:equation|system|approximation)
-        small\s+(?:deviation|oscillation|displacement|vibration)\w* infinitesimal\w*
+        small\s+(?:angle|deviation|oscillation|motion|displacement|vibration)\w* infinitesimal\w*
         перв\w+\s+(?:порядк|приближени)\w+ линеариз\w+ линейн\w+\s+(?:уравнени|систем)\w+
         мал\w+\s+(?:колебани|отклонени)\w+""",
     "denied": r"""
         \bnot\s+(?:true|an?\s+integral|constant|conserved|the|valid|hold|correct|preserved|in\s+general)
         does\s+not\s+(?:hold|vanish|follow) (?:is|are)\s+not\s+(?:\w+\s+){0,2}§
         §[\s,]*(?:\w+\s+){0,3}(?:is|are)\s+not\b \bno\s+longer\b never\b
-        wrong\w* incorrect\w* erroneous\w* false\b mistak\w+ misprint\w* contrary
+        \b(?:on|along|for|by)\s+no\b wrong\w* incorrect\w* erroneous\w* false\b
+        mistak\w+ misprint\w* contrary
         instead\s+of\s*(?:§|$) contradict\w+ if\s+it\s+were \bwere\b would\s+be fails?\b cannot\b
         \b(?:no|without)\s+(?:\w+\s+){0,2}integrals?(?:\s+\w+){0,3}\s*§ refut\w+
         §[\s,]*(?:\w+\s+){0,2}(?:no|without)\s+(?:\w+\s+){0,2}integrals?
@@ -155,13 +158,17 @@ CUES: dict[str, str] = {
     "so it is not": r"""
         [;.,]\s*(?:\\\w+\{)?(?:but\s+)?(?:this|that|which)\s+is\s+(?:wrong|false|incorrect)
         [;.,]\s*(?:but\s+)?(?:this|that|which)\s+is\s+not\s+(?:true|so|correct)
+        [;.,]\s*(?:but|however,?)\s+(?:it|this|they)\s+(?:is|are|does|do)\s+not\s*(?:[.;,]|so\b|$)
+        ,\s*(?:но|однако)\s+это\s+не\s+так
         (?:это|что)\s+неверно""",
     "quoted": r"""
         \b(?:was|were|been)\s+(?:written|stated|said)\s+that
         \baccording\s+to\s+(?-i:(?!Theor|Lemma|Prop|Coroll|Eq|Sect|Newton|Hamilton|Euler|Liouv)[A-Z])
         \bclaims?\s+that \bclaimed\b \basserted?\b \bwrites\b \bconjectur\w+
         \bwas\s+(?:printed|asserted|believed)\b было\s+(?:написано|сказано)
-        one\s+might\s+(?:think|expect) \bbelieve[sd]?\b it\s+is\s+said утвержда\w+ по\s+мнению
+        (?:one|we)\s+(?:might|may|could)\s+(?:think|expect|hope|guess|suspect|believe) tempting
+        можно\s+(?:было\s+бы\s+)?(?:подумать|ожидать|надеяться) казалось\s+бы \bbelieve[sd]?\b
+        it\s+is\s+said утвержда\w+ по\s+мнению
         предположительно гипотез\w+""",
     "another-law": r"""
         (?:\bif|\bwhen|\bfor|even|also)\b[^.;]*\bfunctions?\s+of\s+(?:the\s+)?time
@@ -170,6 +177,23 @@ CUES: dict[str, str] = {
     "a constant": r"""
         \bconstants?\b \bparameters?\b \bcoefficients?\b \bnumbers?\b \beigenvalues?\b
         постоянн\w+ параметр\w* коэффициент\w* числ(?:о|а)\b""",
+    "rolling": r"""
+        \broll\w*\s+without\s+(?:slipping|sliding|slip)\b (?:slip|skid)s?\s+sideways
+        (?:\bno|\bnot|never|cannot)\s+(?:slip|skid)\w*
+        (?:\bnot|never|cannot)\s+(?:slide|move)\s+sideways non-?holonomic\w* knife[\s-]edge
+        неголономн\w+ без\s+(?:проскальзыван|скольжен)\w+ не\s+(?:скольз|проскальз)\w+""",
+    "force": r"""
+        \bfriction\w* \bdamp(?:s|ed|er|ers|ing)\b \bdissipat\w+ \bviscous\w* \bviscosity\b \bdrag\b
+        \bresistance\b \brayleigh\w* \bnon-?conservative\b \bnon-?potential\b
+        \bgenerali[sz]ed\s+forces? \bfollower\s+(?:forces?|loads?|thrusts?) \bcirculatory\b
+        (?:additional|further|extra|added|driving)\s+(?:forces?|torques?)
+        (?:besides|in\s+addition|moreover|also)[^.]*?\b(?:force|torque)s?\b[^.]*?\bacts?\b
+        \bтрени(?:е|я|ю|ем|и)\b сопротивлени\w+ диссипати\w+ демпф\w+ вязк\w+ непотенциальн\w+
+        неконсервативн\w+ обобщ[её]нн\w+\s+сил\w+""",
+    "no force": r"""
+        \b(?:no|without|absen\w+|neglect\w*|neglig\w*|ignor\w*|disregard\w*|vanish\w*|free\s+of)\b
+        \bfrictionless\b \bundamped\b \bnon-?dissipative\b \bif\b \bwere\b
+        \bбез\b отсутств\w+ пренебрег\w+ \bнет\b \bесли\b""",
     "multiplier": r"""
         \bmultipliers?\b множител\w+""",
     "system": r"""

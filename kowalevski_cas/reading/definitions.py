@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from kowalevski_cas.notation import (
     Application,
     Constant,
@@ -39,6 +41,7 @@ from kowalevski_cas.reading.phrases import (
     words_behind,
 )
 from kowalevski_cas.reading.statements import SourceStatement, is_closing
+from kowalevski_cas.reading.unprinted import is_printed
 
 ZERO = Number(0)
 
@@ -47,11 +50,18 @@ def law(item: SourceStatement, known: Known) -> StatementRole | None:
     """The equations of motion."""
     found = known.law_of(item)
     if found is None:
-        return None
+        before = any(map(is_printed, _rows_before(item, known)))
+        more = item in known.paper.unfinished and not before
+        return StatementRole(LAW, "not all equations of this law are printed") if more else None
     if found.images:
         return StatementRole(LAW, "belongs to a map")
     which = "a closed set of rates" if found is known.laws[0] else "a closed set of other rates"
     return StatementRole(LAW, f"belongs to {which}")
+
+
+def _rows_before(item: SourceStatement, known: Known) -> list[SourceStatement]:
+    """The equations of motion before a statement."""
+    return [row for law in known.laws for row in law.rows if row.order < item.order]
 
 
 def unit(item: SourceStatement, known: Known) -> StatementRole | None:
@@ -249,9 +259,18 @@ def _is_law_left(item: SourceStatement) -> bool:
     return isinstance(item.members[0], Derivative) and not item.typed.inline
 
 
+_SYMMETRY = re.compile(
+    r"(?:because\s+of|owing\s+to|by\s+virtue\s+of)\s+(?:\w+\s+){0,2}(?:symmetry|invariance|homogeneity)"
+    r"|в\s+силу\s+(?:\w+\s+){0,2}(?:симметри|инвариантност|однородност)\w+",
+    re.IGNORECASE,
+)
+"""Words for why something is an integral: it is not deduced from what is printed."""
+
+
 def _integral_further_off(item: SourceStatement, known: Known) -> str:
     """The words of the sentence of a display that call it an integral, or the energy."""
-    if item.typed.inline or cue("follows", item.lead) or cue("deduced", item.lead):
+    lead = _SYMMETRY.sub("", item.lead)
+    if item.typed.inline or cue("follows", lead) or cue("deduced", lead):
         return ""
     if said := cue("integral", last_clause(item.before)) or cue("energy", item.lead):
         return said

@@ -67,7 +67,7 @@ def _letters(formulas: Sequence[TypedFormula]) -> Vocabulary:
             vectors=(one.vectors | listed) - by_entries,
             matrices=one.matrices | by_entries,
             times=one.times - listed,
-            functions=one.functions - listed,
+            functions=one.functions.union([r"\exp"] if euler else []) - listed,
         )
         for one in guesses
     ]

@@ -68,11 +68,13 @@ class Law:
             found |= {name} & reached
         return found
 
-    @cached_property
+    @property
     def variables(self) -> tuple[str, ...]:
-        """What moves, by components."""
-        if self.images:
-            return tuple(x for x, _ in self.images)
+        """What moves, by components, or what is mapped."""
+        return tuple(x for x, _ in self.images) or self._moving
+
+    @cached_property
+    def _moving(self) -> tuple[str, ...]:
         if self.base is not None and self.change:
             return (*(name for name in self.base.variables if name not in self.given), *self.new)
         if self.base is not None and self.together:

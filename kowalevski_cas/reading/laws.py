@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Sequence
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Power, Product, Relation
+from kowalevski_cas.notation import Derivative, Formula, Name, Power, Product, Relation, Vector
 from kowalevski_cas.reading.changes import find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
@@ -27,12 +27,14 @@ def find_laws(paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] 
 
     The first display with rates of names that nothing defines is grown until the rates of all that
     moves in it are there. Another set has new variables, or is set up as another system. Where none
-    is printed, there may be that of a Hamiltonian, or one among the words, but beside ``maps``.
+    is printed, or not all of it, there may be that of a Hamiltonian, or one among the words, but
+    beside ``maps``.
     """
     found = [*_LawFinder(paper, names, said).laws()]
     if maps:
         return found
-    rows = () if found else tuple(implied_rows(paper))
+    whole = bool(found) and not any(one.rates for one in paper.unfinished)
+    rows = () if whole else tuple(implied_rows(paper))
     if rows:
         return [Law(rows, names)]
     return found or [*_LawFinder(paper, names, said, inline=True).laws()]
@@ -88,7 +90,8 @@ class _LawFinder:
     def _may_be_row(self, item: SourceStatement) -> bool:
         if verb := self.said.verb(item):
             return verb == "law" and bool(item.rates)
-        return is_row(item) and item not in self.paper.approximate and item not in self.paper.maps
+        paper = self.paper
+        return is_row(item) and item not in paper.approximate | paper.maps | paper.unfinished
 
     def _defines(self, item: SourceStatement) -> bool:
         """Whether a statement gives a name an expression, and is neither a row nor of one."""
@@ -192,7 +195,11 @@ class _LawFinder:
         if named & old - rated or (deduced and rated <= old):
             return None
         heading = apart[0].start if apart else begins
-        since = (one for one in self._since(heading, item) if one not in law.momenta)
+        since = (
+            one
+            for one in self._since(heading, item)
+            if one not in law.momenta and not len(one.bare) == len(one.members) == 2
+        )  # a new letter for what moved before is that of the new system
         if not said and any(self._relates(one, item, old) for one in since):
             return None
         if not said and len(law.items) == 1 and rated < old:  # what follows for one of several
@@ -235,8 +242,9 @@ class _LawFinder:
         """Whether a name that a row derives is defined before, from an offset on, or beside it."""
         return any(
             since <= one.typed.start < row.typed.start or one.sentence == row.sentence
-            for name in row.rates
+            for name in {*row.rates, *map(self.names.whole, row.rates)}
             for one in self.defining.get(name, ())
+            if name in row.rates or not isinstance(one.members[1], Vector)
         )
 
     def undefined(self, since: int) -> list[SourceStatement]:

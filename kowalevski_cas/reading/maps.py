@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 
 from kowalevski_cas.notation import Derivative, Formula, Name, PoissonBracket, Summation
 from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.amplitudes import conjugate_images, conjugate_name
 from kowalevski_cas.paper.images import images_by_index, solutions
 from kowalevski_cas.paper.implied import canonical_brackets, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET
@@ -129,6 +130,8 @@ def enter_maps(parts: Parts) -> None:
                 found = []
             law.solved = tuple(found)
             brackets = [*_brackets(law, known, suffix)]
+            found += _conjugates(law, known, suffix)
+            law.solved = tuple(found)
             for item in (*found, *brackets):
                 parts.places[item] = place
                 why = "follows from the map" if item in found else "the canonical bracket"
@@ -143,6 +146,25 @@ def _solved(law: Law, known: Known, suffix: str) -> Iterator[SourceStatement]:
     implicit = [one.printed for one in law.items if one not in law.given.values()]
     for number, tex in enumerate(solutions(scene, left, implicit), 1):
         yield unprinted(known.paper, f"image-{number}{suffix}", tex, law.first, "the map gives it")
+
+
+def _conjugates(law: Law, known: Known, suffix: str) -> list[SourceStatement]:
+    """The images of the conjugates of what is complex in a map with the imaginary unit."""
+    units = [one.formula for one in known.units if one.formula is not None]
+    rows = {name: one.formula for name, one in law.given.items() if one.formula is not None}
+    try:
+        conjugate = conjugate_images([*rows.values(), *units], rows, dict(law.images))
+    except ValueError as error:
+        known.lost |= dict.fromkeys(rows, str(error))
+        return []
+    found = [
+        unprinted(known.paper, f"conjugate-{number}{suffix}", tex, law.first, "the conjugate")
+        for number, tex in enumerate(conjugate, 1)
+    ]
+    new = {one.bare[0] for one in found}
+    pairs = [(conjugate_name(x), conjugate_name(y)) for x, y in law.images]
+    law.images = (*law.images, *((x, y) for x, y in pairs if y in new))
+    return found
 
 
 def _brackets(law: Law, known: Known, suffix: str) -> Iterator[SourceStatement]:

@@ -41,7 +41,8 @@ def find_momenta(
             unknown = inner & in_law & {*names.vectors} - given
             moving = [one for one in unknown if rated.isdisjoint(names.scalars([one]))]
             again = any(of.bare[0] == name and of.section in one.sections for of in found)
-            if len(moving) == 1 and not again:
+            told = {n for row in own for n in names.scalars(row.rates)}
+            if {*names.vectors[name]} <= told and len(moving) == 1 and not again:
                 found[one] = moving[0]
     return found
 

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 
 from kowalevski_cas.notation import CrossProduct, Name, Vector
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.reading.statements import SourcePaper
+
+AXES = ("x", "y", "z")
+POINTS = ("r", "x")
+"""The letters of vectors that are points with these coordinates."""
 
 
 def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
     r"""The vectors of a paper with their components.
 
     :math:`\mathbf r=(x,y,z)` names them; other vectors have as many, called after the letter with
-    numbers, as are printed of any of them, and three if there are vector products.
+    numbers, as are printed of any of them, and three if there are vector products. Where
+    :math:`p_x` is printed, it is a component of :math:`\mathbf p`; a point has its coordinates.
     """
     found: dict[str, tuple[str, ...]] = {}
     nodes = [n for item in paper.items if item.formula is not None for n in item.formula.nodes()]
@@ -25,6 +30,9 @@ def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
                 if len({*listed}) == len(entries):
                     found.setdefault(name, listed)
     size = 3 if any(isinstance(node, CrossProduct) for node in nodes) else 0
+    for name in sorted(paper.words.vectors - found.keys()):
+        if along := _along_axes(name, names, size == 3):
+            found[name] = along
     for name in paper.words.vectors:
         printed = (k for k in range(1, 10) if symbol(name).component(k).name in names)
         size = max([size, *printed])
@@ -32,6 +40,21 @@ def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
     for name in sorted(paper.words.vectors - found.keys()):
         found[name] = tuple(symbol(name).component(k).name for k in range(1, 1 + max(sizes)))
     return found
+
+
+def _along_axes(name: str, names: Collection[str], in_space: bool) -> tuple[str, ...]:
+    """The components of a vector along the axes, if some are printed; empty if none are.
+
+    Those of a point are its coordinates.
+    """
+    own = symbol(name)
+    if own.component(1).name in names:
+        return ()
+    along = tuple(own.component(axis).name for axis in AXES)
+    if not {*along} & {*names}:
+        point = own.without_type.name in POINTS and {*AXES[:2]} <= {*names}
+        along = AXES if point else ()
+    return along if in_space or {*along[2:]} & {*names} else along[:2]
 
 
 class Names:

@@ -76,7 +76,7 @@ def _stands_on(item: SourceStatement, known: Known) -> Iterator[SourceStatement]
 
 def _is_circular(name: str, one: SourceStatement, known: Known) -> bool:
     """Whether what a statement gives for a name rests on this name."""
-    others = one.names - {name}
+    others = one.names - {*known.roles[one].names, name}
     return any(name in known.below(other) for other in others if not known.moves(other))
 
 

@@ -17,7 +17,7 @@ ZERO = Number(0)
 
 VERB = re.compile(
     r"[\s~]*(?:(?:also|thus|hence)\s+)?"
-    r"(?:is|are|remains?|stays?|does|do|сохран|постоян|не\s+меня|есть|явля|оста[её]тся|[-—–]+\s)",
+    r"(?:is|are|remains?|stays?|does|do|would|will|could|may|might|сохран|постоян|не\s+меня|есть|явля|оста[её]тся|[-—–]+\s)",
     re.IGNORECASE,
 )
 """What says of the expression before it that it is something, or does something."""
@@ -79,11 +79,12 @@ def integral_words(item: SourceStatement) -> str:
     """The words near a statement that call it an integral, if no other words stand between."""
     if _SO.search(item.lead) and (said := cue("integral", item.before)):
         return said
-    tail = _joined_tail(item)[:60]
+    tail = joined_tail(item)[:60]
     if not re.match(r"[\s,]*(?:which|whence|where|with|that|откуда|где|котор)", tail) and (
         said := cue("integral", tail)
     ):
-        if last_cue("claim", _CLAUSE.split(item.lead[-30:])[-1]) < 0 or not item.typed.inline:
+        deduced = last_cue("claim", _CLAUSE.split(item.lead[-30:])[-1]) >= 0
+        if not (deduced and item.typed.inline) or words_behind(item, "integral"):
             return said
     if said := cue("integral", last_clause(_own_lead(item))):
         return said
@@ -129,7 +130,7 @@ def announced(item: SourceStatement) -> str:
     return ""
 
 
-def _joined_tail(item: SourceStatement) -> str:
+def joined_tail(item: SourceStatement) -> str:
     """The words behind a statement, and behind those that only a comma or “and” joins to it."""
     found = _AND.match(item.after)
     joined = item.after[found.end() :] if found else item.after
@@ -171,7 +172,7 @@ def right_behind(item: SourceStatement) -> str:
 
 def words_behind(item: SourceStatement, name: str) -> str:
     """The words right behind a statement by which it is said to be something."""
-    tail = _joined_tail(item)[:80]
+    tail = joined_tail(item)[:80]
     if not (VERB.match(tail) or _MAKES.match(tail)):
         return ""
     return cue(name, _CLAUSE.split(tail, maxsplit=1)[0])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from kowalevski_cas.notation import Name, Relation
+from kowalevski_cas.notation import Name, Number, Relation
 from kowalevski_cas.reading.constraints import constraint
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.definitions import (
@@ -29,7 +29,7 @@ from kowalevski_cas.reading.known import (
     StatementRole,
 )
 from kowalevski_cas.reading.obey import said_role
-from kowalevski_cas.reading.phrases import VERB, clause, listed_words, words_of
+from kowalevski_cas.reading.phrases import VERB, clause, joined_tail, listed_words, words_of
 from kowalevski_cas.reading.propositions import (
     approximate,
     claimed_set,
@@ -39,7 +39,7 @@ from kowalevski_cas.reading.propositions import (
     solution,
     zero_set,
 )
-from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.statements import SourceStatement, is_ellipsis
 from kowalevski_cas.reading.suppositions import assumption, inequality, value
 
 _BELONGING = re.compile(r"\b(?:of|in|for|by|with|on)[\s~]*(?:the\s+)?(?:\w+\s+)?$")
@@ -59,6 +59,8 @@ def unread(item: SourceStatement, known: Known) -> StatementRole | None:
     """What cannot be read; what says over what an index runs is no statement."""
     if is_range(item.typed):
         return StatementRole(NOTATION, "says over what an index runs")
+    if is_ellipsis(item):
+        return StatementRole(NOTATION, "stands for more of these")
     return StatementRole(UNREAD, item.trouble) if item.trouble else None
 
 
@@ -103,10 +105,12 @@ def unjudged(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(OTHER, f"“{said}” leaves it out", "excepted")
     mates = (role for one, role in known.roles.items() if one.sentence == item.sentence)
     if cue("excepted", item.after) or any(role.kind == "excepted" for role in mates):
+        if names := _named(item, known):
+            return StatementRole(DEFINITION, "named here; its sentence makes exceptions", "", names)
         return StatementRole(OTHER, "its sentence makes exceptions: it is not judged", "excepted")
     if said := cue("only if", item.lead) or cue("only if", _ONE_CLAUSE.split(item.tail)[0]):
         return StatementRole(OTHER, f"“{said}” says more than is judged", "asked")
-    if said := cue("denied", clause(item)):
+    if not _explains(item) and (said := cue("denied", clause(item))):
         if names := _named(item, known):
             return StatementRole(DEFINITION, f"named here; “{said}” is said of it", "", names)
         return StatementRole(
@@ -121,13 +125,20 @@ def unjudged(item: SourceStatement, known: Known) -> StatementRole | None:
     return None
 
 
+def _explains(item: SourceStatement) -> bool:
+    """Whether a rate stands behind a colon: it is why the words before deny something."""
+    return item.derives and Number(0) not in item.members and item.lead.rstrip().endswith(":")
+
+
 def _named(item: SourceStatement, known: Known) -> tuple[str, ...]:
-    """The name that an equation gives before words say that it is not something."""
+    """The name that an equation gives before words say that it is not something, or not always."""
     heads = item.printed.heads.names
-    new = bool(heads) and item.bare[:1] == heads[:1] and not known.is_known(heads[0])
-    said = VERB.match(item.tail) and not cue("denied", item.lead[-60:])
-    gives = len(item.members) == 2 and known.varying(item.names)
-    return heads[:1] if new and said and gives else ()
+    new = item.bare[:1] == heads[:1] and not any(
+        known.is_defined(name) or known.moves(name) for name in heads[:1]
+    )
+    said = VERB.match(joined_tail(item)) and not cue("denied", item.lead[-60:])
+    gives = len(item.members) == 2 and (item.printed.heads.matrix or known.varying(item.names))
+    return heads[:1] if heads and new and said and gives else ()
 
 
 def other(item: SourceStatement, known: Known) -> StatementRole | None:

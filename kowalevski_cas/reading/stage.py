@@ -27,12 +27,14 @@ from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.amplitudes import conjugate_name, with_conjugates
 from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.exponents import half_power
+from kowalevski_cas.paper.functions import without_extremes
 from kowalevski_cas.paper.logarithms import roots as real_roots
 from kowalevski_cas.paper.names import BRACKET, DELTA, head, summation_indices
 from kowalevski_cas.paper.relations import solve_for_constant
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.reading.forces import refuse_unsaid_forces
 from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, Known
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.statements import SourceStatement, derived_names
@@ -209,7 +211,10 @@ class Stage:
         for name in known.names.scalars(name for item in items for name in item.rates):
             if law is None or not (known.is_defined(name) or name in law.variables):
                 raise ValueError(f"no equation says how ${name}$ moves")
-        return self._restated(law, at) if law is not None else None
+        if law is None:
+            return None
+        refuse_unsaid_forces(law, at, known)
+        return self._restated(law, at)
 
     def _restated(self, law: Law, at: SourceStatement) -> Law:
         """A law as it is printed anew before, where the assumptions for that are not in force."""
@@ -345,7 +350,7 @@ class Stage:
         Where logarithms and arcs are real, others are.
         """
         yield from map(to_latex, real_roots(formula) if formula is not None else ())
-        for node in formula.nodes() if formula is not None else ():
+        for node in without_extremes(formula).nodes() if formula is not None else ():
             match node:
                 case Root():
                     yield to_latex(node)

@@ -5,10 +5,19 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation, Vocabulary
+from kowalevski_cas.notation import (
+    Derivative,
+    Formula,
+    Name,
+    NotationError,
+    Partial,
+    Relation,
+    Vocabulary,
+)
 from kowalevski_cas.notation.symbol import name_of_rate, symbol
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.times import time_change
@@ -114,6 +123,16 @@ class SourceStatement:
         return tuple(one.name for one in self.members if isinstance(one, Name))
 
 
+_DOTS = re.compile(r"\s*(?:\\[lcv]?dots[a-z]?|\.\.\.)[\s.,;]*")
+
+
+def is_ellipsis(item: SourceStatement) -> bool:
+    """Whether a statement is an ellipsis: it stands for more statements like those beside it."""
+    with suppress(NotationError):  # what cannot be parted into statements is none
+        return item.formula is None and _DOTS.fullmatch(item.printed.tex) is not None
+    return False
+
+
 @dataclass(frozen=True)
 class SourcePaper:
     """A source with its formulas as displays, and their statements in the order of the text."""
@@ -138,6 +157,12 @@ class SourcePaper:
         for item in self.items:
             found.setdefault(item.formula, []).append(item)
         return found
+
+    @cached_property
+    def unfinished(self) -> frozenset[SourceStatement]:
+        """The equations of displays in which dots stand for more of them, with these dots."""
+        dotted = {id(item.typed) for item in self.items if is_ellipsis(item)}
+        return frozenset(item for item in self.items if id(item.typed) in dotted)
 
     @cached_property
     def approximate(self) -> frozenset[SourceStatement]:

@@ -106,7 +106,7 @@ def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
 
 def value(item: SourceStatement, known: Known) -> StatementRole | None:
     r"""A value that is supposed of a function, as :math:`(\alpha,\alpha)=1`."""
-    said = cue("suppose", item.lead)
+    said = supposing(item)
     if len(item.members) != 2 or item.derives or not said or not item.typed.inline:
         return None
     left, right = item.members

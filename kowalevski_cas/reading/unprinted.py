@@ -3,10 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 
 from kowalevski_cas.notation import Name, NotationError, PoissonBracket, read
 from kowalevski_cas.notation.open import OpenParser
-from kowalevski_cas.paper.implied import HAMILTONIANS, LAGRANGIANS, implied_equations
+from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.implied import (
+    HAMILTONIANS,
+    LAGRANGIANS,
+    conjugate_pairs,
+    implied_equations,
+)
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.texts import Display
 from kowalevski_cas.reading.cues import cue
@@ -69,8 +76,11 @@ def implied_rows(paper: SourcePaper) -> Iterator[SourceStatement]:
 
 
 def definitions_below(item: SourceStatement, paper: SourcePaper) -> Iterator[SourceStatement]:
-    """What defines the names in a statement."""
-    names, waiting = set[str](), [item]
+    """What defines the names in a statement, but for its own, and for what moves by name.
+
+    What gives an old coordinate by new ones, behind the Hamiltonian, defines none.
+    """
+    names, waiting = {*item.bare, *_canonical(item)}, [item]
     while waiting:
         new = waiting.pop().names - names
         names |= new
@@ -80,11 +90,20 @@ def definitions_below(item: SourceStatement, paper: SourcePaper) -> Iterator[Sou
         waiting += found
 
 
+def _canonical(item: SourceStatement) -> list[str]:
+    """The momenta in a statement with their coordinates, if these are known by their names."""
+    with suppress(ValueError):
+        return [name for pair in conjugate_pairs(sorted(item.names)) for name in pair]
+    return []
+
+
 def _brackets(paper: SourcePaper) -> Iterator[SourceStatement]:
     """The brackets that a paper prints of names which it does not define."""
     first = (item.members[0] for item in paper.items if item.members and not is_closing(item))
     defined = {member.name for member in first if isinstance(member, Name)}
+    vectors = {symbol(name).letter for name in defined if symbol(name).is_bold}
     for item in paper.items:
         if item.members and isinstance(bracket := item.members[0], PoissonBracket):
-            if bracket.names().isdisjoint(defined):
+            names = bracket.names()
+            if names.isdisjoint(defined) and not {symbol(n).letter for n in names} & vectors:
                 yield item

@@ -21,6 +21,7 @@ from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.combinations import Combinations, combinations_of, complete
 from kowalevski_cas.search.equal_roots import equal_products, proof_by_equal_roots
+from kowalevski_cas.search.pieces import proof_by_pieces
 from kowalevski_cas.search.place import Candidate, Good, Height, PointFinder, Values
 from kowalevski_cas.search.real_cases import RealCases
 
@@ -56,7 +57,9 @@ class FollowsFinder(PointFinder):
             point = self.point(at, here, divided, holds, 0) if goal.given else None
             if point is None:
                 return None
-        roots = None if known else proof_by_equal_roots(alternatives(goal, at), at)
+        goals = alternatives(goal, at) if conclusions else []
+        roots = None if known else proof_by_equal_roots(goals, at)
+        roots = roots or proof_by_pieces(goals, known, at)
         return Entailment(roots, point) if roots else self._combined(goal, at, point, divided)
 
     def _combined(

@@ -169,7 +169,10 @@ class PointFinder:
         return good
 
     def _sections(self, at: Evaluation, most: int) -> Iterator[Sequence[Element]]:
-        """What vanishes besides: nothing, all variables, some, all but some; known powers are 1."""
+        """What vanishes besides: nothing, all variables, some, all but some, roots.
+
+        Known powers are 1. A root is that of what is not negative: there is an edge.
+        """
         setting = at.setting
         one = at.ring.one
         fixed: list[Element] = []
@@ -184,6 +187,14 @@ class PointFinder:
         for size in dict.fromkeys(few) if most else (0,):
             for chosen in combinations(variables, size):
                 yield [*fixed, *chosen]
+        squares = [
+            square
+            for name, square in zip(at.ring.roots, at.ring.radicands, strict=True)
+            if name not in setting.coordinates and name != "i"
+        ]
+        yield from ([*fixed, one] for one in squares if most)
+        if most and len(squares) > 1:
+            yield [*fixed, *squares]
 
     @staticmethod
     def _norm(at: Evaluation, element: Element) -> Element:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 from itertools import chain, count, islice, product
+from math import prod
 
 from flint import fmpq, fmpq_mpoly
 
@@ -132,7 +133,15 @@ def eliminate(
         generators[variable] = expression
         eliminated.append((variable, expression))
         substituted = (c.compose(*generators, ctx=context) for c in constraints)
-        constraints = [c for c in substituted if not c.is_zero()]
+        constraints = [_without_powers(c) for c in substituted if not c.is_zero()]
+
+
+def _without_powers(polynomial: fmpq_mpoly) -> fmpq_mpoly:
+    """What has the zeros of a polynomial, each once: of r² = 0 none would be found."""
+    factors = polynomial.factor_squarefree()[1]
+    if all(exponent == 1 for _, exponent in factors):
+        return polynomial
+    return prod((base for base, _ in factors), start=polynomial.context().constant(1))
 
 
 def _substitute_found(

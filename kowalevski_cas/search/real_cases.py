@@ -201,7 +201,7 @@ class RealCases:
                 group = (*self._squared(found, weights),)
                 row = [*map(self.flat.element, found.factors[: len(others)])]
                 row.insert(k, self.flat.element(sign * factor * odd) * below)
-                if group != (known[k],):
+                if group and group != (known[k],):
                     return group, row
         return None
 

@@ -67,7 +67,12 @@ class SemidefiniteProgram(NamedTuple):
         settings.verbose = False
         nothing = sparse.csc_matrix((margin + 1, margin + 1))
         solver = clarabel.DefaultSolver(nothing, cost, matrix, np.array(free), cones, settings)
-        solution = solver.solve()
+        try:
+            solution = solver.solve()
+        except BaseException as error:  # a panic of Clarabel, where an eigenvalue does not converge
+            if type(error).__name__ != "PanicException":
+                raise
+            return None
         if str(solution.status) not in ("Solved", "AlmostSolved"):
             return None
         return solution.x[:margin], solution.x[margin]

@@ -38,8 +38,9 @@ from kowalevski_cas.system.refused import (
     check_unit,
     check_words,
 )
+from kowalevski_cas.system.roots import with_roots
 from kowalevski_cas.system.rows import Names, moving_names, read_rows, vocabulary_of
-from kowalevski_cas.system.scenes import with_roots, with_row
+from kowalevski_cas.system.scenes import with_row
 from kowalevski_cas.system.vectors import Vectors, bold, lengths, names_only, vectors_of
 
 

@@ -19,6 +19,7 @@ from kowalevski_cas.notation import (
     to_plain,
 )
 from kowalevski_cas.paper.claims import Casimir, Claim, FirstIntegral, Identity
+from kowalevski_cas.paper.claims.maps import InvariantOfMap
 from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.relations import real_ways, solve_for_constant
 from kowalevski_cas.paper.scene import Scene
@@ -31,13 +32,8 @@ from kowalevski_cas.system.kinds import BY_CASES, Stated, stated_of
 from kowalevski_cas.system.numbering import Numbering
 from kowalevski_cas.system.printed_law import brackets, read_law
 from kowalevski_cas.system.refused import check_constant, check_field, check_possible, names_of
-from kowalevski_cas.system.scenes import (
-    restrict,
-    with_lengths,
-    with_levels,
-    with_parameters,
-    with_roots,
-)
+from kowalevski_cas.system.roots import with_roots, with_roots_at_images, with_signs_of_moduli
+from kowalevski_cas.system.scenes import restrict, with_lengths, with_levels, with_parameters
 from kowalevski_cas.system.signs import SIGNS, alternatives, has_both_signs, with_signs
 from kowalevski_cas.system.solved import (
     gives_constant,
@@ -49,6 +45,9 @@ from kowalevski_cas.system.symbols import latex_of
 from kowalevski_cas.system.units import with_units
 from kowalevski_cas.verify.finding import Finding
 from kowalevski_cas.verify.outcome import Verdict, in_latex
+
+OF_MODULI = (FirstIntegral, Identity, InvariantOfMap)
+"""What is claimed of absolute values: no inequality, which says itself what is not negative."""
 
 Tex = Any
 """A formula: LaTeX, what was defined, or an expression of SymPy."""
@@ -384,6 +383,10 @@ class Field:
             with suppress(ValueError):  # what cannot be read is the outcome of the claim
                 claim = replace(claim, scene=with_lengths(claim.scene, place.display))
                 claim = replace(claim, scene=with_roots(claim.scene, place.display))
+        if self.law.images:
+            claim = replace(claim, scene=with_roots_at_images(claim.scene, self.law.images))
+        if isinstance(claim, OF_MODULI):
+            claim = replace(claim, scene=with_signs_of_moduli(claim.scene))
         self.section.claim(claim)
         if expect:
             self.section.expected[id] = expect

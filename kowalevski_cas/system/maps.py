@@ -18,12 +18,15 @@ from kowalevski_cas.notation.layout import split_display
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.macros import SPELLING
 from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.notation.tokens import Token
+from kowalevski_cas.paper.amplitudes import conjugate_images, with_conjugates
 from kowalevski_cas.paper.images import images_by_index, solutions
 from kowalevski_cas.paper.implied import canonical_brackets, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.system.refused import check_unit
+from kowalevski_cas.system.roots import with_roots
 from kowalevski_cas.system.rows import Names, read_rows, vocabulary_of
 from kowalevski_cas.system.scenes import with_row
 from kowalevski_cas.system.vectors import Vectors
@@ -57,13 +60,17 @@ def index_of_map(tex: str) -> str:
         tex = tex[:start] + tex[end:] if tex[start:end].lstrip().startswith(r"\{") else tex
     tokens = scan(tex)
     letters = [letter + index for letter, index in Cursor(tex, tokens, Vocabulary()).letters()]
-    if any(token.kind in ("prime", "accent") or token.text == "d" for token in tokens):
+    if any(token.kind == "prime" or token.text == "d" or _is_dot(token) for token in tokens):
         return ""
     steps = {symbol(name).index[:-2] for name in letters if symbol(name).index.endswith(STEP)}
     here = {symbol(name).index for name in letters}
     bound = set(re.findall(r"\\(?:sum|prod)\s*_\s*\{?\s*([A-Za-z])", tex))
     found = [one for one in steps - bound if len(one) == 1 and one.isalpha() and one in here]
     return found[0] if len(found) == 1 else ""
+
+
+def _is_dot(token: Token) -> bool:
+    return token.kind == "accent" and "dot" in token.text
 
 
 def images_by_primes(formulas: Collection[Formula]) -> dict[str, str]:
@@ -132,7 +139,7 @@ class Map:
     """
 
     def __init__(self, display: Display, vectors: Vectors, declared: Names, index: str) -> None:
-        words = vocabulary_of(display, vectors, declared)
+        self.display, words = display, vocabulary_of(display, vectors, declared)
         printed = read_rows(display, words).values()
         nodes = (node for formula in printed for node in formula.nodes())
         names = dict.fromkeys(node.name for node in nodes if isinstance(node, Name))
@@ -176,6 +183,8 @@ class Map:
         for one, place in self.rows.items():
             scene = scene.naming(one, place)
         check_unit(scene.constants)
+        if scene.unit is not None:
+            scene = with_conjugates(scene, self.formulas.values())
         return scene
 
     def solutions(self, vectors: Vectors) -> Iterator[str]:
@@ -185,13 +194,18 @@ class Map:
         if len(self.implicit) != len(self.left):
             said = ", ".join(self.left)
             raise ValueError(f"{len(self.implicit)} equations for {said}: print one for each")
-        yield from solutions(self.scene("", vectors), self.left, self.implicit)
+        scene = self.scene("", vectors)
+        rooted = with_roots(scene.having(variables=tuple(self.left)), self.display)
+        yield from solutions(replace(scene, roots=rooted.roots), self.left, self.implicit)
 
 
 def with_images(tex: str, vectors: Vectors, declared: Names, index: str) -> str:
     """The equations of a map with its images, and the canonical bracket if none is printed."""
     found = Map(Display("map", tex, ""), vectors, declared, index)
     more = [*found.solutions(vectors)]
+    whole = Map(Display("map", r",\quad ".join((tex, *more)), ""), vectors, declared, index)
+    rows = {one: whole.formulas[place] for one, place in whole.rows.items()}
+    more += conjugate_images([*whole.formulas.values()], rows, whole.images)
     if not any(name.startswith(BRACKET) for place in found.others for name in place.heads.names):
         names = [*found.images]
         try:

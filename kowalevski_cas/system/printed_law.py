@@ -22,6 +22,8 @@ from kowalevski_cas.system.equations import (
 )
 from kowalevski_cas.system.indices import chain_ends
 from kowalevski_cas.system.maps import Map, index_of_map, with_images
+from kowalevski_cas.system.refused import check_raised
+from kowalevski_cas.system.roots import with_roots
 from kowalevski_cas.system.symbols import latex_of
 from kowalevski_cas.system.units import with_unit_matrices
 from kowalevski_cas.system.unknown import TIMES, check_said, with_jets
@@ -56,6 +58,8 @@ def read_law(
 
     ``place`` makes a display of it. Raises ``ValueError`` if it is none; the message says why.
     """
+    if isinstance(field, str):
+        check_raised(field)
     tex = spelled_out(field) if isinstance(field, str) else _rows(field, symbols)
     tex, conventions, equalities, said = plain_print(tex, vectors, map)
     functions = conventions.functions
@@ -69,7 +73,8 @@ def read_law(
     if map or index:
         display = place(with_images(tex, parts, words, index))
         found = Map(display, parts, words, index)
-        images, scene = (*found.images.items(),), found.scene(name, parts)
+        images = (*found.images.items(),)
+        scene = with_roots(found.scene(name, parts), display)
     else:
         arguments = [by for one in functions for by in one.by if by not in TIMES]
         tex = with_unit_matrices(tex, parts, words)

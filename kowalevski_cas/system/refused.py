@@ -12,6 +12,7 @@ from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.paper.claims.forms import moving
 from kowalevski_cas.paper.differentials import differentials
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -30,6 +31,9 @@ _WORD = re.compile(
     r"(?<![A-Za-z])(?:sin|cos|tan|cot|exp|log|ln|sinh|cosh|tanh|sqrt|where|with|and|for|const|if)"
     "(?![A-Za-z])"
 )
+_RANGE = re.compile(r"(?<![A-Za-z_{\\])([i-n])\s*=\s*\d\s*,")
+_SUMMED = re.compile(r"\\(?:sum|prod)\s*_\s*\{?\s*([i-n])(?![A-Za-z])")
+_MOMENTA = {"q": "p"}
 _PERMUTATION = re.compile(r"\\(?:var)?epsilon_\{\d{3}\}")
 _KRONECKER = re.compile(r"\\delta_\{[i-n]{2}\}")
 
@@ -144,6 +148,37 @@ def check_words(tex: str) -> None:
             rf"print \{word}" if rf"\{word}" in FUNCTIONS else "print words outside of formulas"
         )
         raise ValueError(f"“{word}” is a product of letters here: {instead}")
+
+
+def check_raised(tex: str) -> None:
+    """Refuse letters that are raised to 1, or to what runs: they are indices, or may be.
+
+    Of a sum that is a polynomial, as of x^i, only a letter that has indices below elsewhere may be
+    meant so, or a coordinate q beside p_i.
+    """
+    ranges = {one[1] for one in _RANGE.finditer(tex)}
+    summed = {one[1] for one in _SUMMED.finditer(tex)}
+    for letter, raised in _raised(scan(tex)):
+        low = f"{letter}_{raised}"
+        if raised == "1":
+            raise ValueError(f"{letter}^1 is no power: print the index below, as {low}")
+        others = (letter, _MOMENTA.get(letter, letter))
+        beside = any(f"{one}_" in re.sub(r"[\s{}]", "", tex) for one in others)
+        if raised in ranges or (raised in summed and beside):
+            raise ValueError(f"{letter}^{raised} is a power or has an index: print {low}, or terms")
+
+
+def _raised(tokens: Sequence[Token]) -> Iterator[tuple[str, str]]:
+    """The letters that stand in no index, with one letter, or number, to which they are raised."""
+    kinds = [token.kind for token in tokens]
+    for k, token in enumerate(tokens):
+        is_low = kinds[max(k - 1, 0) : k] == ["_"] or kinds[max(k - 2, 0) : k] == ["_", "{"]
+        at = k + 1 + (kinds[k + 1 : k + 2] == ["}"])
+        if token.kind != "letter" or token.text == "e" or is_low or kinds[at : at + 1] != ["^"]:
+            continue
+        first = at + 1 + (kinds[at + 1 : at + 2] == ["{"])
+        if first == at + 1 or kinds[first + 1 : first + 2] == ["}"]:
+            yield from ((token.text, one.text) for one in tokens[first : first + 1])
 
 
 def check_stars(constants: Iterable[str], others: Container[str]) -> None:

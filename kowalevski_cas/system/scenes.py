@@ -6,37 +6,27 @@ from dataclasses import replace
 
 from kowalevski_cas.notation import (
     Application,
-    Conjugate,
-    Constant,
     Formula,
-    Modulus,
     Name,
     Negative,
     Number,
     Power,
     Relation,
     Root,
-    Sum,
-    rank,
     read,
-    read_display,
-    times,
     to_latex,
 )
-from kowalevski_cas.notation.functions import SIGN
 from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.symbol import symbol
-from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.applied import SPECTRAL
 from kowalevski_cas.paper.claims.forms import minus
-from kowalevski_cas.paper.exponents import half_power
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.signs import is_inequality
-from kowalevski_cas.paper.summation import without_sums
 from kowalevski_cas.paper.texts import IN_WORDS, Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.refused import check_no_differentials
+from kowalevski_cas.system.roots import with_roots
 from kowalevski_cas.system.rows import read_rows
 from kowalevski_cas.system.vectors import lengths, vectors_of
 
@@ -129,57 +119,6 @@ def with_lengths(scene: Scene, display: Display) -> Scene:
         place = replace(display, id=f"{display.id}-length", tex=tex, source=IN_WORDS)
         scene = with_roots(scene.defining(place), place)
     return scene
-
-
-def with_roots(scene: Scene, display: Display) -> Scene:
-    """A scene with the square roots that are printed in a display of its names.
-
-    Raises ``ValueError`` if a name is defined there by two expressions, of which one would be lost,
-    and for a bar, which would say nothing.
-    """
-    printed = read_display(display.tex, vocabulary((scene,)))
-    waiting = [without_sums(statement.formula) for statement in printed]
-    for place, formula in zip(display, waiting, strict=True):
-        named = {*place.heads.names} & {*scene.definitions}
-        sides = [side for side in formula.children() if not isinstance(side, Constant)]
-        if named and len(sides) > len(named) + 1:
-            raise ValueError(f"{place.tex} gives {min(named)} twice: leave one side out")
-    inner_first = (node for formula in waiting for node in reversed([*formula.nodes()]))
-    for formula in inner_first:
-        if isinstance(formula, Conjugate) and scene.unit is None:
-            raise ValueError(
-                f"{to_latex(formula)} is a conjugate, and all is real: rename it, or print i^2=-1 "
-                "beside the equations of motion if they are complex"
-            )
-        words = vocabulary((scene,))
-        root = _root(formula)
-        if isinstance(formula, Modulus) and scene.unit and rank(formula.argument, words) != VECTOR:
-            root = Root(times(formula.argument, Conjugate(formula.argument)))
-        if root is not None and {name := to_latex(root), _opposite(root)}.isdisjoint(scene.roots):
-            scene = scene.adjoining(name)
-    return scene
-
-
-def _opposite(root: Root) -> str:
-    r"""The same length as it may be printed otherwise: :math:`|a-b|` is :math:`|b-a|`."""
-    match root:
-        case Root(Power(Sum((left, Negative(right))), exponent)):
-            return to_latex(Root(Power(Sum((right, Negative(left))), exponent)))
-    return to_latex(root)
-
-
-def _root(formula: Formula) -> Root | None:
-    """The square root that a root, an absolute value, a length or a power 3/2 is made of."""
-    match formula:
-        case Root():
-            return formula
-        case Modulus(argument):
-            return Root(Power(argument, Number(2)))
-        case Application(function, (argument,)) if function == SIGN:
-            return Root(Power(argument, Number(2)))
-        case Power(base, exponent) if half_power(exponent) is not None:
-            return Root(base)
-    return None
 
 
 def _with_real_root(scene: Scene, name: str, place: Printed, formula: Formula) -> Scene:

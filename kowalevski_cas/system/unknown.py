@@ -81,7 +81,7 @@ def unknown_functions(tex: str) -> list[Unknown]:
         head(name)[0]
         for place in display
         for name in place.heads.names
-        if place.tex.strip().startswith(head(name)[0])
+        if _bare(place.tex).startswith(_bare(head(name)[0]))
     }
     moving = moving_names(tex)
     said = {one for one in said_functions(tex) if symbol(one).letter not in MULTIPLIERS}
@@ -101,6 +101,11 @@ def unknown_functions(tex: str) -> list[Unknown]:
             most = max([len(match["primes"]) for match in matches] + [*orders.values()])
             functions.append(Unknown(name, arguments, most))
     return functions
+
+
+def _bare(tex: str) -> str:
+    """What is printed without blanks and braces, which a letter may have about it or not."""
+    return re.sub(r"[\s{}]", "", tex)
 
 
 _DOTTED = re.compile(

@@ -1,6 +1,7 @@
 """Indices in the prints of many authors: their sets, what is summed over, and where no values stand."""
 
 import random
+import re
 
 import pytest
 from sympy import Symbol
@@ -208,3 +209,29 @@ def test_vectors_have_indices_with_ranges(seed):
     potential = potential.replace("|^4", "|^{4}").replace("|^6", "|^{6}")
     assert law.integral(f"{kinetic}+{potential}").verdict.green
     assert law.integral(f"{kinetic}-{potential}").verdict == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("print_", "low"),
+    [
+        (r"\dot x^1=x^2,\quad\dot x^2=-x^1", "x_1"),
+        (r"\frac{dx^1}{dt}=y,\ \dot y=1", "x_1"),
+        (r"\dot{\theta}^{1}=y,\ \dot y=1", r"\theta_1"),
+        (r"\dot x^i=a^ix^i,\quad i=1,2", "x_i"),
+        (r"\dot q^k=p_k,\quad\dot p_k=-q^k,\quad k=1,2,3", "q_k"),
+        (r"H=\frac12\sum_{i=1}^2(p_i^2+(q^i)^2)", "q_i"),
+        (r"\dot x_1=\sum_{k=1}^2a_kx^k,\ \dot x_2=1", "x_k"),
+    ],
+)
+def test_an_index_that_is_raised_is_no_power(print_, low):
+    with pytest.raises(ValueError, match=re.escape(low)):
+        System(print_)
+
+
+@pytest.mark.parametrize(
+    "print_",
+    [r"\dot x=\sum_{i=1}^3a_ix^i", r"\dot x=x^{10}+x^2", r"\dot x=\prod_{k=1}^1(x-a_k)",
+     r"\dot x_i=x_i^2,\ i=1,2", r"\dot x=e^{1}x,\ \dot y=x"],
+)  # fmt: skip
+def test_a_power_is_none(print_):
+    assert System(print_).scene.variables

@@ -71,6 +71,7 @@ def test_components_may_be_listed_in_the_chain_that_gives_a_vector(seed):
     assert differ(System(tex.replace("bM_2", "2bM_2")), meant, seed)
 
 
+@pytest.mark.slow
 def test_what_is_defined_for_the_pairs_of_a_sum_is_defined_for_each():
     tex = (
         r"\Gamma_k\dot x_k=\frac{\partial H}{\partial y_k},\ \Gamma_k\dot y_k=-\frac{\partial H}"

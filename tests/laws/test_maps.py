@@ -37,10 +37,10 @@ def test_a_matrix_with_determinant_one_preserves_a_form(seed):
     chance.shuffle(rows)
     law = System(",\\ ".join(rows), map=told)
     assert {*law.scene.variables} == {x, y} and not law.scene.constants
-    form = f"{c}{x}^2{d - a:+}{x}{y}{-b:+}{y}^2"
+    form = f"{c}{x}^2{d - a:+}{x} {y}{-b:+}{y}^2"
     assert law.integral(form).verdict == "proved", law
     assert law.integral(f"({form})^2").verdict == "proved"
-    assert law.integral(f"{c + 1}{x}^2{d - a:+}{x}{y}{-b:+}{y}^2").verdict == "refuted"
+    assert law.integral(f"{c + 1}{x}^2{d - a:+}{x} {y}{-b:+}{y}^2").verdict == "refuted"
     assert law.integral("7").verdict == "refuted"
     assert law.symplectic().verdict == law.measure().verdict == "proved"
     assert law.integrable(form).verdict == "proved"
@@ -64,11 +64,11 @@ def test_the_symmetric_map_of_quispel_roberts_and_thompson_has_its_invariant(see
     law = System(form)
     assert law.scene.variables == (x, y)
     invariant = (
-        f"{al}{x}^2{y}^2{be:+}({x}^2{y}+{x}{y}^2){ga:+}({x}^2+{y}^2){ep:+}{x}{y}{xi:+}({x}+{y})"
+        f"{al}{x}^2{y}^2{be:+}({x}^2{y}+{x} {y}^2){ga:+}({x}^2+{y}^2){ep:+}{x} {y}{xi:+}({x}+{y})"
     )
     assert law.integral(invariant).verdict.green, law
     assert (
-        law.integral(invariant.replace(f"{ep:+}{x}{y}", f"{ep + 1:+}{x}{y}")).verdict == "refuted"
+        law.integral(invariant.replace(f"{ep:+}{x} {y}", f"{ep + 1:+}{x} {y}")).verdict == "refuted"
     )
     assert law.symplectic().verdict.green and law.measure().verdict.green
     assert law.integral(invariant.replace(y, new)).verdict.green
@@ -189,7 +189,7 @@ def test_a_set_is_invariant_under_a_map_where_its_images_are_in_it(seed):
     assert law.invariant(f"{y}=1", f"{x}=5").verdict == "refuted"
     assert law.invariant(f"{y}^2=-1").verdict == "refuted"  # of no point all is true
     assert law.invariant(f"{y}^2=4").verdict == "proved"
-    assert law.invariant(f"{x}{y}=0").verdict == "refuted"
+    assert law.invariant(f"{x} {y}=0").verdict == "refuted"
 
 
 def planar(chance):

@@ -134,7 +134,7 @@ def test_two_signs_are_two_statements():
         (r"\sin\theta t", r"how far does \sin reach?"),
         (r"\langle x, y\rangle", "declare the vectors of this product"),
         ("[x, y]", "a list in these brackets cannot be read"),
-        ("|x|y||", "| is not expected here"),
+        ("|x|y||", "the formula breaks off here"),
         (r"\mathbf r^3", "a number is expected here, not a vector"),
         ("x = 1.5.2", "write a zero before the decimal point"),
         (r"\partial H", "a derivative is expected here"),

@@ -291,7 +291,7 @@ def test_what_is_drafted_is_read_as_before():
 PAPERS = Path(__file__).parents[1] / "data" / "papers"
 
 
-@pytest.mark.parametrize("name", sampled(sorted(p.stem for p in PAPERS.glob("*.tex")), 1))
+@pytest.mark.parametrize("name", sampled(sorted(p.stem for p in PAPERS.glob("*.tex")), 1, seed=2))
 def test_every_role_that_is_inferred_can_be_written(name):
     reading = read(read_source(PAPERS / f"{name}.tex"))
     lines = [line for _, own in comments(reading) for line in own]

@@ -5,6 +5,7 @@ import pytest
 from kowalevski_cas.audit.reading import ReadingSession
 from kowalevski_cas.reading import CLAIM, LAW, index_ranges, read
 from kowalevski_cas.source.files import decode
+from tests.sample import sampled
 
 CHAIN = r"""
 Let $x=(x_1,x_2)$ and $y=(y_1,y_2)$. The equations of motion are
@@ -99,12 +100,15 @@ The equations of motion are \[\dot x_1=x_2x_3-x_1(x_2+x_3),\quad \dot x_2=x_3x_1
 
 @pytest.mark.parametrize(
     "said",
-    [
-        r"Then \[\frac{d}{dt}(x_j+x_k)=FACTORx_jx_k\qquad(j\ne k).\]",
-        r"Then \[\frac{d}{dt}(x_j+x_k)=FACTORx_jx_k\ (j<k).\]",
-        r"Then \[\frac{d}{dt}(x_j+x_k)=FACTORx_jx_k\] for $j\neq k$.",
-        r"For $j\neq k$ we have $\frac{d}{dt}(x_j+x_k)=FACTORx_jx_k$.",
-    ],
+    sampled(
+        [
+            r"Then \[\frac{d}{dt}(x_j+x_k)=FACTORx_jx_k\qquad(j\ne k).\]",
+            r"Then \[\frac{d}{dt}(x_j+x_k)=FACTORx_jx_k\ (j<k).\]",
+            r"Then \[\frac{d}{dt}(x_j+x_k)=FACTORx_jx_k\] for $j\neq k$.",
+            r"For $j\neq k$ we have $\frac{d}{dt}(x_j+x_k)=FACTORx_jx_k$.",
+        ],
+        1,
+    ),
 )
 def test_what_is_said_of_indices_alone_says_for_which_values(said):
     found = verdicts(HALPHEN + said.replace("FACTOR", "-2"))

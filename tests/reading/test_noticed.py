@@ -127,10 +127,34 @@ def test_a_polynomial_is_a_function_where_nothing_is_derived_by_its_argument():
         r"In a report it was written that $\dot u_1=0$ ``holds''; \textbf{this is wrong}.",
         r"Somebody takes $\dot u_1=0$ for granted, which is false.",
         r"Было написано, что $\dot u_1=0$.",
+        r"One might hope that $\dot u_1=0$.",
+        r"The first is said to have $\dot u_1=0$, but it does not.",
+        r"Можно было бы ожидать, что $\dot u_1=0$.",
+        r"Here $\dot u_1=0$ along no motion.",
     ],
 )
 def test_what_was_written_by_others_or_is_wrong_is_not_claimed(words):
     assert roles(VOLTERRA + words)[r"\dot u_1=0"] == "other"
+
+
+@pytest.mark.parametrize(
+    ("words", "green"),
+    [
+        (r"Then $F=u_1+u_2+u_3+u_4$ is conserved.", True),
+        (r"Hence $F=u_1+u_2$ is a first integral.", False),
+        (r"The sum $F=u_1+u_2+u_3+u_4$ is constant, but it is not positive.", True),
+    ],
+)
+def test_what_follows_is_claimed_though_it_gives_a_name(words, green):
+    assert [one.green for one in verdicts(VOLTERRA + words).values()] == [green]
+
+
+@pytest.mark.parametrize("words", ["The potential energy is", "The kinetic energy has the form"])
+def test_a_part_of_the_energy_is_not_called_an_integral(words):
+    text = rf"The motion is given by \[ \ddot x=-x . \] {words} \[ T=\tfrac12\dot x^2 . \]"
+    assert roles(text)[r"T=\tfrac12\dot x^2"] == "definition"
+    whole = text.replace(words.split(" energy")[0], "The").replace("x^2 .", "x^2+\\tfrac12x^2 .")
+    assert roles(whole)[r"T=\tfrac12\dot x^2+\tfrac12x^2"] == "claim"
 
 
 @pytest.mark.parametrize(

@@ -75,6 +75,7 @@ def test_a_paper_with_the_comments_that_are_drafted_makes_the_same_claims(path):
     assert draft(again).text == drafted.text
 
 
+@pytest.mark.slow
 def test_with_the_comments_that_are_drafted_the_verdicts_are_the_same_byte_for_byte(
     capsys, tmp_path
 ):

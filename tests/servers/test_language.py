@@ -108,6 +108,7 @@ def with_editor(folder, session):
     asyncio.run(run())
 
 
+@pytest.mark.slow
 def test_a_false_formula_is_shown_explained_and_corrected_and_then_nothing_is_wrong(tmp_path):
     async def session(editor):
         (wrong,) = await editor.open(PAPER % WRONG)

@@ -18,6 +18,7 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.paper.components import parts, sides
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.generators import values_at_zero
 from kowalevski_cas.paper.matrices import Rows, as_matrices, is_matrix, sizes
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.prune import Reach
@@ -97,7 +98,7 @@ def equations(
             continue
         for left, right in pairwise(sides(relation.members, space)):
             found += zip(parts(left, space), parts(right, space), strict=True)
-    return tuple(found)
+    return (*found, *values_at_zero(found, space))
 
 
 def expression(on: Elaborations, space: Elaboration, printed: Printed) -> Formula:
