@@ -39,25 +39,22 @@ DENOMINATORS = (1, 2, 3, 3, 7)
 
 
 def points(
-    constraints: Sequence[fmpq_mpoly],
-    variables: Sequence[int],
-    avoid: Sequence[Sequence[fmpq_mpoly]] = (),
+    constraints: Sequence[fmpq_mpoly], variables: Sequence[int], avoid: Sequence[fmpq_mpoly] = ()
 ) -> Iterator[Assignment]:
-    """Rational points where the constraints vanish, and of each group to avoid not every one does.
+    """Rational points where the constraints vanish and the expressions to avoid do not.
 
     ``variables`` are indices of generators. Variables that a constraint gives at
     once are eliminated. For the constraints that remain, one variable each is
     solved for, while all others get small values from a fixed sequence: where the
     equations are linear, or have rational roots.
     """
-    rest, eliminated = eliminate([c for c in constraints if not c.is_zero()], variables)
-    avoided = [[_substitute_found(one, eliminated) for one in group] for group in avoid]
-    vanishing = any(all(one.is_zero() for one in group) for group in avoided)
-    if any(c.is_constant() for c in rest) or vanishing:
+    rest, eliminated = eliminate([c for c in constraints if not c.is_zero()], variables, False)
+    avoided = [_substitute_found(a, eliminated) for a in avoid]
+    if any(c.is_constant() for c in rest) or any(a.is_zero() for a in avoided):
         return
     gone = {v for v, _ in eliminated}
     for values in _known_completions(rest, [v for v in variables if v not in gone]):
-        if all(any(constant(one, values) for one in group) for group in avoided):
+        if not any(constant(a, values) == 0 for a in avoided):
             yield _with_eliminated({**values}, eliminated)
 
 
@@ -118,9 +115,12 @@ def constant(polynomial: fmpq_mpoly, values: Mapping[int, Fraction]) -> Fraction
 
 
 def eliminate(
-    constraints: list[fmpq_mpoly], variables: Sequence[int]
+    constraints: list[fmpq_mpoly], variables: Sequence[int], powers: bool = True
 ) -> tuple[list[fmpq_mpoly], list[tuple[int, fmpq_mpoly]]]:
-    """Solve constraints that are linear in a variable with a constant coefficient."""
+    """Solve constraints that are linear in a variable with a constant coefficient.
+
+    Without ``powers`` each factor stands once: the zeros are the same, and the ideal is not.
+    """
     eliminated: list[tuple[int, fmpq_mpoly]] = []
     while True:
         found = next(((c, v) for c in constraints for v in variables if _gives(c, v)), None)
@@ -133,7 +133,9 @@ def eliminate(
         generators[variable] = expression
         eliminated.append((variable, expression))
         substituted = (c.compose(*generators, ctx=context) for c in constraints)
-        constraints = [_without_powers(c) for c in substituted if not c.is_zero()]
+        constraints = [c for c in substituted if not c.is_zero()]
+        if not powers:
+            constraints = [*map(_without_powers, constraints)]
 
 
 def _without_powers(polynomial: fmpq_mpoly) -> fmpq_mpoly:
@@ -238,7 +240,7 @@ def _complete(
             yield from _complete(left, unknowns - 1, {**values, **found})
         return
     occurring = sorted({k for c in left for k, d in enumerate(c.degrees()) if d})
-    rest, eliminated = eliminate(left, occurring)
+    rest, eliminated = eliminate(left, occurring, False)
     if eliminated:
         for found in _complete(rest, unknowns - len(eliminated), {}):
             yield values | _with_eliminated(found, eliminated)

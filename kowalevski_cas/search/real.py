@@ -23,6 +23,9 @@ from kowalevski_cas.search.positive import positive_points
 RATIONAL_ROOTS = 100
 """How many points are looked at for one at which all roots are rational."""
 
+LARGE = 2000
+"""A polynomial with so many terms is put in last: few points are left then."""
+
 MANY = 12
 """So many roots are hardly ever real all at once at a point in general position."""
 
@@ -158,11 +161,12 @@ def real_points(
     coordinates = RealCoordinates(at, zero, names)
     constraints = [e for element in zero for e in coordinates.equations(element)]
     constraints = distinct([*constraints, *coordinates.relations()])
-    avoid = [*_to_avoid(nonzero, coordinates)]
-    found = points(constraints, range(len(coordinates.names)), avoid)
+    avoid = sorted(_to_avoid(nonzero, coordinates), key=lambda part: len(part) > LARGE)
+    small = sum(len(part) <= LARGE for part in avoid)
+    found = points(constraints, range(len(coordinates.names)), avoid[:small])
     radicands = [*map(coordinates.equations, coordinates.radicands)]
 
-    def usable(assignments: Iterable[Assignment]) -> Iterator[tuple[bool, ExactPoint]]:
+    def usable(assignments: Iterable[Assignment]) -> Iterator[tuple[bool, Assignment]]:
         """Points at which no radicand is negative, and whether all are squares."""
         for assignment in assignments:
             values = list[Fraction]()
@@ -172,37 +176,48 @@ def real_points(
                     break
             else:
                 rational = all(square_root(value) is not None for value in values)
-                yield rational, coordinates.point(assignment)
+                yield rational, assignment
 
-    kept = []
-    for rational, point in usable(islice(found, RATIONAL_ROOTS)):
-        if rational:
-            yield point
-        else:
-            kept.append(point)
-    yield from kept
+    def there(assignments: Iterable[Assignment]) -> Iterator[ExactPoint]:
+        """The points where large polynomials do not vanish either."""
+        for assignment in assignments:
+            if all(constant(part, assignment) for part in avoid[small:]):
+                yield coordinates.point(assignment)
+
+    yield from there(_rational_first(usable(islice(found, RATIONAL_ROOTS))))
     if constraints or len(radicands) <= MANY:
-        yield from (point for _, point in usable(found))
+        yield from there(assignment for _, assignment in usable(found))
     if not any(map(coordinates.equations, zero)):
         alone = RealCoordinates(at, zero, names, inner_roots=False)
         yield from () if alone.moving else _by_steps(alone, nonzero)
 
 
+def _rational_first(found: Iterable[tuple[bool, Assignment]]) -> Iterator[Assignment]:
+    """The points at which all roots are rational, and then the others."""
+    others = []
+    for rational, assignment in found:
+        if rational:
+            yield assignment
+        else:
+            others.append(assignment)
+    yield from others
+
+
 def _by_steps(coordinates: RealCoordinates, nonzero: Sequence[Element]) -> Iterator[ExactPoint]:
     """Points at which no root is taken of what is negative, by steps towards them."""
     parts = [part for one in coordinates.radicands for part in coordinates.equations(one)]
-    squares = ([one * one for one in group] for group in _to_avoid(nonzero, coordinates))
-    avoid = [sum(group, coordinates.context.constant(0)) for group in squares]
+    avoid = [*_to_avoid(nonzero, coordinates)]
     yield from map(coordinates.point, positive_points(parts, len(coordinates.names), avoid))
 
 
-def _to_avoid(
-    nonzero: Sequence[Element], coordinates: RealCoordinates
-) -> Iterator[Sequence[fmpq_mpoly]]:
-    """What vanishes together where one of these elements does."""
+def _to_avoid(nonzero: Sequence[Element], coordinates: RealCoordinates) -> Iterator[fmpq_mpoly]:
+    """What vanishes where some of these elements does."""
     for element in nonzero:
-        if equations := coordinates.equations(element):
-            yield equations
+        equations = coordinates.equations(element)
+        if len(equations) == 1:
+            yield equations[0]
+        elif equations:
+            yield sum((e * e for e in equations), coordinates.context.constant(0))
 
 
 def points_with_squares(
@@ -233,7 +248,7 @@ def points_with_squares(
         return
     halves = [_halved(polynomial, squared) for polynomial in (*constraints, *radicands)]
     avoid = [
-        (_halved(equation, squared),)
+        _halved(equation, squared)
         for element in nonzero
         for equation in coordinates.equations(element)[:1]
         if all(_is_even([equation], place) for place in squared)

@@ -73,7 +73,7 @@ def test_pseudo_division_is_an_identity(a, g, h):
 @given(terms(3, 1), terms(3, 1))
 def test_points_lie_on_their_constraints_and_off_what_they_avoid(a, b):
     p, q = polynomial(a), polynomial(b)
-    for at in islice(points([p], range(3), [[q]]), 3):
+    for at in islice(points([p], range(3), [q]), 3):
         assert constant(p, at) == 0 != constant(q, at)
 
 
@@ -181,6 +181,15 @@ def test_it_is_whole_where_something_may_vanish_also_on_a_sphere():
     claim = system.implication("x+y+2z=3", given="x^2+y^2+z^2=1")
     found = claim.outcome.counterexample.point.values.values()
     assert not any(isinstance(node, Quotient) for value in found for node in value.nodes())
+
+
+def test_of_what_has_many_terms_one_point_is_enough(monkeypatch):
+    monkeypatch.setattr("kowalevski_cas.search.follows.LARGE", 0)
+    monkeypatch.setattr("kowalevski_cas.search.real.LARGE", 0)
+    x, y = Name("x"), Name("y")
+    sides = (Quotient(Sum((x, y)), Sum((x, Negative(y)))), Number(1))
+    found = Finder(finder_of).refutation(identity(Space(("x", "y")), sides)).point.values
+    assert found["y"] != Number(0) and found["x"] != found["y"]
 
 
 def test_the_value_of_a_polynomial():
