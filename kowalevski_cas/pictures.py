@@ -132,12 +132,16 @@ def save(figure: Figure, folder: Path, name: str) -> Path:
     return path
 
 
+ALONE = "@media (prefers-color-scheme: dark) { svg:root { color: #e8e8e8; --page: #161616 } }\n"
+"""The ink of a drawing that is no part of a page, in the dark."""
+
+
 def save_drawing(figure: Figure, folder: Path, name: str) -> Path | None:
     """Write a figure as ``folder/name.svg``, an element of a page, if it is light and all lines.
 
     It has the ground of the page and its ink, so that it can be read in the dark, as greys could
-    not; what is named in it begins with the name of the figure. One that was there before, and is
-    no more, is removed.
+    not; by itself it has the ink of the reader's scheme. What is named in it begins with the name
+    of the figure. One that was there before, and is no more, is removed.
     """
     import matplotlib
 
@@ -149,6 +153,7 @@ def save_drawing(figure: Figure, folder: Path, name: str) -> Path | None:
     text = re.sub(r'(?<=id="|f="#|rl\(#)', f"{name}-", text[text.index("<svg") :])
     text = re.sub(r' d="[^"]*"', lambda path: re.sub(r"(\.\d)\d+", r"\1", path[0]), text)
     text = text.replace("<svg ", '<svg fill="currentColor" ', 1)
+    text = text.replace('<style type="text/css">', f'<style type="text/css">{ALONE}', 1)
     text = re.sub(rf"{INK}|#000000\b", "currentColor", text).replace("#ffffff", "var(--page, #fff)")
     greys = {*re.findall(r"fill: (#\w+)", text)} - {FAINT, *(mark.colour for mark in MARKS)}
     if greys or len(text) > LIGHT:

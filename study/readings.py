@@ -147,13 +147,14 @@ def compare(path: Path, formulas: list[Entry]) -> Score:
     starts = [0, *(match.end() for match in re.finditer("\n", text))]
     offsets = [(starts[f["line"] - 1] + f["column"] - 1, f) for f in formulas]
     causes = {cause for f in formulas for cause in f["causes"]}
+    failing = {f["id"] for f in formulas if f["verdict"] == "refuted"}
     score = Score(timeouts=sum(f["verdict"] == Verdict.TIMEOUT for f in formulas))
     for row, (start, end) in zip(truth, places(text, truth), strict=True):
         here = [f for offset, f in offsets if start <= offset < end]
         where = f"{path.stem}:{row['line']}"
         if not row.get("sentence"):
             _role(score, row, here, where)
-        _verdict(score, row, here, where)
+        _verdict(score, row, here, where, failing)
         if "error" in row:
             noticed = any(
                 f["verdict"] in ("refuted", "suspect")
@@ -181,7 +182,7 @@ def _role(score: Score, row: Entry, here: list[Entry], where: str) -> None:
         score.misread.append(f"{where} {role}: {said}")
 
 
-def _verdict(score: Score, row: Entry, here: list[Entry], where: str) -> None:
+def _verdict(score: Score, row: Entry, here: list[Entry], where: str, failing: set[str]) -> None:
     """Count the verdict of a claim, and what is red or green and should not be."""
     said = [f["verdict"] for f in here if f["role"] == "claim"]
     red = "refuted" in said
@@ -201,6 +202,9 @@ def _verdict(score: Score, row: Entry, here: list[Entry], where: str) -> None:
     else:
         doubted = {"refuted", "undecided"} | ({row["true"]} & {"conditional"})
         right = bool(doubted & set(said)) and "proved" not in said
+        # true where what is cited holds, which is misprinted, and said to be false
+        cited = {name.rpartition(".")[0] for f in here for name in f.get("on") or ()}
+        right = right or (row["true"] is True and said == ["conditional"] and bool(cited & failing))
     score.verdicts[right] += 1
     if not right:
         words = ", ".join(said) or "no claim"

@@ -47,6 +47,7 @@ def test_a_drawing_takes_the_ink_of_the_page_and_is_alone_in_it(tmp_path):
     root = ElementTree.fromstring(drawn)
     assert root.tag.endswith("svg") and root.get("fill") == "currentColor"
     assert pictures.INK not in drawn and "#ffffff" not in drawn and "Matplotlib" not in drawn
+    assert "prefers-color-scheme: dark" in drawn and "svg:root" in drawn  # no page has this root
     own, others = (set(re.findall(r'\bid="([^"]*)"', p.read_text())) for p in (first, second))
     assert own and not own & others
     assert {*re.findall(r'(?:href="|url\()#([^")]*)', drawn)} <= own

@@ -154,7 +154,7 @@ def _follow(arguments: argparse.Namespace) -> Trajectory:
     source()  # loaded here, the process that follows the motion has it as well
     limit = f"t = {until:g} within {arguments.timeout:g} s"
     if sys.stderr.isatty():
-        print(f"{method} is to come to {limit} ...", file=sys.stderr)
+        print(f"following the motion by {method}, to {limit} ...", file=sys.stderr)
 
     def states(motion: AnyMotion) -> tuple[Array, ...]:
         with time_limit(arguments.timeout):

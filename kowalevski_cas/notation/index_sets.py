@@ -1,6 +1,7 @@
 r"""Sets of the values of an index, as :math:`i\in\{1,2,3\}`.
 
-Names with an index :math:`i\in\mathbf Z/3\mathbf Z` are those of a closed chain.
+Names with an index :math:`i\in\mathbf Z/3\mathbf Z` are those of a closed chain, and so are those
+with :math:`i=1,2,3\pmod3`.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.notation.words import without_names
 
 _INTEGERS = (r"\mathbf{Z}", r"\mathbb{Z}")
+_MODULI = (r"\pmod", r"\bmod", r"\mod")
 _REALS = frozenset({r"\mathbf{R}", r"\mathbb{R}"})
 
 
@@ -26,6 +28,9 @@ def without_sets(tokens: Sequence[Token], tex: str) -> list[Token]:
     """
     found, chains = list[Token](), list[Token]()
     behind = 0
+    tokens, counted = _without_moduli(tokens, tex)
+    for index, period in counted:
+        chains += _closed_chains(tokens, index, period)
     for k, token in enumerate(tokens):
         if _is_real(tokens, k) and (kept := without_names([*found, *tokens[behind:k]])):
             found, behind = kept, k + 2
@@ -37,6 +42,46 @@ def without_sets(tokens: Sequence[Token], tex: str) -> list[Token]:
                 chains += _closed_chains(tokens, tokens[k - 1], period)
                 behind = end
     return [*found, *tokens[behind:], *chains]
+
+
+def _without_moduli(
+    tokens: Sequence[Token], tex: str
+) -> tuple[list[Token], list[tuple[Token, int]]]:
+    r"""The tokens without :math:`\pmod3` behind the values of an index, and the index with 3."""
+    found, counted = list[Token](), list[tuple[Token, int]]()
+    at = 0
+    while at < len(tokens):
+        opened = tokens[at].text == "(" and tokens[at + 1 : at + 2] != []
+        sign = tokens[at + opened]
+        if sign.text not in _MODULI:
+            found.append(tokens[at])
+            at += 1
+            continue
+        rest = [one for one in tokens[at + opened + 1 : at + opened + 4] if one.kind not in "{}"]
+        index, values = _values_before(found)
+        period = int(rest[0].text) if rest and rest[0].text.isdecimal() else 0
+        if index is None or not period or values not in (f"1{period}", f"0{period - 1}"):
+            raise NotationError(r"print the values before, as in i=1,2,3\pmod3", tex, sign.start)
+        counted.append((index, period))
+        at = tokens.index(rest[0]) + 1
+        while at < len(tokens) and tokens[at].kind == "}":
+            at += 1
+        at += opened
+    return found, counted
+
+
+def _values_before(tokens: Sequence[Token]) -> tuple[Token | None, str]:
+    """The index of which values stand at the end of some tokens, with the first and the last."""
+    values = list[str]()
+    for before, token in reversed([*pairwise(tokens)]):
+        if token.text == "=":
+            is_index = before.kind == "letter" and bool(values)
+            return (before, values[-1] + values[0]) if is_index else (None, "")
+        if token.kind == "number":
+            values.append(token.text)
+        elif token.kind not in ("comma", "dots"):
+            break
+    return None, ""
 
 
 def _is_real(tokens: Sequence[Token], k: int) -> bool:

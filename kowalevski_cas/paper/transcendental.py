@@ -247,6 +247,17 @@ class Transcendental:
                 found.update(group.names.values(), self.names_under(group), below)
         return frozenset(found.union(self.known.names()))
 
+    @cached_property
+    def functions_beside(self) -> dict[str, str]:
+        """The generators at names that stand by themselves as well, with these names."""
+        groups = ((group, single_name(group.monomial)) for group in self.groups)
+        return {
+            generator: name
+            for group, name in groups
+            if name and name not in self.names_replaced
+            for generator in group.names.values()
+        }
+
     def __contains__(self, name: str) -> bool:
         return name in self.names_replaced
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 
 from kowalevski_cas.notation import NotationError
+from kowalevski_cas.notation.layout import statements
 from kowalevski_cas.reading.grammar import BESIDE, NAMING, Directive, parse, wrong
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 from kowalevski_cas.reading.text import Prose
@@ -115,9 +116,10 @@ def _enter(
         said.of.setdefault(item, []).append(found)
         if found.verb == "suppose":
             own = said.supposed.setdefault(item, [])
-            id = f"supposed-at-{item.printed.place}-{len(own) + 1}"
-            own.append(_unprinted(comment, found.tex, id, [item], paper))
-            own[-1].order -= 1  # it is in force at the statement itself
+            for tex in _statements(found):
+                id = f"supposed-at-{item.printed.place}-{len(own) + 1}"
+                own.append(_unprinted(comment, tex, id, [item], paper))
+                own[-1].order -= 1  # it is in force at the statement itself
 
 
 @dataclass(frozen=True)
@@ -135,6 +137,14 @@ class _Places:
         found, id = self.said.unprinted, f"unprinted-{len(self.said.unprinted) + 1}"
         found.append(_unprinted(self.comment, word.strip("$"), id, self.beside, self.paper))
         return found[-1:]
+
+
+def _statements(found: Directive) -> Iterator[str]:
+    """The formulas that a comment lists."""
+    try:
+        yield from (found.tex[start:end] for _, start, end in statements(found.tex))
+    except NotationError as error:
+        raise wrong(found.comment, error.message) from None
 
 
 def _unprinted(

@@ -142,6 +142,10 @@ CUES: dict[str, str] = {
         small\s+(?:angle|deviation|oscillation|motion|displacement|vibration)\w* infinitesimal\w*
         перв\w+\s+(?:порядк|приближени)\w+ линеариз\w+ линейн\w+\s+(?:уравнени|систем)\w+
         мал\w+\s+(?:колебани|отклонени)\w+""",
+    "small": r"""
+        small\s+(?:angle|oscillation|vibration|deviation|displacement)\w*
+        (?:angles?|deviations?|displacements?)[\s,]*(?:is|are|being|remains?)\s+small\b
+        мал\w+\s+(?:уг(?:ол|л)|колебани|отклонени)\w*""",
     "denied": r"""
         \bnot\s+(?:true|an?\s+integral|constant|conserved|the|valid|hold|correct|preserved|in\s+general)
         does\s+not\s+(?:hold|vanish|follow) (?:is|are)\s+not\s+(?:\w+\s+){0,2}§
@@ -184,14 +188,17 @@ CUES: dict[str, str] = {
         неголономн\w+ без\s+(?:проскальзыван|скольжен)\w+ не\s+(?:скольз|проскальз)\w+""",
     "force": r"""
         \bfriction\w* \bdamp(?:s|ed|er|ers|ing)\b \bdissipat\w+ \bviscous\w* \bviscosity\b \bdrag\b
-        \bresistance\b \brayleigh\w* \bnon-?conservative\b \bnon-?potential\b
+        \b(?:air|aerodynamic)\s+resistance\b \bresist(?:ing|ance\s+of\s+the)\b
+        \brayleigh\S*\s+(?:dissipat\w+\s+)?function function\s+of\s+rayleigh
+        \bnon-?conservative\b \bnon-?potential\b
         \bgenerali[sz]ed\s+forces? \bfollower\s+(?:forces?|loads?|thrusts?) \bcirculatory\b
         (?:additional|further|extra|added|driving)\s+(?:forces?|torques?)
         (?:besides|in\s+addition|moreover|also)[^.]*?\b(?:force|torque)s?\b[^.]*?\bacts?\b
         \bтрени(?:е|я|ю|ем|и)\b сопротивлени\w+ диссипати\w+ демпф\w+ вязк\w+ непотенциальн\w+
         неконсервативн\w+ обобщ[её]нн\w+\s+сил\w+""",
     "no force": r"""
-        \b(?:no|without|absen\w+|neglect\w*|neglig\w*|ignor\w*|disregard\w*|vanish\w*|free\s+of)\b
+        \b(?:no|without|absen\w+|neglect\w*|neglig\w*|ignor\w*|disregard\w*|vanish\w*|exclud\w*|free\s+of)\b
+        \bnot\s+(?:considered|included|present|taken)\b
         \bfrictionless\b \bundamped\b \bnon-?dissipative\b \bif\b \bwere\b
         \bбез\b отсутств\w+ пренебрег\w+ \bнет\b \bесли\b""",
     "multiplier": r"""

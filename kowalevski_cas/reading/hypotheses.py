@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from kowalevski_cas.notation import Name
+from kowalevski_cas.notation.symbol import rate_name
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, SETS, Known
 from kowalevski_cas.reading.phrases import right_behind
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.unprinted import unprinted
 
 EQUATIONS = ("integral", "identity")
 """The kinds of claims that may hold on a part of the phase space only."""
@@ -42,9 +44,25 @@ def just_before(item: SourceStatement, known: Known) -> SetOfEquations:
 
 
 def near(item: SourceStatement, known: Known) -> SetOfEquations:
-    """The point, or the set, near which what is linear holds: where all is given by constants."""
+    """The point, or the set, near which what is linear holds: where all is given by constants.
+
+    What has an equation of the second order is at rest there. Where small angles are spoken of, and
+    no point, they are zero.
+    """
     last = last_place(item, known)
-    return last if all(_is_value(one, known) for one in last) else ()
+    if not all(_is_value(one, known) for one in last):
+        return ()
+    moving = [name for law in known.laws for row in law.rows for name in row.rates]
+    names = {name for one in last for name in one.bare} & {*moving}
+    if not last and cue("small", known.paper.prose.between(item.section.start, item.sentence[1])):
+        names = {*moving} & {*known.names.scalars(item.names | {*item.rates})}
+    orders = {name: n for law in known.laws for row in law.rows for name, n in row.rates.items()}
+    zero = [] if last else sorted(names)
+    zero += [rate_name(name) for name in sorted(names) if orders[name] > 1]
+    about = (
+        unprinted(known.paper, f"at-rest-{k}", f"{name}=0", item) for k, name in enumerate(zero)
+    )
+    return (*last, *about)
 
 
 def last_place(item: SourceStatement, known: Known) -> SetOfEquations:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
-from kowalevski_cas.notation import Name, NotationError
+from kowalevski_cas.notation import Formula, Name, NotationError
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.reading.cases import named_case
@@ -238,7 +238,21 @@ class Known:
         if one in clauses.conditions and one.sentence == item.sentence and item in clauses.of:
             return one in clauses.of[item] and self.reaches(one, item)
         before = one.order < item.order and one not in clauses.behind
-        return before and self.reaches(one, item)
+        return before and self.reaches(one, item) and not self._is_over(one, item)
+
+    def _is_over(self, one: SourceStatement, item: SourceStatement) -> bool:
+        """Whether a later paragraph gives a constant of the case another number: it is over.
+
+        What a sentence supposes together is one case.
+        """
+        case = [o for o in self.assumptions if o.sentence == one.sentence]
+        values = {name: value for o in case for name, value in _numbers(o)}
+        return any(
+            values.get(name, value) != value
+            for other in self.assumptions
+            if one.order < other.order < item.order and other.paragraph != one.paragraph
+            for name, value in _numbers(other)
+        )
 
     def _clauses(self, sentence: tuple[int, int]) -> Clauses:
         claims = {
@@ -323,6 +337,12 @@ class Known:
     def varying(self, names: Iterable[str]) -> list[str]:
         """The names that move, or stand for something that does."""
         return [name for name in names if self.varies(name)]
+
+
+def _numbers(one: SourceStatement) -> Iterator[tuple[str, Formula]]:
+    """The names to which an equation gives a number, with it."""
+    numbers = [member for member in one.members if not member.names()]
+    yield from ((name, number) for number in numbers for name in one.bare)
 
 
 def _within(one: SourceStatement, item: SourceStatement) -> bool:

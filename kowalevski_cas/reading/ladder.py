@@ -308,7 +308,7 @@ class _Ladder:
         if self.item.derives and given:
             says = "up to small quantities of the second order both sides are equal"
             rung = self.rung(DoubleZero, says, self.supposed, given, given=_places(given))
-            yield replace(_stronger(rung), idle=None)  # it is said of what is near
+            yield replace(rung, idle=None)  # it is said of what is near
 
     # -- all -------------------------------------------------------------------------
 

@@ -10,7 +10,15 @@ from kowalevski_cas.notation import Name
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.grammar import Directive
-from kowalevski_cas.reading.known import ASSUMPTION, LAW, NAMING, OTHER, Known, StatementRole
+from kowalevski_cas.reading.known import (
+    ASSUMPTION,
+    DEFINITION,
+    LAW,
+    NAMING,
+    OTHER,
+    Known,
+    StatementRole,
+)
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.laws import find_laws, find_restated
 from kowalevski_cas.reading.names import Names
@@ -80,13 +88,16 @@ class Parts:
     def suppose(self, item: SourceStatement) -> None:
         """Keep what comments suppose from a statement on, which the paper does not print."""
         for found in self.said.supposed.get(item, ()):
-            reason = f"{found.printed.display.source} says so"
-            kind = "" if found.members else "inequality"
+            reason, known = f"{found.printed.display.source} says so", self.of(item)
             names = found.bare or tuple(sorted(found.names))
-            is_row = self.of(item).law_of(found) is not None
-            role = StatementRole(ASSUMPTION, reason, kind, names)
             self.places[found] = self.places[item]
-            self.enter(found, StatementRole(LAW, reason) if is_row else role)
+            if known.law_of(found) is not None:
+                self.enter(found, StatementRole(LAW, reason))
+            elif found.other_time:
+                self.enter(found, StatementRole(DEFINITION, reason, "clock"))
+            else:
+                kind = _supposed_kind(found, known)
+                self.enter(found, StatementRole(ASSUMPTION, reason, kind, names))
 
     def enter_unprinted(self) -> None:
         """Keep what stands in comments only: it says nothing by itself."""
@@ -165,3 +176,11 @@ class Parts:
         law = self.known[place].laws[0]
         here = law.first.section in item.sections
         return here and not self.named_apart[place] & {*scene.constants}
+
+
+def _supposed_kind(found: SourceStatement, known: Known) -> str:
+    """How far what a comment supposes reaches: an equation between what moves is one of a set."""
+    if not found.members:
+        return "inequality"
+    moves = not (found.bare or found.derives) and known.varying(found.names)
+    return "set in force" if moves else ""

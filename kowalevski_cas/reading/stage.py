@@ -88,12 +88,10 @@ class Stage:
         given = dict.fromkeys((*assumptions, *special))
         about = self._about(given, closure.names)
         closure = self._with_definitions(closure, about)
-        roots = tuple(
-            dict.fromkeys(
-                root
-                for item in (*items, *about, *closure.definitions.values())
-                for root in self._roots(item.formula)
-            )
+        roots = self._in_order(
+            root
+            for item in (*items, *about, *closure.definitions.values())
+            for root in self._roots(item.formula)
         )
         powers = tuple(
             dict.fromkeys(power for item in items for power in self._powers(item.formula))
@@ -360,6 +358,13 @@ class Stage:
                     yield to_latex(Root(Power(argument, Number(2))))
                 case Application(function, (argument,)) if function == SIGN:
                     yield to_latex(Root(Power(argument, Number(2))))
+
+    def _in_order(self, roots: Iterable[str]) -> tuple[str, ...]:
+        """The roots, each behind those in the names of which its own names are given."""
+        below = {root: self._below(root) for root in roots}
+        return tuple(
+            sorted(below, key=lambda root: sum(one < below[root] for one in below.values()))
+        )
 
     def _below(self, root: str) -> set[str]:
         """The names in a root, and all that they stand for: squares may, that come first then."""

@@ -128,7 +128,7 @@ _DOTS = re.compile(r"\s*(?:\\[lcv]?dots[a-z]?|\.\.\.)[\s.,;]*")
 
 def is_ellipsis(item: SourceStatement) -> bool:
     """Whether a statement is an ellipsis: it stands for more statements like those beside it."""
-    with suppress(NotationError):  # what cannot be parted into statements is none
+    with suppress(NotationError, IndexError):  # what has no statements is none
         return item.formula is None and _DOTS.fullmatch(item.printed.tex) is not None
     return False
 

@@ -71,7 +71,7 @@ class _Annotated:
         audit, session = self.audit, self.audit.session
         derivation, texts = session.interpretation.derivation, session.interpretation.texts
         self.run = run = _with_reasons(audit)
-        paper = sections(run, derivation, texts)
+        paper = sections(run, derivation, texts, every=True)
         self.text = audit.expanded.text
         self.typed = list(find_formulas(self.text, audit.expanded.body))
         body = audit.expanded.body

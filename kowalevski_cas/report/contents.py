@@ -155,13 +155,13 @@ class Contents:
             ),
             "note",
         )  # fmt: skip
-        if len(self.sections) > 1:
+        if sum(bool(section.outcomes) for section in self.sections) > 1:
             yield self._signs()
 
     def _signs(self) -> Table:
         """The signs of all statements, section by section."""
         rows = []
-        for section in self.sections:
+        for section in (section for section in self.sections if section.outcomes):
             links = (
                 Link(f"claim.{anchor(o.claim)}", (Sign(shown_as(o)),)) for o in section.outcomes
             )

@@ -42,12 +42,9 @@ def graph(findings: Findings) -> Iterator[Block]:
     """What rests on what, where that is more than a few lines can say."""
     outcomes = findings.outcomes
     drawn = picture(outcomes, _labels(findings.phrases, outcomes))
-    if drawn.boxes and sum(line.tip for line in drawn.lines) < _EDGES:
+    if sum(line.tip for line in drawn.lines) < _EDGES:
         return
     yield Heading(("What rests on what",), "section.picture")
-    if not drawn.boxes:
-        yield Paragraph(("No statement here rests on another one.",))
-        return
     yield Paragraph(
         ("A line leads from each statement to those that rest on it; lines implied by others "
          f"are omitted. {_CITED * any(line.cited for line in drawn.lines)}The frame tells the "

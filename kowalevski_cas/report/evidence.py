@@ -10,7 +10,7 @@ from kowalevski_cas.report.document import Block, Emphasis, Equations, Paragraph
 from kowalevski_cas.report.sentences import Phrases, capitalise, group_alike, list_in_words
 from kowalevski_cas.report.trial import trial_of
 from kowalevski_cas.tools import title
-from kowalevski_cas.verify.outcome import Condition, Outcome, ReportedStep
+from kowalevski_cas.verify.outcome import Condition, Outcome, ReportedStep, Verdict
 
 LONG = 150
 """How many letters a formula has at most that stands among sentences; another is folded away."""
@@ -79,7 +79,10 @@ class Evidence:
         having = [(row.claim, row.counterexample) for row in self.rows if row.counterexample]
         for claims, (one, *_) in group_alike(having, lambda one: (one.point, one.words)):
             of = (" to ", *self.phrases.links(claims[:1])) if len(self.rows) > 1 else ()
-            head = Emphasis(("Counterexample", *of, "."))
+            doubted = all(row.verdict is Verdict.UNDECIDED for row in self.rows)
+            head = Emphasis(
+                ("Where it fails as it was read" if doubted else "Counterexample", *of, ".")
+            )
             yield Paragraph((head, " ", *self.phrases.values(one)))
         for row in self.rows:
             if trial := trial_of(row, self.phrases.vocabulary):

@@ -135,7 +135,7 @@ class Findings:
         where = self.phrases.links([outcome.claim])
         head: Text = (*where, ": ", *self.phrases.sentence(outcome.message))
         if outcome.words:
-            head = (*where, ", as it was read: ", *self.phrases.words(outcome.words), ".")
+            head = (*where, ", read as: ", *self.phrases.words(outcome.words), ".")
         shown: list[Block] = []
         late = outcome.verdict is Verdict.TIMEOUT
         more: Text = (" A longer ", Code("--timeout"), " may decide it.") if late else ()

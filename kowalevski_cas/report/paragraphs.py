@@ -58,6 +58,11 @@ class Paragraphs:
                 elif part:
                     self.line.append(re.sub(r"\s+", " ", part))
 
+    def stays_in_line(self, tex: str) -> bool:
+        """Whether a piece of TeX neither ends a paragraph nor displays a formula."""
+        placed = [self.placed[ord(letter) - FIRST] for letter in _FORMULA.findall(tex)]
+        return not _PARAGRAPH.search(tex) and all(one.inline for one in placed)
+
     def formula(self, placed: FormulaBlocks) -> None:
         """A formula, within the line or in blocks of its own."""
         if placed.inline:

@@ -84,9 +84,11 @@ class Passages:
     def item(self, item: ReportItem) -> Iterator[Block]:
         """A display, what is claimed of it, and what was found; or claims about no display."""
         if not item.stated:
-            formulas = tuple(formula for row in item.rows for formula in row.formulas)
+            known = all(row.formulas for row in item.rows)
+            formulas = tuple(formula for row in item.rows for formula in row.formulas if known)
+            source = r",\quad ".join(row.source.strip(" ,") for row in item.rows)
             label = (item.label,) if item.label else ()
-            yield Equations(formulas, item.rows[0].source, label=label, anchor=item.anchor)
+            yield Equations(formulas, source, label=label, anchor=item.anchor)
         for group in item.stated:
             yield self._several(group) if len(group.rows) > 1 else self._alone(group)
 
@@ -178,7 +180,7 @@ class Passages:
 
     def _record(self, outcome: Outcome) -> Text:
         agreeing = [title(name) for name, v in outcome.verdicts.items() if v is outcome.verdict]
-        text: Text = ("decided by ", *_names(agreeing))
+        text: Text = ("decided by ", *_names(agreeing)) if agreeing else ("not decided",)
         if outcome.claim in self.certified:
             also = [w.name for w in self.programs if outcome.claim in w.claims]
             text = (*text, "; the certificate is accepted by ", *_names(["the checker", *also]))

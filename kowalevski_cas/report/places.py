@@ -113,8 +113,10 @@ class _DisplayPlace:
         self.after: list[tuple[Display | None, Outcome]] = []
 
 
-def sections(run: Run, derivation: paper.Derivation, texts: Texts) -> tuple[PaperSection, ...]:
-    """The sections of a paper that state something, each in the order of its displays.
+def sections(
+    run: Run, derivation: paper.Derivation, texts: Texts, every: bool = False
+) -> tuple[PaperSection, ...]:
+    """The sections of a paper that state something, or all, each in the order of its displays.
 
     A claim stands at the display that it is about; one about none follows what it mentions.
     """
@@ -123,7 +125,7 @@ def sections(run: Run, derivation: paper.Derivation, texts: Texts) -> tuple[Pape
     found = []
     for section in derivation.sections:
         items = tuple(_items(section, outcomes, texts, roles))
-        if any(item.stated for item in items):
+        if every or any(item.stated for item in items):
             items = number_items(section.number, items)
             found.append(PaperSection(section.number, section.title, items, section.copied))
     return tuple(found)

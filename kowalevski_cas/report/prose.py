@@ -29,7 +29,7 @@ from kowalevski_cas.report.paragraphs import FormulaBlocks, Paragraphs, says
 
 _LEVELS: Final = {"part": 1, "chapter": 1, "section": 1, "subsection": 2, "subsubsection": 2}
 _FONTS: Final = {
-    **dict.fromkeys(("bf", "bfseries", "textbf", "paragraph", "subparagraph"), True),
+    **dict.fromkeys(("bf", "bfseries", "textbf"), True),
     **dict.fromkeys(("it", "em", "sl", "itshape", "textit", "emph", "textsl"), False),
 }
 _SILENT: Final = frozenset(
@@ -39,6 +39,9 @@ _SILENT: Final = frozenset(
     bibliographystyle toprule midrule bottomrule hline""".split()
 )
 _SPECIALS: Final = {"--": "–", "---": "—", "``": "“", "''": "”", "~": "\u00a0", "&": " "}
+_RUN_IN: Final = ("paragraph", "subparagraph")
+"""Headings on the line of what they head."""
+
 _LISTS: Final = {"itemize": False, "enumerate": True, "description": False}
 _PLAIN: Final = frozenset(
     "document abstract center quote quotation flushleft minipage table figure".split()
@@ -73,7 +76,10 @@ def read_article(
     known = get_default_latex_context_db()
     known.add_context_category(
         "literature",
-        macros=[std_macro("bibitem", "[{"), std_macro("caption", "[{")],
+        macros=[
+            *(std_macro(name, "[{") for name in ("bibitem", "caption")),
+            *(std_macro(name, "*[{") for name in _RUN_IN),
+        ],
         environments=[std_environment("thebibliography", "{")],
         prepend=True,
     )
@@ -113,14 +119,15 @@ class _Article(Paragraphs):
     # -- nodes ----------------------------------------------------------------------
 
     def read(self, nodes: Iterable[Any]) -> None:
-        """Nodes of pylatexenc, each by its kind; a font changes the rest of its group."""
+        """Nodes of pylatexenc, each by its kind; a font changes the rest of a group in a line."""
         nodes = [node for node in nodes if node is not None]
         for k, node in enumerate(nodes):
             name = getattr(node, "macroname", None)
-            if name in _FONTS and not _arguments(node):
+            if name not in _FONTS or _arguments(node):
+                self._node(node)
+            elif self.stays_in_line("".join(one.latex_verbatim() for one in nodes[k + 1 :])):
                 self.line.append(Emphasis(self._inner(nodes[k + 1 :]), strong=_FONTS[name]))
                 return
-            self._node(node)
 
     def _node(self, node: Any) -> None:
         match type(node).__name__:
@@ -153,6 +160,9 @@ class _Article(Paragraphs):
         }
         if name in _LEVELS and arguments:
             self._heading_of(_LEVELS[name], self._inner([arguments[-1]]))
+        elif name in _RUN_IN and arguments:
+            self.end()
+            self.line += [Emphasis(self._inner(arguments[-1:]), strong=True), " "]
         elif name in _FONTS and arguments:
             self.line.append(Emphasis(self._inner(arguments), strong=_FONTS[name]))
         elif name in known:

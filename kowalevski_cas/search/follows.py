@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from contextlib import suppress
 from functools import reduce
-from itertools import product
+from itertools import chain, product
 from operator import itemgetter, mul
 
 from kowalevski_cas.algebra.ideals import vanish_on
@@ -30,6 +30,9 @@ LARGEST_POWER = 3
 
 SIMPLEST = 20
 """Among how many points at which a goal fails the simplest is taken."""
+
+LARGE = 2000
+"""Of a difference with so many terms the values take long: the first point is taken."""
 
 
 class FollowsFinder(PointFinder):
@@ -152,12 +155,13 @@ class FollowsFinder(PointFinder):
         divided = [*law(goal, at), *known, *(e for conclusion in failing for e in conclusion)]
         divided += [condition.inverse() for condition in conditions]
         # The basis below costs more than points in general position.
-        found = self.simplest(at, known, divided, good, 0, SIMPLEST, False)
-        if found and found[0].fractions and not conditions:
+        among = None if any(map(_is_large, chain(*failing))) else SIMPLEST
+        found = self.simplest(at, known, divided, good, 0, among, False)
+        if found and found[0].fractions and among and not conditions:
             found = min(found, self._whole(at, known, divided, good) or found, key=itemgetter(0))
         point = found[1] if found else None
         if point is None and not any(all(vanish_on(conclusion, known)) for conclusion in failing):
-            point = self.point(at, known, divided, good, among=SIMPLEST)
+            point = self.point(at, known, divided, good, among=among)
         return None if point is None else At(point)
 
     def _whole(
@@ -169,6 +173,11 @@ class FollowsFinder(PointFinder):
             return candidate.is_whole and good(candidate)
 
         return self.simplest(at, known, divided, whole, 1, SIMPLEST, False)
+
+
+def _is_large(element: Element) -> bool:
+    """Whether the numerator of an element has many terms."""
+    return sum(map(len, element.parts.values())) > LARGE
 
 
 def _has_signs(goal: Follows) -> bool:

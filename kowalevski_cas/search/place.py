@@ -59,7 +59,8 @@ class Candidate:
         squares: Mapping[str, Fraction] = {},  # it is only read
     ) -> None:
         self.at, self.squares = at, squares
-        self.is_whole = all(part.denominator == 1 for value in point.values() for part in value)
+        self.rational = [part for value in point.values() for part in value]
+        self.is_whole = all(part.denominator == 1 for part in self.rational)
         self.numbers = number_ring(at.polynomials)
         values = {name: gaussian(self.numbers, *value) for name, value in point.items()}
         for name, square in squares.items():
@@ -70,6 +71,11 @@ class Candidate:
             turned = name.startswith(r"\sqrt") and below and is_negative(self._value(below))
             if name in negative or turned:
                 self._value.roots[bit] = -self._value.roots[bit]
+
+    def height(self) -> tuple[int, int]:
+        """How many square roots are adjoined there, and the largest number of its coordinates."""
+        parts = [n for value in self.rational for n in value.as_integer_ratio()]
+        return len(self.numbers.roots), max(map(abs, parts), default=0)
 
     def __call__(self, element: Element) -> Element:
         """The value there; raises ``ZeroDivisionError`` on a zero of the denominator."""
@@ -106,7 +112,7 @@ class PointFinder:
         divided: Sequence[Element] = (),
         good: Good = lambda candidate: True,
         most: int = 2,
-        among: int = 1,
+        among: int | None = 1,
         squares: bool = True,
     ) -> Point | None:
         """The point of :meth:`simplest`."""
@@ -120,7 +126,7 @@ class PointFinder:
         divided: Sequence[Element],
         good: Good,
         most: int,
-        among: int,
+        among: int | None,
         squares: bool,
     ) -> tuple[Height, Point] | None:
         """How simple it is, and a real point: elements vanish, none is divided by 0, all is good.
@@ -128,7 +134,8 @@ class PointFinder:
         It is sought among points in general position, and if ``most`` is not 0 where all variables
         vanish, and then where some do, or all but some, as many as ``most``; and at last, if these
         may be ``squares``, among points at which variables are square roots. It is the simplest
-        ``among`` the first of one kind.
+        ``among`` the first of one kind that are good; without a number, the simplest are looked at
+        first.
         """
         avoid = [*at.granted, *at.norms, *at.ring.divisors_of([*divided, *at.defined])]
         names = all_names(at.setting)
@@ -139,12 +146,14 @@ class PointFinder:
         )
         irrational = [points_with_squares(at, names, norms, avoid)] if squares else []
         for kind in chain(rational, irrational):
-            tried = (
+            tried: Iterator[Candidate] = (
                 Candidate(at, point, negative, squares)
                 for point, squares in islice(kind, TRIES)
                 for negative in _negative(at, point)
             )
-            found = islice(_points(tried, names, avoid, zero, good), among)
+            if among is None:
+                tried = iter(sorted(tried, key=Candidate.height))
+            found = islice(_points(tried, names, avoid, zero, good), among or 1)
             if simplest := min(found, key=itemgetter(0), default=None):
                 return simplest
         return None

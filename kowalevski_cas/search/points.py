@@ -48,7 +48,7 @@ def points(
     solved for, while all others get small values from a fixed sequence: where the
     equations are linear, or have rational roots.
     """
-    rest, eliminated = eliminate([c for c in constraints if not c.is_zero()], variables)
+    rest, eliminated = eliminate([c for c in constraints if not c.is_zero()], variables, False)
     avoided = [_substitute_found(a, eliminated) for a in avoid]
     if any(c.is_constant() for c in rest) or any(a.is_zero() for a in avoided):
         return
@@ -115,9 +115,12 @@ def constant(polynomial: fmpq_mpoly, values: Mapping[int, Fraction]) -> Fraction
 
 
 def eliminate(
-    constraints: list[fmpq_mpoly], variables: Sequence[int]
+    constraints: list[fmpq_mpoly], variables: Sequence[int], powers: bool = True
 ) -> tuple[list[fmpq_mpoly], list[tuple[int, fmpq_mpoly]]]:
-    """Solve constraints that are linear in a variable with a constant coefficient."""
+    """Solve constraints that are linear in a variable with a constant coefficient.
+
+    Without ``powers`` each factor stands once: the zeros are the same, and the ideal is not.
+    """
     eliminated: list[tuple[int, fmpq_mpoly]] = []
     while True:
         found = next(((c, v) for c in constraints for v in variables if _gives(c, v)), None)
@@ -130,7 +133,9 @@ def eliminate(
         generators[variable] = expression
         eliminated.append((variable, expression))
         substituted = (c.compose(*generators, ctx=context) for c in constraints)
-        constraints = [_without_powers(c) for c in substituted if not c.is_zero()]
+        constraints = [c for c in substituted if not c.is_zero()]
+        if not powers:
+            constraints = [*map(_without_powers, constraints)]
 
 
 def _without_powers(polynomial: fmpq_mpoly) -> fmpq_mpoly:
@@ -235,7 +240,7 @@ def _complete(
             yield from _complete(left, unknowns - 1, {**values, **found})
         return
     occurring = sorted({k for c in left for k, d in enumerate(c.degrees()) if d})
-    rest, eliminated = eliminate(left, occurring)
+    rest, eliminated = eliminate(left, occurring, False)
     if eliminated:
         for found in _complete(rest, unknowns - len(eliminated), {}):
             yield values | _with_eliminated(found, eliminated)

@@ -23,6 +23,9 @@ from kowalevski_cas.search.positive import positive_points
 RATIONAL_ROOTS = 100
 """How many points are looked at for one at which all roots are rational."""
 
+LARGE = 2000
+"""A polynomial with so many terms is put in last: few points are left then."""
+
 MANY = 12
 """So many roots are hardly ever real all at once at a point in general position."""
 
@@ -158,11 +161,12 @@ def real_points(
     coordinates = RealCoordinates(at, zero, names)
     constraints = [e for element in zero for e in coordinates.equations(element)]
     constraints = distinct([*constraints, *coordinates.relations()])
-    avoid = [*_to_avoid(nonzero, coordinates)]
-    found = points(constraints, range(len(coordinates.names)), avoid)
+    avoid = sorted(_to_avoid(nonzero, coordinates), key=lambda part: len(part) > LARGE)
+    small = sum(len(part) <= LARGE for part in avoid)
+    found = points(constraints, range(len(coordinates.names)), avoid[:small])
     radicands = [*map(coordinates.equations, coordinates.radicands)]
 
-    def usable(assignments: Iterable[Assignment]) -> Iterator[tuple[bool, ExactPoint]]:
+    def usable(assignments: Iterable[Assignment]) -> Iterator[tuple[bool, Assignment]]:
         """Points at which no radicand is negative, and whether all are squares."""
         for assignment in assignments:
             values = list[Fraction]()
@@ -172,20 +176,31 @@ def real_points(
                     break
             else:
                 rational = all(square_root(value) is not None for value in values)
-                yield rational, coordinates.point(assignment)
+                yield rational, assignment
 
-    kept = []
-    for rational, point in usable(islice(found, RATIONAL_ROOTS)):
-        if rational:
-            yield point
-        else:
-            kept.append(point)
-    yield from kept
+    def there(assignments: Iterable[Assignment]) -> Iterator[ExactPoint]:
+        """The points where large polynomials do not vanish either."""
+        for assignment in assignments:
+            if all(constant(part, assignment) for part in avoid[small:]):
+                yield coordinates.point(assignment)
+
+    yield from there(_rational_first(usable(islice(found, RATIONAL_ROOTS))))
     if constraints or len(radicands) <= MANY:
-        yield from (point for _, point in usable(found))
+        yield from there(assignment for _, assignment in usable(found))
     if not any(map(coordinates.equations, zero)):
         alone = RealCoordinates(at, zero, names, inner_roots=False)
         yield from () if alone.moving else _by_steps(alone, nonzero)
+
+
+def _rational_first(found: Iterable[tuple[bool, Assignment]]) -> Iterator[Assignment]:
+    """The points at which all roots are rational, and then the others."""
+    others = []
+    for rational, assignment in found:
+        if rational:
+            yield assignment
+        else:
+            others.append(assignment)
+    yield from others
 
 
 def _by_steps(coordinates: RealCoordinates, nonzero: Sequence[Element]) -> Iterator[ExactPoint]:
@@ -198,7 +213,10 @@ def _by_steps(coordinates: RealCoordinates, nonzero: Sequence[Element]) -> Itera
 def _to_avoid(nonzero: Sequence[Element], coordinates: RealCoordinates) -> Iterator[fmpq_mpoly]:
     """What vanishes where some of these elements does."""
     for element in nonzero:
-        if equations := coordinates.equations(element):
+        equations = coordinates.equations(element)
+        if len(equations) == 1:
+            yield equations[0]
+        elif equations:
             yield sum((e * e for e in equations), coordinates.context.constant(0))
 
 

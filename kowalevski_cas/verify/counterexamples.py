@@ -154,6 +154,8 @@ def _words(
             return f"a bracket is ${value}$, not $0$"
         rate = f"the derivative of ${to_latex(left)}$ is ${value}$"
         return f"{rate}, and its bracket with the Hamiltonian ${other}$"
+    if statement.claim.is_kind("EverywhereIndependent"):
+        return "there the differentials are dependent"
     if right == Number(0) and any(isinstance(node, Partial) for node in left.nodes()):
         return f"a derivative of the function is ${value}$, so the point is not critical"
     sides = to_latex(equal(left, right))

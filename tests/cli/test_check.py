@@ -48,15 +48,16 @@ def test_a_run_with_a_report_checks_them_as_make_verify_does(copy, tmp_path, cap
 
 
 @pytest.mark.slow
-def test_links_of_a_report_lead_to_certificates(tmp_path, monkeypatch):
+def test_a_report_names_certificates_and_no_link_breaks_where_it_is_sent_alone(
+    tmp_path, monkeypatch
+):
     monkeypatch.setattr("kowalevski_cas.report.pdf.has_latex", lambda: False)
     out = tmp_path / "far" / "out"
     assert main(["verify", str(PAPER), "--only", "redundant-integral", "--report", str(out)]) == 0
     page = (out / "kharlamov2002.html").read_text(encoding="utf-8")
-    links = re.findall(r'href="([^"#]+/certificates/[^"]+)"', page)
-    assert [(out / link).resolve() for link in links] == [
-        PAPER.resolve() / "certificates" / "redundant-integral.json"
-    ]
+    named = "redundant-integral.json"
+    assert f"<code>{named}</code>" in page and (PAPER / "certificates" / named).is_file()
+    assert all(link.startswith(("#", "https://")) for link in re.findall(r'href="([^"]+)"', page))
 
 
 def test_all_committed_certificates_belong_to_the_record(capsys):

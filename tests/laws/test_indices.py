@@ -235,3 +235,24 @@ def test_an_index_that_is_raised_is_no_power(print_, low):
 )  # fmt: skip
 def test_a_power_is_none(print_):
     assert System(print_).scene.variables
+
+
+@pytest.mark.parametrize(
+    "range_",
+    [r",\quad i=1,2,3\pmod 3", r",\quad i=1,2,3\pmod{3}", r"\quad(i=1,2,3\bmod3)",
+     r",\quad i=1,\ldots,3\ (\bmod 3)", r",\quad i\in\mathbf Z/3\mathbf Z"],
+)  # fmt: skip
+def test_values_that_are_counted_modulo_their_number_close_a_chain(range_):
+    law = System(rf"\dot x_i=x_{{i+1}}x_{{i+2}}{range_}")
+    assert {*law.scene.variables} == {"x_1", "x_2", "x_3"} and not law.scene.constants
+    assert law.integral("x_1^2-x_2^2").verdict == "proved"
+    assert law.integral("x_1^2+x_2^2").verdict == "refuted"
+
+
+@pytest.mark.parametrize(
+    "print_",
+    [r"\dot x=y\pmod 3,\ \dot y=1", r"\dot x_i=x_{i+1},\ i=1,2\pmod3", r"\dot x_i=x_{i+1}\pmod3"],
+)
+def test_what_is_counted_otherwise_is_refused(print_):
+    with pytest.raises(ValueError, match="print the values before"):
+        System(print_)

@@ -131,6 +131,30 @@ def test_what_is_supposed_of_constants_may_speak_of_what_is_defined():
     assert outcome(source, id).verdict.green
 
 
+@pytest.mark.parametrize(("right", "green"), sampled([("B", True), ("A", False)], 1))
+def test_an_equation_that_is_supposed_of_what_moves_is_given(right, green):
+    last = f"Take $T$ once more.\n%kc: suppose Ap=Bq\nThen\n\\[ Ap^2={right}pq. \\]"
+    (id,) = (id for id in ReadingSession(read(paper(last=last))).outcomes if "pq" in id)
+    assert outcome(paper(last=last), id).verdict.green is green
+
+
+@pytest.mark.parametrize(("left", "green"), sampled([("T", True), ("2T", False)], 1))
+def test_roots_that_are_supposed_may_rest_on_roots_of_definitions(left, green):
+    last = r"""Put $n=\sqrt{p^2+q^2}$ and $N=n+T$. Take $T$ once more.
+%kc: suppose k=\sqrt{N^2}
+Then \[ k^2=(n+LEFT)^2. \]""".replace("LEFT", left)
+    (id,) = (id for id in ReadingSession(read(paper(last=last))).outcomes if "k-2" in id)
+    assert outcome(paper(last=last), id).verdict.green is green
+
+
+@pytest.mark.parametrize(("number", "green"), sampled([(27, True), (28, False)], 1))
+def test_a_comment_supposes_a_list(number, green):
+    line = "%kc: suppose p>0, q>0, r>0\n%kc: claim inequality"
+    last = f"Always\n{line}\n\\[ {number}pqr\\le(p+q+r)^3 . \\]"
+    (id,) = (id for id in ReadingSession(read(paper(last=last))).outcomes if "pqr" in id)
+    assert outcome(paper(last=last), id).verdict.green is green
+
+
 @pytest.mark.slow
 def test_what_is_supposed_is_no_condition_any_more():
     assert outcome(paper()).verdict is Verdict.CONDITIONAL

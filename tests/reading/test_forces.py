@@ -30,6 +30,8 @@ def reasons(text):
         r"The generalised forces are $Q_1=\beta y$, $Q_2=0$.",
         r"На первую действует сила трения $-c\dot x$.",
         "Среда оказывает сопротивление.",
+        "The resistance of the air is linear.",
+        "The function of Rayleigh is given below.",
     ],
 )
 def test_nothing_is_proved_by_a_lagrangian_beside_other_forces(words):
@@ -45,6 +47,9 @@ def test_nothing_is_proved_by_a_lagrangian_beside_other_forces(words):
         "We neglect the resistance of the air.",
         "Without damping the motion is bounded.",
         "Gravity acts on neither of them.",
+        "Friction is not considered.",
+        "Such pairs were studied by Rayleigh.",
+        "The electrical resistance is high.",
         "If there were friction, all would come to rest.",
         "Трение отсутствует.",
     ],

@@ -107,3 +107,25 @@ def test_a_condition_that_words_suppose_is_an_assumption(words):
     found = reading(MOVES + words)
     (one,) = [f for f in found.formulas if r"\le" in f.item.printed.tex]
     assert one.role.name == ASSUMPTION
+
+
+CASE = r"""The point moves by \[ \dot u=v,\qquad \dot v=-ku . \]
+Let $k=4$. Then $E=v^2+4u^2$ is an integral.
+"""
+
+
+@pytest.mark.parametrize(
+    ("between", "claim", "green"),
+    sampled(
+        [
+            ("\n\nFor $k=9$ we put $w=3u$.\n\nAlways", r"\ddot u=-ku", True),
+            ("\n\nFor $k=9$ we put $w=3u$.\n\nAlways", r"\ddot u=-4u", False),
+            ("For $k=9$ it is no integral. Always", r"\ddot u=-4u", True),
+            ("\n\nPut $w=3u$.\n\nAlways", r"\ddot u=-4u", True),
+        ],
+        2,
+    ),
+)
+def test_a_case_is_over_where_a_later_paragraph_has_another_one(between, claim, green):
+    found = verdicts(CASE + between + rf" \[ {claim} . \]")[claim]
+    assert found.green is green and (green or found is Verdict.UNDECIDED)

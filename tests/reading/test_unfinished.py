@@ -118,3 +118,9 @@ def test_a_second_value_that_a_list_supposes_is_supposed():
         + r"The integrals are \[ h=\tfrac12x^2+z,\qquad c=y^2+z^2 . \] For $h=1$, $2c=3$ it is so."
     )
     assert roles(text)["2c=3"] == "assumption"
+
+
+@pytest.mark.parametrize("formula", ["", r"\label{x}", ",", r"\quad", r"a\qquad(b=1,\ c=2)"])
+def test_a_formula_without_a_statement_stands_for_nothing(formula):
+    text = rf"\[ \dot x=y,\qquad \dot y=-x . \] Then \[ {formula} \] and $x^2+y^2$ is constant."
+    assert [one.green for one in verdicts(text).values()] == [True]

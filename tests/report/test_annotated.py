@@ -19,6 +19,7 @@ from kowalevski_cas.report.document import (
     Link,
     Paragraph,
     Sign,
+    Table,
 )
 from kowalevski_cas.report.html import render_html
 from kowalevski_cas.report.marks import SPOILED
@@ -266,3 +267,31 @@ def test_a_component_is_named_that_fails(claim: str, words: str) -> None:
     text = rf"""{OSCILLATOR} Let $\mathbf G=\mathbf q\times\mathbf v+\mathbf v$. Then
         \begin{{equation}}{claim}.\end{{equation}}\end{{document}}"""
     assert words in " ".join(map(str.strip, told(text)))
+
+
+def test_of_a_display_that_is_not_read_every_formula_is_shown_as_it_is_typed() -> None:
+    text = (
+        r"\begin{document}The motion is $$\dot p=q,\quad \dot q=-p.$$ Then "
+        r"\begin{equation}\dot p=-\frac{du}{d\varphi},\qquad \frac{d^2u}{d\varphi^2}+u=3.\end{equation}"
+        r"\end{document}"
+    )
+    html = of_the_paper(
+        annotate(audit_reading(ReadingSession(read(decode("a.tex", text.encode())))))
+    )
+    assert r"\dot p=-\frac{du}{d\varphi}" in html and r"\frac{d^2u}{d\varphi^2}+u=3" in html
+
+
+def test_a_misprint_in_a_section_that_claims_nothing_has_its_number_and_a_link() -> None:
+    text = TWO.replace("The equations", r"\section{One} The equations").replace(
+        " Then\n", "\n" + r"\section{Two} Then" + "\n"
+    )
+    found = audit_reading(ReadingSession(read(decode("two.tex", text.encode())), timeout=20))
+    document = annotate(found)
+    assert not any("The beginning" in said(b) for b in document.blocks if isinstance(b, Table))
+    page = Page(render_html(document))
+    start = next(
+        k for k, b in enumerate(document.blocks) if getattr(b, "anchor", "") == "misprints"
+    )
+    link = next(part for part in parts(document.blocks[start + 1].head) if isinstance(part, Link))
+    assert link.text == ("(2)",) and link.target in page.ids
+    assert {target[1:] for target in page.links if target.startswith("#")} <= {*page.ids}

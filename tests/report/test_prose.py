@@ -52,6 +52,15 @@ def test_blocks_of_an_inline_formula_follow_its_paragraph() -> None:
     assert first.text == ("With ", Name("x"), " we go.")
 
 
+@pytest.mark.parametrize("font", [r"\paragraph{Rest.}", r"\bf ", r"\subparagraph*{Rest.}", r"\it "])
+def test_what_follows_a_run_in_heading_or_a_font_keeps_its_order(font: str) -> None:
+    text = rf"One. {font} Two {Y} three." + "\n\n" + rf"{font} Four {Y} five."
+    first, shown, *others = read(text)[-6:]
+    told = [said(block) for block in (first, *others) if not isinstance(block, Equations)]
+    words = [next(w for w in ("Two", "three", "Four", "five") if w in text) for text in told]
+    assert words == ["Two", "three", "Four", "five"] and shown == SHOWN[0].blocks[0]
+
+
 def test_headings_lists_and_theorems() -> None:
     heading, listing, theorem = read(
         r"\section{One \emph{thing}}\begin{enumerate}\item first\item[b] second\end{enumerate}"

@@ -183,6 +183,15 @@ def test_it_is_whole_where_something_may_vanish_also_on_a_sphere():
     assert not any(isinstance(node, Quotient) for value in found for node in value.nodes())
 
 
+def test_of_what_has_many_terms_one_point_is_enough(monkeypatch):
+    monkeypatch.setattr("kowalevski_cas.search.follows.LARGE", 0)
+    monkeypatch.setattr("kowalevski_cas.search.real.LARGE", 0)
+    x, y = Name("x"), Name("y")
+    sides = (Quotient(Sum((x, y)), Sum((x, Negative(y)))), Number(1))
+    found = Finder(finder_of).refutation(identity(Space(("x", "y")), sides)).point.values
+    assert found["y"] != Number(0) and found["x"] != found["y"]
+
+
 def test_the_value_of_a_polynomial():
     assert value({(2, 1): Fraction(3), (0, 0): Fraction(1)}, (Fraction(1, 2), 4)) == 4
 

@@ -4,11 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import combinations
 
-from kowalevski_cas.notation import Formula, Negative, Number, Partial, Product, Sum, edits, equal
+from kowalevski_cas.notation import Formula, Negative, Number, Product, Sum, edits, equal
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
-from kowalevski_cas.paper.claims.forms import equation, equations, expression, moving, vanishes
+from kowalevski_cas.paper.claims.forms import (
+    equation,
+    equations,
+    expression,
+    moving,
+    slope,
+    vanishes,
+)
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed, Texts
@@ -38,7 +46,7 @@ class CriticalSet(Claim):
         critical = self._critical(space, value, level[0])
         yield Follows(space, (critical,), (*goals, level))
         yield Follows(space, (goals,), (*critical, level))
-        slopes = (vanishes(Partial(level[0], name)) for name in moving(space, level[0]))
+        slopes = (vanishes(slope(space, level[0], name)) for name in moving(space, level[0]))
         # where the surface has no tangent plane the criterion by products of slopes says nothing
         yield Follows(space, (), (level, *slopes))
 
@@ -61,11 +69,12 @@ class CriticalSet(Claim):
     def _critical(
         self, space: Elaboration, function: Formula, surface: Formula
     ) -> tuple[Equation, ...]:
-        on = moving(space, surface)
-        rates: list[Formula] = [Partial(function, n) for n in space.variables if n not in on]
+        on, beside = moving(space, surface), space.transcendental.functions_beside
+        by = partial(slope, space)
+        rates = [by(function, n) for n in space.variables if n not in {*on, *beside}]
         for a, b in combinations(on, 2):
-            product = Product((Partial(surface, a), Partial(function, b)))
-            other = Product((Partial(surface, b), Partial(function, a)))
+            product = Product((by(surface, a), by(function, b)))
+            other = Product((by(surface, b), by(function, a)))
             rates.append(Sum((product, Negative(other))))
         return tuple(map(vanishes, [*rates, *([function] if self.zero_level else [])]))
 

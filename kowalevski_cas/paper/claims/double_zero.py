@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kowalevski_cas.notation import Formula, Partial, Relation
+from kowalevski_cas.notation import Formula, Relation
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import (
     equation,
@@ -15,6 +15,7 @@ from kowalevski_cas.paper.claims.forms import (
     expression,
     minus,
     moving,
+    slope,
     vanishes,
 )
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -32,7 +33,7 @@ class DoubleZero(Claim):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
         value = self._value(on, space)
-        gradient = (vanishes(Partial(value, name)) for name in moving(space, value))
+        gradient = (vanishes(slope(space, value, name)) for name in moving(space, value))
         yield Follows(
             space, ((vanishes(value), *gradient),), equations(on, space, self.given), self.main
         )

@@ -12,6 +12,7 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Number,
+    Quotient,
     Relation,
     Sum,
 )
@@ -126,10 +127,42 @@ def first_member(on: Elaborations, space: Elaboration, printed: Printed) -> Form
 
 
 def moving(space: Elaboration, formula: Formula) -> list[str]:
-    """The variables that stand in a formula, and in what it is defined by."""
+    """The variables that stand in a formula, and in what it is defined by.
+
+    Of an angle that stands by itself as well these are no functions: it is derived by the angle.
+    """
     reach = Reach(space)
     reach.formula(formula)
-    return [name for name in space.variables if name in reach.names]
+    functions = space.transcendental.functions_beside
+    names = {functions.get(name, name) for name in reach.names}
+    return [name for name in space.variables if name in names and name not in functions]
+
+
+def slope(space: Elaboration, formula: Formula, name: str) -> Formula:
+    """The derivative of a formula by a variable, on which the functions of this rest."""
+    return space.partial(_with_rates(space, formula), name)
+
+
+def _with_rates(space: Elaboration, formula: Formula) -> Formula:
+    """A formula with what the equations of motion say in the place of rates, as far as is known.
+
+    Where no function stands beside its argument, whoever derives knows the rates.
+    """
+    if not space.transcendental.functions_beside:
+        return formula
+    known = {
+        row.names[0]: row.force if row.factor == Number(1) else Quotient(row.force, row.factor)
+        for row in space.field
+        if len(row.names) == 1
+    }
+
+    def put(part: Formula) -> Formula:
+        match part:
+            case Derivative(Name(name)) if name in known:
+                return known[name]
+        return part.map_children(put)
+
+    return put(formula)
 
 
 def matrix(letter: str, size: int) -> Rows:

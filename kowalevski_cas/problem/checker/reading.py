@@ -9,7 +9,7 @@ from typing import Any
 
 FORMAT, VERSION = "kowalevski-cas certificate", 2
 SIZE = 1_000_000  # characters of a file
-WORK = 10_000_000  # steps in the check of a file, by the terms and the size of numbers
+WORK = 20_000_000  # steps in the check of a file, by the terms and the size of numbers
 BITS = 6_000  # of an integer
 DEGREE = 1_000  # total, of a polynomial
 NAMES = 150  # generators of a ring
