@@ -163,20 +163,11 @@ def _words(
     what = f" of {number}${sides}${',' * bool(number)}" if not order and len(sides) < SHORT else ""
     if not goal.given:
         printed = statement.claim.formulas(statement.on.texts)
-        said = {
-            member
-            for formula in printed
-            if isinstance(formula, Relation)
-            for member in formula.members
-        }
-        if component and said & {left, right}:
-            what = ""
-        elif said & {left, right} or not what:
+        said = {m for one in printed if isinstance(one, Relation) for m in one.members}
+        what = "" if said & {left, right} else what
+        if not component + what:
             return ""
-    against = (
-        "not $0$" if _is_zero(right) else f"{'that of ' * bool(component)}the right side ${other}$"
-    )
-    words = f"{component}the left side{what} is ${value}$, {against}"
+    words = f"{component}the left side{what} is ${value}$, {_other(right, other, component)}"
     if statement.claim.is_kind("CriticalSet"):
         surface = to_latex(equal(*(printed_formula(side, setting) for side in goal.given[-1])))
         return f"{words}, though this is a critical point on ${surface}$"
@@ -188,6 +179,13 @@ def _failing_equation(goal: Follows, place: PointEvaluation) -> tuple[Formula, F
     return next(
         sides for sides in goal.conclusions[-1] if not place.vanish(place.at.differences((sides,)))
     )
+
+
+def _other(right: Formula, value: str, component: str) -> str:
+    """What the other side is, of which perhaps a component is named before."""
+    if _is_zero(right):
+        return "not $0$"
+    return f"{'that of ' * bool(component)}the right side ${value}$"
 
 
 def _is_zero(formula: Formula) -> bool:
