@@ -49,7 +49,7 @@ def test_nothing_is_proved_by_a_lagrangian_beside_other_forces(words):
         "Gravity acts on neither of them.",
         "Friction is not considered.",
         "Such pairs were studied by Rayleigh.",
-        "The electrical resistance of the spring is high.",
+        "The electrical resistance is high.",
         "If there were friction, all would come to rest.",
         "Трение отсутствует.",
     ],
