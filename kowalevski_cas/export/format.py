@@ -97,13 +97,18 @@ class Format(ABC):
         return export
 
 
+_SIGNS = {"+": "_plus", "-": "_minus"}
+
+
 def identifier(name: str) -> str:
     r"""A name of letters, digits and underscores.
 
     >>> identifier("F1-prime"), identifier("eq16.1"), identifier(r"\sqrt{x_1x_2}"), identifier("4")
     ('F1_prime', 'eq16_1', 'sqrt_x_1x_2', '_4')
+    >>> identifier("x_+"), identifier("p^-_1")
+    ('x_plus', 'p_minus_1')
     """
-    name = name.replace("*", "_star")
+    name = re.sub(r"([_^])([-+])", lambda sign: _SIGNS[sign[2]], name.replace("*", "_star"))
     name = re.sub(r"\\mathbf|\\boldsymbol", "bold", re.sub(r"\\text|\\mathrm", "", name))
     name = re.sub(r"[^A-Za-z0-9]+", "_", name).strip("_")
     return name if name[:1].isalpha() else f"_{name}"

@@ -34,7 +34,7 @@ from kowalevski_cas.notation.vocabulary import MATRIX, SCALAR, VECTOR
 
 _LONGEST_NUMBER = 1000
 _NORM = re.compile(r"(?:\\left\s*)?\\(?:\||l?Vert)")
-_DETERMINANT = r"\det"
+DETERMINANT = r"\det"
 _SIGNS = frozenset({"sign", "relation"})
 _BEFORE_DOTS = _SIGNS | {"comma", "cell", "row", "open", "{", "begin", END}
 _BEHIND_DOTS = _SIGNS | {"comma", "cell", "row", "close", "}", "end", END}
@@ -97,7 +97,7 @@ class Atoms(Symbols):
         if whole == SCALAR and _NORM.match(self.tex, start):
             message = "the norm of a number? print |x|, or the vector in bold"
             raise NotationError(message, self.tex, start)
-        node = Application(_DETERMINANT, (inner[0],)) if whole == MATRIX else Modulus(inner[0])
+        node = Application(DETERMINANT, (inner[0],)) if whole == MATRIX else Modulus(inner[0])
         return (node, start, self.tokens[self.at - 1].end, (inner,))
 
     def read_sum(self) -> Piece:

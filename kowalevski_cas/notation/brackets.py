@@ -64,7 +64,7 @@ def is_unmarked(formula: Formula) -> bool:
     if not isinstance(formula, Name):
         return False
     parts = symbol(formula.name)
-    return not (parts.star or parts.primes)
+    return not (parts.raised or parts.primes)
 
 
 def bare(formula: Formula) -> Formula:
@@ -76,7 +76,7 @@ def is_base(formula: Formula) -> bool:
     """Whether a formula carries a power without brackets; a star stands where the power would."""
     formula = bare(formula)
     if isinstance(formula, Name):
-        return not symbol(formula.name).star
+        return not symbol(formula.name).raised
     if isinstance(formula, Derivative) and formula.mark == "dot":
         return not isinstance(formula.argument, Name) or is_base(formula.argument)
     return isinstance(formula, _BASES)

@@ -7,6 +7,7 @@ from contextlib import suppress
 
 from kowalevski_cas.notation.errors import NotationError, Undeclared
 from kowalevski_cas.notation.formula import Formula, Name
+from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.macros import GREEK
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.notation.tokens import DEEPEST, UNFINISHED, Token
@@ -86,10 +87,14 @@ class Cursor:
         return Token("number", token.text[0], token.start, middle)
 
     def script(self) -> None:
-        """Move into an index or a power; of x^10 only the 1 is raised in print, and is no more."""
+        r"""Move into an index or a power; of x^10 only the 1 is raised in print, and is no more.
+
+        Of a function that was meant: :math:`\sin^23x` has the argument 3x.
+        """
+        on_function = self.tokens[self.at - 1].text in FUNCTIONS
         self.at += 1
         number = self.tokens[self.at]
-        if number.kind == "number" and len(number.text) > 1:
+        if number.kind == "number" and len(number.text) > 1 and not on_function:
             raise self.error(
                 f"TeX puts {number.text[0]} there, and the rest on the line: set braces"
             )
@@ -130,7 +135,7 @@ class Cursor:
         kind = self.tokens[self.at].kind
         if kind == "number":
             return "_" + self.take().text
-        if kind == "letter" or kind == "star":
+        if kind in ("letter", "star", "sign"):
             text = self.take().text
         elif kind == "{":
             self.at += 1
@@ -141,7 +146,7 @@ class Cursor:
                 gap = " " if text[-1:].isalpha() and "\\" in text and more[:1].isalpha() else ""
                 text += gap + more
             if not text or text[0] in "_'" or self.tokens[self.at].kind != "}":
-                raise self.error("an index is a row of letters and digits")
+                raise self.error("an index is a row of letters, digits and signs")
             self.at += 1
         else:
             raise self.unexpected()

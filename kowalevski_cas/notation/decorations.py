@@ -24,6 +24,9 @@ class RaisedSign(NamedTuple):
     """A sign that is raised on a letter."""
 
     shown: str
+    """As it is raised where things can be."""
+    plain: str
+    """In a line."""
     spelled: str = ""
 
 
@@ -43,5 +46,5 @@ RATES = {
 }
 """Those that make the name of a rate of it, by the number of dots."""
 
-RAISED = {"*": RaisedSign("*", "ast")}
+RAISED = {"*": RaisedSign("*", "*", "ast"), "+": RaisedSign("+", "⁺"), "-": RaisedSign("−", "⁻")}
 """By the sign, or its macro."""

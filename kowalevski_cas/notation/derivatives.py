@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kowalevski_cas.notation.atoms import Atoms
+from kowalevski_cas.notation.atoms import DETERMINANT, Atoms
 from kowalevski_cas.notation.cursor import Piece
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import (
@@ -14,6 +14,7 @@ from kowalevski_cas.notation.formula import (
     Partial,
     Product,
     Quotient,
+    Vector,
 )
 
 _DIFFERENTIALS = ("d", r"\partial")
@@ -27,7 +28,7 @@ class Derivatives(Atoms):
 
     def read_frac(self) -> Piece:
         """A fraction; over d and an independent variable it is a derivative."""
-        written = self.read_derivative()
+        written = self.read_derivative() or self.jacobian()
         if written is not None:
             return written
         start = self.take().start
@@ -70,6 +71,31 @@ class Derivatives(Atoms):
             end = self.tokens[self.at - 1].end
         piece = _derivative(piece, d, by, start, end)
         return piece if applied else self.scripts(piece)
+
+    def jacobian(self) -> Piece | None:
+        r"""The determinant of the derivatives of some functions by as many variables.
+
+        It is printed as :math:`\partial(f,g)/\partial(x,y)`, with a line.
+        """
+        start, listed = self.at, list[tuple[Piece, ...]]()
+        self.at += 1
+        for _ in range(2):
+            texts = [token.text for token in self.tokens[self.at : self.at + 3]]
+            if texts != ["{", r"\partial", "("]:
+                self.at = start
+                return None
+            self.at += 2
+            listed.append(self.read_list())
+            self.close("}")
+        functions, variables = listed
+        names = [piece[0].name for piece in variables if isinstance(piece[0], Name)]
+        if not len(names) == len(variables) == len(functions) > 1:
+            raise self.error("as many functions as variables by which they are derived")
+        rows = (Vector(tuple(Partial(one[0], name) for name in names)) for one in functions)
+        node = Application(DETERMINANT, (Vector(tuple(rows)),))
+        return self.scripts(
+            (node, self.tokens[start].start, self.tokens[self.at - 1].end, functions)
+        )
 
     def differentiated(self, operator: str) -> Piece:
         """What a derivative is applied to; a number before it goes with it."""

@@ -57,7 +57,7 @@ class Latex(Printer):
     def with_dots(self, argument: Formula, order: int) -> str:
         if isinstance(argument, Name):
             parts = symbol(argument.name)
-            inner = replace(parts, star="", index="", primes="").name
+            inner = replace(parts, raised="", index="", primes="").name
             behind = parts.name.removeprefix(inner)
         else:
             inner, behind = self.enclose(argument), ""

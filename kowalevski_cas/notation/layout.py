@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import EQUALITIES
+from kowalevski_cas.notation.letters import with_stars
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.ranges import Condition, each_value, index_conditions, without_ranges
 from kowalevski_cas.notation.sums import Ranges
@@ -25,6 +26,8 @@ _BINARY = frozenset({"sign", "plusminus", "relation", "times", "slash"})
 _UNCLEAR = "does this belong to what stands before the break? set a comma, or a sign"
 
 
+_SINGLE = frozenset({"letter", "number"})
+"""The kinds of tokens that may be one of two indices."""
 _RATES = frozenset({"accent", "frac"})
 
 
@@ -140,15 +143,37 @@ def _statement_of(tokens: list[Token], tex: str) -> list[list[Token]]:
 
 
 def _signs_of(tokens: list[Token]) -> Iterator[list[Token]]:
-    """A statement with the upper signs of all ±, and with the lower ones; itself without any."""
+    r"""A statement with the upper signs of all ±, and with the lower ones; itself without any.
+
+    Of two indices, as in :math:`\lambda_{1,2}=a\pm b`, the first goes with the upper signs.
+    """
     if all(token.kind != "plusminus" for token in tokens):
         yield tokens
         return
-    for signs in ({r"\pm": "+", r"\mp": "-"}, {r"\pm": "-", r"\mp": "+"}):
-        yield [
-            Token("sign", signs[t.text], t.start, t.end) if t.kind == "plusminus" else t
+    pair = _is_pair(tokens[1:7])
+    for place, signs in enumerate(({r"\pm": "+", r"\mp": "-"}, {r"\pm": "-", r"\mp": "+"})):
+        signed = [
+            Token("sign", signs[t.text], t.start, t.end)
+            if t.kind == "plusminus"
+            else Token(t.kind, t.text, t.start, t.end)
             for t in tokens
         ]
+        yield with_stars([*_with_index(signed, place)] if pair else signed)
+
+
+def _is_pair(tokens: list[Token]) -> bool:
+    """Whether tokens are an index of two, with a comma between."""
+    kinds = [token.kind for token in tokens]
+    return kinds[:2] + kinds[3::2] == ["_", "{", "comma", "}"] and {kinds[2], kinds[4]} <= _SINGLE
+
+
+def _with_index(tokens: list[Token], place: int) -> Iterator[Token]:
+    """Tokens with the first or the second index of each pair."""
+    left_out = set[int]()
+    for at in range(len(tokens)):
+        if _is_pair(tokens[at : at + 6]):
+            left_out |= {at + 2, at + 3} if place else {at + 3, at + 4}
+    yield from (token for at, token in enumerate(tokens) if at not in left_out)
 
 
 def _join(runs: list[_Run], breaks: tuple[str, str], tex: str) -> list[_Run]:

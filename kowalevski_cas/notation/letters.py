@@ -11,6 +11,8 @@ from kowalevski_cas.notation.tokens import Token
 
 _STAR = r"(?: \^ (?:star|{ star }))?"
 _INDEX = "(?: _ (?:[a-z]+|{ [^}]+ }))?"
+_MARKS = frozenset({"star", "sign"})
+"""The kinds of tokens that are no power where they are raised alone."""
 _ONE_LETTER = re.compile(
     rf"(?:accent (?:{{ )*)*letter(?: }})*(?:{_STAR}{_INDEX}|{_INDEX}{_STAR})(?: prime)*"
 )
@@ -43,19 +45,33 @@ def set_accents(accents: Sequence[str], tokens: Sequence[Token], tex: str, start
 
 
 def with_stars(tokens: list[Token]) -> list[Token]:
-    """The tokens, with each star that is raised on a letter, or behind its index, in the letter."""
-    if all(token.kind != "star" for token in tokens):
+    r"""The tokens, with each star, plus or minus that is raised on a letter in the letter.
+
+    It may stand behind the index. A sign right before a number, as in x^-1, may be meant to raise
+    that too, and so may one on e.
+    """
+    if all(token.kind not in _MARKS for token in tokens):
         return tokens
     found: list[Token] = []
-    for token in tokens:
+    for token, behind in zip(tokens, [*tokens[1:], None], strict=True):
         found.append(token)
-        kinds = [behind.kind for behind in found[-4:]]
-        size = 4 if kinds == ["^", "{", "star", "}"] else 2 if kinds[-2:] == ["^", "star"] else 0
-        if size and (letter := _letter_before(found, len(found) - size)) is not None:
+        size = _size_of_mark(found, behind)
+        letter = _letter_before(found, len(found) - size) if size else None
+        if letter is not None and (letter.text != "e" or found[-size + size // 2].kind == "star"):
             letter.text += f"^{found[-1 - (size == 4)].text}"
             del found[-size:]
             found[-1].end = token.end
     return found
+
+
+def _size_of_mark(tokens: Sequence[Token], behind: Token | None) -> int:
+    """How many tokens at the end raise a mark, in braces or without; 0 if they do not."""
+    kinds = [token.kind for token in tokens[-4:]]
+    if kinds[:2] == ["^", "{"] and kinds[2:3] and kinds[2] in _MARKS and kinds[3:] == ["}"]:
+        return 4
+    if kinds[-2:-1] != ["^"] or kinds[-1] not in _MARKS:
+        return 0
+    return 0 if kinds[-1] == "sign" and behind is not None and behind.kind == "number" else 2
 
 
 def _letter_before(tokens: list[Token], end: int) -> Token | None:
@@ -68,7 +84,7 @@ def _letter_before(tokens: list[Token], end: int) -> Token | None:
     while at > 0 and tokens[at].kind == "}":
         at -= 1
     letter = tokens[at] if at >= 0 else None
-    if letter is None or letter.kind != "letter" or symbol(letter.text).star:
+    if letter is None or letter.kind != "letter" or symbol(letter.text).raised:
         return None
     for closing in range(at + 1, last + 1):  # each brace has an accent before it, and no other
         opening = _opening_brace(tokens, closing)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from html import escape
 
 from kowalevski_cas.notation.brackets import is_unmarked
-from kowalevski_cas.notation.decorations import ACCENTS, RATES
+from kowalevski_cas.notation.decorations import ACCENTS, RAISED, RATES
 from kowalevski_cas.notation.formula import Conjugate, Formula, Name, Number
 from kowalevski_cas.notation.printer import Printer
 from kowalevski_cas.notation.unicode import SIGNS, glyphs, styled_letter
@@ -56,14 +56,15 @@ class MathML(Printer):
             text = _over(text, _DOTS[min(dots, 4)])
             dots -= min(dots, 4)
         primes = primes or (parts.primes and _PRIMES.format(parts.primes))
-        index, star = "".join(map(_atom, parts.indices)), f"<mo>{parts.star}</mo>"
+        index = "".join(map(_atom, parts.indices))
+        sign = f"<mo>{RAISED[parts.raised].shown}</mo>" if parts.raised else ""
         if index and primes:
             primes = f'<mpadded width="0">{primes}</mpadded>'
         text += primes
-        if parts.star and index:
-            return f"<msubsup>{_one(text)}{_one(index)}{star}</msubsup>"
-        if parts.star:
-            return f"<msup>{_one(text)}{star}</msup>"
+        if parts.raised and index:
+            return f"<msubsup>{_one(text)}{_one(index)}{sign}</msubsup>"
+        if parts.raised:
+            return f"<msup>{_one(text)}{sign}</msup>"
         return f"<msub>{_one(text)}{_one(index)}</msub>" if index else text
 
     def sign(self, sign: str) -> str:

@@ -1,4 +1,4 @@
-r"""A name by its parts: letter, font, accents, star, index, primes.
+r"""A name by its parts: letter, font, accents, raised sign, index, primes.
 
 The name of a formula is a string, for it is a key everywhere; what stands in the string is known
 here, and nobody else takes it apart.
@@ -34,7 +34,7 @@ _SYMBOL = re.compile(
     rf"""(?P<accents>(?:(?:{_ACCENTS})\{{)*)
     (?:(?P<font>{"|".join(map(re.escape, FONTS))})\{{(?P<styled>[^{{}}]+)\}}
       | (?P<letter>\\[A-Za-z]+|[A-Za-z]))
-    (?P<closing>\}}*)(?P<star>\^(?:{_RAISED}))?(?:_(?:\{{(?P<low>.+)\}}|(?P<sign>[^{{])))?(?P<primes>'*)""",
+    (?P<closing>\}}*)(?P<raised>\^(?:{_RAISED}))?(?:_(?:\{{(?P<low>.+)\}}|(?P<sign>[^{{])))?(?P<primes>'*)""",
     re.VERBOSE | re.DOTALL,
 )
 _VALUE = re.compile(
@@ -53,7 +53,7 @@ class Symbol:
     letter: str
     font: str = ""
     accents: tuple[str, ...] = ()
-    star: str = ""
+    raised: str = ""
     index: str = ""
     primes: str = ""
 
@@ -68,7 +68,7 @@ class Symbol:
         for accent in reversed(self.accents):
             text = f"{accent}{{{text}}}"
         low = self.index if len(self.index) < 2 else f"{{{self.index}}}"
-        return text + self.star + (low and f"_{low}") + self.primes
+        return text + self.raised + (low and f"_{low}") + self.primes
 
     @property
     def head(self) -> str:
@@ -109,7 +109,7 @@ def symbol(name: str) -> Symbol:
     r"""The parts of a name.
 
     >>> symbol(r"\hat{\mathbf{x}}_{12}")
-    Symbol(letter='x', font='\\mathbf', accents=('\\hat',), star='', index='12', primes='')
+    Symbol(letter='x', font='\\mathbf', accents=('\\hat',), raised='', index='12', primes='')
     >>> symbol(r"U^*_1").index, symbol("k'_1").primes, symbol(r"\sin{\theta_1}").letter
     ('1', '', '\\sin{\\theta_1}')
     """
@@ -123,7 +123,7 @@ def symbol(name: str) -> Symbol:
         found["letter"] or found["styled"],
         found["font"] or "",
         tuple(accents),
-        found["star"] or "",
+        found["raised"] or "",
         found["low"] or found["sign"] or "",
         found["primes"],
     )

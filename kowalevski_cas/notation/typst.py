@@ -46,9 +46,9 @@ class Typst(Printer):
         for mark in reversed(parts.accents):
             letter = (ACCENTS | RATES)[mark].typst.format(letter)
         index = f"_({' '.join(map(_atom, parts.indices))})" if parts.indices else ""
-        star = f"^({parts.star})" if parts.star else ""
+        raised = f"^({parts.raised})" if parts.raised else ""
         primes = self.prime * len(parts.primes)
-        return (accent.format(letter) + primes + index + star).translate(_GROUPING)
+        return (accent.format(letter) + primes + index + raised).translate(_GROUPING)
 
     def side_by_side(self, parts: Iterable[str]) -> str:
         return " ".join(parts)

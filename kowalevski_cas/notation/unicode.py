@@ -7,7 +7,6 @@ import unicodedata
 from functools import cache
 from typing import NamedTuple
 
-from kowalevski_cas.notation.decorations import RAISED
 from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.macros import GREEK
 from kowalevski_cas.notation.symbol import symbol
@@ -40,7 +39,7 @@ class Glyphs(NamedTuple):
     font: str
     accents: tuple[str, ...]
     """Macros, the outermost first."""
-    star: str
+    raised: str
     indices: tuple[str, ...]
     primes: str
 
@@ -50,7 +49,7 @@ def glyphs(name: str) -> Glyphs:
     r"""What a name is printed with.
 
     >>> glyphs(r"\boldsymbol{\omega}_{12}")
-    Glyphs(letter='ω', font='\\boldsymbol', accents=(), star='', indices=('1', '2'), primes='')
+    Glyphs(letter='ω', font='\\boldsymbol', accents=(), raised='', indices=('1', '2'), primes='')
     """
     parts = symbol(name)
     letter, font = _letter(parts.letter), parts.font
@@ -58,9 +57,9 @@ def glyphs(name: str) -> Glyphs:
         letter, font = _value(parts.letter), r"\mathrm"
     elif not font and parts.letter[:1] == "\\" and parts.letter not in _LETTERS:
         font = r"\mathrm"  # a macro of its own, as \sin, is an upright word
-    star = parts.star and RAISED[parts.star[1:]].shown
+    raised = parts.raised.removeprefix("^")
     primes = "′" * len(parts.primes)
-    return Glyphs(letter, font, parts.accents, star, _index(parts.index), primes)
+    return Glyphs(letter, font, parts.accents, raised, _index(parts.index), primes)
 
 
 def _value(tex: str) -> str:

@@ -45,11 +45,11 @@ def conjugate_name(name: str) -> str:
     >>> conjugate_name("a_1")
     'a^*_1'
     """
-    return replace(symbol(name), star=STAR).name
+    return replace(symbol(name), raised=STAR).name
 
 
 def _without_bar(name: str) -> str:
-    return replace(symbol(name), star="").name
+    return replace(symbol(name), raised="").name
 
 
 def _other(name: str) -> str:
@@ -129,7 +129,7 @@ def _under_bars(formulas: Iterable[Formula]) -> Iterator[str]:
     for node in (node for formula in formulas for node in formula.nodes()):
         if isinstance(node, Conjugate):
             yield from node.names()
-        elif isinstance(node, Name) and symbol(node.name).star:
+        elif isinstance(node, Name) and symbol(node.name).raised == STAR:
             yield _without_bar(node.name)
 
 

@@ -6,7 +6,7 @@ import re
 from dataclasses import replace
 from itertools import pairwise
 
-from kowalevski_cas.notation import Formula, Name, Number, Summation, to_latex, total
+from kowalevski_cas.notation import Formula, Name, Number, Partial, Summation, to_latex, total
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.problem.space import Meaningless
 
@@ -37,6 +37,11 @@ def _at(formula: Formula, index: str, value: int) -> Formula:
         return replace(
             formula, first=_at(formula.first, index, value), last=_at(formula.last, index, value)
         )
+    if isinstance(formula, Partial):
+        by = _at(Name(formula.by), index, value)
+        if not isinstance(by, Name):
+            raise Meaningless(f"a derivative by the index of a sum: {to_latex(formula)}")
+        return replace(formula, argument=_at(formula.argument, index, value), by=by.name)
     if not isinstance(formula, Name):
         return formula.map_children(lambda child: _at(child, index, value))
     if formula.name == index:

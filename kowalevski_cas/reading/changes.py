@@ -34,6 +34,8 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
             for one in sentence
             if _gives(one, law, seen) and given_by_old.isdisjoint(one.members[1].names())
         ]
+        other = {name for one in sentence if one not in giving for name in one.bare}
+        giving = [one for one in giving if other.isdisjoint(one.bare)]  # else these are values
         given = {name for one in giving for name in _names(one, law)}
         new = dict.fromkeys(
             name for one in giving for name in sorted(one.names) if name not in seen | {"t"}

@@ -64,6 +64,7 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
             entries = ",".join("1" if k == int(number[1]) else "0" for k in range(1, SPACE + 1))
             item = unprinted(paper, f"basis-{number[1]}{suffix}", f"{vector}=({entries})")
             yield item, StatementRole(CONVENTION, "a vector of the basis", "basis", (vector,))
+    yield from _matrices_of_elements(known, suffix)
     yield from _components(known, suffix)
     for q, p in _conjugate(known):
         tex = rf"\{{{q},{p}\}}=1"
@@ -76,6 +77,27 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
             unprinted(paper, f"unit{suffix}", "i^2=-1"),
             StatementRole(CONVENTION, "the imaginary unit", "unit"),
         )
+
+
+def _matrices_of_elements(
+    known: Known, suffix: str
+) -> Iterator[tuple[SourceStatement, StatementRole]]:
+    """The matrices of which the elements are defined, all of them, and nothing else is said."""
+    for letter in sorted(known.paper.words.matrices):
+        if known.is_defined(letter) or known.moves(letter) or letter in known.later:
+            continue
+        element = re.compile(rf"{re.escape(letter)}_\{{(\d)(\d)\}}")
+        found = [one for one in map(element.fullmatch, sorted(known.definitions)) if one]
+        size = max((int(one[1]) for one in found), default=0)
+        if size > 1 and len(found) == size**2:
+            rows = [
+                "&".join(f"{letter}_{{{j}{k}}}" for k in range(1, size + 1))
+                for j in range(1, size + 1)
+            ]
+            table = r"\\".join(rows)
+            tex = rf"{letter}=\begin{{pmatrix}}{table}\end{{pmatrix}}"
+            role = StatementRole(CONVENTION, "the matrix of its elements", "", (letter,))
+            yield unprinted(known.paper, f"matrix-{letter}{suffix}", tex), role
 
 
 def _components(known: Known, suffix: str) -> Iterator[tuple[SourceStatement, StatementRole]]:

@@ -88,6 +88,8 @@ CUES: dict[str, str] = {
         привод\w+ вытека\w+""",
     "here": r"""
         (?:\bon|\bif|\bwhen|\bfor|\bat|\bwhere|\bна|\bпри|\bесли)\s+(?:the\s+)?(?:\w+\s+){0,2}(?:§[\s,]*)*$""",
+    "on a set": r"""
+        \b(?:on|at|на)(?:\s+the\s+\w+)?[\s~]*$""",
     "either root": r"""
         signs?\s+of\s+(?:the\s+|this\s+)?(?:square\s+)?(?:roots?|radicals?) either\s+sign
         (?:roots?|radicals?)\s+(?:has|have|takes?|is|are)\s+(?:taken\s+with\s+)?(?:the|either|that|both)\s+signs?
@@ -155,6 +157,8 @@ CUES: dict[str, str] = {
         instead\s+of\s*(?:§|$) contradict\w+ if\s+it\s+were \bwere\b would\s+be fails?\b cannot\b
         \b(?:no|without)\s+(?:\w+\s+){0,2}integrals?(?:\s+\w+){0,3}\s*§ refut\w+
         §[\s,]*(?:\w+\s+){0,2}(?:no|without)\s+(?:\w+\s+){0,2}integrals?
+        \b(?:without|dropping)\s+(?:the\s+)?(?:restriction|condition|assumption|hypothesis)\w*\s*(?:§|$)
+        \bбез\s+(?:ограничени|услови|предположени)\w+\s*(?:§|$)
         in\s+place\s+of\s*(?:§|$) \bneither\b ^\s*nor\s*§ ^\s*ни\s*§
         невер\w+ ошиб\w+ ложн\w+ опечат\w+
         вместо\s*(?:§|$) противореч\w+ не\s+явля\w+ не\s+сохраня\w+ нельзя не\s+выполн\w+
@@ -254,6 +258,7 @@ CUES: dict[str, str] = {
 _CITED = re.compile(r"[\s~]*(?:[^\W\d]+[\s~]*)?\(?\\(?:eq|c|C|auto)?ref(?![A-Za-z])")
 """A citation behind words: they say what is cited, and nothing of what follows."""
 
+_MAP = re.compile(r"\bmap(?:ping)?$|отображени\w+$", re.IGNORECASE)
 _VERB = re.compile(r"lineari[sz](?:ing|e)|neglecting|differentiating|линеаризу\w+", re.IGNORECASE)
 """Words that do something with what is cited behind them."""
 
@@ -270,6 +275,7 @@ def cues(name: str, words: str, start: int = 0) -> Iterator[re.Match[str]]:
     """The places, from an offset on, at which some words give a cue."""
     for found in _pattern(name).finditer(words, start):
         cited = _CITED.match(words, found.end()) and not _OF.match(words, found.end())
+        cited = cited and not _MAP.search(found[0])  # an invariant of a map that is cited
         if not cited or _VERB.match(found[0]):
             yield found
 

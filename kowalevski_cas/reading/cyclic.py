@@ -18,7 +18,12 @@ def enter_cyclic_names(parts: Parts) -> None:
         names = frozenset().union(*(item.names for item in known.items))
         for name in sorted(names):
             found = _INDEXED.fullmatch(name)
-            if found is not None and not 1 <= (index := int(found["index"])) <= period:
+            if (
+                found is None
+                or not {f"{found['letter']}_{k}" for k in range(1, period + 1)} & names
+            ):
+                continue  # it belongs to no family, as an initial value
+            if not 1 <= (index := int(found["index"])) <= period:
                 tex = f"{name}={found['letter']}_{(index - 1) % period + 1}"
                 id = re.sub(r"\W+", "-", f"period-of-{name}-{place + 1}")
                 item = unprinted(parts.paper, id, tex)

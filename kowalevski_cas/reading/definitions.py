@@ -46,6 +46,14 @@ from kowalevski_cas.reading.unprinted import is_printed
 ZERO = Number(0)
 
 
+def named_set(item: SourceStatement, known: Known) -> StatementRole | None:
+    """An equation of a set that has a name."""
+    name = known.paper.sets.get(item.typed.start)
+    if name is None or not item.members:
+        return None
+    return StatementRole(DEFINITION, f"one of the equations of the set {name}", "set")
+
+
 def law(item: SourceStatement, known: Known) -> StatementRole | None:
     """The equations of motion."""
     found = known.law_of(item)
@@ -170,7 +178,12 @@ def repeated(item: SourceStatement, known: Known) -> StatementRole | None:
     """What has been said before, sign for sign, to name something."""
     for one in known.paper.alike[item.formula]:
         role = known.roles.get(one)
-        if role is not None and role.name in NAMING and one.order < item.order:
+        if (
+            role is not None
+            and role.name in NAMING
+            and role.kind != "set"
+            and one.order < item.order
+        ):
             if role.name != CLAIM or (role.names and item.typed.inline):
                 return StatementRole(NOTATION, f"said before, at {one.printed.place}")
     return None

@@ -15,6 +15,7 @@ from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, SET
 from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.laws import is_row
+from kowalevski_cas.reading.measures import differentials_of_images
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.phrases import integral_words, is_conditional
@@ -60,6 +61,9 @@ def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
         )
         or _is_below_other_rates(item, known)
         or _is_in_limit(item, known)
+        or bool(
+            differentials_of_images(known.paper.expanded.text[item.typed.start : item.typed.end])
+        )
     )
 
 
@@ -142,7 +146,7 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
             continue
         role = known.roles.get(one)
         set_there = role is not None and (role.kind in SETS or role.name == ASSUMPTION)
-        if one.sentence == item.sentence and one.members and cue("here", f"{one.before} "):
+        if one.sentence == item.sentence and _is_place(one):
             return True
         if one.sentence == item.sentence and set_there:
             return True
@@ -155,6 +159,13 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
         if proved and not apart and role is not None and role.name == ASSUMPTION and one.members:
             return True
     return False
+
+
+def _is_place(one: SourceStatement) -> bool:
+    """Whether words before an equation, or before a name, say that it is a place."""
+    if isinstance(one.formula, Name):
+        return bool(cue("on a set", one.lead))
+    return bool(one.members) and bool(cue("here", f"{one.before} "))
 
 
 def _is_supposed(one: SourceStatement) -> bool:

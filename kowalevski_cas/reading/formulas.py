@@ -21,6 +21,7 @@ from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives
 from kowalevski_cas.paper.summation import without_sums
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.reading.measures import with_jacobian
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.listing import guess
 from kowalevski_cas.source.tokens import tokens_of
@@ -38,7 +39,7 @@ def by_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
     for formula, tex in zip(formulas, without_new_names(texts), strict=True):
         with suppress(NotationError):  # who reads it says so
             tex = without_initial_values(tex, moving)
-        tex = with_derivatives(tex, by)
+        tex = with_jacobian(with_derivatives(tex, by))
         with suppress(ValueError):  # at other arguments it cannot be read
             tex = without_arguments(tex, known)
         yield formula if tex == formula.tex else replace(formula, tex=tex)
@@ -60,6 +61,7 @@ def _letters(formulas: Sequence[TypedFormula]) -> Vocabulary:
     euler = all(is_exponential(tokens_of(one.tex)) for one in formulas if "e" in one.tex)
     other = {"d", "e"} if euler else {"d"}
     listed, by_entries = _lists(formulas), _matrices(formulas)
+    by_entries |= _by_elements(formulas, by_entries)
     guesses = [
         replace(
             one,
@@ -116,10 +118,27 @@ def _matrices(formulas: Sequence[TypedFormula]) -> frozenset[str]:
     for formula in formulas:
         with suppress(NotationError, IndexError):
             for heads in defined_names(formula.tex):
-                for name in heads.names:
+                between = len(heads.names) > 1 and not heads.matrix  # as L^*=L
+                for name in () if between else heads.names:
                     letter = head(name)[0]
                     found[letter] = heads.matrix and found.get(letter, True)
     return frozenset(name for name, is_matrix in found.items() if is_matrix)
+
+
+_PAIR = re.compile(r"(?<!\\)\[([^\[\]]*),([^\[\]]*)\]")
+_ELEMENT = re.compile(r"(?<![A-Za-z\\])([A-Z])_\{?\w\w\}?\s*=")
+_CAPITAL = re.compile(r"(?<![A-Za-z\\])[A-Z](?![A-Za-z_])")
+
+
+def _by_elements(formulas: Sequence[TypedFormula], known: frozenset[str]) -> frozenset[str]:
+    """The letters of which the elements are given, and that stand in commutators of matrices."""
+    given = {letter for one in formulas for letter in _ELEMENT.findall(one.tex)}
+    found: set[str] = set()
+    for pair in (pair for one in formulas for pair in _PAIR.findall(one.tex)):
+        beside = [{*_CAPITAL.findall(part)} for part in pair]
+        if all(own & (given | known) for own in beside):
+            found |= set[str]().union(*beside) & given
+    return frozenset(found)
 
 
 def read_formula(

@@ -26,7 +26,7 @@ def is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
         unclear = any(not known.is_explained(n) for one in found for n in one.names - bound)
         rests = any(function in known.below(n) for n in item.names - {function})
         return unclear and not rests and all(known.is_explained(n) for n in item.names)
-    if known.moves(function) or function in known.times:
+    if known.moves(function) or function in known.times or known.is_step(function):
         return False
     alone = (Name(function), Power(Name(function), Number(2)))
     rest = (m for m in item.members if m not in alone and without_factor(m) not in alone)
@@ -87,7 +87,9 @@ def _defines_anew(item: SourceStatement, found: list[SourceStatement]) -> bool:
     """Whether words let a display of another section define a name once more."""
     apart = all(one.section not in item.sections for one in found)
     said = cue("hamiltonian", item.lead[-40:]) or cue("define", item.lead)
-    return apart and not item.typed.inline and bool(said) and not cue("derived", item.lead)
+    timed = item.names & {"t"}  # it is a solution
+    anew = apart and not item.typed.inline and not timed
+    return anew and bool(said) and not cue("derived", item.lead)
 
 
 def _gives(name: str, item: SourceStatement, known: Known) -> bool:

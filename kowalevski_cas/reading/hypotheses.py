@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from kowalevski_cas.notation import Name
 from kowalevski_cas.notation.symbol import rate_name
 from kowalevski_cas.reading.cues import cue
@@ -24,6 +26,7 @@ def hypotheses(item: SourceStatement, known: Known) -> list[SetOfEquations]:
     cited = [one for one in known.cited(item) if _restricts(one, known)]
     if cue("on it", _place_words(item)):
         cited += just_before(item, known)
+    cited += _named_before(item, known) or set_right_before(item, known)
     found = (sets, tuple(cited), (*sets, *cited))
     return [*dict.fromkeys(tuple(dict.fromkeys(one)) for one in found if one)]
 
@@ -41,6 +44,42 @@ def just_before(item: SourceStatement, known: Known) -> SetOfEquations:
     own = next(one for one in sets if last[-1] in one)
     beside = [one for one in sets if one[0].sentence == own[0].sentence]
     return own if len(beside) == 1 or not cue("on them", _place_words(item)) else ()
+
+
+def _named_before(item: SourceStatement, known: Known) -> SetOfEquations:
+    """The equations of the set that its sentence names before a statement, as in “on K we have”."""
+    for one in known.items:
+        before = one.sentence == item.sentence and one.order < item.order
+        if before and isinstance(one.formula, Name) and cue("on a set", one.lead):
+            equations = [o for o in known.items if _is_of_set(o, one.typed.tex, known)]
+            if equations:
+                return tuple(equations)
+    return ()
+
+
+_THERE = re.compile(
+    r"[\s,;]*(?:and\s+)?(?:where|there|with|at\s+which|for\s+which|где|там|с|при\s+этом)\b",
+    re.IGNORECASE,
+)
+
+
+def set_right_before(item: SourceStatement, known: Known) -> SetOfEquations:
+    """The display of a set behind which a statement says what is so there, as in “…, where q=2”."""
+    before = [one for one in known.items if one.order < item.order]
+    last = before[-1] if before else item
+    if last.sentence != item.sentence or last.typed.inline or not _THERE.match(item.lead):
+        return ()
+    return tuple(one for one in before if one.typed is last.typed and _is_set(one, known))
+
+
+def _is_of_set(item: SourceStatement, name: str, known: Known) -> bool:
+    """Whether a statement is an equation of a set with a name."""
+    own = known.paper.sets.get(item.typed.start, "")
+    return bool(own and item.members) and _bare(own) == _bare(name)
+
+
+def _bare(tex: str) -> str:
+    return re.sub(r"[\s{}.,;]", "", tex)
 
 
 def near(item: SourceStatement, known: Known) -> SetOfEquations:

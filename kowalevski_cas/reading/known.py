@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -145,6 +146,12 @@ class Known:
         parts = self.names.vectors.get(name, (name,))
         images = (new for law in self.laws for _, new in law.images)
         return any({*parts} & {*law.variables} for law in self.laws) or name in images
+
+    def is_step(self, name: str) -> bool:
+        """Whether a name is that of a term of a sequence that a map gives, as :math:`x_{n+5}`."""
+        images = (new for law in self.laws for _, new in law.images)
+        own = _sequence(name)
+        return own is not None and any(_sequence(new) == own for new in images)
 
     def definition(self, name: str, item: SourceStatement) -> SourceStatement | None:
         """What defines a name where it stands in a statement: the last before it, or the next."""
@@ -337,6 +344,16 @@ class Known:
     def varying(self, names: Iterable[str]) -> list[str]:
         """The names that move, or stand for something that does."""
         return [name for name in names if self.varies(name)]
+
+
+_STEP = re.compile(r"([a-z])(?:[+-]\d+)?")
+
+
+def _sequence(name: str) -> tuple[str, str] | None:
+    """The letter and the index of a term of a sequence; ``None`` if a name is none."""
+    parts = symbol(name)
+    step = _STEP.fullmatch(parts.index)
+    return (replace(parts, index="").name, step[1]) if step else None
 
 
 def _numbers(one: SourceStatement) -> Iterator[tuple[str, Formula]]:

@@ -190,7 +190,7 @@ class _LawFinder:
             return None  # it is deduced for names that stand for what moves
         old = {name for one in part for name in one.variables}
         rated, named = {*law.variables}, {*self.names.scalars(law.mentions)}
-        deduced = cue("deduced", item.lead) and not said
+        deduced = cue("deduced", item.before) and not said
         printed = {row.formula for one in part for row in one.rows}
         if named & old - rated or (deduced and rated <= old):
             return None
@@ -258,7 +258,7 @@ class _LawFinder:
         self, first: SourceStatement, apart: Collection[str], rows: Sequence[SourceStatement]
     ) -> Law | None:
         """A set of rows from a first one on, grown until it is closed; ``None`` if it cannot be."""
-        own = [row for row in rows if row.typed is first.typed]
+        own = [*self.beside(first, rows)]
         while True:
             rated = {name for row in own for name in self.scalars(row)}
             wanted = {name for row in own for name in self.names.scalars(row.names)}
@@ -278,6 +278,20 @@ class _LawFinder:
         }
         own += rows_of_conjugates(self.paper, own)
         return Law(tuple(sorted(own, key=lambda row: row.order)), self.names, momenta=momenta)
+
+    def beside(
+        self, first: SourceStatement, rows: Sequence[SourceStatement]
+    ) -> Iterator[SourceStatement]:
+        """A row and those that follow it in its display, without a word between."""
+        last = first
+        for row in rows:
+            if row.typed is first.typed:
+                yield row
+            elif (
+                row.order > first.order and row.sentence == first.sentence and _is_joined(last, row)
+            ):
+                last = row
+                yield row
 
     def given(self, rows: Sequence[SourceStatement]) -> int:
         """How many rates some rows give, each one or those of a vector."""
@@ -335,6 +349,13 @@ def is_row(item: SourceStatement) -> bool:
     if any(isinstance(node, Power) and _order(node.base) >= highest for node in nodes):
         return False
     return not isinstance(item.members[0], Name) or _is_multiple(item.members[1])
+
+
+def _is_joined(one: SourceStatement, other: SourceStatement) -> bool:
+    """Whether two statements are rows of one display, the second right behind the first."""
+    return (
+        not one.typed.inline and one.typed.kind == other.typed.kind and not other.lead.strip(" ,;")
+    )
 
 
 def _is_chain(members: Sequence[Formula]) -> bool:

@@ -7,8 +7,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
-from kowalevski_cas.notation import Derivative, Formula, Name, PoissonBracket, Summation
+from kowalevski_cas.notation import Derivative, Formula, Name, PoissonBracket, Summation, to_latex
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.amplitudes import conjugate_images, conjugate_name
 from kowalevski_cas.paper.images import images_by_index, solutions
@@ -55,10 +56,24 @@ def find_maps(paper: SourcePaper, names: Names, said: Said) -> list[Law]:
     finder = _MapFinder(paper, names, said)
     for item in finder.rows:
         known = {name for law in found for pair in law.images for name in pair}
-        if not {*finder.images([item]).values()} <= known:
-            if (law := finder.grown(item)) is not None:
-                found.append(law)
+        if {*finder.images([item]).values()} <= known or _follows(item, finder, found):
+            continue
+        if (law := finder.grown(item)) is not None:
+            found.append(law)
     return found
+
+
+def _follows(item: SourceStatement, finder: _MapFinder, maps: Sequence[Law]) -> bool:
+    """Whether an equation for images follows from a map before it: it sets up no other one.
+
+    It is derived, or it is for letters of that map, and no words before its display introduce it.
+    """
+    letters = {symbol(x).letter for law in maps for x, _ in law.images}
+    own = {symbol(x).letter for x in finder.images([item])}
+    if maps and cue("deduced", item.lead):
+        return True
+    introduced = cue("define", item.lead) or cue("another system", item.before)
+    return bool(own & letters) and (item.typed.inline or not introduced)
 
 
 class _MapFinder:
@@ -76,7 +91,8 @@ class _MapFinder:
 
     def _may_be_row(self, item: SourceStatement) -> bool:
         """Whether a statement may be an equation for images."""
-        if len(item.members) != 2 or item.derives or not self.images([item]):
+        images = {*self.images([item]).values()}
+        if len(item.members) != 2 or item.derives or not images & item.names:
             return False
         nodes = item.formula.nodes() if item.formula is not None else ()
         return not any(isinstance(node, Summation | PoissonBracket) for node in nodes)
@@ -130,12 +146,14 @@ def enter_maps(parts: Parts) -> None:
                 found = []
             law.solved = tuple(found)
             brackets = [*_brackets(law, known, suffix)]
-            found += _conjugates(law, known, suffix)
+            later = [*_later(law, found, known, suffix)]
+            found += [*_conjugates(law, known, suffix), *later]
             law.solved = tuple(found)
             for item in (*found, *brackets):
                 parts.places[item] = place
                 why = "follows from the map" if item in found else "the canonical bracket"
-                parts.enter(item, StatementRole(CONVENTION, why, "", item.printed.heads.names))
+                gives = () if item in later else item.printed.heads.names
+                parts.enter(item, StatementRole(CONVENTION, why, "", gives))
 
 
 def _solved(law: Law, known: Known, suffix: str) -> Iterator[SourceStatement]:
@@ -146,6 +164,44 @@ def _solved(law: Law, known: Known, suffix: str) -> Iterator[SourceStatement]:
     implicit = [one.printed for one in law.items if one not in law.given.values()]
     for number, tex in enumerate(solutions(scene, left, implicit), 1):
         yield unprinted(known.paper, f"image-{number}{suffix}", tex, law.first, "the map gives it")
+
+
+def _later(
+    law: Law, solved: Sequence[SourceStatement], known: Known, suffix: str
+) -> Iterator[SourceStatement]:
+    """What gives the images of images that the paper prints: the same equations, steps later."""
+    given = [one for one in (*law.items, *solved) if one.bare[:1] and len(one.members) == 2]
+    given = [one for one in given if one.members[0] == Name(one.bare[0])]
+    found = (_STEP.fullmatch(symbol(new).index) for _, new in law.images)
+    index = next((step[1] for step in found if step), "")
+    printed = {name for one in known.items for name in one.names}
+    for one in given if index else ():
+        last = max((_steps(n, one.bare[0], index) for n in printed), default=0)
+        for k in range(1, last + 1 if index not in one.names else 1):
+            tex = "=".join(to_latex(_shifted(member, index, k)) for member in one.members)
+            id = re.sub(r"\W+", "-", f"step-{k}-of-{one.bare[0]}{suffix}")
+            yield unprinted(known.paper, id, tex, law.first, "the map gives it, steps later")
+
+
+def _steps(name: str, image: str, index: str) -> int:
+    """By how many steps a name comes after an image of the same letter."""
+    one, other = symbol(name), symbol(image)
+    steps = [re.fullmatch(rf"{index}([+-]\d+)?", parts.index) for parts in (one, other)]
+    if replace(one, index="") != replace(other, index="") or not all(steps):
+        return 0
+    later, first = (int(step[1] or 0) for step in steps if step)
+    return later - first
+
+
+def _shifted(formula: Formula, index: str, k: int) -> Formula:
+    """A formula with all its steps a number of steps later."""
+    if not isinstance(formula, Name):
+        return formula.map_children(lambda child: _shifted(child, index, k))
+    parts = symbol(formula.name)
+    if not (step := re.fullmatch(rf"{index}([+-]\d+)?", parts.index)):
+        return formula
+    later = int(step[1] or 0) + k
+    return Name(replace(parts, index=f"{index}{later:+}" if later else index).name)
 
 
 def _conjugates(law: Law, known: Known, suffix: str) -> list[SourceStatement]:

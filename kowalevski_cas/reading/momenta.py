@@ -34,8 +34,9 @@ def find_momenta(
             )
             given = {other.bare[0] for other in others}
             own = [*_rows_of(name, rows, names)]
-            in_law = {names.whole(n) for row in own for n in row.names}
-            beside = (row for row in rows for at in own[:1] if at.section in row.sections)
+            own = own if any(not row.typed.inline for row in own) else []  # else it is claimed
+            beside = [row for row in rows for at in own[:1] if at.section in row.sections]
+            in_law = {names.whole(n) for row in beside for n in row.names}
             rated = {n for row in beside for n in names.scalars(row.rates)}
             inner = {names.whole(n) for n in one.members[1].names()}
             unknown = inner & in_law & {*names.vectors} - given

@@ -29,12 +29,13 @@ def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
                 listed = tuple(one.name for one in entries if isinstance(one, Name))
                 if len({*listed}) == len(entries):
                     found.setdefault(name, listed)
+    indices = range(1, 1 + (paper.period or 9))
     size = 3 if any(isinstance(node, CrossProduct) for node in nodes) else 0
     for name in sorted(paper.words.vectors - found.keys()):
         if along := _along_axes(name, names, size == 3):
             found[name] = along
     for name in paper.words.vectors:
-        printed = (k for k in range(1, 10) if symbol(name).component(k).name in names)
+        printed = (k for k in indices if symbol(name).component(k).name in names)
         size = max([size, *printed])
     sizes = {len(one) for one in found.values()} or {size or 3}
     for name in sorted(paper.words.vectors - found.keys()):

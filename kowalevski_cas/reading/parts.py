@@ -35,7 +35,7 @@ class Parts:
         self, paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] = ()
     ) -> None:
         self.paper, self.said = paper, said
-        self.laws = [*find_laws(paper, names, said, [*maps]), *maps]
+        self.laws = _in_order(find_laws(paper, names, said, [*maps]), maps)
         self.roles: dict[SourceStatement, StatementRole] = {}
         units: list[SourceStatement] = []
         own: list[list[Law]] = [[]]
@@ -176,6 +176,17 @@ class Parts:
         law = self.known[place].laws[0]
         here = law.first.section in item.sections
         return here and not self.named_apart[place] & {*scene.constants}
+
+
+def _in_order(laws: Sequence[Law], maps: Sequence[Law]) -> list[Law]:
+    """Laws of motion with maps among them; one in a section of its own has letters of its own."""
+    found = [*laws]
+    for one in maps:
+        if laws and all(law.first.section is not one.first.section for law in laws):
+            one.begins = one.first.section.start
+        later = (k for k, law in enumerate(found) if (law.begins or 0) > one.first.typed.start)
+        found.insert(next(later, len(found)), one)
+    return found
 
 
 def _supposed_kind(found: SourceStatement, known: Known) -> str:

@@ -2,7 +2,15 @@
 
 from __future__ import annotations
 
-from kowalevski_cas.notation import Constant, Derivative, Name, Number, PoissonBracket, Relation
+from kowalevski_cas.notation import (
+    Constant,
+    Derivative,
+    Name,
+    Number,
+    PoissonBracket,
+    Power,
+    Relation,
+)
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, Known, StatementRole
 from kowalevski_cas.reading.phrases import (
@@ -76,6 +84,26 @@ def claimed_set(item: SourceStatement, known: Known) -> StatementRole | None:
     if said := solved_by(item, "equilibrium"):
         return StatementRole(CLAIM, f"“{said}” are the solutions", "rest")
     return None
+
+
+def point(item: SourceStatement, known: Known) -> StatementRole | None:
+    """One of the equations of a display that gives a point, or a set, which words call at rest."""
+    said = cue("equilibrium", item.before)
+    if item.typed.inline or not said:
+        return None
+    display = [one for one in known.items if one.typed is item.typed]
+    if len(display) > 1 and all(_is_place(one, known) for one in display):
+        return StatementRole(CLAIM, f"“{said}” is given by it, with others", "rest")
+    return None
+
+
+def _is_place(item: SourceStatement, known: Known) -> bool:
+    """Whether a statement gives what moves, or its squares, by constants."""
+    fixed = [member for member in item.members if not known.varying(member.names())]
+    moving = [member for member in item.members if member not in fixed]
+    bases = [one.base if isinstance(one, Power) else one for one in moving]
+    letters = all(isinstance(one, Name) and known.moves(one.name) for one in bases)
+    return bool(fixed and moving) and letters and not item.derives
 
 
 def zero_set(item: SourceStatement, known: Known) -> StatementRole | None:

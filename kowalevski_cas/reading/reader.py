@@ -293,8 +293,9 @@ class _DerivationReader:
                 if letter != BRACKET and letter not in functions and (arguments or is_matrix):
                     functions[letter] = name
                     places[name] = item.printed
-        scalars = sorted({*scalars} - functions.keys())
-        scene = Scene("all names", vectors, (), tuple(scalars), definitions=places)
+        moving = {name for law in self.parts.laws for name in law.variables} & {*scalars}
+        scalars = sorted({*scalars} - functions.keys() - moving)
+        scene = Scene("all names", vectors, (*sorted(moving),), tuple(scalars), definitions=places)
         times = dict.fromkeys(clocks or ["t"])
         return {f"names-{time}": replace(scene, time=time) for time in times}
 

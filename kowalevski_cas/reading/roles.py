@@ -13,6 +13,7 @@ from kowalevski_cas.reading.definitions import (
     change,
     definition,
     law,
+    named_set,
     repeated,
     square,
     together,
@@ -35,6 +36,7 @@ from kowalevski_cas.reading.propositions import (
     claimed_set,
     identity,
     integral,
+    point,
     rate,
     solution,
     zero_set,
@@ -44,6 +46,15 @@ from kowalevski_cas.reading.suppositions import assumption, inequality, value
 
 _BELONGING = re.compile(r"\b(?:of|in|for|by|with|on)[\s~]*(?:the\s+)?(?:\w+\s+)?$")
 """How words end behind which something belongs to a name, and is spoken of itself."""
+
+_OF_MEASURE = re.compile(
+    r"\b(?:densit(?:y|ies)|measures?|volumes?|areas?|плотност\w+|мер[аыу]|объ[её]м\w*)[\s~]*$",
+    re.IGNORECASE,
+)
+"""Words right before the density of a measure, or a form."""
+_MAPSTO = re.compile(r"\([^()]*\)\s*\\mapsto\s*\([^()]*'\s*\)\s*(?:,|\.|$)")
+"""What is mapped to its image, which has primes: this says that there is a map."""
+_END_OF_PROOF = re.compile(r"\s*\\(?:(?:black)?square|Box|qed)\s*")
 
 Rule = Callable[[SourceStatement, Known], StatementRole | None]
 
@@ -56,9 +67,13 @@ def role_of(item: SourceStatement, known: Known) -> StatementRole:
 
 
 def unread(item: SourceStatement, known: Known) -> StatementRole | None:
-    """What cannot be read; what says over what an index runs is no statement."""
+    """What cannot be read; ranges of indices and marks at the end of proofs are no statements."""
     if is_range(item.typed):
         return StatementRole(NOTATION, "says over what an index runs")
+    if _END_OF_PROOF.fullmatch(item.typed.tex):
+        return StatementRole(NOTATION, "marks the end of a proof")
+    if _MAPSTO.match(item.typed.tex[item.typed.tex.find("(") :]) and item.trouble:
+        return StatementRole(DEFINITION, "says what a map takes to what")
     if is_ellipsis(item):
         return StatementRole(NOTATION, "stands for more of these")
     return StatementRole(UNREAD, item.trouble) if item.trouble else None
@@ -81,6 +96,9 @@ def expression(item: SourceStatement, known: Known) -> StatementRole | None:
             return role
         if setting := cue("another-law", item.words):
             return StatementRole(CLAIM, f"of a law that is not printed: “{setting}”", "another-law")
+        if measure := _OF_MEASURE.search(item.lead):
+            why = f"“{said}” is said of a measure: “{measure[0].strip()}”"
+            return StatementRole(CLAIM, why, "form")
         if _has_differentials(item, known):
             return StatementRole(CLAIM, f"“{said}” is said of a differential form", "form")
         return StatementRole(CLAIM, f"“{said}” is said of it", "integral")
@@ -147,8 +165,8 @@ def other(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 RULES: tuple[Rule, ...] = (
-    unread, expression, law, constraint, together, unit, bracket, unjudged, inequality, repeated,
-    change, claimed_set, solution, definition, square, assumption, value, approximate, rate,
-    zero_set, integral, identity, other,
+    unread, expression, named_set, law, constraint, together, unit, bracket, unjudged, inequality,
+    repeated, change, claimed_set, point, solution, definition, square, assumption, value,
+    approximate, rate, zero_set, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

@@ -21,7 +21,7 @@ from kowalevski_cas.notation import (
     read,
     to_latex,
 )
-from kowalevski_cas.notation.functions import FAMILY_OF, SIGN
+from kowalevski_cas.notation.functions import FAMILY_OF, FUNCTIONS, SIGN
 from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.amplitudes import conjugate_name, with_conjugates
@@ -196,6 +196,7 @@ class Stage:
         known = self.known
         below = {n for item in items for name in self._mentioned(item) for n in known.below(name)}
         moved = {*known.names.scalars(below)}
+        moved |= {x for law in known.laws for x, new in law.images if new in moved}
         moved = {name for name in moved if any(name in law.variables for law in known.laws)}
         before = [law for law in known.laws if law.first.typed.start <= at.typed.start]
         before = before or known.laws
@@ -218,10 +219,15 @@ class Stage:
         """A law as it is printed anew before, where the assumptions for that are not in force."""
         known = self.known
         cited, supposed = {*known.cited(at)}, {*known.supposed(at)}
+        if cited & law.printed:
+            return law
         for one in reversed(known.restated):
             new = {*one.items} - {*law.rows}
             if one.restates is law and max(item.order for item in new) < at.order:
                 special = {*known.special(one)}
+                of = {name for other in special - supposed for name in known.roles[other].names}
+                if any(of & {*known.roles[other].names} for other in supposed):
+                    return law  # other values are supposed here
                 if special and (not special <= supposed or new & cited):
                     return one
         return law
@@ -308,7 +314,7 @@ class Stage:
             taken |= {*arguments, *summation_indices(arguments), DELTA}
         clocks = {name for item in self.known.clocks for name in (item.other_time, "d")}
         taken |= {*closure.variables, "t"} | words.matrices | clocks
-        taken |= words.functions - words.scalars
+        taken |= (words.functions | FUNCTIONS) - words.scalars
         taken |= {"i"} if self.known.units else set()
         for name in self.known.names.scalars(sorted(closure.names)):
             if name not in taken and not name.startswith(BRACKET):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -25,6 +25,7 @@ from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue, cues
 from kowalevski_cas.reading.formulas import by_names, read_formula, vocabulary_of
 from kowalevski_cas.reading.index_ranges import period_in, with_ranges
+from kowalevski_cas.reading.named_sets import without_set_names
 from kowalevski_cas.reading.numbers import numbers_of
 from kowalevski_cas.reading.text import MARK, Prose, TextSection, references
 from kowalevski_cas.source.displays import TypedFormula
@@ -149,6 +150,8 @@ class SourcePaper:
     """The names with primes that are images of a map."""
     period: int = 0
     """By how much indices may be changed; 0 if they may not."""
+    sets: Mapping[int, str] = field(default_factory=dict)
+    """The names of sets, by the offsets of the formulas that print their equations."""
 
     @cached_property
     def alike(self) -> dict[Formula | None, list[SourceStatement]]:
@@ -238,7 +241,8 @@ class SourcePaper:
 def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> SourcePaper:
     """The statements of a source, read in the names that it uses, some of which are ``primed``."""
     expanded, typed = typed_formulas(source)
-    formulas = [*by_names(typed)]
+    named = [*without_set_names(typed)]
+    formulas = [*by_names([formula for formula, _ in named])]
     prose = Prose(expanded.text, expanded.body, formulas)
     words = vocabulary_of(formulas)
     words = replace(words, scalars=words.scalars | primed, moving=words.moving | primed)
@@ -277,8 +281,9 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
                 )
             )  # fmt: skip
     return SourcePaper(
-        source, prose, words, tuple(displays), tuple(items), lines, expanded, primed, period
-    )
+        source, prose, words, tuple(displays), tuple(items), lines, expanded, primed, period,
+        {formula.start: name for formula, name in named if name},
+    )  # fmt: skip
 
 
 class _Around:

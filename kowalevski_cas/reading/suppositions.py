@@ -7,6 +7,7 @@ import re
 from kowalevski_cas.notation import Name, Number, Relation, Vector
 from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.reading.cues import cue, last_cue
+from kowalevski_cas.reading.hypotheses import set_right_before
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, OTHER, Known, StatementRole
 from kowalevski_cas.reading.phrases import is_number, is_value, reach, reach_of_constants, supposing
 from kowalevski_cas.reading.statements import SourceStatement
@@ -110,6 +111,8 @@ def value(item: SourceStatement, known: Known) -> StatementRole | None:
     if len(item.members) != 2 or item.derives or not said or not item.typed.inline:
         return None
     left, right = item.members
+    if set_right_before(item, known):
+        return None  # it is said of the set
     if is_number([right]) and known.varying(left.names()) and not cue("invariant", item.words):
         return StatementRole(ASSUMPTION, f"“{said}” supposes it of what moves", reach(item))
     return None

@@ -236,7 +236,8 @@ class Findings:
 
 _AS_READ = (
     "What is “false as it was read” fails at the point that is given, as this program has read it. "
-    "It may be wrong, or be meant otherwise: it has no verdict."
+    "It may be wrong, or be meant otherwise: it has no verdict. A comment in the source can say "
+    "how it is meant, as the documentation shows."
 )
 
 _KEPT = " stands on it as well, and is true with either."

@@ -11,7 +11,7 @@ from kowalevski_cas.notation import NotationError, Vocabulary, defined_names, re
 from kowalevski_cas.notation.cursor import Cursor, is_known
 from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.open import independent
-from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.notation.symbol import STAR, symbol
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.source.displays import TypedFormula
@@ -116,8 +116,8 @@ def _independent(tex: str) -> list[str]:
 def _conjugates(names: Set[str], formulas: Iterable[TypedFormula]) -> Iterator[str]:
     """The names with a star that no formula defines, beside those without it."""
     for name in names:
-        plain = replace(symbol(name), star="").name
-        if plain != name and plain in names:
+        parts = symbol(name)
+        if parts.raised == STAR and replace(parts, raised="").name in names:
             if not any(name in _heads(formula.tex) for formula in formulas):
                 yield name
 

@@ -11,7 +11,7 @@ from kowalevski_cas.notation.cursor import Cursor
 from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.open import OpenParser
-from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.notation.symbol import STAR, symbol
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.paper.claims.forms import moving
 from kowalevski_cas.paper.differentials import differentials
@@ -184,8 +184,8 @@ def _raised(tokens: Sequence[Token]) -> Iterator[tuple[str, str]]:
 def check_stars(constants: Iterable[str], others: Container[str]) -> None:
     """Refuse a star by which a conjugate may be meant: it would be a constant."""
     for name in constants:
-        plain = replace(symbol(name), star="").name
-        if plain != name and plain in others:
+        plain = replace(symbol(name), raised="").name
+        if symbol(name).raised == STAR and plain in others:
             low = replace(symbol(plain), index="*").name
             raise ValueError(
                 rf"{name} is a constant here: print \overline{{{plain}}} for the conjugate of "

@@ -5,6 +5,7 @@ import random
 import pytest
 
 from kowalevski_cas.audit.reading import ReadingSession
+from kowalevski_cas.verify.outcome import Verdict
 from tests.laws.test_prints import FEW
 from tests.reading.test_reading import reading, verdicts
 from tests.sample import sampled
@@ -142,3 +143,49 @@ def test_what_is_no_closed_map_makes_nothing_green_or_red(law):
         rf"Consider the map {law} The function $x_n^2+y_n^2$ is an invariant of the map."
     )
     assert not any(v.green or v == "refuted" for v in found.values()), found
+
+
+GAUSS = r"\section{A recurrence} The map is given by \[ w_{m+1}=\frac{1+w_m}{w_{m-1}} . \] "
+
+
+def test_the_terms_of_a_sequence_are_those_of_the_map_steps_later():
+    found = verdicts(GAUSS + r"Then $w_{m+5}=w_m$, and $w_{m+4}=w_m$.")
+    assert found["w_{m+5}=w_m"].green and not found["w_{m+4}=w_m"].green
+
+
+def test_a_period_that_needs_a_value_is_conditional():
+    general = GAUSS.replace("1+", "b+") + r"If $b=1$, then $w_{m+5}=w_m$. "
+    assert verdicts(general)["w_{m+5}=w_m"] is Verdict.CONDITIONAL
+    assert not verdicts(general.replace("$b=1$", "$b=0$"))["w_{m+5}=w_m"].green
+
+
+QUADRATIC = r"\section{A map} Consider the map \[ u'=v,\qquad v'=-bu+v^2 . \] "
+
+
+@pytest.mark.parametrize(
+    ("claim", "green"),
+    [
+        (r"\frac{\partial(u',v')}{\partial(u,v)}=b", True),
+        (r"\frac{\partial(u',v')}{\partial(u,v)}=-b", False),
+        (r"du'\wedge dv'=b\,du\wedge dv", True),
+        (r"\frac{du'\,dv'}{b}=du\,dv", True),
+        (r"du'\,dv'=2b\,du\,dv", False),
+    ],
+)
+def test_a_jacobian_is_that_of_the_images(claim, green):
+    found = verdicts(QUADRATIC + rf"Then \[ {claim} . \]")
+    assert [one.green for one in found.values()] == [green]
+
+
+def test_a_measure_without_orientation_is_never_refuted():
+    found = verdicts(QUADRATIC + r"Then \[ du'\,dv'=-b\,du\,dv . \]")
+    assert [*found.values()] == [Verdict.UNDECIDED]
+
+
+def test_a_map_may_be_named_and_its_invariant_may_cite_it():
+    text = r"""\section{A map} Consider the map \begin{equation} g:(u,v)\mapsto(u',v'),\qquad u'=v,\qquad v'=-u \label{g} \end{equation}
+    The function \begin{equation} N(u,v)=u^2+v^2 \label{N} \end{equation} is an invariant of the map \eqref{g}: $N(u',v')=N(u,v)$."""
+    found = verdicts(text)
+    assert len(found) == 2 and all(one.green for one in found.values())
+    false = verdicts(text.replace("v'=-u", "v'=-2u"))
+    assert not any(one.green for one in false.values())

@@ -35,7 +35,23 @@ from kowalevski_cas.notation.symbol import (
 from kowalevski_cas.notation.typst import to_typst
 
 LETTERS = ("x", "q", r"\omega")
-INDICES = ("", "1", "12", "1,2", "*", r"\alpha", "x_1", "n", r"\mathrm{eff}", r"\mathbf{n}")
+INDICES = (
+    "",
+    "1",
+    "12",
+    "1,2",
+    "*",
+    "+",
+    "-",
+    "1+",
+    r"\alpha",
+    "x_1",
+    "n",
+    r"\mathrm{eff}",
+    r"\mathbf{n}",
+)
+RAISED_AS = {"": ("",), STAR: ("^*", "^{*}", r"^\ast"), "^+": ("^+", "^{+}"), "^-": ("^-", "^{-}")}
+"""How a sign may be raised on a letter."""
 TYPES = ("", *(font for font in FONTS if font != r"\mathrm"))
 """A single letter in upright type is the letter."""
 
@@ -45,7 +61,7 @@ symbols = st.builds(
     st.sampled_from(LETTERS),
     st.sampled_from(TYPES),
     accents,
-    st.sampled_from(["", STAR]),
+    st.sampled_from(["", STAR, "^+", "^-"]),
     st.sampled_from(INDICES),
 )
 
@@ -59,7 +75,7 @@ def prints(draw, parts):
     inner = ""
     index = parts.index if len(parts.index) == 1 else f"{{{parts.index}}}"
     low = f"_{index}" if parts.index else ""
-    star = draw(st.sampled_from(["^*", "^{*}", r"^\ast"])) if parts.star else ""
+    star = draw(st.sampled_from(RAISED_AS[parts.raised]))
     behind = draw(st.sampled_from([low + star, star + low]))
     if parts.accents and draw(st.booleans()):  # what stands behind, under the innermost accent
         inner, behind = behind, ""
@@ -90,7 +106,7 @@ def test_names_with_other_parts_are_other_names(one, other):
 def test_no_two_prints_of_two_names_are_read_as_one():
     marks = ("", r"\hat", r"\vec", r"\hat\tilde", r"\tilde\hat", r"\hat\hat")
     found = {}
-    for letter, font, mark, index, star in product(LETTERS[1:], TYPES, marks, INDICES, ("", "^*")):
+    for letter, font, mark, index, star in product(LETTERS[1:], TYPES, marks, INDICES, RAISED_AS):
         low = f"_{{{index}}}" if index else ""
         tex = f"{mark}{font}{{{letter}}}{low}{star}" if font else f"{mark} {letter}{low}{star}"
         assert found.setdefault(name_of(tex), tex) == tex
@@ -104,7 +120,7 @@ def test_two_names_are_printed_in_two_ways(printer):
         for font in TYPES
         if font not in (r"\boldsymbol", r"\mathscr") or printer is to_typst
         for accents in ((), *((accent,) for accent in DIACRITICS), DIACRITICS[:2])
-        for star, index, primes in product(("", STAR), ("", "1", "n"), ("", "'"))
+        for star, index, primes in product(RAISED_AS, ("", "1", "n", "+"), ("", "'"))
     ):
         assert found.setdefault(printer(Name(parts.name)), parts) == parts
 
@@ -172,7 +188,7 @@ spec = spec_from_file_location("kowalevski_cas.notation.decorations", sys.argv[1
 sys.modules[spec.name] = decorations = module_from_spec(spec)
 spec.loader.exec_module(decorations)
 decorations.ACCENTS[r"\breve"] = decorations.Accent("\u0306", "\u02d8", "breve({})")
-decorations.RAISED[r"\dagger"] = decorations.RaisedSign("\u2020", "dag")
+decorations.RAISED[r"\dagger"] = decorations.RaisedSign("\u2020", "\u2020", "dag")
 
 from kowalevski_cas.notation import Vocabulary, read, to_latex, to_plain
 from kowalevski_cas.notation.mathml import to_mathml

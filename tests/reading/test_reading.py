@@ -495,3 +495,24 @@ def test_a_derivative_at_a_letter_of_the_definition_is_not_judged(body, value):
     law = r"The equations are \[ \dot q=p,\qquad \dot p=-cq,\qquad \dot r=r. \] "
     given = rf"Put $k=c$. The potential is $V(q)={body}$. Its derivative is $V'(c)={value}$."
     assert not any(verdict.green for verdict in verdicts(law + given).values())
+
+
+@pytest.mark.parametrize(
+    "words", ["the measure with the density", "мера с плотностью", "the volume"]
+)
+def test_a_measure_that_is_preserved_is_no_constant_function(words):
+    """The function is no integral, and the measure with this density is preserved all the same."""
+    text = r"The motion is \[\dot x=xy,\qquad \dot y=-y^2.\] "
+    preserved = {
+        f.role.kind for f in reading(text + rf"Hence {words} $xy^2$ is preserved.").formulas
+    }
+    assert "form" in preserved and "integral" not in preserved
+    constant = {
+        f.role.kind for f in reading(text + r"Hence the function $xy$ is preserved.").formulas
+    }
+    assert "integral" in constant
+
+
+def test_a_formula_with_nothing_in_it_is_no_ellipsis():
+    found = reading(TOP + r"Nothing stands in $\quad$.")
+    assert [f.role.name for f in found.formulas].count(LAW) == 3

@@ -1,0 +1,43 @@
+"""Matrices that are given by their elements, and their commutators."""
+
+import pytest
+
+from kowalevski_cas.reading import CLAIM, LAW, UNREAD
+from tests.reading.test_reading import reading, roles, verdicts
+
+TURN = r"""The motion is \[\dot x=y,\qquad \dot y=-x.\] Let $S$ be the matrix with the elements
+$S_{11}=x$, $S_{22}=-x$, $S_{12}=y$, $S_{21}=y$, and \[ R=\begin{pmatrix}0&\frac12\\-\frac12&0\end{pmatrix} . \] """
+
+
+@pytest.mark.parametrize(
+    ("claim", "green"),
+    [
+        (r"\dot S=[R,S]", True),
+        (r"\dot S=[S,R]", False),
+        (r"\dot S=[R,S+R]", True),
+        (r"\dot S=[R,2S]", False),
+    ],
+)
+def test_the_matrix_of_elements_stands_in_a_commutator(claim, green):
+    found = verdicts(TURN + rf"Then \[{claim} .\]")
+    assert [one.green for one in found.values()] == [green]
+
+
+def test_a_letter_with_numbers_is_no_matrix_where_an_element_is_missing():
+    text = TURN.replace(", $S_{21}=y$", "") + r"Then \[\dot S=[R,S] .\]"
+    assert not any(one.green for one in verdicts(text).values())
+
+
+def test_a_list_in_brackets_is_no_commutator():
+    text = (
+        r"The motion is \[\dot x=y,\qquad \dot y=-x.\] The time lies in $[A,B]$, where $A_{11}=1$."
+    )
+    found = {f.item.typed.tex: f.role.name for f in reading(text).formulas}
+    assert found["[A,B]"] in (UNREAD, "other") and CLAIM not in found.values()
+
+
+def test_another_value_of_a_variable_is_no_change_of_variables():
+    text = r"The motion is \[\dot u=v,\qquad \dot v=-u.\] If it starts with $u=V$, it comes to $u=\frac{1-b}{1+b}V$."
+    found = reading(text)
+    assert len(found.parts.laws) == 1
+    assert [*roles(text).values()].count(LAW) == 2
