@@ -54,10 +54,14 @@ def _fate(verdicts: Sequence[Verdict]) -> str:
 def _statement(phrases: Phrases, outcome: Outcome) -> Judgement:
     """A statement with its sign, where it holds, and a link to its place."""
     sufficient = _where(phrases, [one for one in outcome.conditions if not one.witness])
-    needed = phrases.where(one for one in outcome.conditions if one.witness)
+    lacking = [one for one in outcome.conditions if one.witness]
+    needed = phrases.where(lacking)
+    without = "the differentials of its equations are dependent somewhere"
+    if not all(one.singular for one in lacking):
+        without = "it is false"
     valid: Text = (", where ", *sufficient, " (elsewhere nothing is proved)") if sufficient else ()
     if needed:
-        valid += (", and " if sufficient else ", where ", *needed, " (without which it is false)")
+        valid += (", and " if sufficient else ", where ", *needed, f" (without which {without})")
     words = phrases.words(outcome.words.rstrip("."))
     return Judgement(
         shown_as(outcome), "", (*phrases.links([outcome.claim]), ": ", *words, *valid, ".")
