@@ -151,7 +151,7 @@ def check_words(tex: str) -> None:
 
 
 def check_raised(tex: str) -> None:
-    """Refuse letters that are raised to 1, or to what runs: they are indices, or may be.
+    """Refuse letters that are derived and raised to 1, or raised to what runs: they have indices.
 
     Of a sum that is a polynomial, as of x^i, only a letter that has indices below elsewhere may be
     meant so, or a coordinate q beside p_i.
@@ -160,7 +160,8 @@ def check_raised(tex: str) -> None:
     summed = {one[1] for one in _SUMMED.finditer(tex)}
     for letter, raised in _raised(scan(tex)):
         low = f"{letter}_{raised}"
-        if raised == "1":
+        derived = rf"(?:dot|d)\s*\{{?\s*{re.escape(letter)}\s*\}}?\s*\^"
+        if raised == "1" and re.search(derived, tex):
             raise ValueError(f"{letter}^1 is no power: print the index below, as {low}")
         others = (letter, _MOMENTA.get(letter, letter))
         beside = any(f"{one}_" in re.sub(r"[\s{}]", "", tex) for one in others)
