@@ -201,7 +201,7 @@ class Contents:
             valid = (
                 " “Valid for ", nonzero(divided[0]), "” means that the formula, or a definition "
                 "or equation that it uses, has this denominator: it is proved wherever this does "
-                "not vanish, and elsewhere nothing is proved.",
+                "not vanish, and elsewhere nothing is proved here.",
             )  # fmt: skip
         if self.findings.missing:
             valid = (*valid, _WITHOUT, _SINGULAR if self.findings.singular else "", ".")
