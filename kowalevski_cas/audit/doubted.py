@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 
 from kowalevski_cas.audit.audited import OPEN, Audited
-from kowalevski_cas.reading import CLAIM, Reading
+from kowalevski_cas.paper.transcendental import PI
+from kowalevski_cas.reading import CLAIM, JudgedStatement, Reading
+from kowalevski_cas.reading.known import Known
 from kowalevski_cas.reading.oddities import oddities
 from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.outcome import FALSE_AS_READ, Correction, Outcome, Verdict, in_latex
@@ -32,6 +34,24 @@ def repairs_of_doubted(
     blame = Blame(session.decider.corrector, verdicts, known, SECONDS)
     found = correct_together(session, suspected, blame)
     return {one.claim: one.correction for one in found if one.correction is not None}
+
+
+def how_read(formula: JudgedStatement, known: Known) -> str:
+    """That a claim is false as it was read, and which of its letters were taken as free.
+
+    These are constants that no equation defines or supposes anything of, and no law has: any value
+    may stand for them. The number π is none of them, though it has no value either.
+    """
+    assert formula.claim is not None
+    supposed = {name for one in formula.on for name in one.names}
+    untied = known.untied(formula.claim.scene.constants)
+    free = [name for name in untied if name not in supposed | {PI}]
+    if not free:
+        return FALSE_AS_READ
+    names = " and ".join(filter(None, [", ".join(f"${n}$" for n in free[:-1]), f"${free[-1]}$"]))
+    was, them = ("was", "it") if len(free) == 1 else ("were", "them")
+    ties = f" or ties {them} to the motion" if known.laws else ""
+    return f"{FALSE_AS_READ}: {names} {was} taken as free, since no equation defines {them}{ties}"
 
 
 def is_false_as_read(outcome: Outcome) -> bool:

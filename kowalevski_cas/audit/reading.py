@@ -16,7 +16,7 @@ from kowalevski_cas.audit.audited import GIVEN, OPEN, UNREADABLE, Audited
 from kowalevski_cas.audit.author import AuthorSession
 from kowalevski_cas.audit.causes import Causes
 from kowalevski_cas.audit.describe import Describer
-from kowalevski_cas.audit.doubted import point_at, repairs_of_doubted
+from kowalevski_cas.audit.doubted import how_read, is_false_as_read, point_at, repairs_of_doubted
 from kowalevski_cas.audit.places import Correspondence
 from kowalevski_cas.limits import time_limit
 from kowalevski_cas.notation import Edit, Formula, Name, Negative, Number, Power, Relation, edits
@@ -91,12 +91,16 @@ class ReadingSession:
         self._mend(found)
         self._doubt(found)
         self.repairs = repairs_of_doubted(self._session, found, self.causes.places)
-        return {
-            id: outcome._replace(verdict=Verdict.UNDECIDED)
-            if outcome.verdict is Verdict.ERROR
-            else outcome
-            for id, outcome in found.items()
-        }
+        return {id: self._told(outcome) for id, outcome in found.items()}
+
+    def _told(self, outcome: Outcome) -> Outcome:
+        """An outcome as it is told: no error, and with the letters that were taken as free."""
+        if outcome.verdict is Verdict.ERROR:
+            return outcome._replace(verdict=Verdict.UNDECIDED)
+        if is_false_as_read(outcome):
+            formula = self.claiming[outcome.claim]
+            return outcome._replace(message=how_read(formula, self.reading.parts.of(formula.item)))
+        return outcome
 
     def _run(self, session: Session, causes: Causes, only: Sequence[str] = ()) -> Run:
         """The run of a session; what a wrong unit spoils is not corrected otherwise."""

@@ -269,10 +269,7 @@ def _has_constant(item: SourceStatement, rung: Rung, known: Known) -> bool:
 
     So :math:`\dot\theta^2=4(k^2-\sin^2\frac\theta2)` holds for the k of this motion.
     """
-    mentioned = {name for law in known.laws for name in known.names.scalars(law.mentions)}
-    below = {name for own in mentioned for name in known.names.scalars(known.below(own))}
-    own = {*rung.claim.scene.constants} - mentioned - below
-    return known.roles[item].kind == "identity" and bool(own)
+    return known.roles[item].kind == "identity" and bool(known.untied(rung.claim.scene.constants))
 
 
 def _has_case(

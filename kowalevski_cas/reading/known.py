@@ -196,6 +196,12 @@ class Known:
         own = (one for one in self.names.vectors if symbol(one).without_type.name == name)
         return any(self.is_defined(one) or self.moves(one) for one in own)
 
+    def untied(self, constants: Iterable[str]) -> list[str]:
+        """The constants that no law has, and nothing for which a name of a law stands."""
+        mentioned = {name for law in self.laws for name in self.names.scalars(law.mentions)}
+        below = {name for own in mentioned for name in self.names.scalars(self.below(own))}
+        return [name for name in constants if name not in mentioned | below]
+
     def varies(self, name: str) -> bool:
         """Whether a name moves, or stands for something that does."""
         return any(map(self.moves, self.below(name)))

@@ -201,11 +201,10 @@ class Contents:
             valid = (
                 " “Valid for ", nonzero(divided[0]), "” means that the formula, or a definition "
                 "or equation that it uses, has this denominator: it is proved wherever this does "
-                "not vanish, and elsewhere nothing is proved.",
+                "not vanish, and elsewhere nothing is proved here.",
             )  # fmt: skip
         if self.findings.missing:
-            valid = (*valid, " A missing hypothesis cannot be left out: a point is given where "
-                "the statement fails without it.")  # fmt: skip
+            valid = (*valid, _WITHOUT, _SINGULAR if self.findings.singular else "", ".")
         names = self.phrases.names.values()
         ours = next((name.number for name in names if not name.number.startswith("(")), "")
         if ours and any(name.number.startswith("(") for name in names):
@@ -257,6 +256,13 @@ class Contents:
 
 _JUDGED: Final = (
     "Only formulas and the statements below were judged: no other sentence, and no picture."
+)
+
+_WITHOUT: Final = " Without a missing hypothesis the statement fails at the point that is given"
+
+_SINGULAR: Final = (
+    "; of a manifold, what fails there is that the differentials of its equations are independent, "
+    "by which it is proved, and whether it is one all the same is not said"
 )
 
 _ORIGINS: Final = {

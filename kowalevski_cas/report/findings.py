@@ -96,6 +96,12 @@ class Findings:
                     found.setdefault(condition.expression, []).append((outcome.claim, condition))
         return found
 
+    @property
+    def singular(self) -> bool:
+        """Whether a set is no manifold by its equations alone where a hypothesis is missing."""
+        needed = (one for several in self.missing.values() for one in several)
+        return any(condition.singular for _, condition in needed)
+
     @cached_property
     def open(self) -> tuple[Outcome, ...]:
         """What is neither proved nor refuted, though it can be read."""
@@ -148,9 +154,9 @@ class Findings:
             yield Heading((capital(many),), "hypotheses", 2)
             for needing in self.missing.values():
                 reasons = group_alike(needing, lambda condition: condition.words)
-                said = tuple(self._reason(claims, condition) for claims, (condition, *_) in reasons)
+                said = (b for claims, (one, *_) in reasons for b in self._reason(claims, one))
                 head: Text = ("We need ", *violates_no(needing[0][1]), ".")
-                yield Judgement(Verdict.CONDITIONAL, "", head, blocks=said)
+                yield Judgement(Verdict.CONDITIONAL, "", head, blocks=tuple(said))
 
     def _misprint(self, slip: Slip) -> Judgement:
         first, correction = slip[0], slip[0].correction
@@ -177,8 +183,15 @@ class Findings:
             kept = self.phrases.links(correction.others)
             shown.append(Paragraph((*kept, _KEPT if len(correction.others) == 1 else _ALL_KEPT)))
         if first.counterexample:
-            shown.append(Paragraph(self.why(first), "note"))
+            failing = self._failing(first) if correction.blamed else ()
+            shown.append(Paragraph((*failing, *self.why(first)), "note"))
         return Judgement(None, "", head, blocks=tuple(shown))
+
+    def _failing(self, outcome: Outcome) -> Text:
+        """That a statement fails by a misprint in another formula, and what it says."""
+        named = self.phrases.links([outcome.claim])
+        shown = (", ", *outcome.formulas, ",") if len(outcome.formulas) == 1 else ()
+        return (*capitalise(named), *shown, " fails with the print. ")
 
     def why(self, refuted: Outcome) -> Text:
         """The two values at a point, and what the one side is of the other where this is short."""
@@ -210,18 +223,21 @@ class Findings:
         head = (*head, *self.phrases.correct(correction))
         return Judgement(outcome.verdict, "", head, blocks=tuple(shown))
 
-    def _reason(self, claims: Sequence[str], condition: Condition) -> Paragraph:
-        """What some claims say, and what happens without the hypothesis."""
+    def _reason(self, claims: Sequence[str], condition: Condition) -> Iterator[Paragraph]:
+        """What some claims say, what happens without the hypothesis, and a point where it does."""
         said: Text = ()
         for outcome in self.lacking:
             if outcome.claim in claims:
                 said = (*said, *self.phrases.link(outcome.claim, outcome.words), " ")
-        return Paragraph((*said, *self.phrases.sentence(condition.words)))
+        yield Paragraph((*said, *self.phrases.sentence(condition.words)))
+        if condition.witness is not None:
+            yield Paragraph(self.phrases.values(condition.witness), "note")
 
 
 _AS_READ = (
     "What is “false as it was read” fails at the point that is given, as this program has read it. "
-    "It may be wrong, or be meant otherwise: it has no verdict."
+    "It may be wrong, or be meant otherwise: it has no verdict. A comment in the source can say "
+    "how it is meant, as the documentation shows."
 )
 
 _KEPT = " stands on it as well, and is true with either."
@@ -267,10 +283,10 @@ def _has_others(outcome: Outcome) -> bool:
 
 
 def _is_rate(outcome: Outcome) -> bool:
-    """Whether what stands on the left of a claim is a rate, which its author prints with a dot."""
+    """Whether a derivative along the motion stands on the left of a claim."""
     match outcome.formulas:
         case (Relation((left, *_)),):
-            return any(isinstance(one, Derivative) and one.mark == "dot" for one in left.nodes())
+            return any(isinstance(one, Derivative) for one in left.nodes())
     return False
 
 

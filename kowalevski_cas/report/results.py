@@ -12,6 +12,7 @@ from kowalevski_cas.report.marks import MARKS, shown_as
 from kowalevski_cas.report.sentences import (
     Phrases,
     capital,
+    capitalise,
     count_in_words,
     in_words,
     list_in_words,
@@ -54,14 +55,21 @@ def _fate(verdicts: Sequence[Verdict]) -> str:
 def _statement(phrases: Phrases, outcome: Outcome) -> Judgement:
     """A statement with its sign, where it holds, and a link to its place."""
     sufficient = _where(phrases, [one for one in outcome.conditions if not one.witness])
-    needed = phrases.where(one for one in outcome.conditions if one.witness)
-    valid: Text = (", where ", *sufficient, " (elsewhere nothing is proved)") if sufficient else ()
-    if needed:
-        valid += (", and " if sufficient else ", where ", *needed, " (without which it is false)")
-    words = phrases.words(outcome.words.rstrip("."))
-    return Judgement(
-        shown_as(outcome), "", (*phrases.links([outcome.claim]), ": ", *words, *valid, ".")
+    lacking = [one for one in outcome.conditions if one.witness]
+    needed = phrases.where(lacking)
+    without = "the differentials of its equations are dependent somewhere"
+    if not all(one.singular for one in lacking):
+        without = "it is false"
+    valid: Text = (
+        (", where ", *sufficient, " (elsewhere nothing is proved here)") if sufficient else ()
     )
+    if needed:
+        valid += (", and " if sufficient else ", where ", *needed, f" (without which {without})")
+    name, words = phrases.names.get(outcome.claim), outcome.words.rstrip(".")
+    said: Text = (*phrases.links([outcome.claim]), ": ", *phrases.words(words))
+    if name is not None and not name.number.startswith("("):  # its words say where it stands
+        said = capitalise(phrases.words(words))
+    return Judgement(shown_as(outcome), "", (*said, *valid, "."))
 
 
 def _where(phrases: Phrases, conditions: Sequence[Condition]) -> Text:

@@ -8,6 +8,7 @@ from types import MappingProxyType
 from typing import Final, TypeVar
 
 from kowalevski_cas.notation import (
+    Application,
     Formula,
     Name,
     Negative,
@@ -19,8 +20,10 @@ from kowalevski_cas.notation import (
     equal,
     read_prose,
     split_display,
+    to_plain,
 )
-from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.paper.texts import Display, Printed
+from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.report.document import Code, Emphasis, Inline, Link, Text, anchor
 from kowalevski_cas.report.places import ClaimName, PaperSection
 from kowalevski_cas.verify.outcome import (
@@ -34,6 +37,9 @@ from kowalevski_cas.verify.outcome import (
 T = TypeVar("T")
 
 ZERO: Final = Number(0)
+
+LONG: Final = 80
+"""The most signs of a definition that is shown within a sentence."""
 
 _NOTHING: Final[Mapping[str, str]] = MappingProxyType({})
 
@@ -280,11 +286,15 @@ class Phrases:
     def _printed(self, place: Printed) -> Text:
         """What a formula is called by the number of its display; nothing if that has none."""
         several = len(split_display(place.display.tex)) > 1
-        label = self.displays.get(place.display.id, place.display.label)
-        link: Text = (Link(self.labels[label], (label,)) if label in self.labels else label,)
+        link = self._number_of(place.display)
+        return (f"formula {place.number} of ", *link) if several and link else link
+
+    def _number_of(self, display: Display) -> Text:
+        """The number of a display, with a link to it; nothing if it has none."""
+        label = self.displays.get(display.id, display.label)
         if not label:
             return ()
-        return (f"formula {place.number} of ", *link) if several else link
+        return (Link(self.labels[label], (label,)) if label in self.labels else label,)
 
     def where(self, conditions: Iterable[Condition]) -> Text:
         """What several conditions say."""
@@ -310,12 +320,24 @@ class Phrases:
         said: Text = (f"the left side{how} is ", found.left, ", the right side ", found.right)
         if found.words:
             said = self.words(found.words)
-        return capitalise((*self.at(found.point), *said, "."))
+        return (*capitalise((*self.at(found.point), *said, ".")), *self._defined(found))
+
+    def _defined(self, found: Counterexample) -> Text:
+        """By which definitions values are computed: what is long by the number of its display."""
+        items: list[Text] = []
+        for formula, place in found.defined:
+            label = self._number_of(place.display)
+            if len(to_plain(formula)) <= LONG:
+                items.append((formula,))
+            elif label and isinstance(formula, Relation):
+                items.append((formula.members[0], " as in ", *label))
+        return (" Here ", *list_in_words(items), ".") if items else ()
 
     @staticmethod
     def at(at: PrintedPoint) -> Text:
         """``At`` and the coordinates of a point, one by one; of many zeros, that all else is 0."""
         values = {name: value for name, value in at.values.items() if name != value}
+        numbers = {name: values.pop(name) for name in [*values] if _is_number(name)}
         zeros = [name for name, value in values.items() if value == ZERO]
         rest = len(zeros) < len(values) and len(zeros) > 3
         items: list[Text] = []
@@ -326,4 +348,15 @@ class Phrases:
                 items.append((equal(name, value),))
         if rest:
             items.append(("the other variables ", ZERO))
-        return ("At ", *list_in_words(items, ", "), ": ") if items else ()
+        here: Text = ("At ", *list_in_words(items, ", ")) if items else ()
+        for name, value in numbers.items():
+            here += (", with " if here else "With ", value, " in place of ", name, _ANY_NUMBER)
+        return (*here, ": ") if here else ()
+
+
+def _is_number(name: Formula) -> bool:
+    r"""Whether a name of a point is no coordinate but a number, as :math:`\pi` is."""
+    return name.names() <= {PI} and (PI in name.names() or isinstance(name, Application))
+
+
+_ANY_NUMBER: Final = " (any number may stand for it: no algebraic equation of it is known)"

@@ -110,7 +110,7 @@ def _falsehood(phrases: Phrases, outcome: Outcome) -> Judgement:
     """What is false, the point that shows it, and what is true in its place."""
     words, found = phrases.words(outcome.words.rstrip(".")), outcome.counterexample
     said = (*capitalise(phrases.found([outcome.claim])), *((": “", *words, "”") if words else ()))
-    why = phrases.values(found) if found else ()
+    why = phrases.values(found._replace(defined=())) if found else ()
     if _length(why) > LONGEST:
         why = ()
     correct = phrases.correct(outcome.correction) if outcome.correction else ()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from kowalevski_cas.notation import (
     Application,
@@ -48,6 +48,9 @@ SHORT = 160
 OF_BRACKETS = ("Casimir", "Involution", "Jacobi", "LiouvilleIntegrable")
 """The kinds of claims that are about Poisson brackets."""
 
+ORDINALS = ("first", "second", "third")
+"""The components of a vector in space."""
+
 MANY = "infinitely many"
 """How many solutions there are on a circle."""
 
@@ -55,8 +58,26 @@ MANY = "infinitely many"
 def counterexample(
     statement: Statement, denial: Denial, accepted: Accepted
 ) -> Counterexample | None:
-    """The point at which a denied goal fails, with the two values there."""
-    return against(statement, statement.goals[denial.goal], denial.evidence, accepted)
+    """The point at which a denied goal fails, with the two values there, and what they are of."""
+    found = against(statement, statement.goals[denial.goal], denial.evidence, accepted)
+    return None if found is None else found._replace(defined=tuple(_definitions(statement)))
+
+
+def _definitions(statement: Statement) -> Iterator[tuple[Formula, Printed]]:
+    """The printed definitions of the names in a claim, and of the names in these, each once."""
+    scene, texts = statement.claim.scene, statement.on.texts
+    vector = {part: name for name, parts in scene.vectors.items() for part in parts}
+    waiting = [*statement.claim.formulas(texts)]
+    seen = {*statement.claim.shown()}
+    if scene.clock and any(isinstance(n, Derivative) for f in waiting for n in f.nodes()):
+        yield texts.formula(scene.clock), scene.clock
+    for formula in waiting:
+        for name in dict.fromkeys(node.name for node in formula.nodes() if isinstance(node, Name)):
+            place = scene.definitions.get(name) or scene.definitions.get(vector.get(name, ""))
+            if place is not None and place not in seen:
+                seen.add(place)
+                waiting.append(texts.formula(place))
+                yield waiting[-1], place
 
 
 def against(
@@ -122,11 +143,12 @@ def _words(
     order = 0
     while isinstance(left, Derivative):
         left, order = left.argument, order + 1
-    if order and right == Number(0):
+    component = _component(goal, place)
+    if order and _is_zero(right):
         which = ("", "second ", "third ")[min(order, 3) - 1]
         of = to_latex(left)
         whose = f" of ${of}$" if len(of) < SHORT else " of a given function" if goal.given else ""
-        return f"the {which}derivative{whose} along the motion is ${value}$, not $0$"
+        return f"{component}the {which}derivative{whose} along the motion is ${value}$, not $0$"
     if statement.claim.is_kind(*OF_BRACKETS):
         if not order:
             return f"a bracket is ${value}$, not $0$"
@@ -141,16 +163,11 @@ def _words(
     what = f" of {number}${sides}${',' * bool(number)}" if not order and len(sides) < SHORT else ""
     if not goal.given:
         printed = statement.claim.formulas(statement.on.texts)
-        said = {
-            member
-            for formula in printed
-            if isinstance(formula, Relation)
-            for member in formula.members
-        }
-        if said & {left, right} or not what:
+        said = {m for one in printed if isinstance(one, Relation) for m in one.members}
+        what = "" if said & {left, right} else what
+        if not component + what:
             return ""
-    against = "not $0$" if right == Number(0) else f"the right side ${other}$"
-    words = f"the left side{what} is ${value}$, {against}"
+    words = f"{component}the left side{what} is ${value}$, {_other(right, other, component)}"
     if statement.claim.is_kind("CriticalSet"):
         surface = to_latex(equal(*(printed_formula(side, setting) for side in goal.given[-1])))
         return f"{words}, though this is a critical point on ${surface}$"
@@ -162,6 +179,27 @@ def _failing_equation(goal: Follows, place: PointEvaluation) -> tuple[Formula, F
     return next(
         sides for sides in goal.conclusions[-1] if not place.vanish(place.at.differences((sides,)))
     )
+
+
+def _other(right: Formula, value: str, component: str) -> str:
+    """What the other side is, of which perhaps a component is named before."""
+    if _is_zero(right):
+        return "not $0$"
+    return f"{'that of ' * bool(component)}the right side ${value}$"
+
+
+def _is_zero(formula: Formula) -> bool:
+    """Whether a side is zero, or a vector of zeros."""
+    return formula == ZERO or (isinstance(formula, Vector) and {*formula.components} == {ZERO})
+
+
+def _component(goal: Follows, place: PointEvaluation) -> str:
+    """Which component of a printed equation between vectors does not hold at a point."""
+    pairs = place.at.pairs((_failing_equation(goal, place),))
+    if not 1 < len(pairs) <= len(ORDINALS):
+        return ""
+    differ = (not place.vanish([one - other]) for one, other in pairs)
+    return f"the {ORDINALS[[*differ].index(True)]} component of "
 
 
 def _number(statement: Statement, sides: tuple[Formula, Formula]) -> str:

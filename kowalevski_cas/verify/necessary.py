@@ -127,4 +127,4 @@ def _where_it_is_singular(
     dimension = dimension_at(level, there, PointEvaluation(finder_of(level.space), Point(at_point)))
     if dimension is not None:
         words += f"; there the set has dimension {dimension}, which is computed, not certified"
-    return Condition(formula, words, witness)
+    return Condition(formula, words, witness, singular=True)

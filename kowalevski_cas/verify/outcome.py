@@ -70,13 +70,15 @@ class Counterexample(NamedTuple):
     """An exact point on the constraints where the statement fails.
 
     ``left`` and ``right`` are the two values there; ``words`` says what fails
-    when they are not the two sides of the equation that is claimed.
+    when they are not the two sides of the equation that is claimed. By what is ``defined`` at
+    these places they are computed from the coordinates.
     """
 
     point: PrintedPoint
     left: Value
     right: Value
     words: str = ""
+    defined: tuple[tuple[Formula, Printed], ...] = ()
 
 
 class Screened(NamedTuple):
@@ -92,13 +94,15 @@ class Screened(NamedTuple):
 class Condition(NamedTuple):
     """An expression assumed non-zero, and what happens where it vanishes.
 
-    ``zeros`` are equations that hold together exactly there, where these say it better.
+    ``zeros`` are equations that hold together exactly there, where these say it better. Where it is
+    ``singular``, the differentials of a set are dependent there, by which it may be no manifold.
     """
 
     expression: Formula
     words: str
     witness: Counterexample | None = None
     zeros: tuple[Formula, ...] = ()
+    singular: bool = False
 
 
 class ReportedStep(NamedTuple):

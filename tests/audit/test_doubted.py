@@ -85,6 +85,24 @@ def test_what_should_define_a_name_is_named_where_nothing_does(defining, words):
     assert any("x-2-y-2" in name for name in found.causes)
 
 
+@pytest.mark.parametrize(
+    ("stated", "free"),
+    [
+        (r"x\cos\psi=y+z", r"$\psi$ was taken as free, since no equation defines it or ties it"),
+        (r"x\sin\psi=\pi\rho", r"$\psi$ and $\rho$ were taken as free"),
+        (r"x^2+y=\kappa\pi", ""),
+        ("x^2+y=z", ""),
+    ],
+)
+def test_letters_are_named_that_nothing_ties_to_the_motion(stated, free):
+    """What the law has, or what is supposed, is tied, and π is a number."""
+    law = LAW.replace("y,", r"\kappa y,") + r"Denote by $\psi$ an angle and by $\rho$ a length. "
+    text = rf"{law}At some moment \begin{{equation}}\label{{here}}{stated}.\end{{equation}}"
+    message = claim(audited(text), "here").message
+    assert message.startswith(FALSE_AS_READ) and free in message
+    assert bool(free) == ("taken as free" in message)
+
+
 def test_an_equation_of_motion_is_named_where_a_name_moves_by_two():
     law = LAW.replace(r"\dot z=0", r"\dot y=0")
     found = claim(

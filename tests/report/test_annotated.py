@@ -7,7 +7,7 @@ import pytest
 
 from kowalevski_cas.audit.audit import audit
 from kowalevski_cas.audit.reading import ReadingSession, audit_reading
-from kowalevski_cas.cli import main
+from kowalevski_cas.cli import main, plain
 from kowalevski_cas.reading import read
 from kowalevski_cas.report.annotated import annotate
 from kowalevski_cas.report.document import (
@@ -236,6 +236,37 @@ def test_a_claim_that_two_misprints_spoil_is_shown_as_spoiled_and_names_both() -
     assert numbers == [["(2)", "(4)", "(6)"], ["(3)", "(5)", "(6)"]]
     (legend,) = (b for b in document.blocks if "only because another" in said(b))
     assert Sign(Verdict.REFUTED) in legend.text and Sign(SPOILED) in legend.text
+
+
+OSCILLATOR = r"""\begin{document}A body obeys
+\begin{equation}\dot{\mathbf q}=\mathbf v,\quad\dot{\mathbf v}=-c\,\mathbf q.\end{equation}"""
+
+
+def told(text: str) -> list[str]:
+    """What the page of a source says in its first blocks and below its formulas, line by line."""
+    found = audit_reading(ReadingSession(read(decode("paper.tex", text.encode())), timeout=20))
+    return [*plain.lines(b for b in annotate(found).blocks if isinstance(b, Judgement | Paragraph))]
+
+
+def test_a_statement_that_fails_by_a_misprint_elsewhere_is_named_before_its_point() -> None:
+    text = rf"""{OSCILLATOR} Let \begin{{equation}}E=\mathbf v^2+\frac{{c\,\mathbf q^2}}2.\end{{equation}}
+        Then \begin{{equation}}\dot E=0.\end{{equation}}\end{{document}}"""
+    said = " ".join(map(str.strip, told(text)))
+    assert "(3), Ė = 0, fails with the print. At " in said
+    assert "the derivative of E along the motion is " in said
+
+
+@pytest.mark.parametrize(
+    ("claim", "words"),
+    [
+        (r"\dot{\mathbf G}=0", "the first component of the derivative of 𝐆 along the motion is "),
+        (r"\dot{\mathbf G}=2\mathbf v", "the first component of the left side is "),
+    ],
+)
+def test_a_component_is_named_that_fails(claim: str, words: str) -> None:
+    text = rf"""{OSCILLATOR} Let $\mathbf G=\mathbf q\times\mathbf v+\mathbf v$. Then
+        \begin{{equation}}{claim}.\end{{equation}}\end{{document}}"""
+    assert words in " ".join(map(str.strip, told(text)))
 
 
 def test_of_a_display_that_is_not_read_every_formula_is_shown_as_it_is_typed() -> None:

@@ -136,8 +136,23 @@ def test_that_a_sum_of_squares_is_not_zero_is_said_of_them_unless_they_are_of_le
     (_, text) = paragraphs(needs, main=("a",))
     where = f"{words} " if words else " "
     assert text == (  # formulas are left out
-        f"a: it is so, where  (elsewhere nothing is proved), and {where}(without which it is false)."
+        f"a: it is so, where  (elsewhere nothing is proved here), and {where}(without which it is false)."
     )
+
+
+def test_dependent_differentials_refute_no_manifold() -> None:
+    needed = condition("a", "", counterexample(point({"a": "0"}), "1", "2"))._replace(singular=True)
+    needs = claim("a", "1", "x=x", "it is one", C, conditions=(needed,))
+    (_, text) = paragraphs(needs, main=("a",))
+    assert "false" not in text
+    assert "without which the differentials of its equations are dependent somewhere" in text
+
+
+def test_a_point_is_given_where_a_hypothesis_is_missing() -> None:
+    needed = condition("a", "it is not so", counterexample(point({"a": "0"}), "1", "2"))
+    needs = claim("a", "1", "x=x", "it is so", C, conditions=(needed,))
+    (_, block) = Findings(Phrases(WORDS, {}), [needs]).hypotheses()
+    assert isinstance(block, Judgement) and "At : the left side is" in said(block.blocks)
 
 
 def test_every_hypothesis_that_is_missing_is_named_on_the_first_screen() -> None:

@@ -61,7 +61,8 @@ def render_result(result: ComparedRun, claims: Iterable[str] = ()) -> str:
     run, phrases = result.run, phrases_of(result)
     copied = any(section.copied for section in result.paper)
     findings = Findings(phrases, run.outcomes, copied, run.expected)
-    named = dict.fromkeys(filter(None, (run.author, run.title, run.source)))
+    read = f"Text read: {run.edition}" if run.edition else ""
+    named = dict.fromkeys(filter(None, (run.author, run.title, run.source, read)))
     title = phrases.words("".join(f"{part.removesuffix('.')}. " for part in named))
     wrong = *plain.lines(findings.blocks()), *_errors(result), *claims
     return _page(plain.text(title), findings, run.main, wrong, _summary(result))
