@@ -8,8 +8,8 @@ from typing import Final
 from kowalevski_cas.notation import Formula, Relation, to_plain
 from kowalevski_cas.report.document import Block, Emphasis, Inline, Judgement, Paragraph, Text
 from kowalevski_cas.report.findings import Findings, Slip, lacks
-from kowalevski_cas.report.sentences import (
-    Phrases,
+from kowalevski_cas.report.sentences import Phrases
+from kowalevski_cas.report.words import (
     capital,
     capitalise,
     count_in_words,
