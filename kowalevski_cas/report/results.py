@@ -9,14 +9,8 @@ from kowalevski_cas.notation import Formula, to_plain
 from kowalevski_cas.report.document import Block, Judgement, Paragraph, Sign, Text
 from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.marks import MARKS, shown_as
-from kowalevski_cas.report.sentences import (
-    Phrases,
-    capital,
-    capitalise,
-    count_in_words,
-    in_words,
-    list_in_words,
-)
+from kowalevski_cas.report.sentences import Phrases
+from kowalevski_cas.report.words import capital, capitalise, count_in_words, in_words, list_in_words
 from kowalevski_cas.verify.outcome import Condition, Outcome, Verdict
 
 LONG: Final = 60

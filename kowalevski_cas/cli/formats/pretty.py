@@ -17,8 +17,9 @@ from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.marks import SPOILED, Shown
 from kowalevski_cas.report.places import PaperSection, names, sections
 from kowalevski_cas.report.results import main_results
-from kowalevski_cas.report.sentences import Phrases, group_alike
+from kowalevski_cas.report.sentences import Phrases
 from kowalevski_cas.report.tally import tally, wrong_places
+from kowalevski_cas.report.words import group_alike
 from kowalevski_cas.verify.outcome import Correction, Counterexample, Outcome, Verdict
 
 if TYPE_CHECKING:
