@@ -10,7 +10,8 @@ import pytest
 from PIL import Image, ImageChops, ImageStat
 
 from kowalevski_cas.report.findings import Findings
-from kowalevski_cas.report.sentences import Phrases, in_words
+from kowalevski_cas.report.sentences import Phrases
+from kowalevski_cas.report.words import in_words
 
 README_PATH = Path(__file__).parents[1] / "README.md"
 README = README_PATH.read_text(encoding="utf-8")

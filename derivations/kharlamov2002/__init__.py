@@ -13,7 +13,7 @@ derivation = Derivation(
     author="M. P. Kharlamov",
     source="Mekh. Tverd. Tela 32 (2002), pp. 32–38 (in Russian)",
     edition=(
-        "the author's English text, dated 05.11.2002, with a section of later remarks "
+        "the author's English text, dated 5 November 2002, with a section of later remarks "
         "(SHA-256 68642ca11e599718 …); the Russian print was not compared"
     ),
     main=("eq15", "N4-dimension"),

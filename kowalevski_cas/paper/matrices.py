@@ -122,7 +122,7 @@ def _multiply(formula: Formula, setting: Meaning, of: Callable[[Formula], Rows])
         case Quotient(above, below):
             divisor = setting.plain(below)
             return _each(of(above), lambda entry: Quotient(entry, divisor))
-        case Product(factors):
+        case Product(factors) if any(is_matrix(factor, setting) for factor in factors):
             matrices = [of(factor) for factor in factors if is_matrix(factor, setting)]
             scalars = tuple(setting.plain(f) for f in factors if not is_matrix(f, setting))
             whole = reduce(product, matrices)

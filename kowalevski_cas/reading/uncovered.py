@@ -121,7 +121,7 @@ def sentences(
     for start, end in zip(prose.stops, [*prose.stops[1:], len(prose.text)], strict=True):
         words = prose.text[start:end]
         kind, match = _stated(words, [(a - start, b - start) for a, b in spans])
-        if match is None:
+        if match is None or words.rstrip().endswith("?"):  # a question states nothing
             continue
         if any(part.title == "thebibliography" for part in prose.path(start)):
             continue

@@ -37,8 +37,8 @@ from kowalevski_cas.report.marks import shown_as
 from kowalevski_cas.report.paragraphs import FIRST, FormulaBlocks
 from kowalevski_cas.report.places import PaperSection, ReportItem, numbered, sections
 from kowalevski_cas.report.prose import read_article
-from kowalevski_cas.report.sentences import capitalise, list_in_words
 from kowalevski_cas.report.trust import trust
+from kowalevski_cas.report.words import capitalise, list_in_words
 from kowalevski_cas.source.displays import TypedFormula, find_formulas
 from kowalevski_cas.source.listing import guess
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict

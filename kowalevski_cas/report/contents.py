@@ -30,10 +30,11 @@ from kowalevski_cas.report.marks import MARKS, shown_as
 from kowalevski_cas.report.passages import Passages
 from kowalevski_cas.report.places import PaperSection, displays, labels, names
 from kowalevski_cas.report.results import main_results
-from kowalevski_cas.report.sentences import Phrases, group_alike, list_in_words, nonzero, supposed
+from kowalevski_cas.report.sentences import Phrases
 from kowalevski_cas.report.tally import tally, wrong_places
 from kowalevski_cas.report.trust import trust
 from kowalevski_cas.report.witnesses import Witness, arithmetics
+from kowalevski_cas.report.words import group_alike, list_in_words, nonzero, supposed
 from kowalevski_cas.verify.outcome import Run, Verdict
 
 
@@ -201,7 +202,7 @@ class Contents:
             valid = (
                 " “Valid for ", nonzero(divided[0]), "” means that the formula, or a definition "
                 "or equation that it uses, has this denominator: it is proved wherever this does "
-                "not vanish, and elsewhere nothing is proved.",
+                "not vanish, and elsewhere nothing is proved here.",
             )  # fmt: skip
         if self.findings.missing:
             valid = (*valid, _WITHOUT, _SINGULAR if self.findings.singular else "", ".")

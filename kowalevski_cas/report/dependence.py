@@ -12,7 +12,8 @@ from kowalevski_cas.notation import Relation, print_prose, read_prose, to_plain
 from kowalevski_cas.report.document import Block, Graph, Heading, Paragraph, Text
 from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.graph import picture
-from kowalevski_cas.report.sentences import Phrases, count_in_words
+from kowalevski_cas.report.sentences import Phrases
+from kowalevski_cas.report.words import count_in_words
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 
 _EDGES: Final = 6

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from kowalevski_cas.report.compare import mark_differences
 from kowalevski_cas.report.document import Block, Equations, Link, Paragraph, Text
 from kowalevski_cas.report.findings import Findings
-from kowalevski_cas.report.sentences import Phrases, capitalise
+from kowalevski_cas.report.sentences import Phrases
+from kowalevski_cas.report.words import capitalise
 from kowalevski_cas.verify.outcome import Outcome, Verdict, in_latex
 
 

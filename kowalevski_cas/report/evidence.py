@@ -7,8 +7,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from kowalevski_cas.notation import Formula, Relation, to_plain
 from kowalevski_cas.report.compare import mark_differences
 from kowalevski_cas.report.document import Block, Emphasis, Equations, Paragraph, Text
-from kowalevski_cas.report.sentences import Phrases, capitalise, group_alike, list_in_words
+from kowalevski_cas.report.sentences import Phrases
 from kowalevski_cas.report.trial import trial_of
+from kowalevski_cas.report.words import capitalise, group_alike, list_in_words
 from kowalevski_cas.tools import title
 from kowalevski_cas.verify.outcome import Condition, Outcome, ReportedStep, Verdict
 

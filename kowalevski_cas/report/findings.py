@@ -18,8 +18,8 @@ from kowalevski_cas.report.document import (
     Paragraph,
     Text,
 )
-from kowalevski_cas.report.sentences import (
-    Phrases,
+from kowalevski_cas.report.sentences import Phrases
+from kowalevski_cas.report.words import (
     capital,
     capitalise,
     count_in_words,

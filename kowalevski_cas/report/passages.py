@@ -23,14 +23,8 @@ from kowalevski_cas.report.evidence import Evidence
 from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.marks import MARKS, Shown, shown_as
 from kowalevski_cas.report.places import ClaimGroup, PaperSection, ReportItem
-from kowalevski_cas.report.sentences import (
-    capital,
-    capitalise,
-    group_alike,
-    list_in_words,
-    supposed,
-)
 from kowalevski_cas.report.witnesses import Witness
+from kowalevski_cas.report.words import capital, capitalise, group_alike, list_in_words, supposed
 from kowalevski_cas.tools import title
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 

@@ -9,13 +9,8 @@ from kowalevski_cas.notation import Formula, to_plain
 from kowalevski_cas.report.document import Block, Judgement, Paragraph, Sign, Text
 from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.marks import MARKS, shown_as
-from kowalevski_cas.report.sentences import (
-    Phrases,
-    capital,
-    count_in_words,
-    in_words,
-    list_in_words,
-)
+from kowalevski_cas.report.sentences import Phrases
+from kowalevski_cas.report.words import capital, capitalise, count_in_words, in_words, list_in_words
 from kowalevski_cas.verify.outcome import Condition, Outcome, Verdict
 
 LONG: Final = 60
@@ -59,13 +54,16 @@ def _statement(phrases: Phrases, outcome: Outcome) -> Judgement:
     without = "the differentials of its equations are dependent somewhere"
     if not all(one.singular for one in lacking):
         without = "it is false"
-    valid: Text = (", where ", *sufficient, " (elsewhere nothing is proved)") if sufficient else ()
+    valid: Text = (
+        (", where ", *sufficient, " (elsewhere nothing is proved here)") if sufficient else ()
+    )
     if needed:
         valid += (", and " if sufficient else ", where ", *needed, f" (without which {without})")
-    words = phrases.words(outcome.words.rstrip("."))
-    return Judgement(
-        shown_as(outcome), "", (*phrases.links([outcome.claim]), ": ", *words, *valid, ".")
-    )
+    name, words = phrases.names.get(outcome.claim), outcome.words.rstrip(".")
+    said: Text = (*phrases.links([outcome.claim]), ": ", *phrases.words(words))
+    if name is not None and not name.number.startswith("("):  # its words say where it stands
+        said = capitalise(phrases.words(words))
+    return Judgement(shown_as(outcome), "", (*said, *valid, "."))
 
 
 def _where(phrases: Phrases, conditions: Sequence[Condition]) -> Text:

@@ -8,8 +8,8 @@ from typing import Final
 from kowalevski_cas.notation import Formula, Relation, to_plain
 from kowalevski_cas.report.document import Block, Emphasis, Inline, Judgement, Paragraph, Text
 from kowalevski_cas.report.findings import Findings, Slip, lacks
-from kowalevski_cas.report.sentences import (
-    Phrases,
+from kowalevski_cas.report.sentences import Phrases
+from kowalevski_cas.report.words import (
     capital,
     capitalise,
     count_in_words,
@@ -38,12 +38,14 @@ def wrong_places(findings: Findings) -> Iterator[Block]:
     """Where something is misprinted, what is false, and which hypotheses are missing."""
     phrases = findings.phrases
     if findings.slips:
-        yield Paragraph((Emphasis(("Misprinted.",), strong=True), *_evidence(findings.slips)))
+        lead = Emphasis(("Misprinted.",), strong=True)
+        yield Paragraph((lead, *_evidence(findings.slips)), leads=True)
         yield from (_misprint(phrases, slip) for slip in findings.slips)
     if findings.false:
         many = count_in_words(len(findings.false), "statement")
         verb = "is" if len(findings.false) == 1 else "are"
-        yield Paragraph((Emphasis((f"{capital(many)} {verb} false.",), strong=True),))
+        lead = Emphasis((f"{capital(many)} {verb} false.",), strong=True)
+        yield Paragraph((lead,), leads=True)
         yield from (_falsehood(phrases, outcome) for outcome in findings.false)
     if findings.missing:
         needed = [

@@ -27,7 +27,7 @@ from kowalevski_cas.problem.goals import Fails, Follows
 from kowalevski_cas.problem.place import MINUS_ONE, PointEvaluation
 from kowalevski_cas.problem.space import Adjoined, Raised, all_names
 from kowalevski_cas.report.document import Text, Trial, TrialVersion
-from kowalevski_cas.report.sentences import ZERO, nonzero
+from kowalevski_cas.report.words import ZERO, nonzero
 from kowalevski_cas.verify.outcome import Outcome
 
 Json = Any

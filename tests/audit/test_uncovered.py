@@ -102,7 +102,7 @@ def test_what_no_verdict_covers_is_listed(tmp_path, capsys):
     path = tmp_path / "paper.tex"
     path.write_text(
         "\\begin{document} Here $$\\dot x=y,\\quad \\dot y=-x.$$ The function $x^2+y^2$ is an integral. "
-        "There is no other integral.\n%kc: skip sentence\nAll motions are periodic.\n"
+        "There is no other integral. Is there another integral?\n%kc: skip sentence\nAll motions are periodic.\n"
         "Almost all of them have period $2\\pi$. \\end{document}"
     )
     main(["audit", "--alone", "--format", "json", str(path)])

@@ -23,6 +23,12 @@ def test_the_matrix_of_elements_stands_in_a_commutator(claim, green):
     assert [one.green for one in found.values()] == [green]
 
 
+def test_the_trace_of_what_is_no_matrix_has_no_meaning():
+    """What is made of letters that are no matrices where they stand is open, and breaks nothing."""
+    text = TURN + r"Put $W^\pm=S\pm cR$ and $N=W^+W^-$. Then \[\operatorname{tr}N=2x^2 .\]"
+    assert not any(one.green for one in verdicts(text).values())
+
+
 def test_a_letter_with_numbers_is_no_matrix_where_an_element_is_missing():
     text = TURN.replace(", $S_{21}=y$", "") + r"Then \[\dot S=[R,S] .\]"
     assert not any(one.green for one in verdicts(text).values())

@@ -136,7 +136,7 @@ def test_that_a_sum_of_squares_is_not_zero_is_said_of_them_unless_they_are_of_le
     (_, text) = paragraphs(needs, main=("a",))
     where = f"{words} " if words else " "
     assert text == (  # formulas are left out
-        f"a: it is so, where  (elsewhere nothing is proved), and {where}(without which it is false)."
+        f"a: it is so, where  (elsewhere nothing is proved here), and {where}(without which it is false)."
     )
 
 

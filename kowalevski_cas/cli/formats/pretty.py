@@ -17,8 +17,9 @@ from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.marks import SPOILED, Shown
 from kowalevski_cas.report.places import PaperSection, names, sections
 from kowalevski_cas.report.results import main_results
-from kowalevski_cas.report.sentences import Phrases, group_alike
+from kowalevski_cas.report.sentences import Phrases
 from kowalevski_cas.report.tally import tally, wrong_places
+from kowalevski_cas.report.words import group_alike
 from kowalevski_cas.verify.outcome import Correction, Counterexample, Outcome, Verdict
 
 if TYPE_CHECKING:
@@ -61,7 +62,8 @@ def render_result(result: ComparedRun, claims: Iterable[str] = ()) -> str:
     run, phrases = result.run, phrases_of(result)
     copied = any(section.copied for section in result.paper)
     findings = Findings(phrases, run.outcomes, copied, run.expected)
-    named = dict.fromkeys(filter(None, (run.author, run.title, run.source)))
+    read = f"Text read: {run.edition}" if run.edition else ""
+    named = dict.fromkeys(filter(None, (run.author, run.title, run.source, read)))
     title = phrases.words("".join(f"{part.removesuffix('.')}. " for part in named))
     wrong = *plain.lines(findings.blocks()), *_errors(result), *claims
     return _page(plain.text(title), findings, run.main, wrong, _summary(result))

@@ -18,12 +18,16 @@ if TYPE_CHECKING:
     from kowalevski_cas.audit.audited import Audited
 
 
+_NO_LAW = ": no equations of motion are found"
+
+
 def answer(audit: Audit) -> Iterator[str]:
     """By which equations of motion a source was read, and how many of its claims hold."""
     assert audit.reading is not None
     laws = audit.reading.parts.laws
-    equations = "; ".join(law.title for law in laws) or "no equations of motion are found"
-    yield f"{audit.source.path}, read as it stands: {equations}."
+    titles = "; ".join(law.title for law in laws)
+    equations = f", with the equations of motion {titles}" if titles else _NO_LAW
+    yield f"{audit.source.path}, read by itself{equations}."
     yield ""
     verdicts = [outcome.verdict for outcome in audit.outcomes.values()]
     green = sum(verdict.green for verdict in verdicts)
@@ -111,8 +115,9 @@ def _open(audit: Audit, phrases: Phrases) -> Iterator[str]:
         f"{_where(audit, one)}: {one.message.partition(chr(10))[0] or one.reason}"
         for one in unjudged
     )
-    for words in dict.fromkeys(told):
-        yield from plain.wrap(plain.text(phrases.words(words)), "  ", 4)
+    for words, many in Counter(told).items():
+        several = f" ({many} formulas)" if many > 1 else ""
+        yield from plain.wrap(plain.text(phrases.words(words + several)), "  ", 4)
 
 
 def _where(audit: Audit, formula: Audited) -> str:
