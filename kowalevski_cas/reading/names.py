@@ -31,8 +31,9 @@ def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
                     found.setdefault(name, listed)
     indices = range(1, 1 + (paper.period or 9))
     size = 3 if any(isinstance(node, CrossProduct) for node in nodes) else 0
+    rated = {name for item in paper.items for name in item.rates}
     for name in sorted(paper.words.vectors - found.keys()):
-        if along := _along_axes(name, names, size == 3):
+        if along := _along_axes(name, names, name not in rated, size == 3):
             found[name] = along
     for name in paper.words.vectors:
         printed = (k for k in indices if symbol(name).component(k).name in names)
@@ -43,10 +44,12 @@ def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
     return found
 
 
-def _along_axes(name: str, names: Collection[str], in_space: bool) -> tuple[str, ...]:
+def _along_axes(
+    name: str, names: Collection[str], may_be_point: bool, in_space: bool
+) -> tuple[str, ...]:
     """The components of a vector along the axes, if some are printed; empty if none are.
 
-    Those of a point are its coordinates.
+    Those of a point are its coordinates: what moves by equations of its own may be another one.
     """
     own = symbol(name)
     if own.component(1).name in names:
@@ -54,7 +57,7 @@ def _along_axes(name: str, names: Collection[str], in_space: bool) -> tuple[str,
     along = tuple(own.component(axis).name for axis in AXES)
     if not {*along} & {*names}:
         point = own.without_type.name in POINTS and {*AXES[:2]} <= {*names}
-        along = AXES if point else ()
+        along = AXES if point and may_be_point else ()
     return along if in_space or {*along[2:]} & {*names} else along[:2]
 
 

@@ -5,6 +5,7 @@ from random import Random
 
 import pytest
 
+from kowalevski_cas.verify.outcome import Verdict
 from tests.laws.test_readings import outcomes_of
 from tests.sample import sampled
 
@@ -44,8 +45,10 @@ def test_the_linear_part_is_proved_and_another_one_is_not(seed):
         first = rf"\dot x={linear(a, b + wrong)}"
         again = rf"\ddot x={linear(second[0] + wrong, second[1])}"
         found = dict(outcomes_of(rf"{law} \par {words} $${first},\qquad {again}.$$"))
-        judged = {tex: one.verdict.green for tex, one in found.items() if r"\d" in tex}
-        assert judged == ({} if wrong else {first: True, again: True}), (law, words)
+        judged = {tex: one.verdict for tex, one in found.items() if r"\d" in tex}
+        assert Verdict.REFUTED not in judged.values()  # another point may be meant
+        greens = {tex for tex, verdict in judged.items() if verdict.green}
+        assert greens == (set() if wrong else {first, again}), (law, words)
 
 
 def test_the_first_order_is_not_the_second():

@@ -60,6 +60,13 @@ def test_components_that_no_equation_names_are_told():
     assert told == {r"\mathbf{r}=(x,y,z)", r"\mathbf{p}=(p_x,p_y,p_z)"}
 
 
+def test_a_vector_with_an_equation_of_motion_is_no_point_of_another_section():
+    text = r"""\section{In a plane} \[ \dot x=y,\qquad \dot y=-x . \]
+    \section{In space} A point moves by \[ \ddot{\mathbf r}=-\mathbf r . \]
+    The vector $\mathbf r\times\dot{\mathbf r}$ is constant, and so is $\dot{\mathbf r}^2+\mathbf r^2$."""
+    assert [one.green for one in verdicts(text).values()] == [True, True]
+
+
 def test_a_vector_with_numbers_has_these_components():
     text = r"""The point moves by \[ \dot r_1=r_2,\qquad \dot r_2=-r_1,\qquad x=r_1+y. \]
     The square $\mathbf r\cdot\mathbf r$ is constant."""
