@@ -219,10 +219,10 @@ class Stage:
         """A law as it is printed anew before, where the assumptions for that are not in force."""
         known = self.known
         cited, supposed = {*known.cited(at)}, {*known.supposed(at)}
-        if cited & law.printed:
-            return law
         for one in reversed(known.restated):
             new = {*one.items} - {*law.rows}
+            if one.restates is law and cited & (law.printed - one.printed):
+                return law  # a row is cited that was printed anew
             if one.restates is law and max(item.order for item in new) < at.order:
                 special = {*known.special(one)}
                 of = {name for other in special - supposed for name in known.roles[other].names}

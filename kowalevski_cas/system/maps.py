@@ -36,11 +36,13 @@ _LETTER = r"(?:[A-Za-z]|\\[A-Za-z]+)"
 _ACCENT = r"\\(?P<accent>overline|bar|(?:wide)?tilde|(?:wide)?hat)"
 _BAR = re.compile(
     rf"{_ACCENT}(?![A-Za-z])\s*(?:\{{\s*(?P<braced>{_LETTER})\s*\}}|(?P<letter>{_LETTER}))"
-    r"(?P<index>_(?:\w|\{\w+\}))?"
+    r"(?P<index>\s*_\s*(?:\w|\{\s*\w+\s*\}))?"
 )
-_STEP = re.compile(
-    rf"(?:(?:{_ACCENT}|\\underline)(?![A-Za-z])\s*)?\{{?(?P<letter>{_LETTER})\}}?\s*="
-    r"\s*(?P=letter)_(?:\w|\{\w(?:[-+]\d)?\})"
+_OVER = rf"(?:(?:{_ACCENT}|\\underline)(?![A-Za-z])\s*)?"
+_COUNTED = r"\s*_\s*(?:\w|\{\s*\w\s*(?:[-+]\s*\d\s*)?\})"
+_STEP = (
+    re.compile(rf"{_OVER}\{{?\s*(?P<letter>{_LETTER})\s*\}}?\s*=\s*(?P=letter){_COUNTED}"),
+    re.compile(rf"(?P<letter>{_LETTER}){_COUNTED}\s*=\s*{_OVER}\{{?\s*(?P=letter)\s*\}}?"),
 )
 
 
@@ -123,11 +125,11 @@ def with_primes(tex: str) -> str:
 def without_steps(tex: str) -> str:
     r"""A map without what only says how its steps are printed, as :math:`\overline x=x_{n+1}`.
 
-    >>> without_steps(r"\overline x+\underline x=ax, x=x_n, \overline x=x_{n+1}")
+    >>> without_steps(r"\overline x+\underline x=ax, x=x _n, x_{ n+1 }=\overline {x}")
     '\\overline x+\\underline x=ax, , '
     """
     for start, end in reversed(split_display(tex)):
-        if _STEP.fullmatch(tex[start:end].strip()):
+        if any(one.fullmatch(tex[start:end].strip()) for one in _STEP):
             tex = tex[:start] + tex[end:]
     return tex
 
