@@ -52,7 +52,7 @@ def wrong_places(findings: Findings) -> Iterator[Block]:
             (*violates_no(needing[0][1]), " (for ", *phrases.links(id for id, _ in needing), ")")
             for needing in findings.missing.values()
         ]
-        lead = Emphasis(("Not stated, though needed:",), strong=True)
+        lead = Emphasis(("Not stated, though the proofs need it:",), strong=True)
         yield Paragraph((lead, " ", *list_in_words(needed), "."))
 
 

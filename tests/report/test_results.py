@@ -159,7 +159,7 @@ def test_every_hypothesis_that_is_missing_is_named_on_the_first_screen() -> None
     needs = condition("a", "", counterexample(point({"a": "0"}), "1", "2"))
     found = [claim(name, "1", "x=x", "", C, conditions=(needs,)) for name in ("first", "second")]
     (missing,) = wrong_places(Findings(Phrases(WORDS, {}), found))
-    assert said(missing.text) == "Not stated, though needed:  (for first and second)."
+    assert said(missing.text) == "Not stated, though the proofs need it:  (for first and second)."
     assert [*wrong_places(Findings(Phrases(WORDS, {}), [claim("b", "1", "x=x", "", P)]))] == []
 
 
