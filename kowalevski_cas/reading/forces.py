@@ -14,6 +14,8 @@ from kowalevski_cas.reading.unprinted import is_printed
 
 _ASIDE = re.compile("abstract|thebibliography|keywords")
 
+_CLAUSE = re.compile(r";|,?\s*\b(?:but|while|whereas|yet|however|но|однако|зато)\b", re.IGNORECASE)
+
 
 def refuse_unsaid_forces(law: Law, item: SourceStatement, known: Known) -> None:
     """Judge nothing by the equations that a Hamiltonian or a Lagrangian implies if more acts.
@@ -38,8 +40,12 @@ def refuse_unsaid_forces(law: Law, item: SourceStatement, known: Known) -> None:
 
 
 def _force(words: str) -> str:
-    """The words that tell a force which has no potential; empty if there is none."""
-    return "" if cue("no force", words) else cue("force", words)
+    """The words that tell a force which has no potential; empty if there is none.
+
+    What does not act in one clause says nothing of another one.
+    """
+    clauses = (clause for clause in _CLAUSE.split(words) if not cue("no force", clause))
+    return next(filter(None, (cue("force", clause) for clause in clauses)), "")
 
 
 def _sentences_around(law: Law, item: SourceStatement, known: Known) -> Iterator[tuple[int, str]]:

@@ -34,6 +34,6 @@ def with_jacobian(tex: str) -> str:
     images = ",".join(f"{name}'" for name in names)
     jacobian = rf"\frac{{\partial({images})}}{{\partial({','.join(names)})}}"
     tex = _IMAGES.sub(lambda _: jacobian, tex)
-    before = tex[: re.search(own, tex).start()].rstrip()  # type: ignore[union-attr]
-    one = "1" if not before or before[-1] in "{=(-+" else r"\cdot1"
-    return re.sub(own, lambda _: one, tex)
+    before, after = re.split(own, tex)
+    one = "1" if before.rstrip()[-1:] in ("", *"{=(-+") else r"\cdot1"
+    return f"{before}{one}{after}"

@@ -31,6 +31,9 @@ def reasons(text):
         r"На первую действует сила трения $-c\dot x$.",
         "Среда оказывает сопротивление.",
         "The resistance of the air is linear.",
+        "There is no friction between them, but the air damps the first.",
+        "The first moves without friction; the second is damped.",
+        "Трение между ними отсутствует, но среда оказывает сопротивление.",
         "The function of Rayleigh is given below.",
     ],
 )

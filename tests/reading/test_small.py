@@ -1,5 +1,7 @@
 """Small oscillations: an equation that holds near a point up to what vanishes there twice."""
 
+from random import Random
+
 import pytest
 
 from kowalevski_cas.verify.outcome import Verdict
@@ -55,3 +57,16 @@ def test_the_equations_of_a_lagrangian_are_made_linear(factor, green):
 def test_where_nothing_is_small_an_equation_is_exact():
     text = PENDULUM + r"Hence \[ \ddot\theta=-\omega^2\theta-2\gamma\dot\theta . \]"
     assert [one.green for one in verdicts(text).values()] == [False]
+
+
+@pytest.mark.parametrize("seed", sampled(range(20), 2))
+def test_the_linear_part_of_any_law_with_angles_is_proved_and_no_other(seed):
+    a, b, c, d, e, f = (Random(seed + 100 * k).randint(-3, 3) for k in range(6))
+    law = (
+        rf"\ddot\theta={a}\sin\theta{b:+}\dot\theta{c:+}\theta\cos\theta{d:+}\dot\theta^2"
+        rf"{e:+}(1-\cos\theta){f:+}\sin2\theta"
+    )
+    for wrong, damped in ((0, 0), (1, 0), (0, 1)):
+        claim = rf"\ddot\theta={a + c + 2 * f + wrong}\theta{b + damped:+}\dot\theta"
+        found = verdicts(rf"The law is \[ {law} . \] For small angles \[ {claim} . \]")
+        assert [one.green for one in found.values()] == [not wrong + damped], (law, claim)
