@@ -160,17 +160,18 @@ def substitute(terms: Terms, value_of: Callable[[int], Element], ring: Ring) -> 
     """
     if not terms:
         return ring.zero
-    last = len(next(iter(terms)))
+    places = [place for place, powers in enumerate(zip(*terms, strict=True)) if any(powers)]
 
-    def put(terms: Terms, place: int) -> Element:
-        if place == last:
+    def put(terms: Terms, depth: int) -> Element:
+        if depth == len(places):
             return ring.number(*terms.values())
+        place = places[depth]
         by_power: dict[int, dict[tuple[int, ...], Fraction]] = {}
         for exponents, coefficient in terms.items():
             by_power.setdefault(exponents[place], {})[exponents] = coefficient
         total = ring.zero
         for exponent, group in by_power.items():
-            value = put(group, place + 1)
+            value = put(group, depth + 1)
             total = total + (value_of(place) ** exponent * value if exponent else value)
         return total
 
