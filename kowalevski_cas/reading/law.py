@@ -110,11 +110,19 @@ class Law:
         return frozenset().union(*(item.names for item in self.rows))
 
     @property
+    def kind(self) -> str:
+        """What its equations are."""
+        return "the map" if self.images else "the equations of motion"
+
+    @property
+    def labels(self) -> str:
+        """The labels of its equations."""
+        return ", ".join(filter(None, dict.fromkeys(i.printed.display.label for i in self.rows)))
+
+    @property
     def title(self) -> str:
         """What it is called: the labels of its equations, or what moves."""
-        labels = dict.fromkeys(i.printed.display.label for i in self.rows)
-        what = "the map" if self.images else "the equations of motion"
-        title = ", ".join(filter(None, labels)) or what
+        title = self.labels or self.kind
         return f"{title} in ${', '.join(self.new)}$" if self.new else title
 
 

@@ -73,6 +73,7 @@ class _LawFinder:
         rows = [one for row in rows for one in entries.get(row, [row])]
         self.rows = [*rows, *rows_of_differentials(paper)]
         self.momenta = find_momenta(paper.items, self.rows, names)
+        self.found: list[Law] = []
         self.defining: dict[str, list[SourceStatement]] = {}
         for item in paper.items:
             if self._defines(item):
@@ -103,7 +104,7 @@ class _LawFinder:
         return not any(item.bare[0] in row.rates for row in rated if row.section in item.sections)
 
     def laws(self) -> Iterator[Law]:
-        found: list[Law] = []
+        found = self.found
         for item in self.rows:
             if any(item in law.items for law in found):
                 continue
@@ -129,7 +130,13 @@ class _LawFinder:
             for one in self.paper.items
             if begins <= one.typed.start and (end is None or one.order < end.order)
         ]
-        changed = [change for law in part for change in find_changes(law, items)]
+        before = {n for law in self.found for n in law.variables if law not in part}
+        changed = [
+            change
+            for law in part
+            for change in find_changes(law, items)
+            if before.isdisjoint(change.new)
+        ]
         together = [more for law in part for more in find_together(law, items, self.paper)]
         return [*changed, *together]
 

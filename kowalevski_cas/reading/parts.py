@@ -43,7 +43,9 @@ class Parts:
             if law.begins is not None:
                 own.append([])
             own[-1].append(law)
-        self.begins = [paper.prose.start, *(laws[0].begins or 0 for laws in own[1:])]
+        begins = [paper.prose.start, *(laws[0].begins or 0 for laws in own[1:])]
+        self.begins = [*zip(begins, range(len(own)), strict=True)]
+        self.begins = sorted([*self.begins, *self._returns(own)])
         placed: list[list[SourceStatement]] = [[] for _ in own]
         self.places = {item: self._place(item) for item in paper.items}
         for item, place in self.places.items():
@@ -75,7 +77,22 @@ class Parts:
 
     def part_at(self, offset: int) -> int:
         """The number of the part in which a place of the text is."""
-        return max(0, bisect_right(self.begins, offset) - 1)
+        after = bisect_right(self.begins, offset, key=lambda begin: begin[0])
+        return self.begins[max(0, after - 1)][1]
+
+    def _returns(self, own: Sequence[Sequence[Law]]) -> Iterator[tuple[int, int]]:
+        """The sections that come back to an earlier part, with its number.
+
+        Something is derived in them that moves by the laws of that part, and nothing that moves by
+        those of another.
+        """
+        moving = [{name for law in laws for name in law.variables} for laws in own]
+        for section in dict.fromkeys(item.section for item in self.paper.items):
+            within = (item for item in self.paper.items if item.section is section)
+            derived = {name for item in within for name in item.rates}
+            met = [k for k, names in enumerate(moving) if names & derived]
+            if len(met) == 1 and met[0] < self.part_at(section.start):
+                yield section.start, met[0]
 
     def of(self, item: SourceStatement) -> Known:
         """What is known in the part of a statement."""

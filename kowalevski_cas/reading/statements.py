@@ -124,6 +124,12 @@ class SourceStatement:
         return tuple(one.name for one in self.members if isinstance(one, Name))
 
 
+_NAMED_BY = re.compile(
+    r"\b(?:frequenc|period|amplitude|theory|problem|частот|период|амплитуд|теори|задач)\w*\s+"
+    r"(?:of\s+(?:the\s+|its\s+|such\s+)?)?$",
+    re.IGNORECASE,
+)
+"""Words right before what is small in the name of something."""
 _DOTS = re.compile(r"\s*(?:\\[lcv]?dots[a-z]?|\.\.\.)[\s.,;]*")
 
 
@@ -184,9 +190,11 @@ class SourcePaper:
     def _approximating(self, item: SourceStatement) -> Iterator[int]:
         """Where the words stand, in the section of a statement, that it holds approximately.
 
-        What a footnote says reaches to its end.
+        What a footnote says reaches to its end; what is said of a name behind “where”, no further.
         """
         for said in self._approximations:
+            if said > item.typed.end and cue("where", self.prose.between(item.typed.end, said)):
+                continue
             footnote = self.prose.footnote(said)
             if footnote is None or footnote[0] <= item.typed.start < footnote[1]:
                 if item.section.start <= said < item.sentence[1]:
@@ -196,13 +204,16 @@ class SourcePaper:
     def _approximations(self) -> list[int]:
         """Where words say that what follows holds approximately; not those that say it of a model.
 
-        A model may be approximate itself: so are the equations of motion that come first, and
+        What is small in the name of something, as in “the frequency of small oscillations”, is no such
+        word. A model may be approximate itself: so are the equations of motion that come first, and
         those that words set up behind these words in their sentence, for what did not move before.
         """
         rows = [item for item in self.items if item.rates and not item.typed.inline]
         model = next((item.typed.end for item in rows), self.prose.start)
         found: list[int] = []
         for said in cues("approximate", self.prose.text, model):
+            if _NAMED_BY.search(self.prose.between(said.start() - 60, said.start())):
+                continue
             sentence = self.prose.sentence(said.start())
             behind = [one for one in rows if one.sentence == sentence]
             row = next((one for one in behind if one.typed.start > said.start()), None)

@@ -16,6 +16,7 @@ from kowalevski_cas.verify.outcome import Verdict
 if TYPE_CHECKING:
     from kowalevski_cas.audit.audit import Audit
     from kowalevski_cas.audit.audited import Audited
+    from kowalevski_cas.reading.statements import SourceStatement
 
 
 _NO_LAW = ": no equations of motion are found"
@@ -25,23 +26,24 @@ def answer(audit: Audit) -> Iterator[str]:
     """By which equations of motion a source was read, and how many of its claims hold."""
     assert audit.reading is not None
     laws = audit.reading.parts.laws
-    titles = "; ".join(law.title for law in laws)
-    equations = f", with the equations of motion {titles}" if titles else _NO_LAW
-    yield f"{audit.source.path}, read by itself{equations}."
+    named = (f"{law.kind} {law.labels or f'of {_place(audit, law.first)}'}" for law in laws)
+    equations = f", with {'; '.join(named)}" if laws else _NO_LAW
+    yield from plain.wrap(f"{audit.source.path}, read by itself{equations}.")
     yield ""
     verdicts = [outcome.verdict for outcome in audit.outcomes.values()]
     green = sum(verdict.green for verdict in verdicts)
     refuted = sum(verdict is Verdict.REFUTED for verdict in verdicts)
     unjudged = sum(formula.verdict == OPEN for formula in audit.formulas)
     parts = [
-        (green, "as printed, or where its denominators do not vanish: {}"),
-        (refuted, "false: {}"),
-        (len(verdicts) - green - refuted, "not decided: {}"),
-        (unjudged, "not judged besides: {}"),
+        (verdicts.count(Verdict.PROVED), "true"),
+        (verdicts.count(Verdict.CONDITIONAL), "true where no denominator vanishes"),
+        (refuted, "false"),
+        (len(verdicts) - green - refuted, "not decided"),
     ]
-    told = "; ".join(words.format(count) for count, words in parts if count)
+    told = ", ".join(f"{count} {words}" for count, words in parts if count)
     claims = plain.many(len(verdicts), "claim")
-    yield from plain.wrap(f"{claims}. {told[:1].upper()}{told[1:]}." if told else f"{claims}.")
+    besides = f" Not judged: {plain.many(unjudged, 'formula')}." if unjudged else ""
+    yield from plain.wrap(f"{claims}{': ' if told else ''}{told}.{besides}")
     yield from _comments(audit)
 
 
@@ -67,7 +69,7 @@ def _comments(audit: Audit) -> Iterator[str]:
     yield f"Comments are obeyed: {counted}."
     for formula in audit.reading.formulas:
         if formula.item in said.of and "; without it: " in formula.role.reason:
-            yield from plain.wrap(f"{formula.item.printed.place}: {formula.role.reason}")
+            yield from plain.wrap(f"{_place(audit, formula.item)}: {formula.role.reason}")
 
 
 def _assumptions(audit: Audit, phrases: Phrases) -> Iterator[str]:
@@ -118,6 +120,13 @@ def _open(audit: Audit, phrases: Phrases) -> Iterator[str]:
     for words, many in Counter(told).items():
         several = f" ({many} formulas)" if many > 1 else ""
         yield from plain.wrap(plain.text(phrases.words(words + several)), "  ", 4)
+
+
+def _place(audit: Audit, item: SourceStatement) -> str:
+    """A statement by its label or its line."""
+    assert audit.reading is not None
+    display = item.printed.display
+    return display.label or f"line {audit.reading.paper.lines[display.id]}"
 
 
 def _where(audit: Audit, formula: Audited) -> str:
