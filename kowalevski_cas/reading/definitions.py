@@ -18,7 +18,12 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.paper.names import head
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.fresh import is_called_constant, is_fresh, without_factor
+from kowalevski_cas.reading.fresh import (
+    is_called_constant,
+    is_fresh,
+    is_given_behind,
+    without_factor,
+)
 from kowalevski_cas.reading.known import (
     ASSUMPTION,
     CLAIM,
@@ -112,6 +117,7 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
     """A name that nothing has defined, alone on a side."""
     given = item.printed.heads
     fresh = [n for n in given.names or given.multiples if is_fresh(n, item, known)]
+    fresh = [name for name in fresh if not is_given_behind(name, item, known)]
     if not fresh:
         return None
     heads = {head(name)[0] for name in fresh}
@@ -162,7 +168,8 @@ def _level(
         why = f"names the value {plain(fresh[0])} of {plain(named[0].name)}"
         return StatementRole(LEVEL, why, "", (*fresh,))
     first = without_factor(item.members[0])
-    behind = not named and len(others) == len(item.members) - 1
+    several = any(head(name)[1] for name in fresh)  # values, one for each argument
+    behind = not (named or several) and len(others) == len(item.members) - 1
     if behind and not isinstance(first, Name | Application | PoissonBracket):
         if known.varying(item.names - {*fresh}):
             why = f"names the value {plain(fresh[0])}"

@@ -75,6 +75,19 @@ def is_called_constant(name: str, item: SourceStatement, known: Known) -> bool:
     return any(cue("a constant", lead[-40:]) for lead in leads)
 
 
+def is_given_behind(name: str, item: SourceStatement, known: Known) -> bool:
+    """Whether a function on a right side is what its sentence gives behind, at its argument."""
+    function, arguments = head(name)
+    first = item.members[0]
+    if not arguments or getattr(first, "function", "") == function:
+        return False
+    return any(
+        one.order > item.order and one.sentence == item.sentence
+        and bool(one.members) and getattr(one.members[0], "function", "") == function
+        for one in known.items
+    )  # fmt: skip
+
+
 def without_factor(formula: Formula) -> Formula:
     """What stands behind a number, as T in 2T; a formula that is no such product itself."""
     match formula:

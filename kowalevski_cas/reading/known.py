@@ -77,6 +77,8 @@ class Known:
     """The equations in which names have been used first."""
     lost: dict[str, str] = field(default_factory=dict)
     """The names that are to follow from what is printed, and why they do not."""
+    rooted: list[tuple[frozenset[str], list[SourceStatement]]] = field(default_factory=list)
+    """The names of roots, with the equations that give them."""
     elsewhere: frozenset[str] = frozenset()
     """What moves by the laws of other parts."""
     said: Said = field(default_factory=Said)
@@ -284,9 +286,11 @@ class Known:
 
     def _together(self, item: SourceStatement) -> list[SourceStatement]:
         """The equations that give names of a statement together."""
-        laws = [law for law in self.laws if law.together]
-        names = {inner for name in item.names for inner in self.below(name)} if laws else set()
-        return [one for law in laws for one in law.together if names & {*law.new}]
+        giving = [(law.new, law.together) for law in self.laws if law.together] + self.rooted
+        names = {inner for name in item.names for inner in self.below(name)} if giving else set()
+        return [
+            one for given, equations in giving for one in equations if not names.isdisjoint(given)
+        ]
 
     def supposed_elsewhere(self, item: SourceStatement) -> list[list[SourceStatement]]:
         """The assumptions about constants, by sentences, that are not in force at a later place."""

@@ -246,7 +246,15 @@ class _LawFinder:
         )
 
     def is_defined(self, row: SourceStatement, since: int) -> bool:
-        """Whether a name that a row derives is defined before, from an offset on, or beside it."""
+        """Whether a name that a row derives is defined before, from an offset on, or beside it.
+
+        A multiple of a rate defines it, as :math:`C=r^2\\dot\\theta`, where what is derived moves already.
+        """
+        moving = {name for law in self.found for name in law.variables}
+        for one in self.rows:
+            multiple = one.order < row.order and isinstance(one.members[0], Name)
+            if multiple and one.bare[0] in row.rates and {*self.scalars(one)} <= moving:
+                return True
         return any(
             since <= one.typed.start < row.typed.start or one.sentence == row.sentence
             for name in {*row.rates, *map(self.names.whole, row.rates)}

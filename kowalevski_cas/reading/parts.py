@@ -9,6 +9,7 @@ from functools import cached_property
 from kowalevski_cas.notation import Name
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.reading.comments import Said
+from kowalevski_cas.reading.factors import ROOTS, root_names, values_at_numbers
 from kowalevski_cas.reading.grammar import Directive
 from kowalevski_cas.reading.known import (
     ASSUMPTION,
@@ -16,6 +17,7 @@ from kowalevski_cas.reading.known import (
     LAW,
     NAMING,
     OTHER,
+    TOGETHER,
     Known,
     StatementRole,
 )
@@ -100,7 +102,14 @@ class Parts:
 
     def enter(self, item: SourceStatement, role: StatementRole) -> None:
         """Keep what a statement says."""
-        self.of(item).enter(item, role)
+        known = self.of(item)
+        known.enter(item, role)
+        if role.kind == ROOTS:
+            values = [*values_at_numbers(item, known)]
+            known.rooted.append((frozenset(root_names(item)), values))
+            for found in values:
+                self.places[found] = self.places[item]
+                known.enter(found, StatementRole(DEFINITION, role.reason, TOGETHER))
 
     def suppose(self, item: SourceStatement) -> None:
         """Keep what comments suppose from a statement on, which the paper does not print."""

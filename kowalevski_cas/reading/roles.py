@@ -19,6 +19,7 @@ from kowalevski_cas.reading.definitions import (
     together,
     unit,
 )
+from kowalevski_cas.reading.factors import roots
 from kowalevski_cas.reading.index_ranges import is_range
 from kowalevski_cas.reading.known import (
     CLAIM,
@@ -54,6 +55,9 @@ _OF_MEASURE = re.compile(
 """Words right before the density of a measure, or a form."""
 _MAPSTO = re.compile(r"\([^()]*\)\s*\\mapsto\s*\([^()]*'\s*\)\s*(?:,|\.|$)")
 """What is mapped to its image, which has primes: this says that there is a map."""
+_SYMBOL = re.compile(r"\s*(?:\\operatorname\s*\{\w+\}|\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)[\s.,;]*")
+"""A name alone, as of a function without its argument."""
+_TO_INFINITY = re.compile(r"[^=<>]*\\(?:to|rightarrow)\s*[+-]?\s*\\infty[\s.,;]*")
 _END_OF_PROOF = re.compile(r"\s*\\(?:(?:black)?square|Box|qed)\s*")
 
 Rule = Callable[[SourceStatement, Known], StatementRole | None]
@@ -76,6 +80,10 @@ def unread(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(DEFINITION, "says what a map takes to what")
     if is_ellipsis(item):
         return StatementRole(NOTATION, "stands for more of these")
+    if item.trouble and _SYMBOL.fullmatch(item.typed.tex):
+        return StatementRole(NOTATION, "a name")
+    if item.trouble and _TO_INFINITY.fullmatch(item.typed.tex):
+        return StatementRole(OTHER, "no equation")
     return StatementRole(UNREAD, item.trouble) if item.trouble else None
 
 
@@ -166,7 +174,7 @@ def other(item: SourceStatement, known: Known) -> StatementRole | None:
 
 RULES: tuple[Rule, ...] = (
     unread, expression, named_set, law, constraint, together, unit, bracket, unjudged, inequality,
-    repeated, change, claimed_set, point, solution, definition, square, assumption, value,
+    repeated, change, roots, claimed_set, point, solution, definition, square, assumption, value,
     approximate, rate, zero_set, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

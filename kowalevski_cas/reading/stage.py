@@ -58,6 +58,8 @@ class _Closure:
     law: Law | None
     names: frozenset[str]
     definitions: Mapping[str, SourceStatement]
+    stated: frozenset[str]
+    """The names that stand in the statements themselves: an argument may be one of them."""
 
     @property
     def variables(self) -> tuple[str, ...]:
@@ -163,7 +165,8 @@ class Stage:
                 raise ValueError(known.lost[name])
             elif name in known.unreadable:
                 raise ValueError(f"{name} is defined by what cannot be read")
-        return _Closure(law, frozenset(names), definitions)
+        stated = frozenset(name for item in items for name in item.names)
+        return _Closure(law, frozenset(names), definitions, stated)
 
     def _with_definitions(
         self, closure: _Closure, assumptions: Sequence[SourceStatement]
@@ -178,7 +181,7 @@ class Stage:
             return closure
         more = self._closure(new, closure.law)
         definitions = {**more.definitions, **closure.definitions}
-        return _Closure(closure.law, closure.names | more.names, definitions)
+        return _Closure(closure.law, closure.names | more.names, definitions, closure.stated)
 
     def _mentioned(self, item: SourceStatement) -> list[str]:
         """The names that a statement needs, functions and brackets among them."""
@@ -311,7 +314,7 @@ class Stage:
         taken |= {part for name in taken for part in vectors.get(name, ())}
         for name in places:
             arguments = head(name)[1]
-            taken |= {*arguments, *summation_indices(arguments), DELTA}
+            taken |= {*arguments, *summation_indices(arguments), DELTA} - closure.stated
         clocks = {name for item in self.known.clocks for name in (item.other_time, "d")}
         taken |= {*closure.variables, "t"} | words.matrices | clocks
         taken |= (words.functions | FUNCTIONS) - words.scalars

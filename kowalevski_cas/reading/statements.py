@@ -125,8 +125,8 @@ class SourceStatement:
 
 
 _NAMED_BY = re.compile(
-    r"\b(?:frequenc|period|amplitude|theory|problem|частот|период|амплитуд|теори|задач)\w*\s+"
-    r"(?:of\s+(?:the\s+|its\s+|such\s+)?)?$",
+    r"\b(?:frequenc|period|amplitude|theory|problem|частот|период|амплитуд|теори|задач)\w*"
+    r"(?:\s+of(?:\s+(?:the|its|such))?)?\s*$",
     re.IGNORECASE,
 )
 """Words right before what is small in the name of something."""
@@ -204,9 +204,10 @@ class SourcePaper:
     def _approximations(self) -> list[int]:
         """Where words say that what follows holds approximately; not those that say it of a model.
 
-        What is small in the name of something, as in “the frequency of small oscillations”, is no such
-        word. A model may be approximate itself: so are the equations of motion that come first, and
-        those that words set up behind these words in their sentence, for what did not move before.
+        What is small in the name of something, as in “the frequency of small oscillations”, is none
+        of them. A model may be approximate itself: so are the equations of motion that come first,
+        and those that words set up behind these words in their sentence, for what did not move
+        before.
         """
         rows = [item for item in self.items if item.rates and not item.typed.inline]
         model = next((item.typed.end for item in rows), self.prose.start)

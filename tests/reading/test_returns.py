@@ -1,0 +1,47 @@
+"""A text may come back to an earlier system, and name what is small without being approximate."""
+
+from tests.reading.test_reading import reading, verdicts
+
+PLANE = r"""\section{Polar} The equations are
+$$\ddot r=r\dot\theta^2-\frac{k}{r^2},\qquad r\ddot\theta=-2\dot r\dot\theta .$$
+\section{Cartesian} Now consider another system: in the plane
+$$\ddot x=-ax,\qquad \ddot y=-ay .$$ Then $x\dot y-y\dot x$ is constant."""
+
+
+def test_a_section_that_derives_what_moved_before_is_read_by_the_earlier_law():
+    text = rf"{PLANE} \section{{Areas}} Let $C=r^2\dot\theta$. Then $$\dot C=0.$$"
+    assert verdicts(text)[r"\dot C=0"].green
+    assert not verdicts(text.replace(r"C=r^2", "C=r^3"))[r"\dot C=0"].green
+
+
+def test_a_section_that_derives_what_moves_by_both_stays_with_the_later_law():
+    text = rf"{PLANE} \section{{Both}} Now $$\dot x=\dot r.$$"
+    found = reading(text)
+    known = found.parts.of(found.formulas[-1].item)
+    assert known.moves("x")
+    assert not known.moves("r")
+
+
+def test_the_frequency_of_small_oscillations_makes_no_law_approximate():
+    text = r"""The pendulum moves by $$\ddot\varphi=-\omega^2\sin\varphi,\qquad \ddot z=-g,$$
+    where $\omega$ is the frequency of the small oscillations. Hence
+    $$\frac{d}{dt}(\dot\varphi^2-2\omega^2\cos\varphi)=0.$$"""
+    assert [one.green for one in verdicts(text).values()] == [True]
+    false = text.replace("-2", "+2")
+    assert [one.green for one in verdicts(false).values()] == [False]
+
+
+def test_a_function_that_is_given_behind_names_no_constant():
+    text = r"""The motion is $$\ddot u=1-6u^2.$$ Let $h=\tfrac12\dot u^2-u+2u^3$. Then
+    $$\dot u^2=f(u),\qquad f(u)=2h+2u-4u^3.$$"""
+    found = verdicts(text)
+    assert found[r"\dot u^2=f(u)"].green
+    assert not verdicts(text.replace("-4u", "-3u"))[r"\dot u^2=f(u)"].green
+
+
+def test_a_function_without_its_argument_is_a_name():
+    text = r"""The motion is $$\dot u=-u.$$ Let $f(u)=u^2$. The function $f$ tends to zero for
+    $u\to+\infty$."""
+    roles = {one.item.typed.tex: one.role.name for one in reading(text).formulas}
+    assert roles["f"] == "notation"
+    assert roles[r"u\to+\infty"] == "other"
