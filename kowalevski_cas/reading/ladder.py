@@ -27,7 +27,7 @@ from kowalevski_cas.paper.claims import (
 from kowalevski_cas.paper.claims.maps import OF_MAPS
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.hypotheses import hypotheses, near
+from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, near, normalisations
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.solutions import solution_of
@@ -95,7 +95,19 @@ class _Ladder:
                 yield from self.first_order()
             case "somewhere":
                 yield from map(_stronger, (*self.values(), *self.along_solution()))
+        yield from self.of_unit_vectors()
         yield from self.elsewhere()
+
+    def of_unit_vectors(self) -> Iterator[Rung]:
+        """The claim where vectors have the length that is printed of them: one."""
+        given = normalisations(self.item, self.known)
+        if not given or {*given} & {*self.known.bound} or self.role.kind not in EQUATIONS:
+            return
+        says = "both sides are equal, of unit vectors"
+        kind: type[Claim] = Implication
+        if self.role.kind == "integral" and not self._is_rate:
+            kind, says = FirstIntegral, "this is constant along every motion, of unit vectors"
+        yield self.rung(kind, says, self.supposed, given, given=_places(given))
 
     def elsewhere(self) -> Iterator[Rung]:
         """The claim with what is supposed in other places: one that then holds may be meant so."""
