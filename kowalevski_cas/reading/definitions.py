@@ -212,7 +212,8 @@ def change(item: SourceStatement, known: Known) -> StatementRole | None:
     first = item.bare[0] if item.bare and item.members[0] == Name(item.bare[0]) else ""
     new = [name for name in item.names if not known.is_known(name)]
     said = cue("define", item.lead)
-    said = said or ("t" not in item.names and cue("suppose", item.lead))  # else it is a solution
+    if "t" not in item.names:  # else it is a solution
+        said = said or cue("suppose", item.lead)
     if first and new and said and not item.derives:
         if known.moves(known.names.whole(first)) or first.endswith("_i"):
             return StatementRole(DEFINITION, f"gives {plain(first)} by what is new", "change")
