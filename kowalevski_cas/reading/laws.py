@@ -246,9 +246,9 @@ class _LawFinder:
         )
 
     def is_defined(self, row: SourceStatement, since: int) -> bool:
-        """Whether a name that a row derives is defined before, from an offset on, or beside it.
+        r"""Whether a name that a row derives is defined before, from an offset on, or beside it.
 
-        A multiple of a rate defines it, as :math:`C=r^2\\dot\\theta`, where what is derived moves already.
+        A multiple of a rate defines it, as :math:`C=r^2\dot\theta`, where that moves already.
         """
         moving = {name for law in self.found for name in law.variables}
         for one in self.rows:
