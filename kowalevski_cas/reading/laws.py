@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Sequence
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Power, Product, Relation, Vector
+from kowalevski_cas.notation import Derivative, Formula, Name, Power, Product, Relation, Sum, Vector
 from kowalevski_cas.reading.changes import find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
@@ -68,7 +68,9 @@ class _LawFinder:
         items = sorted((*paper.items, *said.rows), key=lambda item: item.order)
         rows = [item for item in items if self._may_be_row(item)]
         rated = {name for row in rows for name in row.rates}
-        rows = [row for row in rows if not {*row.bare[:1]} - rated or self._told(row)]
+        rows = [
+            row for row in rows if not {*row.bare[:1]} - rated or self._told(row) or _is_driven(row)
+        ]
         entries = rows_of_matrices(paper, rows)
         rows = [one for row in rows for one in entries.get(row, [row])]
         self.rows = [*rows, *rows_of_differentials(paper)]
@@ -180,7 +182,8 @@ class _LawFinder:
         of the law before, nor rest on them.
         """
         before = part[0].first
-        said = cue("another system", item.before) or cue("another system", item.section.title)
+        titled = before.section is not item.section and cue("another system", item.section.title)
+        said = cue("another system", item.before) or titled
         apart = [one for one in item.sections if one not in before.sections]
         new = bool(apart) and before.section not in item.sections
         if (item.refs and not cue("another system", item.before)) or not (new or said):
@@ -364,6 +367,15 @@ def is_row(item: SourceStatement) -> bool:
     if any(isinstance(node, Power) and _order(node.base) >= highest for node in nodes):
         return False
     return not isinstance(item.members[0], Name) or _is_multiple(item.members[1])
+
+
+def _is_driven(row: SourceStatement) -> bool:
+    r"""Whether one acceleration stands among other terms, as in :math:`\ddot x+ax=f`.
+
+    What is alone on the other side is a force then, and no name for what stands there.
+    """
+    terms = row.members[0].terms if isinstance(row.members[0], Sum) else ()
+    return len(row.rates) == 1 and max(map(_order, terms), default=0) > 1
 
 
 def _is_joined(one: SourceStatement, other: SourceStatement) -> bool:

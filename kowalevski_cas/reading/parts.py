@@ -146,9 +146,10 @@ class Parts:
                 known.borrow(one, role)
 
     def _inherited(self, item: SourceStatement, known: Known) -> Iterator[SourceStatement]:
-        """What defines names of a statement in the part before, if its law goes on here."""
+        """What defines names of a statement in the last part of which the law goes on here."""
         place = self.places[item]
-        if not place or not self._goes_on(place):
+        before = [self.known[k] for k in reversed(range(place)) if self._goes_on(k, place)]
+        if not before:
             return
         mentioned = {name for law in known.laws for name in law.mentions}
         waiting = [name for name in item.names if item.members[:1] != (Name(name),)]
@@ -158,26 +159,24 @@ class Parts:
             if name in met or known.moves(name):
                 continue
             met.add(name)
-            for one in self.known[place - 1].definitions.get(name, ()):
+            giving = next((part for part in before if name in part.definitions), before[0])
+            for one in giving.definitions.get(name, ()):
                 if self.roles[one].name in NAMING:
                     yield one
                     waiting += one.names
 
-    def _goes_on(self, place: int) -> bool:
-        """Whether a part has the law of the one before with something added, as a force.
+    def _goes_on(self, earlier: int, place: int) -> bool:
+        """Whether a part has the law of an earlier one with something added, as a force.
 
         The same variables move, and all constants of the old law are in the new one.
         """
-        before, here = self.known[place - 1], self.known[place]
+        before = self.known[earlier]
+        printed = [[one for one in self.known[k].laws if not one.new] for k in (earlier, place)]
         constants = []
-        for known in (before, here):
-            mentioned = {
-                n for law in known.laws for name in law.mentions for n in before.below(name)
-            }
+        for laws in printed:
+            mentioned = {n for law in laws for name in law.mentions for n in before.below(name)}
             constants.append({n for n in mentioned if not before.is_defined(n)})
-        moving = [
-            {name for law in known.laws for name in law.variables} for known in (before, here)
-        ]
+        moving = [{name for law in laws for name in law.variables} for laws in printed]
         constants = [own - moving[0] for own in constants]
         return moving[0] == moving[1] and bool(constants[0]) and constants[0] <= constants[1]
 

@@ -45,3 +45,25 @@ def test_a_function_without_its_argument_is_a_name():
     roles = {one.item.typed.tex: one.role.name for one in reading(text).formulas}
     assert roles["f"] == "notation"
     assert roles[r"u\to+\infty"] == "other"
+
+
+FORCED = r"""\section{Free} The point moves by $$\ddot x+ax+bx^3=0 .$$
+Let $H=\tfrac12\dot x^2+\tfrac12ax^2+\tfrac14bx^4$. Then $\dot H=0$.
+\section{A constant force} Let us add a constant $f$ on the right: $$\ddot x+ax+bx^3=f.$$
+The energy changes to $K=H-fx$, and $\dot K=0$."""
+
+
+def test_what_is_added_to_the_forces_is_no_name_of_zero():
+    assert [one.green for one in verdicts(FORCED).values()] == [True, True]
+    for wrong in ("K=H-2fx", "K=H+fx", "K=H"):
+        first, second = verdicts(FORCED.replace("K=H-fx", wrong)).values()
+        assert (first.green, second.green) == (True, False)
+
+
+def test_what_was_named_before_keeps_its_name_where_a_force_is_added():
+    text = r"""\section{Free} The point moves by $$\ddot x+ax+bx^3=0 .$$ Write $y=\dot x$. The energy is
+    $$H=\tfrac12y^2+\tfrac12ax^2+\tfrac14bx^4,$$ i.e. $\dot H=0$.
+    \section{Friction} Real springs are not ideal: $$\ddot x+2c\dot x+ax+bx^3=0,\qquad c>0.$$
+    With the same $H$ we obtain $$\dot H=-2cy^2.$$"""
+    assert verdicts(text)[r"\dot H=-2cy^2"].green
+    assert not verdicts(text.replace("-2cy^2", "-2cy"))[r"\dot H=-2cy"].green
