@@ -69,3 +69,14 @@ def test_known_names_in_factors_are_claimed_to_be_roots():
     assert verdicts(text)["F(s)=(s-a)(s-d)"].green
     found = reading(text.replace("d=2a", "d=3a"))
     assert [one.role.kind for one in found.formulas][-1] == "identity"
+
+
+@pytest.mark.parametrize("seed", sampled(range(12), 2))
+def test_a_functional_identity_holds_for_every_argument_or_is_false(seed):
+    random = Random(seed)
+    one, other = random.sample(range(-4, 5), 2)
+    wrong = random.choice((0, 1))
+    text = rf"""{LAW} Let $$F(s)=s^2{-(one + other):+}s{one * other:+}.$$ Then
+    $$F(s)=(s{-one:+})(s{-other - wrong:+}).$$"""
+    (verdict,) = verdicts(text.replace("+0)", ")").replace("-0)", ")")).values()
+    assert verdict.green is (not wrong)
