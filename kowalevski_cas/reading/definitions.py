@@ -8,6 +8,7 @@ from kowalevski_cas.notation import (
     Application,
     Constant,
     Derivative,
+    Diagonal,
     Formula,
     Name,
     Negative,
@@ -117,7 +118,10 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
     heads = {head(name)[0] for name in fresh}
     alone = [without_factor(m) for m in item.members]
     others = [m for m in alone if getattr(m, "name", getattr(m, "function", "")) not in heads]
-    if not any(known.is_known(n) for n in item.names - {*fresh}) and is_number(others):
+    listed = any(isinstance(one, Vector | Diagonal) for one in others)
+    listed = listed and not any(map(known.is_known, fresh))
+    numbers = is_number(others) and not any(known.is_known(n) for n in item.names - {*fresh})
+    if numbers and not listed:
         why = "gives a number for a name"
         return StatementRole(ASSUMPTION, why, reach_of_constants(item), tuple(fresh))
     if cue("if", item.lead):

@@ -70,7 +70,7 @@ class _Ladder:
     def __init__(self, item: SourceStatement, id: str, stage: Stage) -> None:
         self.item, self.id, self.stage, self.known = item, id, stage, stage.known
         self.role = self.known.roles[item]
-        self.supposed = self.known.supposed(item)
+        self.supposed = stage.understood(self.known.supposed(item))
 
     def rungs(self) -> Iterator[Rung]:
         match self.role.kind:

@@ -86,7 +86,7 @@ def expression(item: SourceStatement, known: Known) -> StatementRole | None:
     if isinstance(item.formula, Name):
         spoken_of = VERB.match(item.tail) and not _BELONGING.search(item.lead)
         said = cue("integral", item.tail[:40]) if spoken_of else ""
-        said = said or listed_words(item, "integral")
+        said = said or listed_words(item, "integral") or _said_before(item)
         if not (said and known.varies(item.formula.name)):
             return StatementRole(NOTATION, "a name")
     else:
@@ -103,6 +103,21 @@ def expression(item: SourceStatement, known: Known) -> StatementRole | None:
             return StatementRole(CLAIM, f"“{said}” is said of a differential form", "form")
         return StatementRole(CLAIM, f"“{said}” is said of it", "integral")
     return StatementRole(OTHER, "an expression: nothing is stated")
+
+
+_SUBJECT_BEHIND = re.compile(
+    r"\bso\s+(?:is|are|does|do)\s+(?:the\s+)?(?:\w+\s+){0,2}$"
+    r"|\b(?:an?|another|(?:second|third|fourth|last)\s+)\s*integral\s+is\s+(?:the\s+)?(?:\w+\s+){0,2}$"
+    r"|интегралом\s+(?:является|служит|будет)\s+(?:\w+\s+){0,2}$",
+    re.IGNORECASE,
+)
+"""How words end that say of the name behind them that it is an integral."""
+
+
+def _said_before(item: SourceStatement) -> str:
+    """The words right before a name that call it an integral."""
+    said = _SUBJECT_BEHIND.search(item.lead)
+    return cue("integral", item.before[-80:]) if said else ""
 
 
 def _has_differentials(item: SourceStatement, known: Known) -> bool:
