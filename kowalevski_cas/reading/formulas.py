@@ -140,7 +140,8 @@ _CAPITAL = re.compile(r"(?<![A-Za-z\\])[A-Z](?![A-Za-z_])")
 def _by_elements(formulas: Sequence[TypedFormula], known: frozenset[str]) -> frozenset[str]:
     """The letters of which the elements are given, and that have traces, or commutators."""
     given = {letter for one in formulas for letter in _ELEMENT.findall(one.tex)}
-    traced = (one.tex[found.end() :] for one in formulas if (found := _TRACE.search(one.tex)))
+    places = ((one.tex, _TRACE.search(one.tex)) for one in formulas)
+    traced = (tex[place.end() :] for tex, place in places if place is not None)
     found = {letter for tex in traced for letter in _CAPITAL.findall(tex)} & given
     for pair in (pair for one in formulas for pair in _PAIR.findall(one.tex)):
         beside = [{*_CAPITAL.findall(part)} for part in pair]

@@ -41,7 +41,6 @@ from kowalevski_cas.verify.confirm import received
 from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.outcome import Outcome
 
-
 LOST = "${}$ is supposed here, in which not all names have a meaning"
 
 
