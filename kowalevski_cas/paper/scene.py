@@ -64,8 +64,6 @@ class Scene:
 
     ``vectors``
         names of vectors with the names of their components.
-    ``matrices``
-        defined names in plain type that stand for matrices, though no rows are printed of them.
     ``variables``, ``constants``
         what moves and what does not.
     ``field``
@@ -103,6 +101,8 @@ class Scene:
         at the quarter period.
     ``loci``
         the places at which every statement about sets is tried once more.
+    ``matrices``
+        defined names in plain type that stand for matrices, though no rows are printed of them.
     ``jets``
         variables that are values of functions which nothing gives, as ``V`` and ``V'``: each with
         its derivative, and the variable, or the time, by which it is derived.
@@ -110,7 +110,6 @@ class Scene:
 
     name: str = ""
     vectors: Mapping[str, tuple[str, ...]] = default(default_factory=dict)
-    matrices: tuple[str, ...] = ()
     variables: tuple[str, ...] = ()
     constants: tuple[str, ...] = ()
     field: tuple[Printed, ...] | Change = ()
@@ -128,6 +127,7 @@ class Scene:
     values: tuple[Printed, ...] = ()
     loci: tuple[Locus, ...] = ()
     jets: tuple[tuple[str, str, str], ...] = ()
+    matrices: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         """Refuse names that are given twice; raises ``ValueError`` or ``TypeError``."""

@@ -51,7 +51,7 @@ def named_case(
 def _case_of(item: SourceStatement, prose: Prose) -> str:
     """The name of the case of a statement; of the only one of its theorem, in the proof of this."""
     if found := _OF.search(item.before):
-        return next(filter(None, found.groups()))
+        return str(next(filter(None, found.groups())))
     start = item.theorem[0] if item.theorem is not None else item.typed.start
     words = prose.text[start : item.typed.start]
     names = {next(filter(None, one.groups())) for one in _OF.finditer(words)}

@@ -299,13 +299,9 @@ class _DerivationReader:
         moving = {name for law in self.parts.laws for name in law.variables} & {*scalars}
         scalars = sorted({*scalars} - functions.keys() - moving)
         scene = Scene(
-            "all names",
-            vectors,
-            tuple(name for name in places if name in words.matrices),
-            (*sorted(moving),),
-            tuple(scalars),
-            definitions=places,
-        )
+            "all names", vectors, (*sorted(moving),), tuple(scalars), definitions=places,
+            matrices=tuple(name for name in places if name in words.matrices),
+        )  # fmt: skip
         times = dict.fromkeys(clocks or ["t"])
         return {f"names-{time}": replace(scene, time=time) for time in times}
 

@@ -287,15 +287,9 @@ class Stage:
         law = closure.law
         rows = tuple(row.printed for row in law.rows) if law and not law.images else ()
         scene = Scene(
-            title,
-            vectors,
-            tuple(name for name in places if name in self.known.paper.words.matrices),
-            closure.variables,
-            constants,
-            rows,
-            definitions=places,
-            powers=powers,
-        )
+            title, vectors, closure.variables, constants, rows, definitions=places, powers=powers,
+            matrices=tuple(name for name in places if name in self.known.paper.words.matrices),
+        )  # fmt: skip
         squared = {name for place in squares for name in place.heads.squares}
         first = [root for root in roots if squared.isdisjoint(self._below(root))]
         scene = scene.adjoining(*(root for root in first if root not in scene.definitions))
