@@ -11,6 +11,7 @@ from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.implied import canonical_pairs, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.unit_matrices import unit_matrices
+from kowalevski_cas.reading.brackets import brackets_by_functions
 from kowalevski_cas.reading.known import CONVENTION, UNIT_MATRIX, Known, StatementRole
 from kowalevski_cas.reading.names import AXES
 from kowalevski_cas.reading.parts import Parts
@@ -66,6 +67,7 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
             yield item, StatementRole(CONVENTION, "a vector of the basis", "basis", (vector,))
     yield from _matrices_of_elements(known, suffix)
     yield from _components(known, suffix)
+    yield from brackets_by_functions(known, suffix)
     for q, p in _conjugate(known):
         tex = rf"\{{{q},{p}\}}=1"
         item = unprinted(paper, re.sub(r"\W+", "-", f"bracket-of-{q}-{p}{suffix}"), tex)

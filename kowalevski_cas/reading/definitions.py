@@ -18,6 +18,7 @@ from kowalevski_cas.notation import (
     Vector,
 )
 from kowalevski_cas.paper.names import head
+from kowalevski_cas.reading.brackets import OF_FUNCTIONS
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.fresh import is_called_constant, is_fresh, without_factor
 from kowalevski_cas.reading.known import (
@@ -89,6 +90,8 @@ def unit(item: SourceStatement, known: Known) -> StatementRole | None:
 
 def bracket(item: SourceStatement, known: Known) -> StatementRole | None:
     """Poisson brackets of variables, before anything is claimed of them."""
+    if any(role.kind == OF_FUNCTIONS for role in known.roles.values()):
+        return None
     if len(item.members) == 2 and isinstance(left := item.members[0], PoissonBracket):
         inner = left.children()
         names = [one.name for one in inner if isinstance(one, Name)]

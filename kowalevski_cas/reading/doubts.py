@@ -20,6 +20,7 @@ from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.phrases import integral_words, is_conditional
 from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.unprinted import SOURCE
 
 _INDEXED = re.compile(r"_\{?[ijk]\b")
 _NUMBERED = re.compile(r"_\{?\d")
@@ -121,7 +122,7 @@ def _is_unread_summary(item: SourceStatement, known: Known) -> bool:
 def _has_usual_bracket(item: SourceStatement, rung: Rung, known: Known) -> bool:
     """Whether a claim depends on the sign of a bracket that the paper does not print."""
     usual = {p for name, p in rung.claim.scene.definitions.items() if name.startswith(BRACKET)}
-    usual -= {one.printed for one in known.paper.items}
+    usual = {place for place in usual if place.display.source == SOURCE}
     nodes = item.formula.nodes() if item.formula is not None else ()
     bracketed = any(isinstance(node, PoissonBracket) for node in nodes)
     return bool(usual) and bracketed and Number(0) not in item.members

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable
 
 from kowalevski_cas.notation import Name, Number, Relation
+from kowalevski_cas.reading.brackets import bracket_of_functions
 from kowalevski_cas.reading.constraints import constraint
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.definitions import (
@@ -180,7 +181,7 @@ def other(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 RULES: tuple[Rule, ...] = (
-    unread, expression, named_set, law, constraint, together, unit, bracket, unjudged, inequality,
+    unread, expression, named_set, law, constraint, together, unit, bracket, bracket_of_functions, unjudged, inequality,
     repeated, change, claimed_set, point, solution, definition, square, assumption, value,
     approximate, rate, zero_set, integral, identity, other,
 )  # fmt: skip
