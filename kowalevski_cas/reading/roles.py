@@ -181,8 +181,8 @@ def other(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 RULES: tuple[Rule, ...] = (
-    unread, expression, named_set, law, constraint, together, unit, bracket, bracket_of_functions, unjudged, inequality,
-    repeated, change, claimed_set, point, solution, definition, square, assumption, value,
-    approximate, rate, zero_set, integral, identity, other,
+    unread, expression, named_set, law, constraint, together, unit, bracket, bracket_of_functions,
+    unjudged, inequality, repeated, change, claimed_set, point, solution, definition, square,
+    assumption, value, approximate, rate, zero_set, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""
