@@ -66,7 +66,7 @@ class Partials:
 
     def _partial(self, formula: Formula, name: str) -> Formula:
         """The derivative by a name, of which no function without a formula is one."""
-        if isinstance(self.setting.step(name), Let) and name in self._coordinates:
+        if name in self.setting.scene.definitions and name in self._coordinates:
             return self._by_coordinate(formula, name)
         if name in self.setting.radicals:
             return Quotient(

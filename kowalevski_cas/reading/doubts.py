@@ -9,6 +9,7 @@ from kowalevski_cas.notation import Name, Number, PoissonBracket, Power
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.reading.compositions import is_of_maps
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import EQUATIONS
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, SETS, Known
@@ -51,6 +52,7 @@ def doubt_of(
 
 def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
     """Whether words, or signs, leave open of what a statement is made, or by which law."""
+    printed = known.paper.expanded.text[item.typed.start : item.typed.end]
     return (
         _is_unread_summary(item, known)
         or item in known.paper.approximate
@@ -62,9 +64,8 @@ def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
         )
         or _is_below_other_rates(item, known)
         or _is_in_limit(item, known)
-        or bool(
-            differentials_of_images(known.paper.expanded.text[item.typed.start : item.typed.end])
-        )
+        or bool(differentials_of_images(printed))
+        or is_of_maps(printed)
     )
 
 

@@ -21,6 +21,7 @@ from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives
 from kowalevski_cas.paper.summation import without_sums
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.reading.compositions import functions_in, maps_in, written_out
 from kowalevski_cas.reading.measures import with_jacobian
 from kowalevski_cas.reading.ranks import with_ranks
 from kowalevski_cas.source.displays import TypedFormula
@@ -44,6 +45,15 @@ def by_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
         with suppress(ValueError):  # at other arguments it cannot be read
             tex = without_arguments(tex, known)
         yield formula if tex == formula.tex else replace(formula, tex=tex)
+
+
+def without_maps(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
+    """The formulas, with what is said of maps by that to which these take a point."""
+    texts = [formula.tex for formula in formulas]
+    maps, functions = maps_in(texts), functions_in(texts)
+    for formula, tex in zip(formulas, texts, strict=True):
+        new = written_out(tex, maps, functions)
+        yield formula if new == tex else replace(formula, tex=new)
 
 
 def vocabulary_of(formulas: Sequence[TypedFormula]) -> Vocabulary:

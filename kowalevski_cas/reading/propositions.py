@@ -7,6 +7,7 @@ from kowalevski_cas.notation import (
     Derivative,
     Name,
     Number,
+    Partial,
     PoissonBracket,
     Power,
     Relation,
@@ -74,6 +75,8 @@ def claimed_set(item: SourceStatement, known: Known) -> StatementRole | None:
     if not item.members or item.derives or not known.varying(item.names):
         return None
     if words_of(item, "of a map"):
+        return None
+    if any(isinstance(node, Partial) for member in item.members for node in member.nodes()):
         return None
     first = item.members[0]
     if isinstance(first, Name) and not known.is_known(first.name):

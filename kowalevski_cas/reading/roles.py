@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 from kowalevski_cas.notation import Name, Number, Relation
 from kowalevski_cas.reading.brackets import bracket_of_functions
+from kowalevski_cas.reading.compositions import gives_map
 from kowalevski_cas.reading.constraints import constraint
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.definitions import (
@@ -73,7 +74,8 @@ def unread(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(NOTATION, "says over what an index runs")
     if _END_OF_PROOF.fullmatch(item.typed.tex):
         return StatementRole(NOTATION, "marks the end of a proof")
-    if _MAPSTO.match(item.typed.tex[item.typed.tex.find("(") :]) and item.trouble:
+    told = _MAPSTO.match(item.typed.tex[item.typed.tex.find("(") :]) or gives_map(item.typed.tex)
+    if told and item.trouble:
         return StatementRole(DEFINITION, "says what a map takes to what")
     if is_ellipsis(item):
         return StatementRole(NOTATION, "stands for more of these")

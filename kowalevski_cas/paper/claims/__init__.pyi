@@ -28,6 +28,7 @@ from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations a
 from kowalevski_cas.paper.claims.lax_pair import LaxPair as LaxPair
 from kowalevski_cas.paper.claims.limit import Limit as Limit
 from kowalevski_cas.paper.claims.local_dimension import LocalDimension as LocalDimension
+from kowalevski_cas.paper.claims.maps import FixedPointsOfMap as FixedPointsOfMap
 from kowalevski_cas.paper.claims.maps import IntegrableMap as IntegrableMap
 from kowalevski_cas.paper.claims.maps import InvariantOfMap as InvariantOfMap
 from kowalevski_cas.paper.claims.maps import InvariantSetOfMap as InvariantSetOfMap
