@@ -16,6 +16,7 @@ from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, SET
 from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.laws import is_row
+from kowalevski_cas.reading.linear_parts import KIND as EIGENVALUE
 from kowalevski_cas.reading.measures import differentials_of_images
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
@@ -45,7 +46,7 @@ def doubt_of(
         return None
     if _is_said_elsewhere(item, known) or _stands_apart(item, rung, candidates, known):
         return Doubt.ALWAYS
-    if role.kind != "integral" and not item.derives:
+    if role.kind not in ("integral", EIGENVALUE) and not item.derives:
         return Doubt.UNLESS_MENDED
     return None if _is_sure(item, rung, candidates, parts) else Doubt.UNLESS_MENDED
 

@@ -15,6 +15,7 @@ from kowalevski_cas.paper.claims import (
     Coefficient,
     Definition,
     DoubleZero,
+    Eigenvalue,
     FirstIntegral,
     Identity,
     Implication,
@@ -27,6 +28,7 @@ from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import hypotheses, near
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.linear_parts import point_of
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.stage import Stage, Supposed
 from kowalevski_cas.reading.statements import SourceStatement
@@ -83,6 +85,8 @@ class _Ladder:
                 yield from self.integrals()
             case "invariant" | "rest":
                 yield from self.of_set()
+            case "eigenvalue":
+                yield from self.eigenvalues()
             case "solution":
                 yield from self.solutions()
             case "approximate":
@@ -256,6 +260,18 @@ class _Ladder:
         own = [one for one, role in roles.items() if role.kind == self.role.kind]
         sets = sets_of(own, self.known.paper.source.text)
         return next(items for items in sets if self.item in items)
+
+    def eigenvalues(self) -> Iterator[Rung]:
+        """That a number is an eigenvalue at the point of which the words speak."""
+        point = point_of(self.item, self.known)
+        says = "this is an eigenvalue of the linear part at this point"
+        law = next(law for law in self.known.laws if not law.images)
+        items = (self.item, *law.rows, *point)
+        for assumptions in self._ways():
+            yield self.rung(
+                Eigenvalue, says, assumptions, (), items,
+                printed=self.item.printed, relations=_places(point),
+            )  # fmt: skip
 
     # -- solutions -------------------------------------------------------------------
 
