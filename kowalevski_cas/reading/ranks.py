@@ -31,7 +31,8 @@ def with_ranks(
         found = words
         for name, own in {pair for one in formulas for pair in _given(one, words)}:
             new = _taken(words, name, own)
-            mine = [one for one in formulas if _stem(name) in one.tex]
+            letter = re.compile(rf"(?<![A-Za-z\\]){re.escape(_stem(name))}(?![A-Za-z])")
+            mine = [one for one in formulas if letter.search(one.tex)]
             if sum(readable(one, new) for one in mine) >= sum(readable(one, words) for one in mine):
                 found = _taken(found, name, own)
         if found == words:
