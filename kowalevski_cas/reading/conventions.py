@@ -13,6 +13,7 @@ from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.unit_matrices import unit_matrices
 from kowalevski_cas.reading.brackets import brackets_by_functions
 from kowalevski_cas.reading.known import CONVENTION, UNIT_MATRIX, Known, StatementRole
+from kowalevski_cas.reading.levels import levels_apart
 from kowalevski_cas.reading.names import AXES
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement
@@ -27,6 +28,8 @@ _CANONICAL = re.compile(r"\bcanonical|\bканоническ", re.IGNORECASE)
 def enter_conventions(parts: Parts) -> None:
     """Give names their usual meaning in the parts of a paper where nothing says what they are."""
     for place, known in enumerate(parts.known):
+        for item in known.items if place else ():
+            parts.cite(item)  # the matrices of elements before it may stand there
         for item in (
             one
             for law in known.laws
@@ -67,6 +70,7 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
             yield item, StatementRole(CONVENTION, "a vector of the basis", "basis", (vector,))
     yield from _matrices_of_elements(known, suffix)
     yield from _components(known, suffix)
+    yield from levels_apart(known, suffix)
     yield from brackets_by_functions(known, suffix)
     for q, p in _conjugate(known):
         tex = rf"\{{{q},{p}\}}=1"

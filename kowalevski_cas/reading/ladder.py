@@ -220,6 +220,9 @@ class _Ladder:
 
     def _integral(self, assumptions: list[SourceStatement]) -> Rung:
         """That a function does not move, under some assumptions."""
+        if (value := self.known.apart.get(self.item)) is not None:
+            says = "this is constant along every motion"
+            return self.rung(FirstIntegral, says, assumptions, (), (value,), printed=value.printed)
         kind = Identity if self._is_rate else FirstIntegral
         return self.rung(kind, "this is constant along every motion", assumptions)
 

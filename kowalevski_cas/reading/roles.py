@@ -31,6 +31,7 @@ from kowalevski_cas.reading.known import (
     Known,
     StatementRole,
 )
+from kowalevski_cas.reading.levels import level
 from kowalevski_cas.reading.linear_parts import eigenvalue
 from kowalevski_cas.reading.obey import said_role
 from kowalevski_cas.reading.phrases import VERB, clause, joined_tail, listed_words, words_of
@@ -186,6 +187,7 @@ def other(item: SourceStatement, known: Known) -> StatementRole | None:
 RULES: tuple[Rule, ...] = (
     unread, eigenvalue, expression, named_set, law, constraint, together, unit, bracket,
     bracket_of_functions, unjudged, inequality, repeated, change, claimed_set, point, solution,
-    definition, square, assumption, value, approximate, rate, zero_set, integral, identity, other,
+    definition, square, assumption, value, approximate, rate, zero_set, level, integral, identity,
+    other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""
