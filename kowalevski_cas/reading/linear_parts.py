@@ -63,7 +63,7 @@ def point_of(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]
     while (cut := _LISTED.sub("", words)) != words:
         words = cut
     found = _SAID.search(words)
-    laws = [law for law in known.laws if law.order < item.order and not law.images]
+    laws = [law for law in known.laws if law.order < item.order and not (law.images or law.base)]
     if len(laws) != 1:
         return ()
     if found is None:
