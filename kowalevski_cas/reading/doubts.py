@@ -46,7 +46,7 @@ def doubt_of(
         return None
     if _is_said_elsewhere(item, known) or _stands_apart(item, rung, candidates, known):
         return Doubt.ALWAYS
-    if role.kind not in ("integral", EIGENVALUE) and not item.derives:
+    if item in known.apart or (role.kind not in ("integral", EIGENVALUE) and not item.derives):
         return Doubt.UNLESS_MENDED
     return None if _is_sure(item, rung, candidates, parts) else Doubt.UNLESS_MENDED
 

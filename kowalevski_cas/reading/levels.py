@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Product, Sum, to_latex, total
+from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import CLAIM, CONVENTION, Known, StatementRole
 from kowalevski_cas.reading.phrases import integral_words, plain
 from kowalevski_cas.reading.statements import SourceStatement
@@ -15,7 +16,9 @@ from kowalevski_cas.reading.unprinted import unprinted
 def level(item: SourceStatement, known: Known) -> StatementRole | None:
     """An equation that words call an integral, with one new name as a term by itself."""
     found = _apart(item)
-    if found is None or not _is_of_state(item, known) or not (said := integral_words(item)):
+    if found is None or not _is_of_state(item, known) or cue("deduced", item.lead):
+        return None
+    if not (said := integral_words(item)):
         return None
     name = found[0]
     mentioned = any(name in law.mentions for law in known.laws)

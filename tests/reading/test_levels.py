@@ -46,3 +46,9 @@ def test_without_words_nothing_is_an_integral():
 def test_a_name_that_is_defined_elsewhere_is_no_value():
     text = PLANE.replace("ENERGY", RIGHT) + r"Here \[h=\tfrac12(\dot u^2+\dot v^2) .\]"
     assert not any(one.green for tex, one in verdicts(text).items() if tex == RIGHT)
+
+
+def test_what_is_found_by_an_integral_is_none():
+    text = PLANE.partition("The integrals")[0]
+    text += r"By the energy integral we find \[\dot u^2=\dot v^2+w ,\] $w$ being small."
+    assert not any(one.value == "refuted" for one in verdicts(text).values())
