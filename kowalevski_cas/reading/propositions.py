@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from kowalevski_cas.notation import (
     Constant,
     Derivative,
@@ -70,11 +72,20 @@ def rate(item: SourceStatement, known: Known) -> StatementRole | None:
     return None
 
 
+_OF_FUNCTION = re.compile(
+    r"\b(?:values?|levels?|minim\w+|maxim\w+)\s+of\s+(?:the|this|an)\s+(?:\w+\s+)?invariant\b"
+    r"|\b(?:the|this)\s+invariant\s+(?:is|has|equals|takes|becomes)\b"
+    r"|\bзначени\w+\s+инварианта\b",
+    re.IGNORECASE,
+)
+"""Words that speak of a function that is constant, and of its value: not of a set."""
+
+
 def claimed_set(item: SourceStatement, known: Known) -> StatementRole | None:
     """Equations of a set of which the words around them say that it is invariant, or at rest."""
     if not item.members or item.derives or not known.varying(item.names):
         return None
-    if words_of(item, "of a map"):
+    if words_of(item, "of a map") or _OF_FUNCTION.search(item.lead):
         return None
     if any(isinstance(node, Partial) for member in item.members for node in member.nodes()):
         return None

@@ -120,7 +120,7 @@ _SUBJECT_BEHIND = re.compile(
 
 def _said_before(item: SourceStatement) -> str:
     """The words right before a name that call it an integral."""
-    said = _SUBJECT_BEHIND.search(item.lead)
+    said = _SUBJECT_BEHIND.search(f"{item.lead} ")
     return cue("integral", item.before[-80:]) if said else ""
 
 
