@@ -21,6 +21,7 @@ from kowalevski_cas.reading.definitions import (
     together,
     unit,
 )
+from kowalevski_cas.reading.flows import divergence, measure
 from kowalevski_cas.reading.index_ranges import is_range
 from kowalevski_cas.reading.known import (
     CLAIM,
@@ -184,8 +185,14 @@ def other(item: SourceStatement, known: Known) -> StatementRole | None:
     return StatementRole(OTHER, "nothing is stated")
 
 
+def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
+    """What is said of the flow, unless it is denied, quoted or asked."""
+    found = divergence(item, known) or measure(item, known)
+    return (unjudged(item, known) or found) if found else None
+
+
 RULES: tuple[Rule, ...] = (
-    unread, eigenvalue, expression, named_set, law, constraint, together, unit, bracket,
+    unread, eigenvalue, of_flow, expression, named_set, law, constraint, together, unit, bracket,
     bracket_of_functions, unjudged, inequality, repeated, change, claimed_set, point, solution,
     definition, square, assumption, value, approximate, rate, zero_set, level, integral, identity,
     other,
