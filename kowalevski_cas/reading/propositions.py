@@ -9,10 +9,10 @@ from kowalevski_cas.notation import (
     Derivative,
     Name,
     Number,
-    Partial,
     PoissonBracket,
     Power,
     Relation,
+    Vector,
 )
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, Known, StatementRole
@@ -98,8 +98,8 @@ def claimed_set(item: SourceStatement, known: Known) -> StatementRole | None:
         return None
     if words_of(item, "of a map") or _OF_FUNCTION.search(item.lead):
         return None
-    if any(isinstance(node, Partial) for member in item.members for node in member.nodes()):
-        return None
+    if any(isinstance(m, Vector) and isinstance(m.components[0], Vector) for m in item.members):
+        return None  # it is a matrix
     first = item.members[0]
     if isinstance(first, Name) and not known.is_known(first.name):
         return None  # it is a function that is defined
