@@ -37,7 +37,7 @@ def printed_arguments(texts: Iterable[str], vectors: Collection[str] = ()) -> di
     ({}, {'V': 'x'})
     """
     texts = [*texts]
-    found = collective_arguments(texts)
+    found = collective_arguments(texts) | arguments_said_once(texts)
     for tex in texts:
         with suppress(NotationError, IndexError):
             for place in defined_names(tex):
@@ -63,6 +63,53 @@ def collective_arguments(texts: Iterable[str]) -> dict[str, str]:
                     if by and _stand_for_all(name, by, texts):
                         found[name] = ",".join(by)
     return found
+
+
+_DOTTED = rf"(?:\\d?dot\s*(?:\{{\s*{_NAME}\s*\}}|{_NAME})|{_NAME})"
+_DEFINED = re.compile(
+    rf"(?<![A-Za-z\\}}^_])(?P<name>{_NAME})\s*\(\s*(?P<by>{_DOTTED}(?:\s*,\s*{_DOTTED})*)\s*\)"
+    r"\s*&?\s*=(?P<body>[^=]*)"
+)
+
+
+def arguments_said_once(texts: Iterable[str]) -> dict[str, str]:
+    r"""The names that one display defines at arguments, and that stand alone everywhere else.
+
+    >>> arguments_said_once([r"J(q,\dot q)=q^2+\dot q^2", r"\frac{\partial J}{\partial q}=2q"])
+    {'J': 'q,\\dot q'}
+
+    Where another display has it at something, or gives it by its name alone, it is another thing.
+
+    >>> arguments_said_once(["f(x)=x^2", "f=f(a)"]), arguments_said_once(["E(k)=k^2", "E=2, 3E=6"])
+    ({}, {})
+    """
+    texts, found = [*texts], dict[str, str]()
+    for place in (match for tex in texts for match in _DEFINED.finditer(tex)):
+        name, by = place["name"], re.sub(r"\s*,\s*", ",", place["by"])
+        letter = rf"(?<![A-Za-z\\]){re.escape(name)}(?![A-Za-z_])"
+        calls = [call for tex in texts for call in re.findall(letter + r"\s*(?:\\left\s*)?\(", tex)]
+        given = any(re.search(letter + r"\s*&?\s*=", tex) for tex in texts)
+        alone = sum(len(re.findall(letter, tex)) for tex in texts) > len(calls)
+        inside = re.escape(by.split(",")[0])
+        if len(calls) == 1 and alone and not given and re.search(inside, place["body"]):
+            found[name] = by
+    return found
+
+
+def functions_of(texts: Iterable[str]) -> dict[str, str]:
+    r"""The functions of several letters that displays define, with no component that is one too.
+
+    >>> functions_of(["u(x,t)=x-ct", "u_t+uu_x=0"]), functions_of(["v(x,t)=x+t, 2v=v_x, v_x=2"])
+    ({'u': 'x,t'}, {})
+    """
+    texts = [*texts]
+
+    def has_component(name: str) -> bool:
+        own = re.compile(rf"(?:^|[,&])\s*{re.escape(name)}_\{{?\w\}}?\s*&?\s*=")
+        return any(map(own.search, texts))
+
+    found = arguments_said_once(texts)
+    return {name: by for name, by in found.items() if "," in by and not has_component(name)}
 
 
 def _stand_for_all(name: str, by: Collection[str], texts: Iterable[str]) -> bool:

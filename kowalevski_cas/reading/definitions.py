@@ -170,7 +170,8 @@ def _level(
                 return StatementRole(LEVEL, why, "", (*fresh,))
             return StatementRole(CLAIM, f"{why}, which is constant then", "integral", (*fresh,))
     if item.bare[:1] != tuple(fresh[:1]) and len(item.bare) == len(item.members):
-        return StatementRole(ASSUMPTION, "gives constants by a new one", "", item.bare)
+        why = "gives constants by a new one"
+        return StatementRole(ASSUMPTION, why, reach_of_constants(item), item.bare)
     return None
 
 
