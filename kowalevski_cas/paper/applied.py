@@ -99,7 +99,7 @@ def arguments_said_once(texts: Iterable[str]) -> dict[str, str]:
 def functions_of(texts: Iterable[str]) -> dict[str, str]:
     r"""The functions of several letters that displays define, with no component that is one too.
 
-    >>> functions_of(["u(x,t)=x-ct", "u_t+uu_x=0"]), functions_of(["v(x,t)=x+t, 2v=v_x, v_x=2"])
+    >>> functions_of(["u(x,t)=x-ct", "u_t+u u_x=0"]), functions_of(["v(x,t)=x+t, 2v=v_x, v_x=2"])
     ({'u': 'x,t'}, {})
     """
     texts = [*texts]

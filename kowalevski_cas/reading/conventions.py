@@ -31,14 +31,12 @@ ANY_MOTION = "no equation says how it moves: what is judged holds for any motion
 def enter_conventions(parts: Parts) -> None:
     """Give names their usual meaning in the parts of a paper where nothing says what they are."""
     for place, known in enumerate(parts.known):
-        for law, item in (
-            (law, one)
-            for law in known.laws
-            for one in law.items
-            if one not in parts.paper.items and one not in parts.said.rows
-        ):
-            parts.places[item] = place
-            parts.enter(item, StatementRole(CONVENTION, ANY_MOTION if is_free(law) else IMPLIED))
+        for law in known.laws:
+            why = ANY_MOTION if is_free(law) else IMPLIED
+            for item in law.items:
+                if item not in parts.paper.items and item not in parts.said.rows:
+                    parts.places[item] = place
+                    parts.enter(item, StatementRole(CONVENTION, why))
         for item, role in conventions(known, f"-{place + 1}" if place else ""):
             parts.places[item] = place
             parts.enter(item, role)

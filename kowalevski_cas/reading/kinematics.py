@@ -1,4 +1,4 @@
-r"""Coordinates of which no equation says how they move: what is printed of rates holds for any motion.
+r"""Coordinates of which no equation says how they move: their rates are those of any motion.
 
 So :math:`\dot x=\dot r\cos\varphi-r\dot\varphi\sin\varphi` follows from :math:`x=r\cos\varphi`,
 whatever the forces are. An equation that holds for some motions only is not judged.
@@ -6,7 +6,7 @@ whatever the forces are. An equation that holds for some motions only is not jud
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from kowalevski_cas.notation import Derivative, Formula, Name, Number, Relation
 from kowalevski_cas.reading.known import CLAIM, Known
@@ -28,8 +28,12 @@ def free_motion(paper: SourcePaper, names: Names) -> list[Law]:
     given = {one.bare[0] for one in paper.items if one.bare and _gives(one)}
     derived = [one for one in paper.items if one.rates]
     moved = dict.fromkeys(name for one in derived for name in one.rates)
-    order = 1 + max((_depth(one.formula) for one in derived if one.formula is not None), default=0)
-    order += len({name for one in derived for name in one.bare} & given & moved.keys())
+    depths = dict.fromkeys(given, 0)
+    for one in [*paper.items, *paper.items]:  # what is given may be explained behind its use
+        if one.bare[:1] and one.bare[0] in given:
+            own = max(_depth(member, depths) for member in one.members[1:])
+            depths[one.bare[0]] = max(own, depths[one.bare[0]])
+    order = 1 + max((_depth(one.formula, depths) for one in derived if one.formula), default=0)
     letters = [name for name in moved if name not in given]
     parts = {part for name in letters for part in names.vectors.get(name, ())}
     if not letters or parts & {*letters} or order > MOST:
@@ -82,9 +86,12 @@ def _gives(one: SourceStatement) -> bool:
     return one.members[0] == Name(one.bare[0]) and not any(map(is_numerical, one.members))
 
 
-def _depth(formula: Formula) -> int:
-    """How often something is derived in a formula, at most."""
-    return isinstance(formula, Derivative) + max(map(_depth, formula.children()), default=0)
+def _depth(formula: Formula, depths: Mapping[str, int]) -> int:
+    """How often something is derived in a formula, at most, with what its names stand for."""
+    if isinstance(formula, Name):
+        return depths.get(formula.name, 0)
+    below = max((_depth(child, depths) for child in formula.children()), default=0)
+    return isinstance(formula, Derivative) + below
 
 
 def _is_own_rate(formula: Formula, law: Law) -> bool:
