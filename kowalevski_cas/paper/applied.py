@@ -90,8 +90,9 @@ def arguments_said_once(texts: Iterable[str]) -> dict[str, str]:
         calls = [call for tex in texts for call in re.findall(letter + r"\s*(?:\\left\s*)?\(", tex)]
         given = any(re.search(letter + r"\s*&?\s*=", tex) for tex in texts)
         alone = sum(len(re.findall(letter, tex)) for tex in texts) > len(calls)
-        inside = re.escape(by.split(",")[0])
-        if len(calls) == 1 and alone and not given and re.search(inside, place["body"]):
+        primed = any(re.search(letter + r"\s*(?:'|\^\{?\\prime)", tex) for tex in texts)
+        inside = re.search(re.escape(by.split(",")[0]), place["body"])
+        if len(calls) == 1 and alone and inside and not (given or primed):
             found[name] = by
     return found
 

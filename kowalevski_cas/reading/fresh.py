@@ -39,7 +39,7 @@ def is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
     return (
         first is None
         or (known.roles[first].name in (LAW, DEFINITION) and first.sentence == item.sentence)
-        or (first.typed is item.typed and item.members[:1] == (Name(function),))
+        or (first.typed is item.typed and item.members[0] in alone)
         or (known.roles[first].name == LAW and _gives(function, item, known))
         or (_explains(item) and _is_near(first, item))
         or _is_explained(function, first, item)
@@ -61,7 +61,7 @@ def _is_used_before(name: str, first: SourceStatement, item: SourceStatement, kn
         return False
     if is_field:
         return True  # it solves what was printed of its derivatives
-    if not known.varying(item.names - {name}):
+    if known.laws and not known.varying(item.names - {name}):
         return False
     supposed = any(name in known.roles[one].names for one in known.assumptions)
     mentioned = any(name in law.mentions for law in known.laws)
