@@ -116,11 +116,13 @@ def functions_of(texts: Iterable[str]) -> dict[str, str]:
 def _stand_for_all(name: str, by: Collection[str], texts: Iterable[str]) -> bool:
     """Whether arguments say which names with an index stand in a definition, as q in H(q)=q_1^2."""
     listed = r"\s*,\s*".join(map(re.escape, by))
-    head_of = rf"(?<![A-Za-z\\]){re.escape(name)}\s*(?:\\left\s*)?\(\s*{listed}\s*(?:\\right\s*)?\)"
+    head_of = (
+        rf"(?<![A-Za-z\\_]){re.escape(name)}\s*(?:\\left\s*)?\(\s*{listed}\s*(?:\\right\s*)?\)"
+    )
     bodies = [m[1] for tex in texts for m in re.finditer(head_of + r"\s*&?\s*=([^=]*)", tex)]
     return bool(bodies) and all(
-        re.search(rf"(?<![A-Za-z\\]){re.escape(one)}\s*_", body)
-        and not re.search(rf"(?<![A-Za-z\\]){re.escape(one)}(?!\s*_)(?![A-Za-z])", body)
+        re.search(rf"(?<![A-Za-z\\_]){re.escape(one)}\s*_", body)
+        and not re.search(rf"(?<![A-Za-z\\_]){re.escape(one)}(?!\s*_)(?![A-Za-z])", body)
         for one in by
         for body in bodies
     )
@@ -129,7 +131,9 @@ def _stand_for_all(name: str, by: Collection[str], texts: Iterable[str]) -> bool
 def _arguments(name: str, texts: Iterable[str], vectors: Collection[str]) -> str:
     """The one list of arguments of a name elsewhere; empty if they are not all in what it is."""
     texts = [tex for tex in texts if name in tex]  # most displays of a long paper have no such name
-    letter = rf"(?<![A-Za-z\\]){re.escape(name)}"
+    letter = rf"(?<![A-Za-z\\_]){re.escape(name)}"
+    if any(re.search(rf"{letter}\s*'+\s*\(", tex) for tex in texts):
+        return ""  # it is derived, and taken at arguments: it is a function
     every = [match["by"] for tex in texts for match in re.finditer(letter + _LIST, tex)]
     lists = {re.sub(r"\s+", "", by) for by in every}
     if len(lists) != 1:
@@ -138,7 +142,7 @@ def _arguments(name: str, texts: Iterable[str], vectors: Collection[str]) -> str
     definition = rf"{letter}\s*=(?P<by>[^=]*)"
     defining = " ".join(match["by"] for tex in texts for match in re.finditer(definition, tex))
     inside = all(
-        re.search(rf"(?<![A-Za-z\\]){re.escape(argument)}(?![A-Za-z])", defining)
+        re.search(rf"(?<![A-Za-z\\_]){re.escape(argument)}(?![A-Za-z])", defining)
         for argument in listed.split(",")
     )
     return listed if inside and {*listed.split(",")}.isdisjoint(vectors) else ""
@@ -150,7 +154,7 @@ def without_arguments(tex: str, known: Mapping[str, str]) -> str:
     Raises ``ValueError`` for one at anything else.
     """
     for name, by in known.items():
-        letter = rf"(?<![A-Za-z\\])(?P<name>{re.escape(name)})\s*(?:\\left\s*)?\("
+        letter = rf"(?<![A-Za-z\\_])(?P<name>{re.escape(name)})\s*(?:\\left\s*)?\("
         listed = r"\s*,\s*".join(map(re.escape, by.split(",")))
         call = rf"{letter}\s*{listed}\s*(?:\\right\s*)?\)"
         # filled up to the same length: errors point at places of the text as it was printed
