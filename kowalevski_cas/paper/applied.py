@@ -71,6 +71,11 @@ _DEFINED = re.compile(
     r"\s*&?\s*=(?P<body>[^=]*)"
 )
 
+_UPRIGHT = re.compile(
+    r"\\(?:operatorname\*?|mathrm|text|label|ref|begin|end)\s*\{[^{}]*\}|\\(?!left|prime)[A-Za-z]+"
+)
+"""What prints no letter that stands for anything."""
+
 
 def arguments_said_once(texts: Iterable[str]) -> dict[str, str]:
     r"""The names that one display defines at arguments, and that stand alone everywhere else.
@@ -84,15 +89,18 @@ def arguments_said_once(texts: Iterable[str]) -> dict[str, str]:
     ({}, {})
     """
     texts, found = [*texts], dict[str, str]()
+    letters = [_UPRIGHT.sub(" ", tex) for tex in texts]
     for place in (match for tex in texts for match in _DEFINED.finditer(tex)):
         name, by = place["name"], re.sub(r"\s*,\s*", ",", place["by"])
-        letter = rf"(?<![A-Za-z\\]){re.escape(name)}(?![A-Za-z_])"
-        calls = [call for tex in texts for call in re.findall(letter + r"\s*(?:\\left\s*)?\(", tex)]
-        given = any(re.search(letter + r"\s*&?\s*=", tex) for tex in texts)
-        alone = sum(len(re.findall(letter, tex)) for tex in texts) > len(calls)
-        primed = any(re.search(letter + r"\s*(?:'|\^\{?\\prime)", tex) for tex in texts)
-        inside = re.search(re.escape(by.split(",")[0]), place["body"])
-        if len(calls) == 1 and alone and inside and not (given or primed):
+        printed = letters if name.isalpha() and len(name) == 1 else texts
+        letter = rf"(?<!\\){re.escape(name)}(?![A-Za-z_])" if printed is texts else f"{name}(?!_)"
+
+        def count(behind: str, letter: str = letter, texts: list[str] = printed) -> int:
+            return sum(len(re.findall(letter + behind, tex)) for tex in texts)
+
+        calls, primed = count(r"\s*(?:\\left\s*)?\("), count(r"\s*(?:'|\^\{?\\prime)")
+        once = calls == 1 and count("") > 1 and not (primed or count(r"\s*&?\s*="))
+        if once and re.search(re.escape(by.split(",")[0]), place["body"]):
             found[name] = by
     return found
 
