@@ -210,8 +210,9 @@ class Stage:
         named = [law for law in smallest if cited & {*law.rows, *law.printed}]
         law = next(iter((named or smallest)[::-1]), None)
         for name in known.names.scalars(name for item in items for name in item.rates):
-            timed = known.is_defined(name) and "t" in known.below(name)
-            if (law is None and not timed) or not (known.is_defined(name) or name in law.variables):
+            if known.is_defined(name) and (law is not None or "t" in known.below(name)):
+                continue
+            if law is None or name not in law.variables:
                 raise ValueError(f"no equation says how ${name}$ moves")
         if law is None:
             return None
