@@ -12,6 +12,7 @@ from kowalevski_cas.paper.implied import canonical_pairs, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.unit_matrices import unit_matrices
 from kowalevski_cas.reading.brackets import brackets_by_functions
+from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.known import CONVENTION, UNIT_MATRIX, Known, StatementRole
 from kowalevski_cas.reading.levels import levels_apart
 from kowalevski_cas.reading.names import AXES
@@ -25,19 +26,21 @@ _INERTIA = re.compile(r"\binerti|\bинерци", re.IGNORECASE)
 _CANONICAL = re.compile(r"\bcanonical|\bканоническ", re.IGNORECASE)
 
 
+IMPLIED = "an equation of motion that is implied"
+ANY_MOTION = "no equation says how it moves: what is judged holds for any motion"
+
+
 def enter_conventions(parts: Parts) -> None:
     """Give names their usual meaning in the parts of a paper where nothing says what they are."""
     for place, known in enumerate(parts.known):
         for item in known.items if place else ():
             parts.cite(item)  # the matrices of elements before it may stand there
-        for item in (
-            one
-            for law in known.laws
-            for one in law.items
-            if one not in parts.paper.items and one not in parts.said.rows
-        ):
-            parts.places[item] = place
-            parts.enter(item, StatementRole(CONVENTION, "an equation of motion that is implied"))
+        for law in known.laws:
+            why = ANY_MOTION if is_free(law) else IMPLIED
+            for item in law.items:
+                if item not in parts.paper.items and item not in parts.said.rows:
+                    parts.places[item] = place
+                    parts.enter(item, StatementRole(CONVENTION, why))
         for item, role in conventions(known, f"-{place + 1}" if place else ""):
             parts.places[item] = place
             parts.enter(item, role)
