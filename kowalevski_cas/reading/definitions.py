@@ -8,6 +8,7 @@ from kowalevski_cas.notation import (
     Application,
     Constant,
     Derivative,
+    Diagonal,
     Formula,
     Name,
     Negative,
@@ -17,6 +18,7 @@ from kowalevski_cas.notation import (
     Vector,
 )
 from kowalevski_cas.paper.names import head
+from kowalevski_cas.reading.brackets import OF_FUNCTIONS
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.fresh import (
     is_called_constant,
@@ -93,6 +95,8 @@ def unit(item: SourceStatement, known: Known) -> StatementRole | None:
 
 def bracket(item: SourceStatement, known: Known) -> StatementRole | None:
     """Poisson brackets of variables, before anything is claimed of them."""
+    if any(role.kind == OF_FUNCTIONS for role in known.roles.values()):
+        return None
     if len(item.members) == 2 and isinstance(left := item.members[0], PoissonBracket):
         inner = left.children()
         names = [one.name for one in inner if isinstance(one, Name)]
@@ -123,7 +127,10 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
     heads = {head(name)[0] for name in fresh}
     alone = [without_factor(m) for m in item.members]
     others = [m for m in alone if getattr(m, "name", getattr(m, "function", "")) not in heads]
-    if not any(known.is_known(n) for n in item.names - {*fresh}) and is_number(others):
+    listed = any(isinstance(one, Vector | Diagonal) for one in others)
+    listed = listed and not any(map(known.is_known, fresh))
+    numbers = is_number(others) and not any(known.is_known(n) for n in item.names - {*fresh})
+    if numbers and not listed:
         why = "gives a number for a name"
         return StatementRole(ASSUMPTION, why, reach_of_constants(item), tuple(fresh))
     if cue("if", item.lead):
@@ -177,7 +184,8 @@ def _level(
                 return StatementRole(LEVEL, why, "", (*fresh,))
             return StatementRole(CLAIM, f"{why}, which is constant then", "integral", (*fresh,))
     if item.bare[:1] != tuple(fresh[:1]) and len(item.bare) == len(item.members):
-        return StatementRole(ASSUMPTION, "gives constants by a new one", "", item.bare)
+        why = "gives constants by a new one"
+        return StatementRole(ASSUMPTION, why, reach_of_constants(item), item.bare)
     return None
 
 
@@ -256,9 +264,11 @@ def _square_of_constants(
     item: SourceStatement, known: Known, fresh: list[str]
 ) -> StatementRole | None:
     """The square of a new constant by known ones, where words define it."""
-    new = not any(map(known.is_known, fresh))
+    first = known.seen.get(fresh[0])
+    beside = first is not None and first.typed is item.typed
+    new = beside or not any(map(known.is_known, fresh))
     others = [m for m in item.members if m.names().isdisjoint(fresh)]
-    said = cue("define", item.lead) and not cue("if", item.lead)
+    said = beside or (cue("define", item.lead) and not cue("if", item.lead))
     if new and said and item.members[0] == Power(Name(fresh[0]), Number(2)):
         if not is_number(others) and all(map(known.is_known, item.names - {*fresh})):
             why = f"first with the square of {plain(fresh[0])} alone on a side"

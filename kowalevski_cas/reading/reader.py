@@ -23,6 +23,7 @@ from kowalevski_cas.reading.constraints import UNBOUND, enter_constraints, unbou
 from kowalevski_cas.reading.conventions import enter_conventions
 from kowalevski_cas.reading.cyclic import enter_cyclic_names
 from kowalevski_cas.reading.doubts import doubt_of
+from kowalevski_cas.reading.energies import claims_of_energies
 from kowalevski_cas.reading.grammar import wrong
 from kowalevski_cas.reading.in_words import claims_in_words
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, UNIT_MATRIX, StatementRole
@@ -40,6 +41,8 @@ from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.confirm import received
 from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.outcome import Outcome
+
+LOST = "${}$ is supposed here, in which not all names have a meaning"
 
 
 @dataclass(eq=False)
@@ -157,7 +160,8 @@ class _DerivationReader:
 
     def _in_words(self) -> Iterator[JudgedStatement]:
         """The claims that sentences make; one that has no meaning is told with its reason."""
-        claimed = (*claims_in_words(self.parts), *claims_of_maps(self.parts))
+        parts = self.parts
+        claimed = (*claims_in_words(parts), *claims_of_maps(parts), *claims_of_energies(parts))
         for number, found in enumerate(claimed, 1):
             first = found.about[0]
             known = self.parts.of(first)
@@ -230,6 +234,8 @@ class _DerivationReader:
             doubt, message = Doubt.ALWAYS, UNBOUND.format(name)
         if message == OVERDUE:
             doubt = Doubt.ALWAYS
+        if lost := self.stages[self.parts.of(item)].lost(item):
+            doubt, message = Doubt.ALWAYS, LOST.format(lost[0].printed.tex.strip())
         if choice.elsewhere is not None:
             doubt, message = Doubt.ALWAYS, self._supposed_elsewhere(item, choice.elsewhere)
         return JudgedStatement(item, role, rung.claim, rung.on, rung.constants, doubt, message)
@@ -289,13 +295,15 @@ class _DerivationReader:
             for name in role.names:
                 letter, arguments = head(name)
                 is_matrix = letter in words.matrices or role.kind == UNIT_MATRIX
-                is_matrix = is_matrix and item.printed.heads.matrix
                 if letter != BRACKET and letter not in functions and (arguments or is_matrix):
                     functions[letter] = name
                     places[name] = item.printed
         moving = {name for law in self.parts.laws for name in law.variables} & {*scalars}
         scalars = sorted({*scalars} - functions.keys() - moving)
-        scene = Scene("all names", vectors, (*sorted(moving),), tuple(scalars), definitions=places)
+        scene = Scene(
+            "all names", vectors, (*sorted(moving),), tuple(scalars), definitions=places,
+            matrices=tuple(name for name in places if name in words.matrices),
+        )  # fmt: skip
         times = dict.fromkeys(clocks or ["t"])
         return {f"names-{time}": replace(scene, time=time) for time in times}
 

@@ -35,6 +35,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.forces import refuse_unsaid_forces
+from kowalevski_cas.reading.kinematics import is_free, refuse_dynamics
 from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, Known
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.statements import SourceStatement, derived_names
@@ -104,6 +105,27 @@ class Stage:
             self.scenes[key] = self._made(closure, about, roots, powers, clock)
         self._refuse_unknown(self.scenes[key].scene, [*items, *closure.definitions.values()], law)
         return self.scenes[key]
+
+    def understood(self, assumptions: Iterable[SourceStatement]) -> list[SourceStatement]:
+        """Those of some assumptions of which all names have a meaning."""
+        return [one for one in assumptions if not self._is_lost(one)]
+
+    def lost(self, item: SourceStatement) -> list[SourceStatement]:
+        """What is supposed at a statement of its names, or theirs, and has no meaning.
+
+        What fails without it may hold with it.
+        """
+        supposed = [one for one in self.known.supposed(item) if self._is_lost(one)]
+        below = {inner for name in item.names for inner in self.known.below(name)}
+        moving = {name for law in self.known.laws for name in law.mentions if item.derives}
+        return [one for one in supposed if {*self.known.roles[one].names} & (below | moving)]
+
+    def _is_lost(self, assumption: SourceStatement) -> bool:
+        try:
+            self._closure([assumption], None)
+        except ValueError:
+            return True
+        return False
 
     def _about(
         self, assumptions: Iterable[SourceStatement], names: frozenset[str]
@@ -212,10 +234,15 @@ class Stage:
         named = [law for law in smallest if cited & {*law.rows, *law.printed}]
         law = next(iter((named or smallest)[::-1]), None)
         for name in known.names.scalars(name for item in items for name in item.rates):
-            if law is None or not (known.is_defined(name) or name in law.variables):
+            if known.is_defined(name) and (law is not None or "t" in known.below(name)):
+                continue
+            if law is None or name not in law.variables:
                 raise ValueError(f"no equation says how ${name}$ moves")
         if law is None:
             return None
+        if is_free(law):
+            refuse_dynamics(law, at, known)
+            return law
         refuse_unsaid_forces(law, at, known)
         return self._restated(law, at)
 
@@ -270,8 +297,9 @@ class Stage:
         law = closure.law
         rows = tuple(row.printed for row in law.rows) if law and not law.images else ()
         scene = Scene(
-            title, vectors, closure.variables, constants, rows, definitions=places, powers=powers
-        )
+            title, vectors, closure.variables, constants, rows, definitions=places, powers=powers,
+            matrices=tuple(name for name in places if name in self.known.paper.words.matrices),
+        )  # fmt: skip
         squared = {name for place in squares for name in place.heads.squares}
         first = [root for root in roots if squared.isdisjoint(self._below(root))]
         scene = scene.adjoining(*(root for root in first if root not in scene.definitions))
