@@ -124,6 +124,8 @@ CUES: dict[str, str] = {
         \bon\s+(?:the|an?)\s+(?:\w+\s+){0,4}(?:sphere|surface|curve|line|paraboloid|ellipsoid|cylinder|cone)\s*$
         \bна\s+(?:\w+\s+){0,2}(?:сфер|поверхност|крив|параболоид|эллипсоид|цилиндр|конус)\w*\s*$
         connected\s+by subject\s+to связ(?:ь|и|ью|ями)\b стеснен\w+""",
+    "frame": r"""
+        frames? observers? Lorentz\w* Galile\w* систем\w+\s+отсч[её]та наблюдател\w+""",
     "approximate": r"""
         terms?\s+of\s+(?:the\s+)?(?:first|second|higher|lowest)\s+order
         to\s+(?:the\s+)?first\s+order (?:first|linear|crude|rough)\s+approximation approximat\w+

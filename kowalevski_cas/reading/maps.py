@@ -33,8 +33,12 @@ _STEP = re.compile(r"([a-z])(?:\+\d)")
 def primed_images(paper: SourcePaper, said: Said) -> frozenset[str]:
     """The names with primes that are images: words, or a comment, say so of their equations.
 
-    They are none if the same names are derived by primes elsewhere.
+    They are none if the same names are derived by primes elsewhere. Where a time has a prime, and
+    frames are spoken of, all primes are those of another one.
     """
+    every = {name for one in paper.items for name in _primed(one.formula)}
+    if every & {"t", r"\tau"} and cue("frame", paper.prose.text):
+        return frozenset(f"{name}'" for name in every)
     rows = [one for one in paper.items if one in paper.maps or said.verb(one) == "map"]
     rows = [one for one in rows if "prime" in one.marks]
     before = (one for one in paper.items if rows and one.order < rows[0].order)

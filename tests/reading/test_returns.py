@@ -1,5 +1,7 @@
 """A text may come back to an earlier system, and name what is small without being approximate."""
 
+import pytest
+
 from tests.reading.test_reading import reading, verdicts
 
 PLANE = r"""\section{Polar} The equations are
@@ -66,3 +68,13 @@ def test_what_was_named_before_keeps_its_name_where_a_force_is_added():
     With the same $H$ we obtain $$\dot H=-2cy^2.$$"""
     assert verdicts(text)[r"\dot H=-2cy^2"].green
     assert not verdicts(text.replace("-2cy^2", "-2cy"))[r"\dot H=-2cy"].green
+
+
+BOOST = r"""The coordinates in the {word} $S'$ are \[ x'=\gamma(x-vt),\qquad t'=\gamma\Bigl(t-\frac{{vx}}{{c^2}}\Bigr),
+\qquad \gamma=\frac1{{\sqrt{{1-v^2/c^2}}}} . \] Hence \[ c^2t'^2-x'^2=c^2t^2-{factor}x^2 . \]"""
+
+
+@pytest.mark.parametrize(("factor", "green"), [("", True), ("2", False)])
+def test_primes_of_another_frame_are_no_derivatives(factor, green):
+    found = verdicts(BOOST.format(word="frame", factor=factor))
+    assert [one.green for one in found.values()] == [green]
