@@ -18,7 +18,9 @@ SPECTRAL = (r"\lambda", r"\zeta", r"\mu", r"\xi")
 """The letters of a parameter on which matrices depend, and which does not move."""
 
 _NAME = r"(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?"
-_LIST = rf"\s*(?:\\left\s*)?\(\s*(?P<by>{_NAME}(?:\s*,\s*{_NAME})*)\s*(?:\\right\s*)?\)"
+_LISTED = re.compile(
+    rf"\s*(?:\\left\s*)?\(\s*(?P<by>{_NAME}(?:\s*,\s*{_NAME})*)\s*(?:\\right\s*)?\)"
+)
 
 
 def printed_arguments(texts: Iterable[str], vectors: Collection[str] = ()) -> dict[str, str]:
@@ -82,8 +84,9 @@ def _arguments(name: str, texts: Iterable[str], vectors: Collection[str]) -> str
     """The one list of arguments of a name elsewhere; empty if they are not all in what it is."""
     texts = [tex for tex in texts if name in tex]  # most displays of a long paper have no such name
     letter = rf"(?<![A-Za-z\\]){re.escape(name)}"
-    every = [match["by"] for tex in texts for match in re.finditer(letter + _LIST, tex)]
-    lists = {re.sub(r"\s+", "", by) for by in every}
+    places = ((tex, found.end()) for tex in texts for found in re.finditer(letter, tex))
+    every = (_LISTED.match(tex, end) for tex, end in places)
+    lists = {re.sub(r"\s+", "", match["by"]) for match in every if match}
     if len(lists) != 1:
         return ""
     (listed,) = lists

@@ -131,11 +131,33 @@ def said_rung(found: Directive, id: str, stage: Stage, item: SourceStatement | N
 
 
 def about(found: Directive, known: Known) -> list[SourceStatement]:
-    """The statements that a comment names, and those that define what it names in TeX."""
+    """The statements that a comment names, and those that define what it names in TeX.
+
+    If nothing moves there, as in a unit, the equations of motion of the names that it lists.
+    """
     own = list(dict.fromkeys((*found.items, *_defining(found, known))))
     if not own and not found.is_of_formula:
         raise wrong(found.comment, "it names no formula, and nothing that one defines")
+    if not known.varying({name for one in own for name in one.names}):
+        own += _moving(found, known)
     return own
+
+
+def _moving(found: Directive, known: Known) -> list[SourceStatement]:
+    """The rows of the first law that moves all variables that a comment lists."""
+    listed = {*_texts(tuple(spelled_out(found, known).values()))}
+    names = {name for name in listed if known.moves(name)}
+    laws = (law for law in known.laws if names and names <= {*law.variables})
+    return [*next((law.rows for law in laws), ())]
+
+
+def _texts(value: object) -> Iterator[str]:
+    """The texts among the values of a claim."""
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, tuple):
+        for one in value:
+            yield from _texts(one)
 
 
 def spelled_out(found: Directive, known: Known) -> dict[str, object]:
