@@ -148,10 +148,10 @@ def _row(rows: object, item: SourceStatement | None, found: Directive, known: Kn
     """The statement that is named, of several the one beside that which makes the claim."""
     if not isinstance(rows, tuple):
         return rows
-    own = [one for one in known.items if item is not None and one.typed is item.typed]
-    if len(rows) != len(own):
-        raise wrong(found.comment, f"one statement is expected, or {len(own)} in rows")
-    return dict(zip(own, rows, strict=True))[item]
+    beside = [one for one in known.items if item is not None and one.typed is item.typed]
+    if len(rows) != len(beside):
+        raise wrong(found.comment, f"one statement is expected, or {len(beside)} in rows")
+    return next(row for one, row in zip(beside, rows, strict=True) if one is item)
 
 
 def _scene_of_set(
