@@ -30,6 +30,7 @@ from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 TRANSPOSED = frozenset({"T", r"\mathsf{T}", r"\mathrm{T}", r"\top", r"\intercal", "t"})
 """The marks of a transposed matrix."""
 _SPACE = re.compile(r"\\[,;: ]|~")
+_PI = r"\pi"
 _DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
 
 
@@ -189,12 +190,16 @@ class Symbols(Cursor):
     def applied(self, name: str, token: Token, on: _Scripts, accented: bool) -> Piece:
         r"""A function with its argument; with primes, as in :math:`V'(q)`, derived by it.
 
-        Beside another time than t primes at a time are derivatives by that.
+        Beside another time than t primes at a time are derivatives by that. At a number, as in
+        :math:`V''(0)`, the derivative is a function with these primes.
         """
         start = token.start
         if not (on.primes or accented):
             return self.application(name, start, on.power)
-        by = "" if accented or on.power is not None else self.named_argument()
+        derived = not accented and on.power is None
+        if derived and self.is_at_number():
+            return self.application(name + "'" * on.primes, start, None)
+        by = self.named_argument() if derived else ""
         times = self.vocabulary.times
         if not by or not (by not in times or times <= {"t", by}):
             message = f"by what is {name} derived? print \\partial {name}/\\partial x"
@@ -206,16 +211,25 @@ class Symbols(Cursor):
 
     def named_argument(self) -> str:
         """The name in brackets that stands here alone, as an argument by which is derived."""
+        argument = self.only_argument()
+        named = isinstance(argument, Name) and argument.name != _PI
+        return argument.name if named and isinstance(argument, Name) else ""
+
+    def is_at_number(self) -> bool:
+        r"""Whether a number in brackets stands here alone, as :math:`0` or :math:`-\pi/2`."""
+        argument = self.only_argument()
+        return argument is not None and argument.names() <= {_PI}
+
+    def only_argument(self) -> Formula | None:
+        """What stands here alone in brackets; ``None``, and no move, for anything else."""
         start, level = self.at, self.level
         try:
             listed = self.read_list()
         except NotationError:
-            return ""
+            return None
         finally:
             self.at, self.level = start, level
-        argument = listed[0][0]
-        named = len(listed) == 1 and isinstance(argument, Name) and argument.name != r"\pi"
-        return argument.name if named and isinstance(argument, Name) else ""
+        return listed[0][0] if len(listed) == 1 else None
 
     def phase(self) -> Piece | None:
         r"""Constants and what moves, as in \cos\omega t or \sin kx; ``None``, and no move, else.

@@ -21,6 +21,7 @@ _NAME = r"(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?"
 _LISTED = re.compile(
     rf"\s*(?:\\left\s*)?\(\s*(?P<by>{_NAME}(?:\s*,\s*{_NAME})*)\s*(?:\\right\s*)?\)"
 )
+_PRIMED = re.compile(r"\s*'+\s*\(")
 
 
 def printed_arguments(texts: Iterable[str], vectors: Collection[str] = ()) -> dict[str, str]:
@@ -70,11 +71,13 @@ def collective_arguments(texts: Iterable[str]) -> dict[str, str]:
 def _stand_for_all(name: str, by: Collection[str], texts: Iterable[str]) -> bool:
     """Whether arguments say which names with an index stand in a definition, as q in H(q)=q_1^2."""
     listed = r"\s*,\s*".join(map(re.escape, by))
-    head_of = rf"(?<![A-Za-z\\]){re.escape(name)}\s*(?:\\left\s*)?\(\s*{listed}\s*(?:\\right\s*)?\)"
+    head_of = (
+        rf"(?<![A-Za-z\\_]){re.escape(name)}\s*(?:\\left\s*)?\(\s*{listed}\s*(?:\\right\s*)?\)"
+    )
     bodies = [m[1] for tex in texts for m in re.finditer(head_of + r"\s*&?\s*=([^=]*)", tex)]
     return bool(bodies) and all(
-        re.search(rf"(?<![A-Za-z\\]){re.escape(one)}\s*_", body)
-        and not re.search(rf"(?<![A-Za-z\\]){re.escape(one)}(?!\s*_)(?![A-Za-z])", body)
+        re.search(rf"(?<![A-Za-z\\_]){re.escape(one)}\s*_", body)
+        and not re.search(rf"(?<![A-Za-z\\_]){re.escape(one)}(?!\s*_)(?![A-Za-z])", body)
         for one in by
         for body in bodies
     )
@@ -83,8 +86,10 @@ def _stand_for_all(name: str, by: Collection[str], texts: Iterable[str]) -> bool
 def _arguments(name: str, texts: Iterable[str], vectors: Collection[str]) -> str:
     """The one list of arguments of a name elsewhere; empty if they are not all in what it is."""
     texts = [tex for tex in texts if name in tex]  # most displays of a long paper have no such name
-    letter = rf"(?<![A-Za-z\\]){re.escape(name)}"
-    places = ((tex, found.end()) for tex in texts for found in re.finditer(letter, tex))
+    letter = rf"(?<![A-Za-z\\_]){re.escape(name)}"
+    places = [(tex, found.end()) for tex in texts for found in re.finditer(letter, tex)]
+    if any(_PRIMED.match(tex, end) for tex, end in places):
+        return ""  # it is derived, and taken at arguments: it is a function
     every = (_LISTED.match(tex, end) for tex, end in places)
     lists = {re.sub(r"\s+", "", match["by"]) for match in every if match}
     if len(lists) != 1:
@@ -93,7 +98,7 @@ def _arguments(name: str, texts: Iterable[str], vectors: Collection[str]) -> str
     definition = rf"{letter}\s*=(?P<by>[^=]*)"
     defining = " ".join(match["by"] for tex in texts for match in re.finditer(definition, tex))
     inside = all(
-        re.search(rf"(?<![A-Za-z\\]){re.escape(argument)}(?![A-Za-z])", defining)
+        re.search(rf"(?<![A-Za-z\\_]){re.escape(argument)}(?![A-Za-z])", defining)
         for argument in listed.split(",")
     )
     return listed if inside and {*listed.split(",")}.isdisjoint(vectors) else ""
@@ -105,7 +110,7 @@ def without_arguments(tex: str, known: Mapping[str, str]) -> str:
     Raises ``ValueError`` for one at anything else.
     """
     for name, by in known.items():
-        letter = rf"(?<![A-Za-z\\])(?P<name>{re.escape(name)})\s*(?:\\left\s*)?\("
+        letter = rf"(?<![A-Za-z\\_])(?P<name>{re.escape(name)})\s*(?:\\left\s*)?\("
         listed = r"\s*,\s*".join(map(re.escape, by.split(",")))
         call = rf"{letter}\s*{listed}\s*(?:\\right\s*)?\)"
         # filled up to the same length: errors point at places of the text as it was printed

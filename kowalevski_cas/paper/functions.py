@@ -16,7 +16,8 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.functions import DERIVATIVE_OF, EXTREMES, SIGN
 from kowalevski_cas.paper.meaning import Meaning
-from kowalevski_cas.paper.names import head
+from kowalevski_cas.paper.names import head, primitive
+from kowalevski_cas.paper.slopes import derived
 from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.problem.space import Meaningless
 
@@ -92,17 +93,27 @@ def _by_moduli(formula: Application, setting: Meaning) -> Formula | None:
     return None
 
 
+def _body(name: str, order: int, setting: Meaning) -> Formula:
+    """What a function is by its definition, derived by its only argument."""
+    function, arguments = head(name)
+    body = setting.definition(name)
+    if any(isinstance(n, Application) and n.function == function for n in body.nodes()):
+        raise Meaningless(f"{name} is defined by itself", function)
+    if order and len(arguments) != 1:
+        raise Meaningless(f"by what is {function} derived? it has several arguments")
+    return derived(body, arguments[0], order)
+
+
 def value_of(formula: Application, setting: Meaning) -> Formula:
-    """The expression for which a function with these arguments stands."""
+    r"""The expression for which a function with these arguments stands, or :math:`V''` at one."""
+    base, order = primitive(formula.function)
     for name in setting.scene.definitions:
         function, arguments = head(name)
-        if arguments and function == formula.function:
+        if arguments and function == base:
             if len(arguments) != len(formula.arguments):
                 raise Meaningless(f"{name} is used with {len(formula.arguments)} arguments")
             values = dict(zip(arguments, formula.arguments, strict=True))
-            body = setting.definition(name)
-            if any(isinstance(n, Application) and n.function == function for n in body.nodes()):
-                raise Meaningless(f"{name} is defined by itself", function)
+            body = _body(name, order, setting)
             expressions = [setting.texts.expression(argument) for argument in arguments]
             if [*formula.arguments] == expressions:
                 return body

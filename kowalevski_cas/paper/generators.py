@@ -27,7 +27,7 @@ from kowalevski_cas.paper.differentiate import derivative
 from kowalevski_cas.paper.families import Generators, outside, template
 from kowalevski_cas.paper.functions import value_of
 from kowalevski_cas.paper.meaning import Meaning
-from kowalevski_cas.paper.names import head
+from kowalevski_cas.paper.names import head, primitive
 from kowalevski_cas.paper.scene import Change
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.paper.transcendental import Transcendental
@@ -77,7 +77,7 @@ def _applied(setting: Meaning, formulas: Iterable[Formula]) -> list[Formula]:
     waiting = [*formulas] if functions else []
     while waiting:
         for node in waiting.pop().nodes():
-            known = isinstance(node, Application) and node.function in functions
+            known = isinstance(node, Application) and primitive(node.function)[0] in functions
             if isinstance(node, Application) and known and node not in found:
                 with suppress(Meaningless):
                     found[node] = value_of(node, setting)
@@ -169,7 +169,7 @@ def free_names(setting: Meaning, formulas: Iterable[Formula]) -> frozenset[str]:
         heads.setdefault(head(name)[0], []).append(name)
     while waiting:
         formula = waiting.pop()
-        applied = {node.function for node in formula.nodes() if isinstance(node, Application)}
+        applied = {primitive(n.function)[0] for n in formula.nodes() if isinstance(n, Application)}
         new = (outside(formula) | applied) - found
         found |= new
         found.update(part for name in new for part in scene.vectors.get(name, ()))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import cache
 
+from kowalevski_cas.notation.functions import FAMILY_OF
 from kowalevski_cas.notation.symbol import symbol
 
 
@@ -52,6 +53,16 @@ def head(name: str) -> tuple[str, tuple[str, ...]]:
         return BRACKET, tuple(name[2:-2].split(","))
     function, _, arguments = name.partition("(")
     return function, tuple(arguments.removesuffix(")").split(",")) if arguments else ()
+
+
+def primitive(function: str) -> tuple[str, int]:
+    r"""The function of which another one is a derivative by its argument, and which derivative.
+
+    >>> primitive("V''"), primitive("V"), primitive(r"\wp'")
+    (('V', 2), ('V', 0), ("\\wp'", 0))
+    """
+    base = function if function in FAMILY_OF else function.rstrip("'")
+    return base, len(function) - len(base)
 
 
 FREE = (

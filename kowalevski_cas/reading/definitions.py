@@ -211,7 +211,9 @@ def change(item: SourceStatement, known: Known) -> StatementRole | None:
             return StatementRole(DEFINITION, words, "change", item.bare[:1])
     first = item.bare[0] if item.bare and item.members[0] == Name(item.bare[0]) else ""
     new = [name for name in item.names if not known.is_known(name)]
-    said = cue("suppose", item.lead) or cue("define", item.lead)
+    said = cue("define", item.lead)
+    if "t" not in item.names:  # else it is a solution
+        said = said or cue("suppose", item.lead)
     if first and new and said and not item.derives:
         if known.moves(known.names.whole(first)) or first.endswith("_i"):
             return StatementRole(DEFINITION, f"gives {plain(first)} by what is new", "change")

@@ -43,7 +43,7 @@ BESIDE = ("on", *OF_TEX)
 VERBS = ("law", *NAMING, "claim", "skip", *BESIDE)
 RULED = (
     "identity", "constant", "integral", "invariant", "rest", "inequality", "solution",
-    "approximate", "somewhere", "another-law", "condition", "form",
+    "approximate", "somewhere", "another-law", "condition", "form", "divergence", "measure",
 )  # fmt: skip
 """Kinds of claims of which the rules of reading know on what they stand."""
 

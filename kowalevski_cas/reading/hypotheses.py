@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 
-from kowalevski_cas.notation import Name
-from kowalevski_cas.notation.symbol import rate_name
+from kowalevski_cas.notation import Modulus, Name, Number, Power, ScalarProduct, Sum
+from kowalevski_cas.notation.symbol import rate_name, symbol
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, SETS, Known
 from kowalevski_cas.reading.phrases import right_behind
@@ -55,6 +56,50 @@ def _named_before(item: SourceStatement, known: Known) -> SetOfEquations:
             if equations:
                 return tuple(equations)
     return ()
+
+
+def normalisations(item: SourceStatement, known: Known) -> SetOfEquations:
+    r"""The equations before a statement that say which of the vectors in it are unit vectors.
+
+    So :math:`(\gamma,\gamma)=1` is said once, and holds wherever the vector stands; nothing is
+    supposed by it.
+    """
+    below = {n for name in item.names for n in known.below(name)}
+    vectors = {known.names.whole(name) for name in below} & {*known.names.vectors}
+    letters = {symbol(name).letter for name in below if known.moves(name)}
+    moving = [name for law in known.laws for name in law.variables]
+    families = [{n for n in moving if symbol(n).letter == one} for one in sorted(letters)]
+    return tuple(
+        one
+        for one in known.items
+        if one.order < item.order
+        and Number(1) in one.members
+        and not one.derives
+        and not any(cue(words, one.lead) for words in ("suppose", "level", "if"))
+        and (
+            any(_is_square(one, vector, known) for vector in vectors)
+            or any(_is_sum_of_squares(one, family) for family in families)
+        )
+    )
+
+
+def _is_square(one: SourceStatement, vector: str, known: Known) -> bool:
+    """Whether an equation gives the square of a vector that moves, and nothing else."""
+    if not known.moves(vector):
+        return False
+    if _is_sum_of_squares(one, known.names.vectors[vector]):
+        return True
+    whole, two = Name(vector), Number(2)
+    length = Modulus(whole)
+    squares = (ScalarProduct(whole, whole), Power(whole, two), length, Power(length, two))
+    return len(one.members) == 2 and any(member in squares for member in one.members)
+
+
+def _is_sum_of_squares(one: SourceStatement, names: Collection[str]) -> bool:
+    """Whether an equation with one gives the sum of the squares of all of some names."""
+    sums = [member for member in one.members if isinstance(member, Sum)]
+    squares = {Power(Name(name), Number(2)) for name in names}
+    return len(one.members) == 2 and any({*sum.terms} == squares for sum in sums)
 
 
 _THERE = re.compile(

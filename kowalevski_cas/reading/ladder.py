@@ -13,21 +13,24 @@ from kowalevski_cas.notation import Name, Number, Root, Unwritten, to_latex
 from kowalevski_cas.paper.claims import (
     Claim,
     Coefficient,
-    Definition,
+    Divergence,
     DoubleZero,
     FirstIntegral,
     Identity,
     Implication,
     Inequality,
     InvariantRelations,
+    PreservedMeasure,
     RestPoints,
+    Solution,
 )
 from kowalevski_cas.paper.claims.maps import OF_MAPS
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.hypotheses import hypotheses, near
+from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, near, normalisations
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
+from kowalevski_cas.reading.solutions import solution_of
 from kowalevski_cas.reading.stage import Stage, Supposed
 from kowalevski_cas.reading.statements import SourceStatement
 
@@ -85,12 +88,26 @@ class _Ladder:
                 yield from self.of_set()
             case "solution":
                 yield from self.solutions()
+            case "divergence" | "measure":
+                yield from self.of_flow()
             case "approximate":
                 yield from map(_stronger, self.identities())
                 yield from self.first_order()
             case "somewhere":
                 yield from map(_stronger, (*self.values(), *self.along_solution()))
+        yield from self.of_unit_vectors()
         yield from self.elsewhere()
+
+    def of_unit_vectors(self) -> Iterator[Rung]:
+        """The claim where vectors have the length that is printed of them: one."""
+        given = normalisations(self.item, self.known)
+        if not given or {*given} & {*self.known.bound} or self.role.kind not in EQUATIONS:
+            return
+        says = "both sides are equal, of unit vectors"
+        kind: type[Claim] = Implication
+        if self.role.kind == "integral" and not self._is_rate:
+            kind, says = FirstIntegral, "this is constant along every motion, of unit vectors"
+        yield self.rung(kind, says, self.supposed, given, given=_places(given))
 
     def elsewhere(self) -> Iterator[Rung]:
         """The claim with what is supposed in other places: one that then holds may be meant so."""
@@ -257,28 +274,57 @@ class _Ladder:
         sets = sets_of(own, self.known.paper.source.text)
         return next(items for items in sets if self.item in items)
 
+    # -- the flow --------------------------------------------------------------------
+
+    def of_flow(self) -> Iterator[Rung]:
+        """What the divergence of the field is, or that the flow preserves a measure.
+
+        The measure is one in the variables of which the rates are printed.
+        """
+        laws = [law for law in self.known.laws if not law.change]
+        law = self.stage.law(self.item, [self.item]) or (laws[0] if len(laws) == 1 else None)
+        if law is None:
+            raise ValueError("of which of the equations of motion is this said?")
+        for assumptions in self._ways():
+            if self.role.kind == "divergence":
+                says = "this is the divergence of the field"
+                yield self.rung(Divergence, says, assumptions, law=law)
+                continue
+            rated = (name for row in law.rows for name in row.rates)
+            coordinates = dict.fromkeys(law.names.scalars(rated)) if law.momenta else ()
+            says = "the flow preserves the measure with this density"
+            items = (self.item, *law.momenta)
+            yield self.rung(
+                PreservedMeasure, says, assumptions, (), items, law, coordinates=(*coordinates,)
+            )
+
     # -- solutions -------------------------------------------------------------------
 
     def solutions(self) -> Iterator[Rung]:
-        """That a function of the time, with those beside it, solves its equation of motion."""
-        roles = self.known.roles
+        """That a function of the time, with those beside it, solves its equations of motion.
+
+        What the law does not move solves the equations of its rate that are claimed: they are
+        claimed once more.
+        """
         beside = [
             one
-            for one, role in roles.items()
+            for one, role in self.known.roles.items()
             if role.kind == "solution" and one.sentence == self.item.sentence
         ]
-        law = self.stage.law(self.item, beside)
-        names = {**{one.bare[0]: one for one in beside}, self.item.bare[0]: self.item}
-        rows = [row for row in (law.rows if law else ()) if self.item.bare[0] in _highest(row)]
-        moving = {name for row in rows for name in row.names if self.known.moves(name)}
-        if len(rows) != 1 or law is None or not moving <= names.keys():
-            raise ValueError("by the time not all is given that stands in its equation of motion")
-        still = Law((), law.names, change=(*names.values(),))
+        moves = any(map(self.known.moves, self.item.bare))
+        law = self.stage.law(self.item, beside) if moves else None
+        found = solution_of(self.item, beside, law, self.known)
+        still = Law((), (law or self.known.laws[-1]).names, change=found.given)
         says = "this solves its equation of motion"
         for assumptions in self._ways():
+            on_law = [self.stage.scene([row], assumptions).scene for row in found.rows]
+            claimed = () if moves else zip(found.rows, on_law, strict=True)
             yield self.rung(
-                Definition, says, assumptions, (), (*names.values(), rows[0]),
-                law=still, printed=self.item.printed, equation=rows[0].printed,
+                Solution, says, assumptions, (), (*found.given, *found.rows), still,
+                printed=self.item.printed, equations=_places(found.rows),
+                resting=tuple(
+                    Identity(self.id, scene, "", printed=row.printed) for row, scene in claimed
+                ),
             )  # fmt: skip
 
     def along_solution(self) -> Iterator[Rung]:
@@ -345,12 +391,6 @@ class _Ladder:
 def _stronger(rung: Rung) -> Rung:
     """A claim that says more than its statement."""
     return replace(rung, is_stronger=True)
-
-
-def _highest(row: SourceStatement) -> list[str]:
-    """The names of which an equation of motion has derivatives of its highest order."""
-    most = max(row.rates.values(), default=0)
-    return [name for name, order in row.rates.items() if order == most]
 
 
 def _places(items: Sequence[SourceStatement]) -> tuple[Printed, ...]:

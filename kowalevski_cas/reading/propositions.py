@@ -23,6 +23,7 @@ from kowalevski_cas.reading.phrases import (
     solved_by,
     words_of,
 )
+from kowalevski_cas.reading.solutions import rated_before
 from kowalevski_cas.reading.statements import SourceStatement
 
 ZERO = Number(0)
@@ -48,11 +49,21 @@ def solution(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(
             CLAIM, f"gives {plain(moving[0])} by the time", "solution", (moving[0],)
         )
+    timed = item.names & {"t"}  # then it is no identity of what the law moves
+    given = [name for name in item.bare if timed and _is_given_by_time(name, item, known)]
+    if given:
+        return StatementRole(CLAIM, f"gives {plain(given[0])} by the time", "solution")
     rated = [name for name in item.bare if any(name in one.rates for one in known.items)]
     said = cue("a solution", f"{item.lead[-60:]} § {item.tail[:40]}")
     if rated and said and not item.derives:
         return StatementRole(CLAIM, f"“{said}” stands beside it", "solution")
     return None
+
+
+def _is_given_by_time(name: str, item: SourceStatement, known: Known) -> bool:
+    """Whether what stands for a function of what moves has a printed rate, and no time in it."""
+    moved = known.varies(name) and not known.moves(name)
+    return moved and "t" not in known.below(name) and rated_before(name, item, known)
 
 
 def rate(item: SourceStatement, known: Known) -> StatementRole | None:

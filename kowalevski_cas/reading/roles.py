@@ -19,6 +19,7 @@ from kowalevski_cas.reading.definitions import (
     together,
     unit,
 )
+from kowalevski_cas.reading.flows import divergence, measure
 from kowalevski_cas.reading.index_ranges import is_range
 from kowalevski_cas.reading.known import (
     CLAIM,
@@ -164,9 +165,15 @@ def other(item: SourceStatement, known: Known) -> StatementRole | None:
     return StatementRole(OTHER, "nothing is stated")
 
 
+def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
+    """What is said of the flow, unless it is denied, quoted or asked."""
+    found = divergence(item, known) or measure(item, known)
+    return (unjudged(item, known) or found) if found else None
+
+
 RULES: tuple[Rule, ...] = (
-    unread, expression, named_set, law, constraint, together, unit, bracket, unjudged, inequality,
-    repeated, change, claimed_set, point, solution, definition, square, assumption, value,
-    approximate, rate, zero_set, integral, identity, other,
+    unread, of_flow, expression, named_set, law, constraint, together, unit, bracket, unjudged,
+    inequality, repeated, change, claimed_set, point, solution, definition, square, assumption,
+    value, approximate, rate, zero_set, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

@@ -29,7 +29,7 @@ from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.exponents import half_power
 from kowalevski_cas.paper.functions import without_extremes
 from kowalevski_cas.paper.logarithms import roots as real_roots
-from kowalevski_cas.paper.names import BRACKET, DELTA, head, summation_indices
+from kowalevski_cas.paper.names import BRACKET, DELTA, head, primitive, summation_indices
 from kowalevski_cas.paper.relations import solve_for_constant
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.signs import is_inequality
@@ -185,8 +185,9 @@ class Stage:
         found = set(item.names)
         for node in item.formula.nodes() if item.formula is not None else ():
             if isinstance(node, Application):
-                own = node.function not in FAMILY_OF or node.function in self.known.definitions
-                found |= {node.function} if own else set()
+                function, _ = primitive(node.function)
+                own = function not in FAMILY_OF or function in self.known.definitions
+                found |= {function} if own else set()
             elif isinstance(node, PoissonBracket):
                 found |= {name for name in self.known.definitions if name.startswith(BRACKET)}
         return sorted(found)

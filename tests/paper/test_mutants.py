@@ -19,6 +19,7 @@ from kowalevski_cas.paper.claims import (
     Implication,
     Independence,
 )
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.problem.finder import finder_of
@@ -64,7 +65,19 @@ def rotation():
     return replace(derivation(turn.section), name="rotation")
 
 
-OWN = (free_body(), rotation())
+def flow():
+    """Claims about a flow, and about a solution by the time."""
+    plane = System(r"\dot x=-y+xy,\quad \dot y=x+2y^2")
+    plane.states(kinds.Divergence, "divergence", "", printed="5y")
+    plane.states(kinds.PreservedMeasure, "measure", "", printed=r"\frac{1}{(1-x)^5}")
+    by_time = plane.section.display("by-time", r"u=\cos2t,\quad \ddot u=-4u")
+    alone = Scene("the time", definitions={"u": by_time[1]})
+    solution = kinds.Solution("by-time", alone, "", printed=by_time[1], equations=(by_time[2],))
+    plane.section.claim(solution)
+    return replace(derivation(plane.section), name="flow")
+
+
+OWN = (free_body(), rotation(), flow())
 SESSIONS = {one.name: Session(one, ["flint"]) for one in (*map(load, available()), *OWN)}
 CLAIMS = {
     (name, claim.id): claim for name in SESSIONS for claim in SESSIONS[name].derivation.claims

@@ -11,6 +11,7 @@ from kowalevski_cas.paper.claims.constant_root import ConstantRoot as ConstantRo
 from kowalevski_cas.paper.claims.critical_set import CriticalSet as CriticalSet
 from kowalevski_cas.paper.claims.darboux import DarbouxPolynomial as DarbouxPolynomial
 from kowalevski_cas.paper.claims.definition import Definition as Definition
+from kowalevski_cas.paper.claims.definition import Solution as Solution
 from kowalevski_cas.paper.claims.degree import Degree as Degree
 from kowalevski_cas.paper.claims.dimension import Dimension as Dimension
 from kowalevski_cas.paper.claims.dimension import Independence as Independence
@@ -34,7 +35,9 @@ from kowalevski_cas.paper.claims.maps import InvariantSetOfMap as InvariantSetOf
 from kowalevski_cas.paper.claims.maps import MeasureOfMap as MeasureOfMap
 from kowalevski_cas.paper.claims.maps import OfMap as OfMap
 from kowalevski_cas.paper.claims.maps import PoissonMap as PoissonMap
+from kowalevski_cas.paper.claims.measure import Divergence as Divergence
 from kowalevski_cas.paper.claims.measure import LastMultiplier as LastMultiplier
+from kowalevski_cas.paper.claims.measure import PreservedMeasure as PreservedMeasure
 from kowalevski_cas.paper.claims.poisson import Casimir as Casimir
 from kowalevski_cas.paper.claims.poisson import Involution as Involution
 from kowalevski_cas.paper.claims.poisson import Jacobi as Jacobi

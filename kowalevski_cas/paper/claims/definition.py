@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import chain
+from kowalevski_cas.paper.claims.identity import Identity
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.texts import Printed
@@ -27,3 +28,20 @@ class Definition(Claim):
         if not any(head(name)[1] for name in names):  # a function has values for arguments only
             found += chain(on, space, self.own)
         yield identity(space, *found)
+
+
+class Solution(Claim):
+    """With the printed functions of the time, on which the scene rests, ``equations`` hold.
+
+    They are those of the law, or else each of them is claimed as well: ``resting`` says so.
+    """
+
+    equations: tuple[Printed, ...]
+    resting: tuple[Identity, ...] = ()
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        space = on(self.scene)
+        places = (self.own, *self.equations)
+        yield identity(space, *(pair for one in places for pair in chain(on, space, one)))
+        for one in self.resting:
+            yield from one.goals(on)

@@ -1,0 +1,109 @@
+r"""Solutions that a paper gives by the time, as :math:`x=2\operatorname{sech}t`.
+
+The equations are those of the law, or for what the law does not move those that the paper prints
+for its rate. What stands in them and is not given may be a rate of what is: by
+:math:`\dot x=y` that is so of :math:`y`, and then the equation for its rate has to hold as well.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from typing import NamedTuple
+
+from kowalevski_cas.notation import Derivative, Formula, Name, Relation, to_latex
+from kowalevski_cas.reading.known import CLAIM, Known
+from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.laws import is_row
+from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.unprinted import unprinted
+
+
+class Solution(NamedTuple):
+    """What gives names by the time, and the equations that have to hold then."""
+
+    given: tuple[SourceStatement, ...]
+    rows: tuple[SourceStatement, ...]
+
+
+def rated_before(name: str, item: SourceStatement, known: Known) -> bool:
+    """Whether an equation for the rate of a name is printed before a statement."""
+    return any(name in one.rates and one.order < item.order for one in known.items)
+
+
+def solution_of(
+    item: SourceStatement, beside: Sequence[SourceStatement], law: Law | None, known: Known
+) -> Solution:
+    """The solution that a statement gives with those beside it.
+
+    Raises:
+        ValueError: something stands in its equations that is not given by the time.
+    """
+    given = {name: one for each in (*beside, item) for name, one in _given(each, known)}
+    own = [name for name in item.bare if name in given]
+    linked = {*own}
+    every = law.rows if law is not None else (*_printed_rows(item, given.keys(), known),)
+    rows = [*_rows_of(own, every)]
+    for row in rows:
+        for name in sorted(row.names):
+            if not (known.varies(name) or name in row.rates) or name in linked:
+                continue
+            linked.add(name)
+            rows += [other for other in _rows_of([name], every) if other not in rows]
+            if name in given:
+                continue
+            by = _rate_of(name, every, given.keys())
+            if by is None:
+                raise ValueError(
+                    "by the time not all is given that stands in its equation of motion"
+                )
+            tex = to_latex(Relation((Name(name), by), ("=",)))
+            given[name] = unprinted(known.paper, f"{_id(item)}-{len(given)}", tex, item)
+    if not rows:
+        raise ValueError("no equation is printed that it would solve")
+    return Solution((*dict.fromkeys(given[name] for name in given if name in linked),), (*rows,))
+
+
+def _given(item: SourceStatement, known: Known) -> Iterator[tuple[str, SourceStatement]]:
+    """The names that a statement gives, each with what gives it alone."""
+    for name in item.bare:
+        if not known.varies(name) and not any(name in one.rates for one in known.items):
+            continue
+        if item.members[0] == Name(name):
+            yield name, item
+        else:
+            tex = to_latex(Relation((Name(name), item.members[-1]), ("=",)))
+            yield name, unprinted(known.paper, f"{_id(item)}-{len(tex)}-{name}", tex, item)
+
+
+def _id(item: SourceStatement) -> str:
+    return f"{item.printed.display.id}-{item.printed.number}-by-time"
+
+
+def _rows_of(names: Sequence[str], rows: Sequence[SourceStatement]) -> Iterator[SourceStatement]:
+    """The equations with derivatives of highest order of some names."""
+    yield from (row for row in rows if {*names} & {*_highest(row)})
+
+
+def _highest(row: SourceStatement) -> list[str]:
+    most = max(row.rates.values(), default=0)
+    return [name for name, order in row.rates.items() if order == most]
+
+
+def _rate_of(name: str, rows: Sequence[SourceStatement], given: Collection[str]) -> Formula | None:
+    """The rate that a name is by one of the equations, of what is given."""
+    for row in rows:
+        match row.members:
+            case (Derivative(Name(of)) as rate, Name(other)) if other == name and of in given:
+                return rate
+    return None
+
+
+def _printed_rows(
+    item: SourceStatement, given: Collection[str], known: Known
+) -> Iterator[SourceStatement]:
+    """The equations that are claimed before of the rates of what is given, and of nothing else."""
+    for row in known.items:
+        role = known.roles.get(row)
+        if row.order < item.order and is_row(row) and role is not None and role.name == CLAIM:
+            if {*row.rates} <= {*given} and {*known.varying(row.names)} <= {*given}:
+                yield row

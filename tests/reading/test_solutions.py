@@ -1,0 +1,56 @@
+"""Solutions by the time: what is missing is a rate, chains give several, others solve claims."""
+
+import pytest
+
+from tests.reading.test_reading import verdicts
+
+PULSE = r"The equations are \[ \dot a=b,\qquad \dot b=ac,\qquad \dot c=-ab . \] A solution is "
+CUBE = r"""The equations are \[ \dot x=yz-x(y+z),\quad \dot y=zx-y(z+x),\quad \dot z=xy-z(x+y) . \]
+If two are equal, then """
+PAIR = r"""The equations are \[ A\dot p=-(ap+bq)q,\qquad B\dot q=(ap+bq)p . \]
+Put \[ u=ap+bq,\qquad v=Abp-Baq . \] Then \[ \dot u=\frac{uv}{AB},\qquad \dot v={SIGN}u^2 . \] """
+BY_TIME = r"With $k=\sqrt{AB}$ we find "
+
+
+def green(text):
+    """Which of the solutions are green."""
+    return [found.green for tex, found in verdicts(text).items() if "t" in tex.split("=")[-1]]
+
+
+@pytest.mark.parametrize(
+    ("a", "c", "true"),
+    [
+        (r"2\,\mathrm{sech}\,t", r"1-2\,\mathrm{sech}^2t", True),
+        (r"3\,\mathrm{sech}\,t", r"1-2\,\mathrm{sech}^2t", False),
+        (r"2\,\mathrm{sech}\,t", r"2-2\,\mathrm{sech}^2t", False),
+        (r"2\,\mathrm{sech}\,t", r"1-2\,\mathrm{sech}^2(2t)", False),
+    ],
+)
+def test_what_is_not_given_is_the_rate_of_what_is(a, c, true):
+    """And all equations have to hold: one function is no solution beside a wrong one."""
+    assert green(rf"{PULSE} \[ a={a},\qquad c={c} . \]") == [true, true]
+
+
+def test_what_no_equation_gives_is_missing():
+    assert green(rf"{PULSE} \[ c=1-2\,\mathrm{{sech}}^2t . \]") == []
+
+
+@pytest.mark.parametrize(("power", "true"), [("^2", True), ("", False)])
+def test_a_chain_gives_all_its_names(power, true):
+    text = rf"{CUBE} \[ x=y=\frac1{{t-t_0}},\qquad z=\frac1{{t-t_0}}+\frac c{{(t-t_0){power}}} . \]"
+    assert green(text) == [true, true]
+
+
+@pytest.mark.parametrize(
+    ("sign", "u", "v", "true"),
+    [
+        ("-", r"\frac c{\cosh\frac{ct}k}", r"-kc\tanh\frac{ct}k", True),
+        ("-", r"\frac c{\cosh\frac{ct}k}", r"kc\tanh\frac{ct}k", False),
+        ("-", r"\frac {2c}{\cosh\frac{ct}k}", r"-kc\tanh\frac{ct}k", False),
+        # it solves the misprint, and not the law
+        ("", r"\frac c{\cos\frac{ct}k}", r"kc\tan\frac{ct}k", False),
+    ],
+)
+def test_functions_of_what_moves_solve_the_equations_that_are_claimed_of_them(sign, u, v, true):
+    text = PAIR.replace("{SIGN}", sign) + rf"{BY_TIME} \[ u={u},\qquad v={v} . \]"
+    assert green(text) == [true, true]
