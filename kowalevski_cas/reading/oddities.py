@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from kowalevski_cas.reading.hypotheses import last_place
-from kowalevski_cas.reading.known import DEFINITION, Known
+from kowalevski_cas.reading.known import DEFINITION, NAMING, Known
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import is_printed
 
@@ -65,7 +65,7 @@ def _idle_definitions(item: SourceStatement, known: Known) -> Iterator[Oddity]:
 
 
 def _unused_definition(item: SourceStatement, known: Known) -> Iterator[Oddity]:
-    """The last definition before a statement, in its section, of a name that stood nowhere since.
+    """The last that gave a name a meaning before a statement, in its section, unused since.
 
     What the statement names, and nothing defines, may be defined there by another letter.
     """
@@ -73,7 +73,7 @@ def _unused_definition(item: SourceStatement, known: Known) -> Iterator[Oddity]:
     up_to = [one for one in section if one.order <= item.order or one.sentence == item.sentence]
     for one in sorted(up_to, key=lambda one: -one.order):
         role = known.roles.get(one)
-        names = {*role.names} if role is not None and role.name == DEFINITION else set[str]()
+        names = {*role.names} if role is not None and role.name in NAMING else set[str]()
         since = [other for other in up_to if other.order > one.order]
         if names and one.order < item.order and not any(names & later.names for later in since):
             yield Oddity(one, f"${min(names)}$ is defined there, and stood nowhere since")
