@@ -15,6 +15,7 @@ from kowalevski_cas.paper.claims import (
     Coefficient,
     Divergence,
     DoubleZero,
+    Eigenvalue,
     FirstIntegral,
     Identity,
     Implication,
@@ -29,6 +30,7 @@ from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, near, normalisations
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.linear_parts import point_of
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.solutions import solution_of
 from kowalevski_cas.reading.stage import Stage, Supposed
@@ -73,7 +75,7 @@ class _Ladder:
     def __init__(self, item: SourceStatement, id: str, stage: Stage) -> None:
         self.item, self.id, self.stage, self.known = item, id, stage, stage.known
         self.role = self.known.roles[item]
-        self.supposed = self.known.supposed(item)
+        self.supposed = stage.understood(self.known.supposed(item))
 
     def rungs(self) -> Iterator[Rung]:
         match self.role.kind:
@@ -86,6 +88,8 @@ class _Ladder:
                 yield from self.integrals()
             case "invariant" | "rest":
                 yield from self.of_set()
+            case "eigenvalue":
+                yield from self.eigenvalues()
             case "solution":
                 yield from self.solutions()
             case "divergence" | "measure":
@@ -233,6 +237,9 @@ class _Ladder:
 
     def _integral(self, assumptions: list[SourceStatement]) -> Rung:
         """That a function does not move, under some assumptions."""
+        if (value := self.known.apart.get(self.item)) is not None:
+            says = "this is constant along every motion"
+            return self.rung(FirstIntegral, says, assumptions, (), (value,), printed=value.printed)
         kind = Identity if self._is_rate else FirstIntegral
         return self.rung(kind, "this is constant along every motion", assumptions)
 
@@ -273,6 +280,18 @@ class _Ladder:
         own = [one for one, role in roles.items() if role.kind == self.role.kind]
         sets = sets_of(own, self.known.paper.source.text)
         return next(items for items in sets if self.item in items)
+
+    def eigenvalues(self) -> Iterator[Rung]:
+        """That a number is an eigenvalue at the point of which the words speak."""
+        point = point_of(self.item, self.known)
+        says = "this is an eigenvalue of the linear part at this point"
+        law = next(law for law in self.known.laws if not law.images)
+        items = (self.item, *law.rows, *point)
+        for assumptions in self._ways():
+            yield self.rung(
+                Eigenvalue, says, assumptions, (), items,
+                printed=self.item.printed, relations=_places(point),
+            )  # fmt: skip
 
     # -- the flow --------------------------------------------------------------------
 
