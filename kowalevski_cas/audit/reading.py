@@ -266,6 +266,10 @@ def audit_reading(session: ReadingSession) -> Audit:
     places = [Correspondence(display, typed) for display, typed in paper.displays]
     author = AuthorSession(session, {}, {}, {})
     describe = Describer(paper.source, paper.expanded, author, {})
+    for formula in reading.formulas:
+        if formula.claim is not None and formula.item in reading.parts.of(formula.item).apart:
+            role = describe.roles.at(formula.item.printed.place)  # its value stands apart
+            role.own[formula.claim.id] = role.claims[formula.claim.id] = None
     found = [formula for place in places for formula in describe.formulas(place)]
     by_place = {formula.item.printed: formula for formula in reading.formulas}
     skipped = {one.item.printed.display.id: one for one in _skipped(reading)}

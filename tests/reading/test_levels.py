@@ -2,7 +2,8 @@
 
 import pytest
 
-from tests.reading.test_reading import verdicts
+from kowalevski_cas.audit.reading import ReadingSession, audit_reading
+from tests.reading.test_reading import reading, verdicts
 
 PLANE = r"""A particle moves by the equations \[\ddot u=-ku,\qquad \ddot v=-kv .\]
 The integrals of energy and of areas are \[ENERGY,\qquad u\dot v=c+v\dot u .\] Hence """
@@ -52,3 +53,11 @@ def test_what_is_found_by_an_integral_is_none():
     text = PLANE.partition("The integrals")[0]
     text += r"By the energy integral we find \[\dot u^2=\dot v^2+w ,\] $w$ being small."
     assert not any(one.value == "refuted" for one in verdicts(text).values())
+
+
+def test_an_audit_says_of_the_printed_formula_what_is_claimed_of_the_value():
+    energy = RIGHT.replace("h-", "h+")
+    session = ReadingSession(reading(PLANE.replace("ENERGY", energy)), timeout=5)
+    found = {one.tex: one.verdict for one in audit_reading(session).formulas}
+    assert found[energy] in ("refuted", "undecided")
+    assert found[r"u\dot v=c+v\dot u"] == "proved"
