@@ -11,6 +11,7 @@ from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.implied import canonical_pairs, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.unit_matrices import unit_matrices
+from kowalevski_cas.reading.energies import momenta
 from kowalevski_cas.reading.known import CONVENTION, UNIT_MATRIX, Known, StatementRole
 from kowalevski_cas.reading.names import AXES
 from kowalevski_cas.reading.parts import Parts
@@ -72,6 +73,7 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
         why = "the canonical bracket, as the equations of motion are those of Hamilton"
         yield item, StatementRole(CONVENTION, why, "", item.printed.heads.names)
     yield from _unit_matrices(scalars, known, suffix)
+    yield from momenta(known, suffix)
     if "i" in scalars and not known.units and not known.moves("i"):
         yield (
             unprinted(paper, f"unit{suffix}", "i^2=-1"),

@@ -18,6 +18,7 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.paper.names import head
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.energies import has_momentum
 from kowalevski_cas.reading.fresh import is_called_constant, is_fresh, without_factor
 from kowalevski_cas.reading.known import (
     ASSUMPTION,
@@ -112,7 +113,7 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
     """A name that nothing has defined, alone on a side."""
     given = item.printed.heads
     fresh = [n for n in given.names or given.multiples if is_fresh(n, item, known)]
-    if not fresh:
+    if not fresh or has_momentum(fresh[0], item, known):
         return None
     heads = {head(name)[0] for name in fresh}
     alone = [without_factor(m) for m in item.members]
@@ -212,7 +213,8 @@ def change(item: SourceStatement, known: Known) -> StatementRole | None:
     first = item.bare[0] if item.bare and item.members[0] == Name(item.bare[0]) else ""
     new = [name for name in item.names if not known.is_known(name)]
     said = cue("define", item.lead)
-    said = said or ("t" not in item.names and cue("suppose", item.lead))  # else it is a solution
+    if "t" not in item.names:  # else it is a solution
+        said = said or cue("suppose", item.lead)
     if first and new and said and not item.derives:
         if known.moves(known.names.whole(first)) or first.endswith("_i"):
             return StatementRole(DEFINITION, f"gives {plain(first)} by what is new", "change")
@@ -222,7 +224,7 @@ def change(item: SourceStatement, known: Known) -> StatementRole | None:
 def square(item: SourceStatement, known: Known) -> StatementRole | None:
     """The square of a name that nothing has defined, alone on a side."""
     fresh = [n for n in item.printed.heads.squares if is_fresh(n, item, known)]
-    if not fresh:
+    if not fresh or has_momentum(fresh[0], item, known):
         return None
     if not known.varying(item.names - {*fresh}):
         return _square_of_constants(item, known, fresh)

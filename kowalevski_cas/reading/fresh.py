@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from kowalevski_cas.notation import Formula, Name, Number, Power, Product
+from kowalevski_cas.notation import Formula, Name, Negative, Number, Power, Product
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
@@ -76,9 +76,9 @@ def is_called_constant(name: str, item: SourceStatement, known: Known) -> bool:
 
 
 def without_factor(formula: Formula) -> Formula:
-    """What stands behind a number, as T in 2T; a formula that is no such product itself."""
+    """What stands behind a number, as T in 2T, or a sign; any other formula itself."""
     match formula:
-        case Product((Number(), inner)):
+        case Product((Number(), inner)) | Negative(Name() as inner):
             return inner
     return formula
 

@@ -27,12 +27,14 @@ from kowalevski_cas.paper.claims import (
 from kowalevski_cas.paper.claims.maps import OF_MAPS
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.energies import meant
 from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, near, normalisations
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.solutions import solution_of
 from kowalevski_cas.reading.stage import Stage, Supposed
 from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.unprinted import unprinted
 
 ZERO = Number(0)
 _OF_SETS: dict[str, tuple[type[Claim], str]] = {
@@ -88,6 +90,8 @@ class _Ladder:
                 yield from self.of_set()
             case "solution":
                 yield from self.solutions()
+            case "energy":
+                yield from self.of_energy()
             case "divergence" | "measure":
                 yield from self.of_flow()
             case "approximate":
@@ -273,6 +277,20 @@ class _Ladder:
         own = [one for one, role in roles.items() if role.kind == self.role.kind]
         sets = sets_of(own, self.known.paper.source.text)
         return next(items for items in sets if self.item in items)
+
+    # -- energies --------------------------------------------------------------------
+
+    def of_energy(self) -> Iterator[Rung]:
+        """That an energy in other letters is what it was before."""
+        law = self.stage.law(self.item, [self.item])
+        if law is None:
+            raise ValueError("no equations of motion are read by which this is an energy")
+        name = f"{self.item.printed.display.id}-{self.item.printed.number}-meant"
+        by = unprinted(self.known.paper, name, meant(self.item, self.known), self.item)
+        there = replace(law, change=(*law.change, by))
+        for assumptions in self.suppositions():
+            says = "this is the energy in these letters"
+            yield self.rung(Identity, says, assumptions, (), (self.item, by), there)
 
     # -- the flow --------------------------------------------------------------------
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from kowalevski_cas.notation import (
     Constant,
     Derivative,
@@ -80,6 +82,14 @@ def rate(item: SourceStatement, known: Known) -> StatementRole | None:
     return None
 
 
+_CYCLE = re.compile(
+    r"\bcycle,?\s+(?:namely\s+)?the\s+(?:circle|ellipse|curve|oval)\s*$"
+    r"|\bпредельн\w+\s+цикл\w*,?\s+(?:окружность|эллипс|кривая)\s*$",
+    re.IGNORECASE,
+)
+"""How words end behind which stands the equation of a closed orbit."""
+
+
 def claimed_set(item: SourceStatement, known: Known) -> StatementRole | None:
     """Equations of a set of which the words around them say that it is invariant, or at rest."""
     if not item.members or item.derives or not known.varying(item.names):
@@ -92,6 +102,8 @@ def claimed_set(item: SourceStatement, known: Known) -> StatementRole | None:
     for words, kind in (("invariant", "invariant"), ("equilibrium", "rest")):
         if said := words_of(item, words):
             return StatementRole(CLAIM, f"“{said}” is said of the set", kind)
+    if cycle := _CYCLE.search(item.lead):
+        return StatementRole(CLAIM, f"“{cycle[0].strip()}” is invariant", "invariant")
     if said := solved_by(item, "equilibrium"):
         return StatementRole(CLAIM, f"“{said}” are the solutions", "rest")
     return None

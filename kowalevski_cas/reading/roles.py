@@ -19,6 +19,7 @@ from kowalevski_cas.reading.definitions import (
     together,
     unit,
 )
+from kowalevski_cas.reading.energies import energy
 from kowalevski_cas.reading.flows import divergence, measure
 from kowalevski_cas.reading.index_ranges import is_range
 from kowalevski_cas.reading.known import (
@@ -43,7 +44,7 @@ from kowalevski_cas.reading.propositions import (
     zero_set,
 )
 from kowalevski_cas.reading.statements import SourceStatement, is_ellipsis
-from kowalevski_cas.reading.suppositions import assumption, inequality, value
+from kowalevski_cas.reading.suppositions import assumption, inequality, on_place, value
 
 _BELONGING = re.compile(r"\b(?:of|in|for|by|with|on)[\s~]*(?:the\s+)?(?:\w+\s+)?$")
 """How words end behind which something belongs to a name, and is spoken of itself."""
@@ -173,7 +174,7 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 
 RULES: tuple[Rule, ...] = (
     unread, of_flow, expression, named_set, law, constraint, together, unit, bracket, unjudged,
-    inequality, repeated, change, claimed_set, point, solution, definition, square, assumption,
-    value, approximate, rate, zero_set, integral, identity, other,
+    inequality, repeated, change, claimed_set, point, solution, energy, on_place, definition,
+    square, assumption, value, approximate, rate, zero_set, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""
