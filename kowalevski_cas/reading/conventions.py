@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
+from itertools import pairwise
 
 from kowalevski_cas.notation import Name, PoissonBracket, Vector
 from kowalevski_cas.notation.symbol import symbol
@@ -65,6 +66,7 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
             entries = ",".join("1" if k == int(number[1]) else "0" for k in range(1, SPACE + 1))
             item = unprinted(paper, f"basis-{number[1]}{suffix}", f"{vector}=({entries})")
             yield item, StatementRole(CONVENTION, "a vector of the basis", "basis", (vector,))
+    yield from _along_axes(known, suffix)
     yield from _matrices_of_elements(known, suffix)
     yield from _components(known, suffix)
     for q, p in _conjugate(known):
@@ -79,6 +81,36 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
             unprinted(paper, f"unit{suffix}", "i^2=-1"),
             StatementRole(CONVENTION, "the imaginary unit", "unit"),
         )
+
+
+_UNIT = re.compile(
+    r"[\s,~]*(?:be|is|denotes?|[-—–]+)?\s*(?:the\s+|a\s+)?(?:unit\s+vector|орт)\s+"
+    r"(?:(?:of|along|in\s+the\s+direction\s+of)\s+the\s+(?:positive\s+)?(?:axis\s+of)?|оси)[\s~]*$",
+    re.IGNORECASE,
+)
+"""The words between a vector and the coordinate along the axis of which it is a unit vector."""
+
+
+def _along_axes(known: Known, suffix: str) -> Iterator[tuple[SourceStatement, StatementRole]]:
+    """The vectors that words call unit vectors of the axes of coordinates.
+
+    The coordinates are the components of a vector that moves.
+    """
+    for one, axis in pairwise(known.items):
+        vector = one.formula.name if isinstance(one.formula, Name) else ""
+        coordinate = axis.formula.name if isinstance(axis.formula, Name) else ""
+        parts = known.names.vectors.get(vector, ())
+        if one.sentence != axis.sentence or not parts or not _UNIT.fullmatch(axis.lead):
+            continue
+        points = [own for own in known.names.vectors.values() if coordinate in own]
+        said = known.is_defined(vector) or known.moves(vector)
+        if said or not known.moves(coordinate) or len(points) != 1 != len(parts):
+            continue
+        entries = ",".join(str(int(part == coordinate)) for part in points[0])
+        if len(points[0]) == len(parts):
+            name = re.sub(r"\W+", "-", f"along-{vector}{suffix}")
+            item = unprinted(known.paper, name, f"{vector}=({entries})", one)
+            yield item, StatementRole(CONVENTION, "words call it a unit vector", "", (vector,))
 
 
 def _matrices_of_elements(

@@ -63,8 +63,12 @@ def solution(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 def _is_given_by_time(name: str, item: SourceStatement, known: Known) -> bool:
-    """Whether what stands for a function of what moves has a printed rate, and no time in it."""
+    """Whether what stands for a function of what moves has a printed rate, and no time in it.
+
+    Nothing else that moves stands beside the time.
+    """
     moved = known.varies(name) and not known.moves(name)
+    moved = moved and not known.varying(item.names - {*item.bare})
     return moved and "t" not in known.below(name) and rated_before(name, item, known)
 
 
