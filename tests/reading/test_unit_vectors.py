@@ -46,7 +46,7 @@ def test_components_that_are_printed_one_by_one(said, claim, true):
     assert last(text).green is true
 
 
-FIELD = r"""A point has the Hamiltonian \[ H=\tfrac12(p_x^2+p_y^2+p_z^2)-Fz . \] Let
+FIELD = r"""A point has the Hamiltonian \[ H=\tfrac12(p_x^2+p_y^2+p_z^2)+\tfrac k2(x^2+y^2+z^2)-Fz . \] Let
 \[ \mathbf L=\mathbf r\times\mathbf p . \] """
 
 
