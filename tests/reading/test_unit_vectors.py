@@ -61,4 +61,4 @@ FIELD = r"""A point has the Hamiltonian \[ H=\tfrac12(p_x^2+p_y^2+p_z^2)+\tfrac 
     ],
 )  # fmt: skip
 def test_a_unit_vector_of_an_axis_in_words(words, rate, true):
-    assert last(rf"{FIELD} {words} Then \[ \dot{{\mathbf L}}={rate} . \]").green is true
+    assert last(rf"{FIELD} {words} Then $\dot{{\mathbf L}}={rate}$.").green is true
