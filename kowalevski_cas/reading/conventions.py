@@ -85,7 +85,7 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
 
 _UNIT = re.compile(
     r"[\s,~]*(?:be|is|denotes?|[-—–]+)?\s*(?:the\s+|a\s+)?(?:unit\s+vector|орт)\s+"
-    r"(?:(?:of|along|in\s+the\s+direction\s+of)\s+the\s+(?:positive\s+)?(?:axis\s+of)?|оси)[\s~]*$",
+    r"(?:(?:of|along|in\s+the\s+direction\s+of)\s+the(?:\s+positive)?(?:\s+axis\s+of)?|оси)[\s~]*$",
     re.IGNORECASE,
 )
 """The words between a vector and the coordinate along the axis of which it is a unit vector."""
