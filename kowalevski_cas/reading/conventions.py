@@ -12,7 +12,7 @@ from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.implied import canonical_pairs, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.unit_matrices import unit_matrices
-from kowalevski_cas.reading.energies import momenta
+from kowalevski_cas.reading.canonical import momenta
 from kowalevski_cas.reading.known import CONVENTION, UNIT_MATRIX, Known, StatementRole
 from kowalevski_cas.reading.names import AXES
 from kowalevski_cas.reading.parts import Parts

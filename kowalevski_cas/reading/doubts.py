@@ -9,8 +9,8 @@ from kowalevski_cas.notation import Name, Number, PoissonBracket, Power
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.reading.canonical import MOMENTUM
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.energies import MOMENTUM
 from kowalevski_cas.reading.hypotheses import EQUATIONS
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, SETS, Known
 from kowalevski_cas.reading.ladder import Rung

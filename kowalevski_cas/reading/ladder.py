@@ -26,8 +26,8 @@ from kowalevski_cas.paper.claims import (
 )
 from kowalevski_cas.paper.claims.maps import OF_MAPS
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.reading.canonical import meant
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.energies import meant
 from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, near, normalisations
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of

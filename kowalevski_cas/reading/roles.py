@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable
 
 from kowalevski_cas.notation import Name, Number, Relation
+from kowalevski_cas.reading.canonical import energy
 from kowalevski_cas.reading.constraints import constraint
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.definitions import (
@@ -19,7 +20,6 @@ from kowalevski_cas.reading.definitions import (
     together,
     unit,
 )
-from kowalevski_cas.reading.energies import energy
 from kowalevski_cas.reading.flows import divergence, measure
 from kowalevski_cas.reading.index_ranges import is_range
 from kowalevski_cas.reading.known import (
