@@ -14,18 +14,18 @@ from contextlib import suppress
 
 from kowalevski_cas.notation import Derivative, Formula, Name, substitute, to_latex
 from kowalevski_cas.notation.symbol import rate_name, symbol
-from kowalevski_cas.paper.implied import HAMILTONIANS, LAGRANGIANS, canonical_pairs
+from kowalevski_cas.paper.implied import HAMILTONIANS, canonical_pairs
 from kowalevski_cas.paper.slopes import derived
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.reading.fresh import is_fresh
+from kowalevski_cas.reading.kinetic import KINETIC, kinetic_energies
 from kowalevski_cas.reading.known import CLAIM, CONVENTION, Known, StatementRole
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
 
 ENERGY, MOMENTUM = "energy", "momentum"
 """The kinds of such claims, and of conventions by which a momentum is known."""
-_KINETIC, _POTENTIAL = ("T",), ("V", "U", r"\Pi")
-_ACTIONS = [[(letter,) for letter in letters] for letters in (LAGRANGIANS, _KINETIC)]
+_POTENTIAL = ("V", "U", r"\Pi")
 _HAMILTONIAN = re.compile(
     r"\b(?:Hamiltonian|Hamilton['’]?s?\s+function|function\s+of\s+Hamilton|гамильтониан\w*"
     r"|функци\w+\s+Гамильтона)(?:\s+(?:function|is|reads|becomes|has\s+the\s+form|име\w+\s+вид|равна?|then|now)){0,3}[\s:,~—-]*$",
@@ -54,7 +54,7 @@ def meant(item: SourceStatement, known: Known) -> str:
     momenta = [n for n in item.names if symbol(n).letter == "p" and not known.moves(n)]
     if name in HAMILTONIANS and momenta and not item.derives and _HAMILTONIAN.search(item.lead):
         return _as_sum(name, item, known)
-    if name in _KINETIC and _ENERGY.search(item.lead):
+    if name in KINETIC and _ENERGY.search(item.lead):
         new = [one for one in item.rates if known.is_defined(one) and known.varies(one)]
         pairs = [
             pair
@@ -69,7 +69,7 @@ def meant(item: SourceStatement, known: Known) -> str:
 def _as_sum(name: str, item: SourceStatement, known: Known) -> str:
     """That a Hamiltonian is the sum of the energies that are printed before it."""
     found = []
-    for letters, derives in ((_KINETIC, True), (_POTENTIAL, False)):
+    for letters, derives in ((KINETIC, True), (_POTENTIAL, False)):
         given = [(one, known.definition(one, item)) for one in letters]
         fit = [
             n
@@ -84,7 +84,7 @@ def momenta(known: Known, suffix: str) -> Iterator[tuple[SourceStatement, Statem
     """The momenta that nothing gives, of coordinates in which a kinetic energy is printed."""
     names = frozenset().union(*(one.names for one in known.items))
     for name in sorted(names):
-        printed, coordinate = _kinetic(name, known), symbol(name).index
+        printed, coordinate = kinetic_energies(name, known), symbol(name).index
         if known.is_defined(name) or known.moves(name) or len(printed) != 1:
             continue
         with suppress(Meaningless):
@@ -106,23 +106,3 @@ def _slope(energy: Formula, coordinate: str) -> Formula:
         return part.map_children(named)
 
     return substitute(derived(named(energy), f"rate({coordinate})"), rates)
-
-
-def has_momentum(name: str, item: SourceStatement, known: Known) -> bool:
-    """Whether a name is the momentum of a new coordinate, by what is printed before."""
-    parts = symbol(name)
-    new = known.is_defined(parts.index) and not known.moves(parts.index)
-    return bool(new and [one for one in _kinetic(name, known) if one.order < item.order])
-
-
-def _kinetic(name: str, known: Known) -> list[SourceStatement]:
-    """The kinetic energies that are printed in the velocity of the coordinate of a momentum.
-
-    A Lagrangian in this velocity comes before: it may have other terms that are linear in it.
-    """
-    parts = symbol(name)
-    if parts.letter != "p" or not parts.index or not known.varies(parts.index):
-        return []
-    given = [one for one in known.items if parts.index in one.rates and one.members]
-    found = ([one for one in given if one.bare[:1] in heads] for heads in _ACTIONS)
-    return next(filter(None, found), [])

@@ -17,9 +17,9 @@ from kowalevski_cas.notation import (
     Vector,
 )
 from kowalevski_cas.paper.names import head
-from kowalevski_cas.reading.canonical import has_momentum
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.fresh import is_called_constant, is_fresh, without_factor
+from kowalevski_cas.reading.kinetic import has_momentum
 from kowalevski_cas.reading.known import (
     ASSUMPTION,
     CLAIM,

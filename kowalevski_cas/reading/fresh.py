@@ -8,6 +8,7 @@ from kowalevski_cas.notation import Formula, Name, Negative, Number, Power, Prod
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.kinetic import has_momentum
 from kowalevski_cas.reading.known import CLAIM, DEFINITION, LAW, Known
 from kowalevski_cas.reading.statements import SourceStatement, derived_names
 
@@ -23,7 +24,7 @@ def is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
         if _defines_anew(item, found):
             return True
         bound = {n for one in found for name in one.printed.heads.names for n in head(name)[1]}
-        unclear = any(not known.is_explained(n) for one in found for n in one.names - bound)
+        unclear = any(not _is_clear(n, one, known) for one in found for n in one.names - bound)
         rests = any(function in known.below(n) for n in item.names - {function})
         return unclear and not rests and all(known.is_explained(n) for n in item.names)
     if known.moves(function) or function in known.times or known.is_step(function):
@@ -46,6 +47,14 @@ def is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
         or (new and not item.typed.inline)
         or _is_used_before(function, first, item, known)
     )
+
+
+def _is_clear(name: str, one: SourceStatement, known: Known) -> bool:
+    """Whether it is known what a name in a definition is, as a constant of the energy, too."""
+    if known.is_explained(name) or has_momentum(name, one, known):
+        return True
+    energies = (n for law in known.laws for n in law.mentions if known.is_defined(n))
+    return any(name in known.below(energy) for energy in energies)
 
 
 def _is_used_before(name: str, first: SourceStatement, item: SourceStatement, known: Known) -> bool:

@@ -71,3 +71,13 @@ def test_what_stands_with_a_sign_is_named_and_the_next_equation_claims():
     for sign, true in (("+", True), ("-", False)):
         claim = rf"2vp_v^2-Ev{sign}\tfrac F2v^2-k=\beta"
         assert verdicts(text.replace("{}", claim))[claim].green is true
+
+
+def test_a_constant_that_has_been_named_is_not_named_again():
+    """What it is said to be later is claimed; else what is wrong there would spoil the rest."""
+    text = rf"""{WELL} we separate: \[ 2up_u^2-Eu-\tfrac F2u^2-k=-\beta . \] The constant $\beta$ is
+    known: put \[ S=yp_x^2-xp_xp_y . \] Comparison shows that $\beta=S$. For the momenta
+    \[ p_u^2=\frac E2+\frac{{k-\beta}}{{2u}}+\frac F4u . \]"""
+    found = verdicts(text)
+    assert not found[r"\beta=S"].green
+    assert last(text).green
