@@ -25,6 +25,8 @@ from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.processes import each
 from kowalevski_cas.reading import CLAIM, UNREAD, JudgedStatement, Reading
+from kowalevski_cas.reading.energies import OF_ENERGY
+from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.obey import SAID, SKIPPED
 from kowalevski_cas.reading.uncovered import Uncovered, sentences
 from kowalevski_cas.source.text import Region
@@ -160,7 +162,8 @@ class ReadingSession:
     @property
     def _in_words(self) -> list[str]:
         """The claims of sentences: nearly any other function would be independent, or at rest."""
-        in_words = (f for f in self.reading.statements if f.role.kind != SAID)
+        apart = (SAID, OF_ENERGY)
+        in_words = (f for f in self.reading.statements if f.role.kind not in apart)
         return [f.claim.id for f in in_words if f.claim is not None]
 
     @property
@@ -328,5 +331,5 @@ def _as_read(audited: Audited, formula: JudgedStatement | None) -> None:
 def is_read(audit: Audit) -> bool:
     """Whether there are equations of motion, if only a Hamiltonian gives them, and a claim."""
     assert audit.reading is not None
-    has_law = bool(audit.reading.parts.laws)
+    has_law = not all(map(is_free, audit.reading.parts.laws))
     return has_law and any(formula.role == CLAIM for formula in audit.formulas)

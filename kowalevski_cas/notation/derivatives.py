@@ -75,7 +75,8 @@ class Derivatives(Atoms):
     def jacobian(self) -> Piece | None:
         r"""The determinant of the derivatives of some functions by as many variables.
 
-        It is printed as :math:`\partial(f,g)/\partial(x,y)`, with a line.
+        It is printed as :math:`\partial(f,g)/\partial(x,y)`, with a line; what a matrix is set
+        equal to is the matrix of these derivatives.
         """
         start, listed = self.at, list[tuple[Piece, ...]]()
         self.at += 1
@@ -92,10 +93,19 @@ class Derivatives(Atoms):
         if not len(names) == len(variables) == len(functions) > 1:
             raise self.error("as many functions as variables by which they are derived")
         rows = (Vector(tuple(Partial(one[0], name) for name in names)) for one in functions)
-        node = Application(DETERMINANT, (Vector(tuple(rows)),))
+        matrix = Vector(tuple(rows))
+        node = matrix if self.gives_matrix() else Application(DETERMINANT, (matrix,))
         return self.scripts(
             (node, self.tokens[start].start, self.tokens[self.at - 1].end, functions)
         )
+
+    def gives_matrix(self) -> bool:
+        """Whether a matrix follows behind an equals sign, and no determinant."""
+        sign, *behind = self.tokens[self.at : self.at + 3]
+        if behind and behind[0].text in ("(", "["):
+            del behind[0]
+        begins = bool(behind) and behind[0].kind == "begin"
+        return sign.text == "=" and begins and "v" not in behind[0].text.lower()
 
     def differentiated(self, operator: str) -> Piece:
         """What a derivative is applied to; a number before it goes with it."""

@@ -330,7 +330,10 @@ class _Scanner:
             self.argument()
             self.add(WORDS[words], words, start)
         elif CONSTANT.fullmatch(words) and self.tokens:
-            self.tokens = with_constants(self.tokens, start, self.at)
+            if self.tokens[-1].kind == "relation":
+                self.add("const", "const", start)
+            else:
+                self.tokens = with_constants(self.tokens, start, self.at)
         elif DESCRIPTION.fullmatch(words):
             self.tokens = without_names(self.tokens, words)
             self.add("comma", words, start)

@@ -67,7 +67,7 @@ ACTIONS: dict[str, str] = _table(
     dots="ldots dots cdots dotsb dotsc dotsm",
     prime="prime",
     relation="""coloneqq eqqcolon coloneq eqcolon equiv ne neq leq le leqslant leqq lt geq ge
-    geqslant geqq gt ll gg approx simeq sim cong propto in notin subset to perp parallel
+    geqslant geqq gt ll gg approx simeq sim cong propto in notin not= subset to perp parallel
     rightarrow longrightarrow mapsto Rightarrow Longrightarrow Leftrightarrow
     Longleftrightarrow iff implies""",
     open="lparen lbrace lbrack langle lgroup lvert lVert",
@@ -115,7 +115,7 @@ TYPED: dict[str, str] = {letter: macro for macro, letter in GREEK.items()} | {
 SPELLING: dict[str, str] = {
     "\\" + name: spelling
     for spelling, names in {
-        "=": "coloneqq eqqcolon coloneq eqcolon", r"\ne": "neq", r"\le": "leq leqslant leqq",
+        "=": "coloneqq eqqcolon coloneq eqcolon", r"\ne": "neq not=", r"\le": "leq leqslant leqq",
         "<": "lt",
         r"\times": "wedge",
         r"\ge": "geq geqslant geqq", ">": "gt", r"\to": "rightarrow longrightarrow",

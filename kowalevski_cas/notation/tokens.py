@@ -16,7 +16,7 @@ TOKEN = re.compile(
       | (?P<letter>[A-Za-z])
       | (?P<number>[0-9]+(?:\.[0-9]+)?)
       | (?P<row>\\\\\s*\*?(?:\s*\[\s*[-+]?[\d.]+\s*[a-z]{2}\s*\])?)
-      | (?P<macro>\\(?:(?:operatorname|hspace|vspace|tag)\*|[A-Za-z]+|.|$))
+      | (?P<macro>\\(?:(?:operatorname|hspace|vspace|tag)\*|not=|[A-Za-z]+|.|$))
       | (?P<dots>\.\.\.)
       | (?P<mark>:=|=:|.)""",
     re.VERBOSE | re.DOTALL,

@@ -37,7 +37,7 @@ def printed_arguments(texts: Iterable[str], vectors: Collection[str] = ()) -> di
     ({}, {'V': 'x'})
     """
     texts = [*texts]
-    found = collective_arguments(texts)
+    found = collective_arguments(texts) | arguments_said_once(texts)
     for tex in texts:
         with suppress(NotationError, IndexError):
             for place in defined_names(tex):
@@ -63,6 +63,62 @@ def collective_arguments(texts: Iterable[str]) -> dict[str, str]:
                     if by and _stand_for_all(name, by, texts):
                         found[name] = ",".join(by)
     return found
+
+
+_DOTTED = rf"(?:\\d?dot\s*(?:\{{\s*{_NAME}\s*\}}|{_NAME})|{_NAME})"
+_DEFINED = re.compile(
+    rf"(?<![A-Za-z\\}}^_])(?P<name>{_NAME})\s*\(\s*(?P<by>{_DOTTED}(?:\s*,\s*{_DOTTED})*)\s*\)"
+    r"\s*&?\s*=(?P<body>[^=]*)"
+)
+
+_UPRIGHT = re.compile(
+    r"\\(?:operatorname\*?|mathrm|text|label|ref|begin|end)\s*\{[^{}]*\}|\\(?!left|prime)[A-Za-z]+"
+)
+"""What prints no letter that stands for anything."""
+
+
+def arguments_said_once(texts: Iterable[str]) -> dict[str, str]:
+    r"""The names that one display defines at arguments, and that stand alone everywhere else.
+
+    >>> arguments_said_once([r"J(q,\dot q)=q^2+\dot q^2", r"\frac{\partial J}{\partial q}=2q"])
+    {'J': 'q,\\dot q'}
+
+    Where another display has it at something, or gives it by its name alone, it is another thing.
+
+    >>> arguments_said_once(["f(x)=x^2", "f=f(a)"]), arguments_said_once(["E(k)=k^2", "E=2, 3E=6"])
+    ({}, {})
+    """
+    texts, found = [*texts], dict[str, str]()
+    letters = [_UPRIGHT.sub(" ", tex) for tex in texts]
+    for place in (match for tex in texts for match in _DEFINED.finditer(tex)):
+        name, by = place["name"], re.sub(r"\s*,\s*", ",", place["by"])
+        printed = letters if name.isalpha() and len(name) == 1 else texts
+        letter = rf"(?<!\\){re.escape(name)}(?![A-Za-z_])" if printed is texts else f"{name}(?!_)"
+
+        def count(behind: str, letter: str = letter, texts: list[str] = printed) -> int:
+            return sum(len(re.findall(letter + behind, tex)) for tex in texts)
+
+        calls, primed = count(r"\s*(?:\\left\s*)?\("), count(r"\s*(?:'|\^\{?\\prime)")
+        once = calls == 1 and count("") > 1 and not (primed or count(r"\s*&?\s*="))
+        if once and re.search(re.escape(by.split(",")[0]), place["body"]):
+            found[name] = by
+    return found
+
+
+def functions_of(texts: Iterable[str]) -> dict[str, str]:
+    r"""The functions of several letters that displays define, with no component that is one too.
+
+    >>> functions_of(["u(x,t)=x-ct", "u_t+u u_x=0"]), functions_of(["v(x,t)=x+t, 2v=v_x, v_x=2"])
+    ({'u': 'x,t'}, {})
+    """
+    texts = [*texts]
+
+    def has_component(name: str) -> bool:
+        own = re.compile(rf"(?:^|[,&])\s*{re.escape(name)}_\{{?\w\}}?\s*&?\s*=")
+        return any(map(own.search, texts))
+
+    found = arguments_said_once(texts)
+    return {name: by for name, by in found.items() if "," in by and not has_component(name)}
 
 
 def _stand_for_all(name: str, by: Collection[str], texts: Iterable[str]) -> bool:

@@ -3,7 +3,7 @@ r"""Derivatives that are printed in an index, as :math:`u_{xxx}+6uu_x-cu_x=0` fo
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 _INDEXED = re.compile(
     r"(?P<letter>\\[A-Za-z]+|[A-Za-z])_(?:\{(?P<low>(?P<by>[a-z])(?P=by)*)\}|(?P<one>[a-z]))"
@@ -45,6 +45,26 @@ def derived_in_index(texts: Iterable[str]) -> str:
     (name,) = by
     left = (letter for tex in texts for letter in _LETTER.findall(_INDEXED.sub("", tex)))
     return "" if name in left else name
+
+
+def with_partials(tex: str, arguments: Mapping[str, str]) -> str:
+    r"""A formula with partial derivatives for those of functions by their arguments in an index.
+
+    >>> with_partials("w_s+w_{zzz}-6ww_z=0", {"w": "z,s"})[:50]
+    '\\frac{\\partial w}{\\partial s}+\\frac{\\partial^3 w}{'
+    >>> with_partials("w_1+w_k=0", {"w": "z,s"})
+    'w_1+w_k=0'
+    """
+
+    def partial(match: re.Match[str]) -> str:
+        by, low = arguments.get(match["letter"], "").split(","), match["low"] or match["one"]
+        if not {*low} <= {*by}:
+            return match[0]
+        power = f"^{len(low)}" if len(low) > 1 else ""
+        below = f"{low[0]}{power}"
+        return rf"\frac{{\partial{power} {match['letter']}}}{{\partial {below}}}"
+
+    return _INDEXED.sub(partial, tex)
 
 
 def with_rates(tex: str) -> str:

@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from itertools import islice
 
-from kowalevski_cas.notation import Constant, Name, Product
+from kowalevski_cas.notation import Application, Constant, Name, Product
+from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.constraints import MULTIPLIERS, equations_on, multipliers, orders_in
 from kowalevski_cas.problem.space import Meaningless
@@ -41,7 +42,9 @@ def is_constraint(item: SourceStatement, law: Law, known: Known) -> bool:
         return False
     first = item.members[0]
     names = {*known.names.scalars(item.names)}
-    if (isinstance(first, Name) and not known.moves(first.name)) or not names & {*law.variables}:
+    gives = isinstance(first, Name) and not known.moves(first.name)
+    gives |= isinstance(first, Application) and first.function not in FUNCTIONS
+    if gives or not names & {*law.variables}:
         return False
     orders = orders_in(row.formula for row in law.rows if row.formula is not None)
     if item.formula is None or any(o >= orders.get(n, 0) for n, o in _derived(item)):

@@ -13,6 +13,7 @@ from kowalevski_cas.paper.implied import canonical_pairs, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.unit_matrices import unit_matrices
 from kowalevski_cas.reading.canonical import momenta
+from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.known import CONVENTION, UNIT_MATRIX, Known, StatementRole
 from kowalevski_cas.reading.names import AXES
 from kowalevski_cas.reading.parts import Parts
@@ -25,17 +26,19 @@ _INERTIA = re.compile(r"\binerti|\bинерци", re.IGNORECASE)
 _CANONICAL = re.compile(r"\bcanonical|\bканоническ", re.IGNORECASE)
 
 
+IMPLIED = "an equation of motion that is implied"
+ANY_MOTION = "no equation says how it moves: what is judged holds for any motion"
+
+
 def enter_conventions(parts: Parts) -> None:
     """Give names their usual meaning in the parts of a paper where nothing says what they are."""
     for place, known in enumerate(parts.known):
-        for item in (
-            one
-            for law in known.laws
-            for one in law.items
-            if one not in parts.paper.items and one not in parts.said.rows
-        ):
-            parts.places[item] = place
-            parts.enter(item, StatementRole(CONVENTION, "an equation of motion that is implied"))
+        for law in known.laws:
+            why = ANY_MOTION if is_free(law) else IMPLIED
+            for item in law.items:
+                if item not in parts.paper.items and item not in parts.said.rows:
+                    parts.places[item] = place
+                    parts.enter(item, StatementRole(CONVENTION, why))
         for item, role in conventions(known, f"-{place + 1}" if place else ""):
             parts.places[item] = place
             parts.enter(item, role)

@@ -171,7 +171,8 @@ def _level(
                 return StatementRole(LEVEL, why, "", (*fresh,))
             return StatementRole(CLAIM, f"{why}, which is constant then", "integral", (*fresh,))
     if item.bare[:1] != tuple(fresh[:1]) and len(item.bare) == len(item.members):
-        return StatementRole(ASSUMPTION, "gives constants by a new one", "", item.bare)
+        why = "gives constants by a new one"
+        return StatementRole(ASSUMPTION, why, reach_of_constants(item), item.bare)
     return None
 
 
@@ -250,9 +251,11 @@ def _square_of_constants(
     item: SourceStatement, known: Known, fresh: list[str]
 ) -> StatementRole | None:
     """The square of a new constant by known ones, where words define it."""
-    new = not any(map(known.is_known, fresh))
+    first = known.seen.get(fresh[0])
+    beside = first is not None and first.typed is item.typed
+    new = beside or not any(map(known.is_known, fresh))
     others = [m for m in item.members if m.names().isdisjoint(fresh)]
-    said = cue("define", item.lead) and not cue("if", item.lead)
+    said = beside or (cue("define", item.lead) and not cue("if", item.lead))
     if new and said and item.members[0] == Power(Name(fresh[0]), Number(2)):
         if not is_number(others) and all(map(known.is_known, item.names - {*fresh})):
             why = f"first with the square of {plain(fresh[0])} alone on a side"

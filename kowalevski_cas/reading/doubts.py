@@ -61,6 +61,7 @@ def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
             and bool(cue("lasting", item.lead))
         )
         or _is_below_other_rates(item, known)
+        or _is_before_its_law(item, known)
         or _is_in_limit(item, known)
         or bool(
             differentials_of_images(known.paper.expanded.text[item.typed.start : item.typed.end])
@@ -245,6 +246,12 @@ def _is_below_other_rates(item: SourceStatement, known: Known) -> bool:
         )
         for one in others
     )
+
+
+def _is_before_its_law(item: SourceStatement, known: Known) -> bool:
+    """Whether a row is printed before the law, which may be another system then."""
+    first = min((law.first.order for law in known.laws), default=0)
+    return item.order < first and is_row(item) and _is_of_highest_order(item, known)
 
 
 def _is_of_highest_order(one: SourceStatement, known: Known) -> bool:

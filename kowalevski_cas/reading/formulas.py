@@ -14,11 +14,11 @@ from kowalevski_cas.notation.open import OpenParser, is_exponential
 from kowalevski_cas.notation.primed import primed_names
 from kowalevski_cas.notation.symbol import BOLD
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
-from kowalevski_cas.paper.applied import printed_arguments, without_arguments
+from kowalevski_cas.paper.applied import functions_of, printed_arguments, without_arguments
 from kowalevski_cas.paper.chains import without_new_names
 from kowalevski_cas.paper.initial_values import names_under_dots, without_initial_values
 from kowalevski_cas.paper.names import head
-from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives
+from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives, with_partials
 from kowalevski_cas.paper.summation import without_sums
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.reading.measures import with_jacobian
@@ -36,10 +36,11 @@ def by_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
     by = derived_in_index(texts)
     known = printed_arguments(texts, _lists(formulas))
     moving = set[str]().union(*map(names_under_dots, texts))
+    fields = {} if by else functions_of(texts)
     for formula, tex in zip(formulas, without_new_names(texts), strict=True):
         with suppress(NotationError):  # who reads it says so
             tex = without_initial_values(tex, moving)
-        tex = with_jacobian(with_derivatives(tex, by))
+        tex = with_jacobian(with_partials(with_derivatives(tex, by), fields))
         with suppress(ValueError):  # at other arguments it cannot be read
             tex = without_arguments(tex, known)
         yield formula if tex == formula.tex else replace(formula, tex=tex)

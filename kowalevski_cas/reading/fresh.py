@@ -10,7 +10,8 @@ from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.kinetic import has_momentum
 from kowalevski_cas.reading.known import CLAIM, DEFINITION, LAW, Known
-from kowalevski_cas.reading.statements import SourceStatement, derived_names
+from kowalevski_cas.reading.phrases import joined_lead
+from kowalevski_cas.reading.statements import SourceStatement, derived_names, is_numerical
 
 
 def is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
@@ -39,9 +40,9 @@ def is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
     return (
         first is None
         or (known.roles[first].name in (LAW, DEFINITION) and first.sentence == item.sentence)
-        or (first.typed is item.typed and item.members[:1] == (Name(function),))
+        or (first.typed is item.typed and item.members[0] in alone)
         or (known.roles[first].name == LAW and _gives(function, item, known))
-        or (bool(cue("where", item.lead)) and _is_near(first, item))
+        or (_explains(item) and _is_near(first, item))
         or _is_explained(function, first, item)
         or (known.roles[first].name == LAW and function in derived_names(first))
         or (new and not item.typed.inline)
@@ -62,13 +63,15 @@ def _is_used_before(name: str, first: SourceStatement, item: SourceStatement, kn
 
     Nothing else gives the name, or supposes anything of it, and no words derive the statement.
     """
-    giving = (one for one in known.items if one.members[:1] == (Name(name),))
-    if known.roles[first].name != CLAIM or next(giving, item) is not item:
+    is_field = name in derived_names(first)
+    left = (one for one in known.items if one.members[:1] == (Name(name),))
+    giving = (one for one in left if not (is_field and any(map(is_numerical, one.members))))
+    if known.roles[first].name != CLAIM or next(giving, item) is not item or cue("if", item.lead):
         return False
-    if cue("if", item.lead) or not known.varying(item.names - {name}):
+    if is_field:
+        return True  # it solves what was printed of its derivatives
+    if known.laws and not known.varying(item.names - {name}):
         return False
-    if name in derived_names(first):
-        return True
     supposed = any(name in known.roles[one].names for one in known.assumptions)
     mentioned = any(name in law.mentions for law in known.laws)
     alone = item.members[0] == Name(name) and not item.typed.inline
@@ -117,6 +120,16 @@ def _is_explained(name: str, first: SourceStatement, item: SourceStatement) -> b
     """Whether it is said behind the claim of a rate of which function that is."""
     behind = first.sentence == item.sentence and _FOR.fullmatch(item.lead) is not None
     return behind and name in first.rates
+
+
+_WITH_THE = re.compile(r"\bwith\s+(?:the|its|their)\s+(?:[\w-]+\s+){0,3}$", re.IGNORECASE)
+"""How words end behind which letters are explained, as in “an ellipse … with the semiaxes”."""
+
+
+def _explains(item: SourceStatement) -> bool:
+    """Whether words let a statement, with those that it is joined to, say what letters are."""
+    words = joined_lead(item)
+    return bool(cue("where", words) or _WITH_THE.search(f"{words.rstrip()} "))
 
 
 def _is_near(one: SourceStatement, item: SourceStatement) -> bool:

@@ -5,10 +5,21 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Sequence
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Power, Product, Relation, Vector
+from kowalevski_cas.notation import (
+    Derivative,
+    Formula,
+    Name,
+    Negative,
+    Partial,
+    Power,
+    Product,
+    Relation,
+    Vector,
+)
 from kowalevski_cas.reading.changes import find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.kinematics import free_motion
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.momenta import find_momenta
 from kowalevski_cas.reading.names import Names
@@ -28,7 +39,7 @@ def find_laws(paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] 
     The first display with rates of names that nothing defines is grown until the rates of all that
     moves in it are there. Another set has new variables, or is set up as another system. Where none
     is printed, or not all of it, there may be that of a Hamiltonian, or one among the words, but
-    beside ``maps``.
+    beside ``maps``. Where there is none, what is printed may hold for any motion.
     """
     found = [*_LawFinder(paper, names, said).laws()]
     if maps:
@@ -37,7 +48,8 @@ def find_laws(paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] 
     rows = () if whole else tuple(implied_rows(paper))
     if rows:
         return [Law(rows, names)]
-    return found or [*_LawFinder(paper, names, said, inline=True).laws()]
+    found = found or [*_LawFinder(paper, names, said, inline=True).laws()]
+    return found or free_motion(paper, names)
 
 
 def find_restated(items: Sequence[SourceStatement], laws: Sequence[Law]) -> list[Law]:
@@ -348,7 +360,11 @@ def is_row(item: SourceStatement) -> bool:
     nodes = [node for member in item.members for node in member.nodes()]
     if any(isinstance(node, Power) and _order(node.base) >= highest for node in nodes):
         return False
-    return not isinstance(item.members[0], Name) or _is_multiple(item.members[1])
+    first, *others = item.members
+    rates = (m.argument if isinstance(m, Negative) else m for m in others)
+    if isinstance(first, Partial) and not any(isinstance(m, Derivative) for m in rates):
+        return False  # it is a gradient that is computed
+    return not isinstance(first, Name) or _is_multiple(others[0])
 
 
 def _is_joined(one: SourceStatement, other: SourceStatement) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from kowalevski_cas.notation import Derivative, Formula, Name, Negative, Number, Vector, to_plain
 from kowalevski_cas.paper.names import head
-from kowalevski_cas.reading.cues import cue, last_cue
+from kowalevski_cas.reading.cues import cue, cues, last_cue
 from kowalevski_cas.reading.known import Known
 from kowalevski_cas.reading.laws import is_row
 from kowalevski_cas.reading.statements import SourceStatement
@@ -48,8 +48,37 @@ def is_conditional(item: SourceStatement) -> bool:
     return last_cue("when", item.before) > over
 
 
+_BESIDE = re.compile(
+    r"(?:for|with|under|in\s+the\s+case|при|в\s+случае)\b(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?",
+    re.IGNORECASE,
+)
+"""Words that suppose something beside a main clause, and are never the main clause."""
+_SAYS = re.compile(
+    r"\b(?:is|are|reads?|becomes?|gives?|yields?|obtains?|finds?|gets?|has|have"
+    r"|есть|имеем|име[ею]т\s+вид|получ\w+|равн\w+)(?:\s+(?:now|then|thus|simply|also))?[\s:,]*$",
+    re.IGNORECASE,
+)
+"""How a main clause ends that a display completes."""
+
+
+def _is_main(item: SourceStatement) -> bool:
+    """Whether a display is what its sentence says, and words only tell beside it for what.
+
+    So it is in “with x=1 and y=2, …”, in “for a given energy …”, and where a verb stands last.
+    """
+    if item.typed.inline:
+        return False
+    words = item.lead if item.lead.strip(" ,;~") else item.before
+    if not all(_BESIDE.fullmatch(found[0].strip()) for found in cues("suppose", f"{words} ")):
+        return False
+    alone = "§" not in item.before and not re.search(r"\w", item.after)
+    return bool(_SAYS.search(item.lead)) or item.lead.strip() == "," or alone
+
+
 def supposing(item: SourceStatement) -> str:
     """The words by which something is supposed right before a statement."""
+    if _is_main(item):
+        return ""
     said = cue("suppose", f"{item.lead} ")
     if said:
         return said.strip()
@@ -68,9 +97,13 @@ def reach(item: SourceStatement) -> str:
     return "set in force" if cue("suppose", item.lead) else "set"
 
 
+_AT = re.compile(r"\b(?:at|в\s+точке)[\s~]*$", re.IGNORECASE)
+"""How words end behind which something is said of one place only."""
+
+
 def reach_of_constants(item: SourceStatement) -> str:
     """How far it reaches what is supposed of constants; to the end of the section, if empty."""
-    brief = cue("for", f"{item.before} ") or cue("if", item.lead)
+    brief = cue("for", f"{item.before} ") or cue("if", item.lead) or _AT.search(item.lead)
     lasting = cue("lasting", item.before)
     return "of the sentence" if item.typed.inline and brief and not lasting else ""
 
@@ -187,7 +220,7 @@ def words_of(item: SourceStatement, name: str) -> str:
         return cue(name, item.before)
     if said := words_behind(item, name):
         return said
-    lead = _joined_lead(item)[-60:]
+    lead = joined_lead(item)[-60:]
     end = last_cue(name, lead)
     if end < 0 or cue("here", f"{item.before} ") or _CLAUSE.search(lead[end:].rstrip(" :~\n")):
         return ""
@@ -196,12 +229,12 @@ def words_of(item: SourceStatement, name: str) -> str:
 
 def listed_words(item: SourceStatement, name: str) -> str:
     """The words before a display that lists what is something, as “has the integrals”."""
-    if item.typed.inline or not _LISTS.search(_joined_lead(item)):
+    if item.typed.inline or not _LISTS.search(joined_lead(item)):
         return ""
     return cue(name, item.before)
 
 
-def _joined_lead(item: SourceStatement) -> str:
+def joined_lead(item: SourceStatement) -> str:
     """The words before a statement, and before those that only a comma or “and” joins to it."""
     words = item.before
     while (cut := _BEFORE.sub("", words)) != words:

@@ -23,6 +23,7 @@ from kowalevski_cas.reading.constraints import UNBOUND, enter_constraints, unbou
 from kowalevski_cas.reading.conventions import enter_conventions
 from kowalevski_cas.reading.cyclic import enter_cyclic_names
 from kowalevski_cas.reading.doubts import doubt_of
+from kowalevski_cas.reading.energies import claims_of_energies
 from kowalevski_cas.reading.grammar import wrong
 from kowalevski_cas.reading.in_words import claims_in_words
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, UNIT_MATRIX, StatementRole
@@ -157,7 +158,8 @@ class _DerivationReader:
 
     def _in_words(self) -> Iterator[JudgedStatement]:
         """The claims that sentences make; one that has no meaning is told with its reason."""
-        claimed = (*claims_in_words(self.parts), *claims_of_maps(self.parts))
+        parts = self.parts
+        claimed = (*claims_in_words(parts), *claims_of_maps(parts), *claims_of_energies(parts))
         for number, found in enumerate(claimed, 1):
             first = found.about[0]
             known = self.parts.of(first)

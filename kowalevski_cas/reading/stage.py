@@ -35,6 +35,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.forces import refuse_unsaid_forces
+from kowalevski_cas.reading.kinematics import is_free, refuse_dynamics
 from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, Known
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.statements import SourceStatement, derived_names
@@ -209,10 +210,15 @@ class Stage:
         named = [law for law in smallest if cited & {*law.rows, *law.printed}]
         law = next(iter((named or smallest)[::-1]), None)
         for name in known.names.scalars(name for item in items for name in item.rates):
-            if law is None or not (known.is_defined(name) or name in law.variables):
+            if known.is_defined(name) and (law is not None or "t" in known.below(name)):
+                continue
+            if law is None or name not in law.variables:
                 raise ValueError(f"no equation says how ${name}$ moves")
         if law is None:
             return None
+        if is_free(law):
+            refuse_dynamics(law, at, known)
+            return law
         refuse_unsaid_forces(law, at, known)
         return self._restated(law, at)
 

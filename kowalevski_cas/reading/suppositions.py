@@ -10,7 +10,7 @@ from kowalevski_cas.reading.cues import cue, last_cue
 from kowalevski_cas.reading.hypotheses import set_right_before
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, OTHER, Known, StatementRole
 from kowalevski_cas.reading.phrases import is_number, is_value, reach, reach_of_constants, supposing
-from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.statements import SourceStatement, derived_names
 
 
 def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
@@ -97,6 +97,8 @@ def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
         return None
     if not names and not said:
         return None
+    if not said and any(name in derived_names(one) for name in names for one in known.items):
+        return None  # it is a value of a function, somewhere
     values = all(is_value(m) for m in item.members)
     if said or (names and (item.typed.inline or values)):
         why = f"“{said}” supposes it" if said else "gives a constant that was seen before"

@@ -109,7 +109,9 @@ class Blame:
     def alone(self, claim: Claim) -> tuple[Correction, ...]:
         """The corrections of one claim: of its own formula, or else of what it stands on."""
         printed = self.corrector.interpretation.statement(claim)
-        edits = tuple(self.corrector.near(printed, MOST, self.seconds / SHARE))
+        is_printed = claim.printed is None or not claim.printed.display.source
+        near = self.corrector.near(printed, MOST, self.seconds / SHARE) if is_printed else ()
+        edits = tuple(near)
         twice = self._equal_rates(claim)
         if (edits and not twice) or self._is_expected(claim):
             return edits

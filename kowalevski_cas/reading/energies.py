@@ -1,0 +1,97 @@
+r"""That printed equations of motion are those of the Lagrangian, or the Hamiltonian, beside them.
+
+Where both are printed, neither is taken on trust: each equation of Lagrange, or of Hamilton, is
+claimed along the printed motion. Where a row has a constant that the energy has not, more acts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+
+from kowalevski_cas.notation import Name
+from kowalevski_cas.paper.claims import Identity
+from kowalevski_cas.paper.implied import (
+    HAMILTONIANS,
+    LAGRANGIANS,
+    conjugate_pairs,
+    hamilton,
+    lagrange,
+)
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.in_words import InWords
+from kowalevski_cas.reading.known import DEFINITION, Known
+from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.parts import Parts
+from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.unprinted import is_printed, unprinted
+
+SAYS = "the equations of motion are those of this function"
+OF_ENERGY = "energy"
+"""How these claims are called."""
+SOURCE = "the Lagrangian, or the Hamiltonian"
+
+
+def claims_of_energies(parts: Parts) -> Iterator[InWords]:
+    """That the law of a part is that of the energy which its words call so, row by row."""
+    for place, known in enumerate(parts.known):
+        laws = [law for law in known.laws if not (law.change or law.images or law.together)]
+        if len(laws) != 1 or known.laws != laws or known.restated or known.clocks:
+            continue
+        for item in known.items:
+            if _gives_energy(item, known) and cue("hamiltonian", item.words):
+                yield from _claims(item, laws[0], known, parts, place)
+
+
+def _gives_energy(item: SourceStatement, known: Known) -> bool:
+    """Whether a display gives a Lagrangian or a Hamiltonian by its usual letter."""
+    letters = (*LAGRANGIANS, *HAMILTONIANS)
+    first = item.members[0] if item.members else None
+    return (
+        known.roles[item].name == DEFINITION
+        and isinstance(first, Name)
+        and first.name in letters
+        and not item.typed.inline
+    )
+
+
+def _claims(
+    item: SourceStatement, law: Law, known: Known, parts: Parts, place: int
+) -> Iterator[InWords]:
+    """The claims that a law is that of one energy."""
+    name = item.bare[0]
+    if not all(map(is_printed, law.rows)) or _has_more(item, law, known):
+        return
+    rows = [*_rows(name, law)]
+    for number, tex in enumerate(rows, 1):
+        last = max(law.rows, key=lambda row: row.order)
+        beside = max(last, item, key=lambda one: one.order)
+        found = unprinted(known.paper, f"of-energy-{item.order}-{number}", tex, beside, SOURCE)
+        parts.places[found] = place
+        span = (item.typed.start, item.typed.end)
+        values: dict[str, object] = {"printed": found.printed}
+        yield InWords(span, Identity, (found,), values, OF_ENERGY, SAYS, item)
+
+
+def _rows(name: str, law: Law) -> Sequence[str]:
+    """The equations of Lagrange or Hamilton for what moves; none if that is not all of it."""
+    orders = {x: order for row in law.rows for x, order in row.rates.items()}
+    first = {*orders.values()} == {1}
+    if name in LAGRANGIANS:
+        whole = {*orders} == {*law.variables} and {*orders.values()} == {2}
+        return [lagrange(name, x) for x in law.variables] if whole else []
+    with suppress(ValueError):
+        pairs = conjugate_pairs(law.variables) if first else []
+        if {x for pair in pairs for x in pair} == {*law.variables}:
+            return [*hamilton(name, pairs)]
+    return []
+
+
+def _has_more(item: SourceStatement, law: Law, known: Known) -> bool:
+    """Whether words tell another force, or a row has a constant that the energy has not."""
+    own = {inner for name in item.names for inner in known.below(name)}
+    acting = {inner for name in law.mentions for inner in known.below(name)}
+    end = max(one.typed.end for one in (*law.rows, item))
+    words = known.paper.prose.between(item.section.start, end)
+    told = any(cue(name, words) for name in ("force", "rolling", "multiplier", "constraint"))
+    return told or bool({one for one in acting if not known.moves(one)} - own)

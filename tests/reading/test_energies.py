@@ -1,0 +1,53 @@
+"""Equations of motion beside their Lagrangian, or their Hamiltonian: both are printed, both checked."""
+
+import pytest
+
+from kowalevski_cas.audit.reading import ReadingSession
+from tests.reading.test_reading import reading
+
+LAGRANGIAN = r"""The Lagrangian is \[ L=\frac12 M(\dot u^2+\dot v^2)-\frac12c(u-v)^2-bu . \]
+The equations of motion are \[ M\ddot u=%s,\qquad M\ddot v=-c(v-u) . \]"""
+HAMILTONIAN = r"""The Hamiltonian is \[ H=\frac{p_u^2}{2M}+\frac{p_v^2}{2Mu^2}-\frac ku . \]
+The canonical equations are \[ \dot u=\frac{p_u}M,\qquad \dot v=\frac{p_v}{%s},\qquad
+\dot p_u=\frac{p_v^2}{Mu^3}-\frac k{u^2},\qquad \dot p_v=0 . \]"""
+
+
+def ends(text):
+    found = reading(text)
+    outcomes = ReadingSession(found, timeout=5).outcomes
+    return [outcomes[one.claim.id] for one in found.statements if one.claim is not None]
+
+
+@pytest.mark.parametrize(
+    ("text", "right", "wrong"),
+    [
+        (LAGRANGIAN, "-c(u-v)-b", ["-c(u-v)+b", "-c(u-v)", "-c(u+v)-b", "-2c(u-v)-b"]),
+        (HAMILTONIAN, "Mu^2", ["Mu", "M"]),
+    ],
+)
+def test_rows_are_those_of_the_printed_energy(text, right, wrong):
+    assert all(one.verdict.green for one in ends(text % right))
+    for row in wrong:
+        found = [one.verdict.green for one in ends(text % row)]
+        assert found.count(False) == 1, row
+
+
+@pytest.mark.slow
+def test_a_row_with_another_sign_is_blamed():
+    found = ReadingSession(reading(LAGRANGIAN % "-c(u-v)+b"), timeout=5)
+    assert found.outcomes
+    (edit,) = found.causes.misprints.values()
+    assert r"\ddot{u} = -c(u - v) - b" in str(edit.words) or edit.formula is not None
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        LAGRANGIAN % r"-c(u-v)-b-n\dot u",  # another force has a constant of its own
+        LAGRANGIAN.replace("The equations", "There is friction. The equations") % "-c(u-v)",
+        LAGRANGIAN.replace("The Lagrangian is", "Here is") % "-c(u-v)",
+        HAMILTONIAN.replace("p_u", "n") % "Mu^2",
+    ],
+)
+def test_where_more_may_act_nothing_is_claimed(more):
+    assert not ends(more)
