@@ -29,6 +29,7 @@ from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.canonical import meant
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, near, normalisations
+from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.solutions import solution_of
@@ -301,7 +302,7 @@ class _Ladder:
         """
         laws = [law for law in self.known.laws if not law.change]
         law = self.stage.law(self.item, [self.item]) or (laws[0] if len(laws) == 1 else None)
-        if law is None:
+        if law is None or is_free(law):
             raise ValueError("of which of the equations of motion is this said?")
         for assumptions in self._ways():
             if self.role.kind == "divergence":
