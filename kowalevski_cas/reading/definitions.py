@@ -113,6 +113,9 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
     """A name that nothing has defined, alone on a side."""
     given = item.printed.heads
     fresh = [n for n in given.names or given.multiples if is_fresh(n, item, known)]
+    opposite = not given.names and any(isinstance(m, Negative) for m in item.members)
+    if opposite and not known.varying(item.names - {*fresh}):
+        return None  # it gives no value of anything that moves
     if not fresh or has_momentum(fresh[0], item, known):
         return None
     heads = {head(name)[0] for name in fresh}
