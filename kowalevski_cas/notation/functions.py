@@ -239,7 +239,10 @@ SIGN = r"\mathrm{sign}"
 EXTREMES = (r"\max", r"\min")
 """The largest and the smallest of some numbers."""
 
-_OTHERS = ("max", "min", "det", "tr Tr", "sign sgn sg")
+OF_A_MATRIX = frozenset({r"\det", r"\mathrm{tr}"})
+"""The functions of a matrix: they reach over a product of matrices that stands behind them."""
+
+_OTHERS = ("max", "min", "det", "tr Tr Sp trace", "sign sgn sg")
 _MACROS = frozenset(
     """sin cos tan cot sec csc sinh cosh tanh coth arcsin arccos arctan exp ln log max min
     det""".split()

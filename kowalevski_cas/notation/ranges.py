@@ -18,6 +18,7 @@ from itertools import product
 from operator import ge, gt, le, lt, ne
 
 from kowalevski_cas.notation.errors import NotationError
+from kowalevski_cas.notation.functions import OF_A_MATRIX
 from kowalevski_cas.notation.index_sets import without_sets
 from kowalevski_cas.notation.sums import SIGNS, Ranges, SumSign, Values, indexed_sums, outside_sums
 from kowalevski_cas.notation.tensors import (
@@ -243,7 +244,7 @@ def _substitute_values(tokens: list[Token], at: Mapping[str, int], tex: str) -> 
         if token.kind != "letter" or token.text not in at:
             found.append(token)
             continue
-        if before[-1:] == ["^"] or before == ["^", "{"]:
+        if (before[-1:] == ["^"] or before == ["^", "{"]) and not _is_power(tokens, k):
             raise NotationError("is this a power or an index? write it out", tex, token.start)
         number = Token("number", str(at[token.text]), token.start, token.end)
         group = before[-1:] == ["_"] and at[token.text] > 9
@@ -252,18 +253,38 @@ def _substitute_values(tokens: list[Token], at: Mapping[str, int], tex: str) -> 
     return [*_add_numbers(found, tokens, tex)]
 
 
+def _is_power(tokens: list[Token], place: int) -> bool:
+    r"""Whether what is raised at a place is the exponent of a bracket, or of what has a trace.
+
+    Of another letter it may be an index: those of a sum over the components :math:`x^k`, too.
+    """
+    raised = max(k for k in range(place) if tokens[k].kind == "^")
+    traced = any(token.text in OF_A_MATRIX for token in tokens[:raised])
+    base = tokens[raised - 1]
+    capital = base.kind == "letter" and base.text[-1:].isupper()
+    return base.kind in ("close", "number") or (traced and capital)
+
+
 def _add_numbers(found: list[Token], tokens: list[Token], tex: str) -> Iterator[Token]:
     """The tokens with one number for each sum of numbers in an index, as in ``q_{1+1}``."""
     printed = {token.start for token in tokens if token.kind == "number"}
     waiting: list[Token] = []
-    for token, within in _index_flags(found):
-        if within and token.kind in ("number", "sign"):
+    for k, (token, within) in enumerate(_index_flags(found)):
+        if (within or _is_in_exponent(found, k)) and token.kind in ("number", "sign"):
             waiting.append(token)
             continue
         yield from _sum(waiting, printed, tex)
         waiting = []
         yield token
     yield from _sum(waiting, printed, tex)
+
+
+def _is_in_exponent(tokens: list[Token], place: int) -> bool:
+    """Whether a token stands in an exponent that is a sum of numbers."""
+    start = next((k for k in range(place, 0, -1) if tokens[k].kind == "{"), 0)
+    end = next((k for k in range(place, len(tokens)) if tokens[k].kind == "}"), 0)
+    inner = {token.kind for token in tokens[start + 1 : end]}
+    return start > 0 and tokens[start - 1].kind == "^" and inner == {"number", "sign"}
 
 
 def _sum(tokens: list[Token], printed: set[int], tex: str) -> Iterator[Token]:

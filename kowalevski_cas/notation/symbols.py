@@ -21,7 +21,7 @@ from kowalevski_cas.notation.formula import (
     Product,
     Transposed,
 )
-from kowalevski_cas.notation.functions import EXTREMES, LETTERS
+from kowalevski_cas.notation.functions import EXTREMES, LETTERS, OF_A_MATRIX
 from kowalevski_cas.notation.macros import GREEK, INSTEAD
 from kowalevski_cas.notation.tokens import DEEPEST, Token
 from kowalevski_cas.notation.values import rank
@@ -362,9 +362,26 @@ class Symbols(Cursor):
             token = self.tokens[self.at]
             function = named and self.ends_argument(token)
         function = function or (named and self.stands_apart(piece[0], token))
+        while operator in OF_A_MATRIX and rank(piece[0], self.vocabulary) == MATRIX:
+            factor = self.next_matrix()  # as in \mathrm{tr} LQ
+            if factor is None:
+                break
+            below = (piece, factor)
+            piece = (Product((piece[0], factor[0])), piece[1], factor[2], below)
+            token = self.tokens[self.at]
         if token.kind == "slash" or (self.starts() and not function):
             raise self.error(f"how far does {operator} reach? set brackets")
         return piece
+
+    def next_matrix(self) -> Piece | None:
+        """The matrix that stands right behind another one; ``None``, and no move, if none does."""
+        start, level = self.at, self.level
+        if self.starts():
+            factor = self.factor()
+            if rank(factor[0], self.vocabulary) == MATRIX:
+                return factor
+        self.at, self.level = start, level
+        return None
 
     def stands_apart(self, argument: Formula, token: Token) -> bool:
         r"""Whether a space ends a letter as the argument, as in \sin\theta\,(a-b); not before t."""

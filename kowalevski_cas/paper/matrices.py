@@ -115,7 +115,9 @@ def _multiply(formula: Formula, setting: Meaning, of: Callable[[Formula], Rows])
             return _sum(first, _each(second, Negative))
         case Transposed(argument):
             return tuple(zip(*of(argument), strict=True))
-        case Power(base, Number(exponent)) if exponent:
+        case Power(base, Number(0)):
+            return diagonal([Number(1)] * len(of(base)))
+        case Power(base, Number(exponent)):
             return reduce(product, [of(base)] * exponent)
         case Power(base, Negative(Number(exponent))) if exponent:
             return reduce(product, [inverse(of(base))] * exponent)

@@ -5,12 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property
 
-from kowalevski_cas.notation import Formula, Name, Number, Partial, Quotient, times, total
+from kowalevski_cas.notation import (
+    Derivative,
+    Formula,
+    Name,
+    Number,
+    Partial,
+    Quotient,
+    times,
+    total,
+)
 from kowalevski_cas.paper.differentiate import derivative
 from kowalevski_cas.paper.directions import directions, without_direction
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.problem.prune import Reach
-from kowalevski_cas.problem.space import Meaningless, Step
+from kowalevski_cas.problem.space import Adjoined, Let, Meaningless, Raised, Step
 
 
 class Partials:
@@ -57,6 +66,8 @@ class Partials:
 
     def _partial(self, formula: Formula, name: str) -> Formula:
         """The derivative by a name, of which no function without a formula is one."""
+        if name in self.setting.scene.definitions and name in self._coordinates:
+            return self._by_coordinate(formula, name)
         if name in self.setting.radicals:
             return Quotient(
                 Partial(formula, self.setting.radicals.root(name)),
@@ -79,3 +90,30 @@ class Partials:
         moving = reach.names.intersection(known) - unknown
         rates = {step: self.setting.plain(known[step]) for step in sorted(moving)}
         return derivative(formula, {name: Number(1), **rates}, step)
+
+    @cached_property
+    def _coordinates(self) -> frozenset[str]:
+        """The names of which the printed equations of motion give the rates."""
+        rows = self.setting.printed_field
+        nodes = (node for row in rows for node in row.nodes() if isinstance(node, Derivative))
+        return frozenset(inner.name for node in nodes if isinstance(inner := node.argument, Name))
+
+    def _by_coordinate(self, formula: Formula, name: str) -> Formula:
+        """The derivative by a coordinate of the equations of motion, which new variables give.
+
+        The formula has to be one of these coordinates and of constants: what the others are is
+        not looked at. Raises :class:`Meaningless` if anything else that moves stands in it.
+        """
+        met, waiting = set[str](), {*formula.names()}
+        while waiting:
+            met.add(one := waiting.pop())
+            if one in self._coordinates:
+                continue
+            match self.setting.step(one):
+                case Let(_, body) | Adjoined(_, body):
+                    waiting |= body.names() - met
+                case Raised(_, base, exponent):
+                    waiting |= {*base.names(), exponent} - met
+                case None if one not in self.setting.scene.constants:
+                    raise Meaningless(f"the derivative by {name} of what has {one} in it", name)
+        return derivative(formula, {name: Number(1)}, self.setting.step)

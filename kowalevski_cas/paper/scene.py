@@ -101,6 +101,8 @@ class Scene:
         at the quarter period.
     ``loci``
         the places at which every statement about sets is tried once more.
+    ``matrices``
+        defined names in plain type that stand for matrices, though no rows are printed of them.
     ``jets``
         variables that are values of functions which nothing gives, as ``V`` and ``V'``: each with
         its derivative, and the variable, or the time, by which it is derived.
@@ -125,6 +127,7 @@ class Scene:
     values: tuple[Printed, ...] = ()
     loci: tuple[Locus, ...] = ()
     jets: tuple[tuple[str, str, str], ...] = ()
+    matrices: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         """Refuse names that are given twice; raises ``ValueError`` or ``TypeError``."""
@@ -352,7 +355,7 @@ class Scene:
                 indexed = [argument for argument in arguments if is_indexed(argument)]
                 yield from [EPSILON, DELTA] if indexed else []
                 yield from (f"{argument[:-1]}{k}" for argument in indexed for k in "ijk")
-            elif is_bold(name) or name in self.vectors or self.definitions[name].heads.matrix:
+            elif is_bold(name) or name in self.vectors or self.is_matrix(name):
                 yield from self.vectors.get(name, ())
             else:
                 yield from (a for a in arguments if a[:4] != r"\dot" and a not in self.vectors)
@@ -361,6 +364,10 @@ class Scene:
         yield from (name for name in self.roots if not name.startswith(r"\sqrt"))
         if self.unit is not None:
             yield "i"
+
+    def is_matrix(self, name: str) -> bool:
+        """Whether a defined name in plain type stands for a matrix."""
+        return name in self.matrices or self.definitions[name].heads.matrix
 
     def of_variables(self, name: str) -> bool:
         r"""Whether a head is a bare name, or has variables for all arguments, as :math:`H(q,p)`.

@@ -17,7 +17,7 @@ def vocabulary(scenes: tuple[Scene, ...]) -> Vocabulary:
     bold = {n for s in scenes for n in (*s.vectors, *s.definitions) if is_bold(n)}
     vectors = {name for scene in scenes for name in scene.vectors}
     capitals = {name for name in bold if is_capital(name)}
-    printed = {head(n)[0] for s in scenes for n, p in s.definitions.items() if p.heads.matrix}
+    printed = {head(n)[0] for s in scenes for n in s.definitions if s.is_matrix(n)}
     matrices = frozenset((capitals | printed) - vectors)
     still = {n for s in scenes for n in (*s.constants, *s.undefined)}
     moving = {n for s in scenes for n in (*s.variables, *s.definitions)} - still

@@ -19,6 +19,7 @@ _OF = re.compile(
 )
 _IS_CASE = re.compile(r"\bcase|\bcondition|случа|услови", re.IGNORECASE)
 _CASES = re.compile(r"\bcases\b|\bслуча(?:и|ях|ев|ями)\b", re.IGNORECASE)
+_PROOF = re.compile(r"\\begin\s*\{(?:proof|dok|pf)[^{}]*\}|\bProof\b|Доказательство")
 _STEM = 5
 """The letters of a name that stay where it is declined."""
 _ENTRY = re.compile(r"\bcases?\s+\((?P<label>\w{1,4})\)|\bслуча\w+\s+\((?P<label_>\w{1,4})\)")
@@ -36,8 +37,8 @@ def named_case(
     """The assumptions of the case that the words before a statement name; none if they do not."""
     body = [one for one in assumptions if all(s.title != "abstract" for s in one.sections)]
     before = [one for one in body if one.order < item.order and one.members]
-    if found := _OF.search(item.before):
-        return [*_of_name(next(filter(None, found.groups())), before)]
+    if name := _case_of(item, prose):
+        return [*_of_name(name, before)]
     if found := _ENTRY.search(item.before):
         return [*_of_entry(found["label"] or found["label_"], before, prose)]
     if found := _NUMBER.search(item.before):
@@ -45,6 +46,16 @@ def named_case(
         if item.theorem is not None and spoken:
             return _of_number(found["number"] or found["number_"], item, before)
     return []
+
+
+def _case_of(item: SourceStatement, prose: Prose) -> str:
+    """The name of the case of a statement; of the only one of its theorem, in the proof of this."""
+    if found := _OF.search(item.before):
+        return str(next(filter(None, found.groups())))
+    start = item.theorem[0] if item.theorem is not None else item.typed.start
+    words = prose.text[start : item.typed.start]
+    names = {next(filter(None, one.groups())) for one in _OF.finditer(words)}
+    return names.pop() if len(names) == 1 and _PROOF.search(words) else ""
 
 
 def _of_name(name: str, before: Sequence[SourceStatement]) -> Iterator[SourceStatement]:

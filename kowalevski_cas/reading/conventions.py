@@ -12,9 +12,11 @@ from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.implied import canonical_pairs, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.unit_matrices import unit_matrices
+from kowalevski_cas.reading.brackets import brackets_by_functions
 from kowalevski_cas.reading.canonical import momenta
 from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.known import CONVENTION, UNIT_MATRIX, Known, StatementRole
+from kowalevski_cas.reading.levels import levels_apart
 from kowalevski_cas.reading.names import AXES
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement
@@ -33,6 +35,8 @@ ANY_MOTION = "no equation says how it moves: what is judged holds for any motion
 def enter_conventions(parts: Parts) -> None:
     """Give names their usual meaning in the parts of a paper where nothing says what they are."""
     for place, known in enumerate(parts.known):
+        for item in known.items if place else ():
+            parts.cite(item)  # the matrices of elements before it may stand there
         for law in known.laws:
             why = ANY_MOTION if is_free(law) else IMPLIED
             for item in law.items:
@@ -72,6 +76,8 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
     yield from _along_axes(known, suffix)
     yield from _matrices_of_elements(known, suffix)
     yield from _components(known, suffix)
+    yield from levels_apart(known, suffix)
+    yield from brackets_by_functions(known, suffix)
     for q, p in _conjugate(known):
         tex = rf"\{{{q},{p}\}}=1"
         item = unprinted(paper, re.sub(r"\W+", "-", f"bracket-of-{q}-{p}{suffix}"), tex)

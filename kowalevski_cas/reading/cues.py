@@ -262,7 +262,7 @@ _MAP = re.compile(r"\bmap(?:ping)?$|отображени\w+$", re.IGNORECASE)
 _VERB = re.compile(r"lineari[sz](?:ing|e)|neglecting|differentiating|линеаризу\w+", re.IGNORECASE)
 """Words that do something with what is cited behind them."""
 
-_OF = re.compile(r"[\s~]*(?:of|for|in|to|системы|для)\b", re.IGNORECASE)
+_OF = re.compile(r"[\s~]*(?:of|for|in|to|системы|уравнений|для)\b", re.IGNORECASE)
 """Words behind which a citation says to what the words before belong."""
 
 

@@ -8,6 +8,7 @@ from kowalevski_cas.notation import (
     Application,
     Constant,
     Derivative,
+    Diagonal,
     Formula,
     Name,
     Negative,
@@ -17,6 +18,7 @@ from kowalevski_cas.notation import (
     Vector,
 )
 from kowalevski_cas.paper.names import head
+from kowalevski_cas.reading.brackets import OF_FUNCTIONS
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.fresh import is_called_constant, is_fresh, without_factor
 from kowalevski_cas.reading.kinetic import has_momentum
@@ -89,6 +91,8 @@ def unit(item: SourceStatement, known: Known) -> StatementRole | None:
 
 def bracket(item: SourceStatement, known: Known) -> StatementRole | None:
     """Poisson brackets of variables, before anything is claimed of them."""
+    if any(role.kind == OF_FUNCTIONS for role in known.roles.values()):
+        return None
     if len(item.members) == 2 and isinstance(left := item.members[0], PoissonBracket):
         inner = left.children()
         names = [one.name for one in inner if isinstance(one, Name)]
@@ -121,7 +125,10 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
     heads = {head(name)[0] for name in fresh}
     alone = [without_factor(m) for m in item.members]
     others = [m for m in alone if getattr(m, "name", getattr(m, "function", "")) not in heads]
-    if not any(known.is_known(n) for n in item.names - {*fresh}) and is_number(others):
+    listed = any(isinstance(one, Vector | Diagonal) for one in others)
+    listed = listed and not any(map(known.is_known, fresh))
+    numbers = is_number(others) and not any(known.is_known(n) for n in item.names - {*fresh})
+    if numbers and not listed:
         why = "gives a number for a name"
         return StatementRole(ASSUMPTION, why, reach_of_constants(item), tuple(fresh))
     if cue("if", item.lead):

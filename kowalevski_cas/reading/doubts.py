@@ -10,17 +10,20 @@ from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.canonical import MOMENTUM
+from kowalevski_cas.reading.compositions import is_of_maps
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import EQUATIONS
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, SETS, Known
 from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.laws import is_row
+from kowalevski_cas.reading.linear_parts import KIND as EIGENVALUE
 from kowalevski_cas.reading.measures import differentials_of_images
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.phrases import integral_words, is_conditional
 from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.unprinted import SOURCE
 
 _INDEXED = re.compile(r"_\{?[ijk]\b")
 _NUMBERED = re.compile(r"_\{?\d")
@@ -44,13 +47,14 @@ def doubt_of(
         return None
     if _is_said_elsewhere(item, known) or _stands_apart(item, rung, candidates, known):
         return Doubt.ALWAYS
-    if role.kind != "integral" and not item.derives:
+    if item in known.apart or (role.kind not in ("integral", EIGENVALUE) and not item.derives):
         return Doubt.UNLESS_MENDED
     return None if _is_sure(item, rung, candidates, parts) else Doubt.UNLESS_MENDED
 
 
 def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
     """Whether words, or signs, leave open of what a statement is made, or by which law."""
+    printed = known.paper.expanded.text[item.typed.start : item.typed.end]
     return (
         _is_unread_summary(item, known)
         or item in known.paper.approximate
@@ -63,9 +67,8 @@ def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
         or _is_below_other_rates(item, known)
         or _is_before_its_law(item, known)
         or _is_in_limit(item, known)
-        or bool(
-            differentials_of_images(known.paper.expanded.text[item.typed.start : item.typed.end])
-        )
+        or bool(differentials_of_images(printed))
+        or is_of_maps(printed)
     )
 
 
@@ -123,7 +126,7 @@ def _is_unread_summary(item: SourceStatement, known: Known) -> bool:
 def _has_usual_bracket(item: SourceStatement, rung: Rung, known: Known) -> bool:
     """Whether a claim depends on the sign of a bracket that the paper does not print."""
     usual = {p for name, p in rung.claim.scene.definitions.items() if name.startswith(BRACKET)}
-    usual -= {one.printed for one in known.paper.items}
+    usual = {place for place in usual if place.display.source == SOURCE}
     nodes = item.formula.nodes() if item.formula is not None else ()
     bracketed = any(isinstance(node, PoissonBracket) for node in nodes)
     return bool(usual) and bracketed and Number(0) not in item.members

@@ -21,7 +21,9 @@ from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives, with_partials
 from kowalevski_cas.paper.summation import without_sums
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.reading.compositions import functions_in, maps_in, written_out
 from kowalevski_cas.reading.measures import with_jacobian
+from kowalevski_cas.reading.ranks import with_ranks
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.listing import guess
 from kowalevski_cas.source.tokens import tokens_of
@@ -46,9 +48,18 @@ def by_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
         yield formula if tex == formula.tex else replace(formula, tex=tex)
 
 
+def without_maps(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
+    """The formulas, with what is said of maps by that to which these take a point."""
+    texts = [formula.tex for formula in formulas]
+    maps, functions = maps_in(texts), functions_in(texts)
+    for formula, tex in zip(formulas, texts, strict=True):
+        new = written_out(tex, maps, functions)
+        yield formula if new == tex else replace(formula, tex=new)
+
+
 def vocabulary_of(formulas: Sequence[TypedFormula]) -> Vocabulary:
     """The names of a paper; those with primes are names where rates of some are printed."""
-    words = _letters(formulas)
+    words = with_ranks(formulas, _letters(formulas), _is_readable)
     found: set[str] = set()
     for formula in formulas:
         with suppress(NotationError, RecursionError):
@@ -91,6 +102,11 @@ def _letters(formulas: Sequence[TypedFormula]) -> Vocabulary:
     return best
 
 
+def _is_readable(formula: TypedFormula, words: Vocabulary) -> bool:
+    """Whether all statements of a formula can be read."""
+    return not any(trouble for _, trouble, _ in read_formula(formula, formula.tex, words))
+
+
 _LIST = re.compile(
     r"(?<!\\boldsymbol\s)(?<!\\mathbf\s)(?<!\\bm\s)(?<!\\vec\s)(?<![\w}\\])(?P<name>[A-Za-z]|\\[A-Za-z]+)\s*=\s*\(\s*"
     r"(?P<entries>(?:[A-Za-z]|\\[A-Za-z]+)(?:_\{?\w\}?)?"
@@ -128,13 +144,16 @@ def _matrices(formulas: Sequence[TypedFormula]) -> frozenset[str]:
 
 _PAIR = re.compile(r"(?<!\\)\[([^\[\]]*),([^\[\]]*)\]")
 _ELEMENT = re.compile(r"(?<![A-Za-z\\])([A-Z])_\{?\w\w\}?\s*=")
+_TRACE = re.compile(r"\\(?:operatorname|mathrm)\s*\{(?:tr|Tr|Sp)\}|\\(?:tr|Tr|det)(?![A-Za-z])")
 _CAPITAL = re.compile(r"(?<![A-Za-z\\])[A-Z](?![A-Za-z_])")
 
 
 def _by_elements(formulas: Sequence[TypedFormula], known: frozenset[str]) -> frozenset[str]:
-    """The letters of which the elements are given, and that stand in commutators of matrices."""
+    """The letters of which the elements are given, and that have traces, or commutators."""
     given = {letter for one in formulas for letter in _ELEMENT.findall(one.tex)}
-    found: set[str] = set()
+    places = ((one.tex, _TRACE.search(one.tex)) for one in formulas)
+    traced = (tex[place.end() :] for tex, place in places if place is not None)
+    found = {letter for tex in traced for letter in _CAPITAL.findall(tex)} & given
     for pair in (pair for one in formulas for pair in _PAIR.findall(one.tex)):
         beside = [{*_CAPITAL.findall(part)} for part in pair]
         if all(own & (given | known) for own in beside):

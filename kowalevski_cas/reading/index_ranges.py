@@ -41,6 +41,12 @@ _PERIOD = re.compile(
     re.IGNORECASE,
 )
 """Words that give indices a period."""
+_BRACKET = re.compile(
+    r"\\\{\s*(?:[A-Za-z]|\\[A-Za-z]+)_\{?([a-z])\}?\s*,\s*(?:\\,\s*)?"
+    r"(?:[A-Za-z]|\\[A-Za-z]+)_\{?([a-z])\}?\s*\\\}\s*&?="
+)
+_TENSOR_INDEX = re.compile(r"\\(?:var)?(?:epsilon|delta)_\{\s*([a-z])\s*([a-z])\s*([a-z]?)\s*\}")
+_INDEX = re.compile(r"_(?:\{[a-z\s]+\}|[a-z])")
 _TENSOR = re.compile(r"\\(?:var)?epsilon\s*_|\\delta\s*_")
 
 
@@ -100,7 +106,25 @@ def with_ranges(formulas: Sequence[TypedFormula], text: str, period: int = 0) ->
             for letter in sorted(index_letters(tokens_of(formula.tex)) & {*own} - {*said[place]})
         ]
         behind += _conditions_beside(formulas, place, text)
-        yield formula.tex + "".join(f",{one}" for one in behind)
+        yield with_usual_indices(formula.tex) + "".join(f",{one}" for one in behind)
+
+
+def with_usual_indices(tex: str) -> str:
+    r"""Brackets of coordinates for all i and j, whatever letters are printed for these.
+
+    >>> with_usual_indices(r"\{q_j,p_k\}=\delta_{jk}, \{q_j,q_k\}=0")
+    '\\{q_i,p_j\\}=\\delta_{ij}, \\{q_i,q_j\\}=0'
+    """
+    pairs = {pair.groups() for pair in _BRACKET.finditer(tex)}
+    tensors = {index for found in _TENSOR_INDEX.findall(tex) for index in found}
+    if len(pairs) != 1 or not tensors:
+        return tex
+    ((first, second),) = pairs
+    third = tensors - {first, second}
+    if first == second or len(third) > 1 or not {first, second} <= tensors:
+        return tex
+    usual = dict(zip((first, second, *third), _USUAL, strict=False))
+    return _INDEX.sub(lambda found: re.sub("[a-z]", lambda i: usual.get(i[0], i[0]), found[0]), tex)
 
 
 def _conditions_beside(formulas: Sequence[TypedFormula], place: int, text: str) -> Iterator[str]:

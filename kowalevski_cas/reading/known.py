@@ -75,6 +75,8 @@ class Known:
     clocks: list[SourceStatement] = field(default_factory=list)
     seen: dict[str, SourceStatement] = field(default_factory=dict)
     """The equations in which names have been used first."""
+    apart: dict[SourceStatement, SourceStatement] = field(default_factory=dict)
+    """Integrals with their value among other terms, and the same with the value by itself."""
     lost: dict[str, str] = field(default_factory=dict)
     """The names that are to follow from what is printed, and why they do not."""
     elsewhere: frozenset[str] = frozenset()

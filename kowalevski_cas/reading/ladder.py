@@ -15,6 +15,7 @@ from kowalevski_cas.paper.claims import (
     Coefficient,
     Divergence,
     DoubleZero,
+    Eigenvalue,
     FirstIntegral,
     Identity,
     Implication,
@@ -31,6 +32,7 @@ from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, near, normalisations
 from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.linear_parts import point_of
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.solutions import solution_of
 from kowalevski_cas.reading.stage import Stage, Supposed
@@ -76,7 +78,7 @@ class _Ladder:
     def __init__(self, item: SourceStatement, id: str, stage: Stage) -> None:
         self.item, self.id, self.stage, self.known = item, id, stage, stage.known
         self.role = self.known.roles[item]
-        self.supposed = self.known.supposed(item)
+        self.supposed = stage.understood(self.known.supposed(item))
 
     def rungs(self) -> Iterator[Rung]:
         match self.role.kind:
@@ -89,6 +91,8 @@ class _Ladder:
                 yield from self.integrals()
             case "invariant" | "rest":
                 yield from self.of_set()
+            case "eigenvalue":
+                yield from self.eigenvalues()
             case "solution":
                 yield from self.solutions()
             case "energy":
@@ -238,6 +242,9 @@ class _Ladder:
 
     def _integral(self, assumptions: list[SourceStatement]) -> Rung:
         """That a function does not move, under some assumptions."""
+        if (value := self.known.apart.get(self.item)) is not None:
+            says = "this is constant along every motion"
+            return self.rung(FirstIntegral, says, assumptions, (), (value,), printed=value.printed)
         kind = Identity if self._is_rate else FirstIntegral
         return self.rung(kind, "this is constant along every motion", assumptions)
 
@@ -292,6 +299,18 @@ class _Ladder:
         for assumptions in self.suppositions():
             says = "this is the energy in these letters"
             yield self.rung(Identity, says, assumptions, (), (self.item, by), there)
+
+    def eigenvalues(self) -> Iterator[Rung]:
+        """That a number is an eigenvalue at the point of which the words speak."""
+        point = point_of(self.item, self.known)
+        says = "this is an eigenvalue of the linear part at this point"
+        law = next(law for law in self.known.laws if not law.images)
+        items = (self.item, *law.rows, *point)
+        for assumptions in self._ways():
+            yield self.rung(
+                Eigenvalue, says, assumptions, (), items,
+                printed=self.item.printed, relations=_places(point),
+            )  # fmt: skip
 
     # -- the flow --------------------------------------------------------------------
 

@@ -17,6 +17,7 @@ from kowalevski_cas.paper.implied import canonical_brackets, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.reading.comments import Said
+from kowalevski_cas.reading.compositions import gives_map
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import CONVENTION, Known, StatementRole
 from kowalevski_cas.reading.law import Law
@@ -70,6 +71,8 @@ def _follows(item: SourceStatement, finder: _MapFinder, maps: Sequence[Law]) -> 
     """
     letters = {symbol(x).letter for law in maps for x, _ in law.images}
     own = {symbol(x).letter for x in finder.images([item])}
+    if finder.is_arrow(item):
+        return False
     if maps and cue("deduced", item.lead):
         return True
     introduced = cue("define", item.lead) or cue("another system", item.before)
@@ -80,7 +83,7 @@ class _MapFinder:
     """The equations with images of a paper, and which of them belong together."""
 
     def __init__(self, paper: SourcePaper, names: Names, said: Said) -> None:
-        self.names, self.primed = names, paper.primed
+        self.paper, self.names, self.primed = paper, names, paper.primed
         self.linked = {symbol(name).index for item in paper.items for name in item.rates}
         """The indices of what is derived: they count links of a chain, and no steps."""
         self.rows = [
@@ -88,6 +91,11 @@ class _MapFinder:
             for item in paper.items
             if self._may_be_row(item) and said.verb(item) in ("", "law", "map")
         ]
+
+    def is_arrow(self, item: SourceStatement) -> bool:
+        """Whether a statement is printed as what a map takes a point to."""
+        text = self.paper.expanded.text[item.typed.start : item.typed.end]
+        return gives_map(text) and item.members[:1] == (Name(item.bare[0]),)
 
     def _may_be_row(self, item: SourceStatement) -> bool:
         """Whether a statement may be an equation for images."""

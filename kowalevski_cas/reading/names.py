@@ -21,6 +21,7 @@ def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
     :math:`p_x` is printed, it is a component of :math:`\mathbf p`; a point has its coordinates.
     """
     found: dict[str, tuple[str, ...]] = {}
+    lengths: dict[str, int] = {}
     nodes = [n for item in paper.items if item.formula is not None for n in item.formula.nodes()]
     names = {node.name for node in nodes if isinstance(node, Name)}
     for item in paper.items:
@@ -29,6 +30,7 @@ def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
                 listed = tuple(one.name for one in entries if isinstance(one, Name))
                 if len({*listed}) == len(entries):
                     found.setdefault(name, listed)
+                lengths.setdefault(name, len(entries))
     indices = range(1, 1 + (paper.period or 9))
     size = 3 if any(isinstance(node, CrossProduct) for node in nodes) else 0
     rated = {name for item in paper.items for name in item.rates}
@@ -40,7 +42,8 @@ def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
         size = max([size, *printed])
     sizes = {len(one) for one in found.values()} or {size or 3}
     for name in sorted(paper.words.vectors - found.keys()):
-        found[name] = tuple(symbol(name).component(k).name for k in range(1, 1 + max(sizes)))
+        size = lengths.get(name, max(sizes))
+        found[name] = tuple(symbol(name).component(k).name for k in range(1, 1 + size))
     return found
 
 

@@ -182,7 +182,8 @@ def _in_order(laws: Sequence[Law], maps: Sequence[Law]) -> list[Law]:
     """Laws of motion with maps among them; one in a section of its own has letters of its own."""
     found = [*laws]
     for one in maps:
-        if laws and all(law.first.section is not one.first.section for law in laws):
+        beside = [law for law in found if law.first.section is one.first.section]
+        if laws and not beside:
             one.begins = one.first.section.start
         later = (k for k, law in enumerate(found) if (law.begins or 0) > one.first.typed.start)
         found.insert(next(later, len(found)), one)

@@ -87,7 +87,13 @@ def supposing(item: SourceStatement) -> str:
     before = item.before.rsplit("§", 1)[0] if "§" in item.before else ""
     between = item.lead.strip(" ,;~")
     joined = between in ("", "and", "и", "or", "или", ", and")
-    return cue("suppose", before) if joined and before else ""
+    said = cue("suppose", before) if joined and before else ""
+    apart = not item.typed.inline and _ASIDE.search(before) is not None
+    return "" if apart and not cue("then", item.tail[:12]) else said
+
+
+_ASIDE = re.compile(r"(?:,|\band)\s+(?:with|for|при|для)[\s~]*$", re.IGNORECASE)
+"""How words end behind which something is said aside; what is displayed behind that is not."""
 
 
 def reach(item: SourceStatement) -> str:

@@ -12,6 +12,7 @@ from kowalevski_cas.notation import (
     PoissonBracket,
     Power,
     Relation,
+    Vector,
 )
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, Known, StatementRole
@@ -94,12 +95,23 @@ _CYCLE = re.compile(
 """How words end behind which stands the equation of a closed orbit."""
 
 
+_OF_FUNCTION = re.compile(
+    r"\b(?:values?|levels?|minim\w+|maxim\w+)\s+of\s+(?:the|this|an)\s+(?:\w+\s+)?invariant\b"
+    r"|\b(?:the|this)\s+invariant\s+(?:is|has|equals|takes|becomes)\b"
+    r"|\bзначени\w+\s+инварианта\b",
+    re.IGNORECASE,
+)
+"""Words that speak of a function that is constant, and of its value: not of a set."""
+
+
 def claimed_set(item: SourceStatement, known: Known) -> StatementRole | None:
     """Equations of a set of which the words around them say that it is invariant, or at rest."""
     if not item.members or item.derives or not known.varying(item.names):
         return None
-    if words_of(item, "of a map"):
+    if words_of(item, "of a map") or _OF_FUNCTION.search(item.lead):
         return None
+    if any(isinstance(m, Vector) and isinstance(m.components[0], Vector) for m in item.members):
+        return None  # it is a matrix
     first = item.members[0]
     if isinstance(first, Name) and not known.is_known(first.name):
         return None  # it is a function that is defined

@@ -42,6 +42,8 @@ from kowalevski_cas.verify.confirm import received
 from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.outcome import Outcome
 
+LOST = "${}$ is supposed here, in which not all names have a meaning"
+
 
 @dataclass(eq=False)
 class JudgedStatement:
@@ -232,6 +234,8 @@ class _DerivationReader:
             doubt, message = Doubt.ALWAYS, UNBOUND.format(name)
         if message == OVERDUE:
             doubt = Doubt.ALWAYS
+        if lost := self.stages[self.parts.of(item)].lost(item):
+            doubt, message = Doubt.ALWAYS, LOST.format(lost[0].printed.tex.strip())
         if choice.elsewhere is not None:
             doubt, message = Doubt.ALWAYS, self._supposed_elsewhere(item, choice.elsewhere)
         return JudgedStatement(item, role, rung.claim, rung.on, rung.constants, doubt, message)
@@ -291,13 +295,15 @@ class _DerivationReader:
             for name in role.names:
                 letter, arguments = head(name)
                 is_matrix = letter in words.matrices or role.kind == UNIT_MATRIX
-                is_matrix = is_matrix and item.printed.heads.matrix
                 if letter != BRACKET and letter not in functions and (arguments or is_matrix):
                     functions[letter] = name
                     places[name] = item.printed
         moving = {name for law in self.parts.laws for name in law.variables} & {*scalars}
         scalars = sorted({*scalars} - functions.keys() - moving)
-        scene = Scene("all names", vectors, (*sorted(moving),), tuple(scalars), definitions=places)
+        scene = Scene(
+            "all names", vectors, (*sorted(moving),), tuple(scalars), definitions=places,
+            matrices=tuple(name for name in places if name in words.matrices),
+        )  # fmt: skip
         times = dict.fromkeys(clocks or ["t"])
         return {f"names-{time}": replace(scene, time=time) for time in times}
 

@@ -6,7 +6,9 @@ import re
 from collections.abc import Callable
 
 from kowalevski_cas.notation import Name, Number, Relation
+from kowalevski_cas.reading.brackets import bracket_of_functions
 from kowalevski_cas.reading.canonical import energy
+from kowalevski_cas.reading.compositions import gives_map
 from kowalevski_cas.reading.constraints import constraint
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.definitions import (
@@ -31,6 +33,8 @@ from kowalevski_cas.reading.known import (
     Known,
     StatementRole,
 )
+from kowalevski_cas.reading.levels import level
+from kowalevski_cas.reading.linear_parts import eigenvalue
 from kowalevski_cas.reading.obey import said_role
 from kowalevski_cas.reading.phrases import VERB, clause, joined_tail, listed_words, words_of
 from kowalevski_cas.reading.propositions import (
@@ -74,7 +78,8 @@ def unread(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(NOTATION, "says over what an index runs")
     if _END_OF_PROOF.fullmatch(item.typed.tex):
         return StatementRole(NOTATION, "marks the end of a proof")
-    if _MAPSTO.match(item.typed.tex[item.typed.tex.find("(") :]) and item.trouble:
+    told = _MAPSTO.match(item.typed.tex[item.typed.tex.find("(") :]) or gives_map(item.typed.tex)
+    if told and item.trouble:
         return StatementRole(DEFINITION, "says what a map takes to what")
     if is_ellipsis(item):
         return StatementRole(NOTATION, "stands for more of these")
@@ -88,7 +93,7 @@ def expression(item: SourceStatement, known: Known) -> StatementRole | None:
     if isinstance(item.formula, Name):
         spoken_of = VERB.match(item.tail) and not _BELONGING.search(item.lead)
         said = cue("integral", item.tail[:40]) if spoken_of else ""
-        said = said or listed_words(item, "integral")
+        said = said or listed_words(item, "integral") or _said_before(item)
         if not (said and known.varies(item.formula.name)):
             return StatementRole(NOTATION, "a name")
     else:
@@ -105,6 +110,21 @@ def expression(item: SourceStatement, known: Known) -> StatementRole | None:
             return StatementRole(CLAIM, f"“{said}” is said of a differential form", "form")
         return StatementRole(CLAIM, f"“{said}” is said of it", "integral")
     return StatementRole(OTHER, "an expression: nothing is stated")
+
+
+_SUBJECT_BEHIND = re.compile(
+    r"\bso\s+(?:is|are|does|do)\s+(?:the\s+)?(?:\w+\s+){0,2}$"
+    r"|\b(?:an?|another|(?:second|third|fourth|last)\s+)\s*integral\s+is\s+(?:the\s+)?(?:\w+\s+){0,2}$"
+    r"|интегралом\s+(?:является|служит|будет)\s+(?:\w+\s+){0,2}$",
+    re.IGNORECASE,
+)
+"""How words end that say of the name behind them that it is an integral."""
+
+
+def _said_before(item: SourceStatement) -> str:
+    """The words right before a name that call it an integral."""
+    said = _SUBJECT_BEHIND.search(f"{item.lead} ")
+    return cue("integral", item.before[-80:]) if said else ""
 
 
 def _has_differentials(item: SourceStatement, known: Known) -> bool:
@@ -173,8 +193,9 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 RULES: tuple[Rule, ...] = (
-    unread, of_flow, expression, named_set, law, constraint, together, unit, bracket, unjudged,
-    inequality, repeated, change, claimed_set, point, solution, energy, on_place, definition,
-    square, assumption, value, approximate, rate, zero_set, integral, identity, other,
+    unread, eigenvalue, of_flow, expression, named_set, law, constraint, together, unit, bracket,
+    bracket_of_functions, unjudged, inequality, repeated, change, claimed_set, point, solution,
+    energy, on_place, definition, square, assumption, value, approximate, rate, zero_set, level,
+    integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

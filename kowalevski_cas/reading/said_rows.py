@@ -42,6 +42,12 @@ def rows_of_matrices(
         given = [one for one in about if one.printed.heads.matrix]
         if not given:
             continue
+        by_rows = {name for one in given for name in one.printed.heads.names}
+        about = {
+            one: None
+            for one in about
+            if one in given or by_rows.isdisjoint(one.printed.heads.names)  # it is claimed
+        }
         if rated & {name for one in given for name in one.names}:
             found |= {one: [] for one in together}
             continue

@@ -104,6 +104,27 @@ class Stage:
         self._refuse_unknown(self.scenes[key].scene, [*items, *closure.definitions.values()], law)
         return self.scenes[key]
 
+    def understood(self, assumptions: Iterable[SourceStatement]) -> list[SourceStatement]:
+        """Those of some assumptions of which all names have a meaning."""
+        return [one for one in assumptions if not self._is_lost(one)]
+
+    def lost(self, item: SourceStatement) -> list[SourceStatement]:
+        """What is supposed at a statement of its names, or theirs, and has no meaning.
+
+        What fails without it may hold with it.
+        """
+        supposed = [one for one in self.known.supposed(item) if self._is_lost(one)]
+        below = {inner for name in item.names for inner in self.known.below(name)}
+        moving = {name for law in self.known.laws for name in law.mentions if item.derives}
+        return [one for one in supposed if {*self.known.roles[one].names} & (below | moving)]
+
+    def _is_lost(self, assumption: SourceStatement) -> bool:
+        try:
+            self._closure([assumption], None)
+        except ValueError:
+            return True
+        return False
+
     def _about(
         self, assumptions: Iterable[SourceStatement], names: frozenset[str]
     ) -> list[SourceStatement]:
@@ -273,8 +294,9 @@ class Stage:
         law = closure.law
         rows = tuple(row.printed for row in law.rows) if law and not law.images else ()
         scene = Scene(
-            title, vectors, closure.variables, constants, rows, definitions=places, powers=powers
-        )
+            title, vectors, closure.variables, constants, rows, definitions=places, powers=powers,
+            matrices=tuple(name for name in places if name in self.known.paper.words.matrices),
+        )  # fmt: skip
         squared = {name for place in squares for name in place.heads.squares}
         first = [root for root in roots if squared.isdisjoint(self._below(root))]
         scene = scene.adjoining(*(root for root in first if root not in scene.definitions))

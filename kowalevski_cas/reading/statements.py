@@ -23,7 +23,8 @@ from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.times import time_change
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue, cues
-from kowalevski_cas.reading.formulas import by_names, read_formula, vocabulary_of
+from kowalevski_cas.reading.elements import with_elements
+from kowalevski_cas.reading.formulas import by_names, read_formula, vocabulary_of, without_maps
 from kowalevski_cas.reading.index_ranges import period_in, with_ranges
 from kowalevski_cas.reading.named_sets import without_set_names
 from kowalevski_cas.reading.numbers import numbers_of
@@ -241,6 +242,7 @@ class SourcePaper:
 def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> SourcePaper:
     """The statements of a source, read in the names that it uses, some of which are ``primed``."""
     expanded, typed = typed_formulas(source)
+    typed = [*with_elements([*without_maps(typed)], expanded.text)]
     named = [*without_set_names(typed)]
     formulas = [*by_names([formula for formula, _ in named])]
     prose = Prose(expanded.text, expanded.body, formulas)

@@ -49,6 +49,7 @@ def free_body():
     body.states(kinds.Dimension, "global", "", levels=(), equations=("x=0",), dimension=2)
     body.states(kinds.LocalDimension, "dimension", "", equations=("x=0",), dimension=2)
     body.states(kinds.RestPoints, "rest", "", relations=("x=0", "y=0"))
+    body.states(kinds.Eigenvalue, "eigenvalue", "", "", "1", relations=("x=0", "y=1", "z=0"))
     body.states(kinds.AllIntegrals, "all", "", integrals=("x^2-z^2", "x^2+y^2+z^2"), degree=2)
     darboux = {"cofactor": "-y", "solutions": ("x-z",), "integrals": (), "degree": 1}
     body.states(kinds.AllDarboux, "all-darboux", "", **darboux)
@@ -60,6 +61,7 @@ def rotation():
     turn = System(r"x_{n+1}=y_n,\quad y_{n+1}=-x_n")
     turn.integral("x_n^2+y_n^2"), turn.measure("x_n^2+y_n^2+1"), turn.symplectic()
     turn.integrable("x_n^2+y_n^2"), turn.invariant("x_n=0", "y_n=0")
+    turn.states(kinds.FixedPointsOfMap, "fixed", "", relations=("x_n=0", "y_n=0"))
     known = {"invariants": ("x_n^2+y_n^2",), "degree": 2}
     turn.states(kinds.AllInvariantsOfMap, "all-invariants", "", **known)
     return replace(derivation(turn.section), name="rotation")

@@ -90,3 +90,25 @@ def test_functions_of_the_time_solve_the_equations_of_motion(print_of_b, green):
 def test_of_a_part_of_a_solution_nothing_is_said():
     found = judged(PULSE + r"\[ b=c\tanh ct . \]")
     assert found[r"b=c\tanh ct"] == (CLAIM, None)
+
+
+@pytest.mark.parametrize(
+    ("claim", "verdict"),
+    [
+        (r"2h=\dot s^2+s^2\dot\psi^2+ks^2+2cs^4", "conditional"),
+        (r"2h=\dot s^2+s^2\dot\psi^2+ks^2+cs^4", "refuted"),
+        (r"\ddot s-s\dot\psi^2=-ks-4cs^3", "conditional"),
+        (r"\ddot s-s\dot\psi^2=-ks-2cs^3", "refuted"),
+        (r"s\ddot\psi+2\dot s\dot\psi=0", "conditional"),
+        (r"s\ddot\psi+\dot s\dot\psi=0", "refuted"),
+    ],
+)
+def test_a_force_with_a_potential_is_carried_over_to_polar_coordinates(claim, verdict):
+    text = (
+        r"A particle moves in the field with the potential \[ W=\tfrac12k(u^2+v^2)+c(u^2+v^2)^2 .\] "
+        r"Its equations of motion are \[\ddot u=-\frac{\partial W}{\partial u},\qquad"
+        r"\ddot v=-\frac{\partial W}{\partial v} .\] It has the integral of energy "
+        r"\[h=\tfrac12(\dot u^2+\dot v^2)+W .\] In polar coordinates $u=s\cos\psi$, $v=s\sin\psi$ we get "
+        rf"\[{claim} .\]"
+    )
+    assert [*judged(text).values()][-1][1].value == verdict

@@ -47,3 +47,21 @@ def test_another_value_of_a_variable_is_no_change_of_variables():
     found = reading(text)
     assert len(found.parts.laws) == 1
     assert [*roles(text).values()].count(LAW) == 2
+
+
+@pytest.mark.parametrize(
+    ("claim", "green"),
+    [
+        (r"\operatorname{tr}G^2=2v^2+2ku^2", True),
+        (r"\operatorname{tr}G^2=2v^2-2ku^2", False),
+        (r"\frac{d}{dt}\operatorname{tr}G^2=-4cv^2", True),
+        (r"\frac{d}{dt}\operatorname{tr}G^2=0", False),
+    ],
+)
+def test_matrices_of_elements_go_on_where_a_force_is_added(claim, green):
+    text = r"""\section{Free} The motion is \[\dot u=v,\qquad \dot v=-ku .\] Let $G$ be the matrix with the
+    elements $G_{11}=v$, $G_{22}=-v$, $G_{12}=u$, $G_{21}=ku$. Then \[\operatorname{tr}G=v-v .\]
+    \section{Damped} Consider now another system with a damping force,
+    \[\dot u=v,\qquad \dot v=-ku-cv .\] With the same matrix """
+    found = [*verdicts(text + rf"\[{claim} .\]").values()]
+    assert [one.green for one in found] == [True, green]

@@ -16,6 +16,7 @@ from kowalevski_cas.paper.claims.degree import Degree as Degree
 from kowalevski_cas.paper.claims.dimension import Dimension as Dimension
 from kowalevski_cas.paper.claims.dimension import Independence as Independence
 from kowalevski_cas.paper.claims.double_zero import DoubleZero as DoubleZero
+from kowalevski_cas.paper.claims.eigenvalue import Eigenvalue as Eigenvalue
 from kowalevski_cas.paper.claims.equilibria import Equilibria as Equilibria
 from kowalevski_cas.paper.claims.equilibria import RestPoints as RestPoints
 from kowalevski_cas.paper.claims.equivalence import Equivalence as Equivalence
@@ -29,6 +30,7 @@ from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations a
 from kowalevski_cas.paper.claims.lax_pair import LaxPair as LaxPair
 from kowalevski_cas.paper.claims.limit import Limit as Limit
 from kowalevski_cas.paper.claims.local_dimension import LocalDimension as LocalDimension
+from kowalevski_cas.paper.claims.maps import FixedPointsOfMap as FixedPointsOfMap
 from kowalevski_cas.paper.claims.maps import IntegrableMap as IntegrableMap
 from kowalevski_cas.paper.claims.maps import InvariantOfMap as InvariantOfMap
 from kowalevski_cas.paper.claims.maps import InvariantSetOfMap as InvariantSetOfMap

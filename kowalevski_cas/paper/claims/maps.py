@@ -21,6 +21,7 @@ from kowalevski_cas.notation import (
     times,
 )
 from kowalevski_cas.paper.claims.claim import Claim
+from kowalevski_cas.paper.claims.equilibria import RestPoints
 from kowalevski_cas.paper.claims.first_integral import FirstIntegral
 from kowalevski_cas.paper.claims.forms import equations, function, members, vanishes
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
@@ -82,9 +83,27 @@ class InvariantSetOfMap(OfMap):
         yield from self.relations
 
 
+class FixedPointsOfMap(OfMap):
+    """The map leaves each point at which the printed equations hold; there is a real one."""
+
+    relations: tuple[Printed, ...]
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        if not self.relations:
+            raise Meaningless("no equations are given")
+        space = on(self.scene)
+        given = equations(on, space, self.relations)
+        yield Fails(space, (), given)
+        yield Follows(space, (tuple((Name(new), Name(x)) for x, new in self.images),), given)
+
+    def establishes(self) -> Iterator[Printed]:
+        yield from self.relations
+
+
 OF_MAPS: dict[type[Claim], type[Claim]] = {
     FirstIntegral: InvariantOfMap,
     InvariantRelations: InvariantSetOfMap,
+    RestPoints: FixedPointsOfMap,
 }
 """What is claimed of a map for what is claimed of a motion."""
 

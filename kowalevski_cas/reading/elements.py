@@ -1,0 +1,140 @@
+r"""Matrices that papers give by a letter for their elements, as a skew :math:`M=(m_{ij})`.
+
+Words, or the ranges of the indices, say of which order they are.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+from kowalevski_cas.source.displays import TypedFormula
+
+_LETTER = r"(?:\\[A-Za-z]+|[A-Za-z])"
+_OPEN, _CLOSE = r"(?:\(|\\\||\[|\\lVert)", r"(?:\)|\\\||\]|\\rVert)"
+_BY_ELEMENTS = re.compile(
+    rf"\s*(?P<name>{_LETTER})\s*=\s*{_OPEN}\s*(?P<of>{_LETTER})_\s*\{{\s*(?P<i>[a-z])\s*(?P<j>[a-z])\s*\}}"
+    rf"\s*{_CLOSE}(?P<rest>\s*[.,;]?\s*)"
+)
+_NUMBERS = {
+    "two": 2,
+    "three": 3,
+    "four": 4,
+    "five": 5,
+    "второго": 2,
+    "третьего": 3,
+    "четвертого": 4,
+}
+_ORDER = re.compile(
+    rf"(?:\border\s+|\bпорядка\s+)(?P<word>{'|'.join(_NUMBERS)}|[2-5])\b"
+    rf"|\b(?P<russian>{'|'.join(list(_NUMBERS)[4:])})\s+порядка\b"
+    r"|(?P<rows>[2-5])\s*\\times\s*[2-5]|\bso\s*\(?(?P<so>[3-5])\)"
+)
+_SKEW = re.compile(
+    r"\bskew|\banti-?symmetric|\bso\s*\(?\d\)|кососимметри|антисимметри", re.IGNORECASE
+)
+_SYMMETRIC = re.compile(r"(?<![\w-])symmetric|(?<!\w)симметри\w+", re.IGNORECASE)
+_RANGE = r"[a-z]\s*=\s*1\s*,\s*(?:2\s*,\s*)?(?:\d\s*,\s*)*(?:\\[lc]?dots[bcio]?\s*,\s*)?(\d)"
+_AROUND = 160
+"""So many signs before and behind a matrix may say what it is."""
+
+
+class _Elements(NamedTuple):
+    name: str
+    order: int
+    is_skew: bool
+    is_symmetric: bool
+
+    def entry(self, letter: str, i: int, j: int) -> str:
+        """An element by those above the diagonal, if the matrix has a symmetry."""
+        if self.is_skew and i >= j:
+            return "0" if i == j else f"-{letter}_{{{j}{i}}}"
+        first, second = sorted((i, j)) if self.is_symmetric else (i, j)
+        return f"{letter}_{{{first}{second}}}"
+
+
+def with_elements(formulas: Sequence[TypedFormula], text: str) -> Iterator[TypedFormula]:
+    """The formulas, with matrices that are given by a letter for their elements by their rows."""
+    known: dict[str, _Elements] = {}
+    for formula in formulas:
+        if found := _BY_ELEMENTS.fullmatch(formula.tex):
+            if elements := _elements(found, formula, formulas, text):
+                known.setdefault(found["of"], elements)
+    for formula in formulas:
+        found = _BY_ELEMENTS.fullmatch(formula.tex)
+        if found and found["of"] in known:
+            own = known[found["of"]]
+            every = range(1, own.order + 1)
+            rows = r"\\".join("&".join(own.entry(found["of"], i, j) for j in every) for i in every)
+            tex = rf"{found['name']}=\begin{{pmatrix}}{rows}\end{{pmatrix}}{found['rest']}"
+            yield replace(formula, tex=tex)
+        else:
+            yield _above_the_diagonal(formula, known, formulas)
+
+
+def _above_the_diagonal(
+    formula: TypedFormula, known: dict[str, _Elements], formulas: Sequence[TypedFormula]
+) -> TypedFormula:
+    """An equation for the elements of skew matrices, for those above the diagonal.
+
+    Where it gives what moves by multiples of other elements, it gives these.
+    """
+    for letter, own in known.items():
+        found = re.match(
+            rf"\s*{re.escape(letter)}_\s*\{{\s*([a-z])\s*([a-z])\s*\}}\s*&?=", formula.tex
+        )
+        if found and own.is_skew and found[1] != found[2]:
+            tex = re.sub(rf",?\s*(?:\\q?quad)?\s*{found[1]}\s*,\s*{_RANGE}", "", formula.tex)
+            if any(re.search(_rate_of(own.name), one.tex) for one in formulas):
+                tex = _solved(tex.strip(" .,;\n"), found, known)
+            values = ",".join(map(str, range(1, own.order + 1)))
+            ranges = rf",\quad {found[1]}={values},\quad {found[2]}={values}"
+            return replace(
+                formula, tex=rf"{tex.rstrip(' .,;')}{ranges},\quad ({found[1]}<{found[2]})"
+            )
+    return formula
+
+
+def _rate_of(name: str) -> str:
+    """What the rate of a matrix looks like."""
+    letter = re.escape(name)
+    ratio = rf"d\s*{letter}\s*\}}\s*\{{\s*d"
+    prime = rf"(?<![A-Za-z\\]){letter}'"
+    return rf"\\dot\s*\{{?\s*{letter}(?![A-Za-z])|{ratio}|{prime}"
+
+
+def _solved(tex: str, found: re.Match[str], known: dict[str, _Elements]) -> str:
+    """What gives elements by multiples of others, solved for these; as it is, if it does not."""
+    left, _, right = tex.partition("=")
+    index = rf"_\s*\{{\s*{found[1]}\s*{found[2]}\s*\}}"
+    others = "|".join(map(re.escape, known))
+    by = re.fullmatch(rf"&?\s*(?P<factor>.*?)\s*(?P<of>(?:{others}){index})", right)
+    if by is None or not by["factor"] or re.search(rf"(?:{others})_", by["factor"]):
+        return tex
+    return rf"{by['of']}=\frac{{{left.strip(' &')}}}{{{by['factor']}}}"
+
+
+def _elements(
+    found: re.Match[str], formula: TypedFormula, formulas: Sequence[TypedFormula], text: str
+) -> _Elements | None:
+    """What words around a matrix say of it; ``None`` if nothing says of which order it is."""
+    before = re.split(r"[.;]\s", text[max(0, formula.start - _AROUND) : formula.start])[-1]
+    behind = re.split(r"[.;]\s", text[formula.end : formula.end + _AROUND])[0]
+    said = _ORDER.search(before) or _ORDER.search(behind)
+    order = 0
+    if said:
+        word = next(one for one in said.groups() if one)
+        order = int(word) if word.isdigit() else _NUMBERS[word]
+    else:
+        pair = rf"{found['i']}\s*,\s*{found['j']}\s*=\s*1"
+        ranges = (re.search(_RANGE, one.tex) for one in formulas if re.search(pair, one.tex))
+        order = next((int(one[1]) for one in ranges if one), 0)
+    words = f"{before} {behind}"
+    skew = _SKEW.search(words) is not None
+    return (
+        _Elements(found["name"], order, skew, not skew and bool(_SYMMETRIC.search(words)))
+        if order > 1
+        else None
+    )

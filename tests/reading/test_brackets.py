@@ -1,0 +1,60 @@
+"""Poisson brackets as papers define them: by functions, and with any indices."""
+
+import pytest
+
+from kowalevski_cas.reading import DEFINITION
+from tests.reading.test_reading import reading, verdicts
+
+OSCILLATOR = r"""The equations of motion are \[\dot u=a,\quad \dot v=b,\quad \dot a=-ku,\quad \dot b=-kv .\]
+Let $H=\frac12(a^2+b^2)+\frac k2(u^2+v^2)$ and $L=ub-va$. """
+USUAL = (
+    r"\[\{f,g\}=\frac{\partial f}{\partial u}\frac{\partial g}{\partial a}"
+    r"-\frac{\partial f}{\partial a}\frac{\partial g}{\partial u}"
+    r"+\frac{\partial f}{\partial v}\frac{\partial g}{\partial b}"
+    r"-\frac{\partial f}{\partial b}\frac{\partial g}{\partial v} .\]"
+)
+OPPOSITE = USUAL.replace("f}{", "h}{").replace("g}{", "f}{").replace("h}{", "g}{")
+
+
+@pytest.mark.parametrize(
+    ("bracket", "claim", "verdict"),
+    [
+        (USUAL, r"\{u,H\}=a", "proved"),
+        (USUAL, r"\{H,u\}=a", "refuted"),
+        (OPPOSITE, r"\{H,u\}=a", "proved"),
+        (OPPOSITE, r"\{u,H\}=a", "refuted"),
+        (USUAL, r"\{L,u\}=v", "proved"),
+        (USUAL, r"\{L,u\}=b", "refuted"),
+        (USUAL, r"\{u,a\}=1", "proved"),
+        (USUAL, r"\{u,a\}=-1", "undecided"),
+    ],
+)
+def test_the_bracket_of_any_functions_has_its_sign(bracket, claim, verdict):
+    text = OSCILLATOR + rf"The bracket of two functions is {bracket} Hence \[{claim} .\]"
+    assert [one.value for one in verdicts(text).values()] == [verdict]
+
+
+def test_what_is_not_skew_is_no_bracket():
+    text = OSCILLATOR + USUAL.replace("-", "+") + r" Hence \[\{u,H\}=a .\]"
+    assert not any(one.green for one in verdicts(text).values())
+
+
+@pytest.mark.parametrize(
+    ("claim", "green"),
+    [
+        (r"\dot z_1=\{z_1,H\}", True),
+        (r"\dot z_1=\{H,z_1\}", False),
+        (r"\{z_1z_2,w_2\}=z_1", True),
+        (r"\{z_1z_2,w_2\}=z_2", False),
+    ],
+)
+def test_brackets_are_read_with_any_indices(claim, green):
+    text = (
+        r"The equations are \[\dot z_1=w_1,\quad \dot z_2=w_2,\quad \dot z_3=w_3,\quad \dot w_1=-z_1,\quad"
+        r"\dot w_2=-z_2,\quad \dot w_3=-z_3 .\] Let $H=\frac12\sum_{m=1}^3(z_m^2+w_m^2)$. The brackets are "
+        rf"\[\{{z_m,w_n\}}=\delta_{{mn}} .\] Then \[{claim} .\]"
+    )
+    assert [one.green for one in verdicts(text).values()] == [green]
+    assert DEFINITION in {
+        f.role.name for f in reading(text).formulas if r"\delta" in f.item.typed.tex
+    }

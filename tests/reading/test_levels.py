@@ -1,0 +1,54 @@
+"""Integrals of which the value stands among other terms, as h in T = U + h."""
+
+import pytest
+
+from tests.reading.test_reading import verdicts
+
+PLANE = r"""A particle moves by the equations \[\ddot u=-ku,\qquad \ddot v=-kv .\]
+The integrals of energy and of areas are \[ENERGY,\qquad u\dot v=c+v\dot u .\] Hence """
+RIGHT = r"\tfrac12(\dot u^2+\dot v^2)=h-\tfrac12k(u^2+v^2)"
+
+
+@pytest.mark.parametrize(
+    ("energy", "green"),
+    [
+        (RIGHT, True),
+        (RIGHT.replace("h-", "h+"), False),
+        (r"\dot u^2+\dot v^2-2h=-k(u^2+v^2)", True),
+        (r"\dot u^2+\dot v^2-2h=-k(u^2-v^2)", False),
+        (r"k(u^2+v^2)=2h-\dot u^2-\dot v^2", True),
+    ],
+)
+def test_the_value_of_an_integral_may_stand_among_other_terms(energy, green):
+    found = verdicts(PLANE.replace("ENERGY", energy))
+    assert [one.green for one in found.values()] == [green, True]
+
+
+@pytest.mark.parametrize(
+    ("claim", "green"),
+    [
+        (r"(\dot u^2+\dot v^2)(u^2+v^2)=c^2+(u\dot u+v\dot v)^2", True),
+        (r"(\dot u^2+\dot v^2)(u^2+v^2)=c^2-(u\dot u+v\dot v)^2", False),
+        (r"\dot u^2+\dot v^2=2h-ku^2-kv^2", True),
+        (r"\dot u^2+\dot v^2=2h-ku^2+kv^2", False),
+    ],
+)
+def test_the_value_is_known_from_there_on(claim, green):
+    text = PLANE.replace("ENERGY", RIGHT) + rf"\[{claim} .\]"
+    assert [*verdicts(text).values()][-1].green is green
+
+
+def test_without_words_nothing_is_an_integral():
+    text = PLANE.replace("The integrals of energy and of areas are", "Let us write")
+    assert not any(one.green for one in verdicts(text.replace("ENERGY", RIGHT)).values())
+
+
+def test_a_name_that_is_defined_elsewhere_is_no_value():
+    text = PLANE.replace("ENERGY", RIGHT) + r"Here \[h=\tfrac12(\dot u^2+\dot v^2) .\]"
+    assert not any(one.green for tex, one in verdicts(text).items() if tex == RIGHT)
+
+
+def test_what_is_found_by_an_integral_is_none():
+    text = PLANE.partition("The integrals")[0]
+    text += r"By the energy integral we find \[\dot u^2=\dot v^2+w ,\] $w$ being small."
+    assert not any(one.value == "refuted" for one in verdicts(text).values())

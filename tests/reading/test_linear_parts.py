@@ -1,0 +1,72 @@
+"""Eigenvalues of linear parts, at points of which words speak."""
+
+import pytest
+
+from kowalevski_cas.reading import CLAIM
+from tests.reading.test_reading import reading, verdicts
+
+CONVECTION = r"""The equations of motion are \begin{equation}\label{a}
+\dot u=s(v-u),\qquad \dot v=ru-v-uw,\qquad \dot w=uv-bw \end{equation} with constants $s$, $r$, $b$. """
+PREY = r"""The equations of motion are \[ \dot a=a(1-a-kb),\qquad \dot b=b(1-b-ka) . \]
+Let $e=(1,0)$ and $c=\frac1{1+k}(1,1)$. """
+
+
+@pytest.mark.parametrize(
+    ("words", "verdict"),
+    [
+        (r"The eigenvalues of the linear part at the origin are $-b$.", "proved"),
+        (r"The eigenvalues at the origin are $b$.", "refuted"),
+        (
+            r"The eigenvalues at the origin are \[\mu=\tfrac12\left(-s-1+\sqrt{(s-1)^2+4rs}\right) .\]",
+            "proved",
+        ),
+        (
+            r"The eigenvalues at the origin are \[\mu=\tfrac12\left(-s-1+\sqrt{(s+1)^2+4rs}\right) .\]",
+            "refuted",
+        ),
+        (r"Собственные значения линейной части в начале координат суть $-b$.", "proved"),
+    ],
+)
+def test_at_the_origin(words, verdict):
+    assert [one.value for one in verdicts(CONVECTION + words).values()] == [verdict]
+
+
+@pytest.mark.parametrize(
+    ("words", "greens"),
+    [
+        (r"The eigenvalues at $e$ are $-1$ and $1-k$.", [True, True]),
+        (r"The eigenvalues at $e$ are $-1$ and $1+k$.", [True, False]),
+        (
+            r"The eigenvalues at $e$ are $-1$ and $1-k$, and those at $c$ are \[-1,\qquad \frac{k-1}{k+1} .\]",
+            [True, True, True],
+        ),
+        (
+            r"The eigenvalues at $e$ are $-1$ and $1-k$, and those at $c$ are \[-1,\qquad \frac{1-k}{k+1} .\]",
+            [True, True, False],
+        ),
+        (r"The eigenvalues at $a=1$, $b=0$ are $-1$.", []),
+    ],
+)
+def test_at_points_with_names(words, greens):
+    found = [one.green for one in verdicts(PREY + words).values()]  # one for each that is printed
+    assert sorted(found) == sorted(greens)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"The eigenvalues of $L$ are $b$.",
+        r"The eigenvalues of the moments at the origin are $b$.",
+        r"The eigenvalues at the origin are \[ -b\ \text{ in the direction of }w .\]",
+        r"Are the eigenvalues at the origin $-b$?",
+        r"The eigenvalues at the saddle are $-b$.",
+    ],
+)
+def test_what_is_said_of_something_else_is_no_such_claim(words):
+    found = reading(CONVECTION + words).formulas
+    assert not any(one.role.kind == "eigenvalue" and one.role.name == CLAIM for one in found)
+
+
+def test_where_nothing_rests_there_is_no_linear_part():
+    text = r"The equations of motion are \[\dot u=1+v,\qquad \dot v=-u .\] The eigenvalues at the origin are $0$."
+    assert not any(one.green for one in verdicts(text).values())
