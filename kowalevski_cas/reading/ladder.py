@@ -27,7 +27,7 @@ from kowalevski_cas.paper.claims import (
 )
 from kowalevski_cas.paper.claims.maps import OF_MAPS
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.reading.canonical import meant
+from kowalevski_cas.reading.canonical import ENERGY, meant
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, near, normalisations
 from kowalevski_cas.reading.kinematics import is_free
@@ -95,10 +95,8 @@ class _Ladder:
                 yield from self.eigenvalues()
             case "solution":
                 yield from self.solutions()
-            case "energy":
-                yield from self.of_energy()
-            case "divergence" | "measure":
-                yield from self.of_flow()
+            case "divergence" | "measure" | "energy":
+                yield from self.of_energy() if self.role.kind == ENERGY else self.of_flow()
             case "approximate":
                 yield from map(_stronger, self.identities())
                 yield from self.first_order()
