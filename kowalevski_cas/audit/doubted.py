@@ -8,7 +8,7 @@ from kowalevski_cas.audit.audited import OPEN, Audited
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading import CLAIM, JudgedStatement, Reading
 from kowalevski_cas.reading.known import Known
-from kowalevski_cas.reading.oddities import oddities
+from kowalevski_cas.reading.oddities import oddities, stranger
 from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.outcome import FALSE_AS_READ, Correction, Outcome, Verdict, in_latex
 from kowalevski_cas.verify.run import Session, correct_together
@@ -70,20 +70,22 @@ def point_at(found: Sequence[Audited], repairs: Mapping[str, Correction], readin
         failed = audited.verdict in (OPEN, Verdict.UNDECIDED)
         if audited.role != CLAIM or audited.causes or not failed or audited.place is None:
             continue
-        said = [audited.message]
+        said, formula = [audited.message], by_place[audited.place]
+        known = reading.parts.of(formula.item)
         if repair := next((repairs[id] for id in audited.claims if id in repairs), None):
             said.append(f"it holds with ${in_latex(repair.formulas)}$")
-            audited.causes = (repair.elsewhere or audited.name,)
+            strange = [*stranger(formula.item, repair.supposed, known)]
         else:
-            formula = by_place[audited.place]
-            strange = oddities(formula.item, formula.on, reading.parts.of(formula.item))
-            here = [one for one in strange if one.item.printed in lines]
-            audited.causes = (*dict.fromkeys(one.item.printed.place for one in here),)
-            where: dict[str, dict[int, None]] = {}
-            for one in (one for one in here if one.words != audited.message):
-                where.setdefault(one.words, {})[lines[one.item.printed]] = None
-            said += [
-                f"{words} (line{'s' * (len(at) > 1)} {', '.join(map(str, at))})"
-                for words, at in where.items()
-            ]
+            strange = [*oddities(formula.item, formula.on, known)]
+        here = [one for one in strange if one.item.printed in lines]
+        audited.causes = (*dict.fromkeys(one.item.printed.place for one in here),)
+        if repair and not here:
+            audited.causes = (repair.elsewhere or audited.name,)
+        where: dict[str, dict[int, None]] = {}
+        for one in (one for one in here if one.words != audited.message):
+            where.setdefault(one.words, {})[lines[one.item.printed]] = None
+        said += [
+            f"{words} (line{'s' * (len(at) > 1)} {', '.join(map(str, at))})"
+            for words, at in where.items()
+        ]
         audited.message = "; ".join(dict.fromkeys(said))

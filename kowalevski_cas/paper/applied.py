@@ -18,7 +18,10 @@ SPECTRAL = (r"\lambda", r"\zeta", r"\mu", r"\xi")
 """The letters of a parameter on which matrices depend, and which does not move."""
 
 _NAME = r"(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?"
-_LIST = rf"\s*(?:\\left\s*)?\(\s*(?P<by>{_NAME}(?:\s*,\s*{_NAME})*)\s*(?:\\right\s*)?\)"
+_LISTED = re.compile(
+    rf"\s*(?:\\left\s*)?\(\s*(?P<by>{_NAME}(?:\s*,\s*{_NAME})*)\s*(?:\\right\s*)?\)"
+)
+_PRIMED = re.compile(r"\s*'+\s*\(")
 
 
 def printed_arguments(texts: Iterable[str], vectors: Collection[str] = ()) -> dict[str, str]:
@@ -140,10 +143,11 @@ def _arguments(name: str, texts: Iterable[str], vectors: Collection[str]) -> str
     """The one list of arguments of a name elsewhere; empty if they are not all in what it is."""
     texts = [tex for tex in texts if name in tex]  # most displays of a long paper have no such name
     letter = rf"(?<![A-Za-z\\_]){re.escape(name)}"
-    if any(re.search(rf"{letter}\s*'+\s*\(", tex) for tex in texts):
+    places = [(tex, found.end()) for tex in texts for found in re.finditer(letter, tex)]
+    if any(_PRIMED.match(tex, end) for tex, end in places):
         return ""  # it is derived, and taken at arguments: it is a function
-    every = [match["by"] for tex in texts for match in re.finditer(letter + _LIST, tex)]
-    lists = {re.sub(r"\s+", "", by) for by in every}
+    every = (_LISTED.match(tex, end) for tex, end in places)
+    lists = {re.sub(r"\s+", "", match["by"]) for match in every if match}
     if len(lists) != 1:
         return ""
     (listed,) = lists

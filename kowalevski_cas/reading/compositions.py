@@ -30,26 +30,26 @@ _BESIDE = re.compile(r",\s*\\q?quad(?![A-Za-z])")
 _SIDE = ",\\quad "
 
 
-class Map(NamedTuple):
+class PrintedMap(NamedTuple):
     """The arguments of a map, and to what it takes them."""
 
     by: tuple[str, ...]
     values: tuple[str, ...]
 
 
-Maps = Mapping[str, Map]
+Maps = Mapping[str, PrintedMap]
 """Maps by their names; of an inverse this is a letter with the exponent."""
 
 
-def maps_in(texts: Sequence[str]) -> dict[str, Map]:
+def maps_in(texts: Sequence[str]) -> dict[str, PrintedMap]:
     r"""The maps that displays give by tuples, or by images with primes.
 
     >>> maps_in([r"R(x,y)=(y,x)"])
-    {'R': Map(by=('x', 'y'), values=('y', 'x'))}
+    {'R': PrintedMap(by=('x', 'y'), values=('y', 'x'))}
     >>> maps_in([r"T:(x,y)\mapsto(x',y'), \quad x'=y,\quad y'=\frac{a+y}{x}."])["T"].values
     ('y', '\\frac{a+y}{x}')
     """
-    found: dict[str, Map] = {}
+    found: dict[str, PrintedMap] = {}
     for tex in map(_unlabelled, texts):
         for start, one in _given(tex):
             by = _listed(one["by"])
@@ -57,7 +57,7 @@ def maps_in(texts: Sequence[str]) -> dict[str, Map]:
             if _are_primed(values, by):
                 values = _images(by, tex[end:])
             if len(values) == len(by) == len({*by}):
-                found.setdefault(_name(one), Map(by, values))
+                found.setdefault(_name(one), PrintedMap(by, values))
     return found
 
 
@@ -185,7 +185,7 @@ def _are_primed(values: Sequence[str], by: Sequence[str]) -> bool:
     return [*values] == [f"{x}'" for x in by]
 
 
-def _at(own: Map, inner: Map) -> str:
+def _at(own: PrintedMap, inner: PrintedMap) -> str:
     """The values of a map at those of another one."""
     return _point(tuple(_put(value, own.by, inner.values) for value in own.values))
 

@@ -13,7 +13,6 @@ from kowalevski_cas.notation.layout import statements as placed
 from kowalevski_cas.notation.open import OpenParser, is_exponential
 from kowalevski_cas.notation.primed import primed_names
 from kowalevski_cas.notation.symbol import BOLD
-from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.paper.applied import functions_of, printed_arguments, without_arguments
 from kowalevski_cas.paper.chains import without_new_names
 from kowalevski_cas.paper.initial_values import names_under_dots, without_initial_values
@@ -69,7 +68,7 @@ def vocabulary_of(formulas: Sequence[TypedFormula]) -> Vocabulary:
 
 def _letters(formulas: Sequence[TypedFormula]) -> Vocabulary:
     """The letters of a paper; bold capitals are matrices or vectors, as more can be read."""
-    guesses = [guess(formulas, capitals) for capitals in (VECTOR, MATRIX)]
+    guesses = [*guess(formulas)]
     euler = all(is_exponential(tokens_of(one.tex)) for one in formulas if "e" in one.tex)
     other = {"d", "e"} if euler else {"d"}
     listed, by_entries = _lists(formulas), _matrices(formulas)

@@ -10,9 +10,10 @@ is a field, by its own name, and a number stands by itself. ``of`` is the field 
 the claim is about, ``with`` that of the integrals of which the values are fixed. A place is a
 label, with a number behind a stop where it has several statements, or TeX in quotes; TeX between
 dollars is a statement that the paper does not print, and behind a kind one that is claimed.
-``in`` names the display that gives the variables in which the claim is made, ``locus`` where it may
-fail, and what does not vanish elsewhere. A scene of a claim is named by what is supposed on it, and
-a measure by names, a power, and the rest of their unit.
+Where one statement is named, a display of several is named row by row: each of those that are
+claimed has that of its own number. ``in`` names the display that gives the variables in which the
+claim is made, ``locus`` where it may fail, and what does not vanish elsewhere. A scene of a claim
+is named by what is supposed on it, and a measure by names, a power, and the rest of their unit.
 Before all of it, a number says which statement of a display is meant; ``as`` says a kind of role.
 """
 
@@ -66,7 +67,9 @@ _WORDS = re.compile(r'"[^"]*"|\$[^$]*\$|[^\s"]+')
 _BASE = {attribute.name for attribute in fields(Claim)}
 INVARIANT_SET = "InvariantRelations"
 """The type of an attribute that is the claim of an invariant set: its equations are named."""
-_PLACES = ("Printed", "Printed | None", "tuple[Printed, ...]", INVARIANT_SET)
+ROW = ("Printed", "Printed | None")
+"""The types of attributes that name one statement; of a display, each row names that beside it."""
+_PLACES = (*ROW, "tuple[Printed, ...]", INVARIANT_SET)
 SCENE, PAIRS, MEASURES = "Scene", "tuple[tuple[str, str], ...]", "tuple[Measure, ...]"
 """The types of attributes that a scene gives: one beside it, its conjugates, its units."""
 _NAMES = ("str", "str | None", "tuple[str, ...]")
@@ -304,7 +307,8 @@ class _Parser:
         """The value of an attribute of some type."""
         if type in _PLACES:
             found = tuple(item.printed for item in self.places(words))
-            if type.startswith("tuple") or type == INVARIANT_SET:
+            rows = len(found) > 1 and len({one.display.id for one in found}) == 1
+            if rows or type.startswith("tuple") or type == INVARIANT_SET:
                 return found
             return self.one(found, words)
         if type == SCENE:

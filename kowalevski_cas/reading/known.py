@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -266,10 +266,14 @@ class Known:
     def _clauses(self, sentence: tuple[int, int]) -> Clauses:
         claims = {
             one: self.roles[one].name == CLAIM
-            for one in self._sentences.get(sentence, ())  # a comment stands in none
+            for one in self.of_sentence(sentence)
             if one in self.roles and self.roles[one].name in (CLAIM, ASSUMPTION)
         }
         return Clauses(claims, claims)
+
+    def of_sentence(self, sentence: tuple[int, int]) -> Sequence[SourceStatement]:
+        """The statements of a sentence, in their order; what a comment supposes stands in none."""
+        return self._sentences.get(sentence, ())
 
     @cached_property
     def _sentences(self) -> dict[tuple[int, int], list[SourceStatement]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -16,9 +16,19 @@ from kowalevski_cas.paper.claims import (
     Inequality,
     InvariantRelations,
 )
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.changed import in_new_variables
 from kowalevski_cas.reading.comments import Said, names_of
-from kowalevski_cas.reading.grammar import INVARIANT_SET, PAIRS, SCENE, Directive, own_fields, wrong
+from kowalevski_cas.reading.grammar import (
+    INVARIANT_SET,
+    PAIRS,
+    ROW,
+    SCENE,
+    Directive,
+    own_fields,
+    wrong,
+)
 from kowalevski_cas.reading.known import (
     ASSUMPTION,
     CLAIM,
@@ -104,17 +114,20 @@ def said_rung(found: Directive, id: str, stage: Stage, item: SourceStatement | N
     on = found.on or ()
     typed = stage.known.said.places.get(found)
     here = next((one for one in stage.known.items if one.typed is typed), own[0])
-    in_force = [one for place in (here, own[0]) for one in stage.known.supposed(place)]
+    own_types = {one.name: one.type for one in own_fields(found.kind)}
+    places = (here,) if INVARIANT_SET in own_types.values() else (here, own[0])
+    in_force = [one for place in places for one in stage.known.supposed(place)]
     supposed = stage.scene(own, [*on, *dict.fromkeys(in_force)])
     words = (found.kind.__doc__ or "").strip().partition("\n")[0].rstrip(".")
     values = spelled_out(found, stage.known)
+    for name in [name for name in values if own_types[name] in ROW]:
+        values[name] = _row(values[name], item, found, stage.known)
     given = tuple(one.printed for one in on if one not in supposed.assumptions)
     scene = supposed.scene.having(loci=found.loci)
-    own_types = {one.name: one.type for one in own_fields(found.kind)}
     if given and "given" in own_types:
         values.setdefault("given", given)
     else:  # what vanishes on a set does so on the whole scene
-        scene = scene.restricted(*(one.printed for one in on if ZERO in one.members))
+        scene = _restricted(scene, on)
     for name in [name for name in values if own_types[name] == SCENE]:
         beside: Any = values[name]
         values[name] = stage.scene(own, [*on, *beside, *dict.fromkeys(in_force)]).scene
@@ -124,18 +137,66 @@ def said_rung(found: Directive, id: str, stage: Stage, item: SourceStatement | N
         values = {n: by_change[t] for n, t in own_types.items() if t in by_change} | values
     for name in [name for name, type in own_types.items() if type == INVARIANT_SET]:
         relations: Any = values[name]
-        values[name] = InvariantRelations(f"{id}/{name}", scene, words, relations=relations)
+        there = _scene_of_set(relations, on, stage)
+        values[name] = InvariantRelations(f"{id}/{name}", there, words, relations=relations)
     place = item.printed if item is not None else None
     claim: Claim = found.kind(id, scene, printed=place, words=words, **values)  # type: ignore[arg-type]
     return Rung(claim, (*supposed.assumptions, *on), supposed.constants)
 
 
+def _row(rows: object, item: SourceStatement | None, found: Directive, known: Known) -> object:
+    """The statement that is named, of several the one beside that which makes the claim."""
+    if not isinstance(rows, tuple):
+        return rows
+    beside = [one for one in known.items if item is not None and one.typed is item.typed]
+    if len(rows) != len(beside):
+        raise wrong(found.comment, f"one statement is expected, or {len(beside)} in rows")
+    return next(row for one, row in zip(beside, rows, strict=True) if one is item)
+
+
+def _scene_of_set(
+    relations: Sequence[Printed], on: Sequence[SourceStatement], stage: Stage
+) -> Scene:
+    """The scene of an invariant set: with what is supposed before it is printed."""
+    items = [one for one in stage.known.items if one.printed in relations]
+    before = [one for one in on if one.order < items[0].order]
+    scene = stage.scene(items, [*before, *stage.known.supposed(items[0])]).scene
+    return _restricted(scene, before)
+
+
+def _restricted(scene: Scene, on: Sequence[SourceStatement]) -> Scene:
+    """A scene where the statements that say that something vanishes are in force."""
+    return scene.restricted(*(one.printed for one in on if ZERO in one.members))
+
+
 def about(found: Directive, known: Known) -> list[SourceStatement]:
-    """The statements that a comment names, and those that define what it names in TeX."""
+    """The statements that a comment names, and those that define what it names in TeX.
+
+    If nothing moves there, as in a unit, the equations of motion of the names that it lists.
+    """
     own = list(dict.fromkeys((*found.items, *_defining(found, known))))
     if not own and not found.is_of_formula:
         raise wrong(found.comment, "it names no formula, and nothing that one defines")
+    if not known.varying({name for one in own for name in one.names}):
+        own += _moving(found, known)
     return own
+
+
+def _moving(found: Directive, known: Known) -> list[SourceStatement]:
+    """The rows of the first law that moves all variables that a comment lists."""
+    listed = {*_texts(tuple(spelled_out(found, known).values()))}
+    names = {name for name in listed if known.moves(name)}
+    laws = (law for law in known.laws if names and names <= {*law.variables})
+    return [*next((law.rows for law in laws), ())]
+
+
+def _texts(value: object) -> Iterator[str]:
+    """The texts among the values of a claim."""
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, tuple):
+        for one in value:
+            yield from _texts(one)
 
 
 def spelled_out(found: Directive, known: Known) -> dict[str, object]:

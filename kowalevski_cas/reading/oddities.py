@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from kowalevski_cas.reading.hypotheses import last_place
-from kowalevski_cas.reading.known import DEFINITION, Known
+from kowalevski_cas.reading.known import DEFINITION, NAMING, Known
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import is_printed
 
@@ -44,6 +44,8 @@ def oddities(
         before = (one for one in known.items if one.order < item.order)
         beside = (one for one in before if one.section is item.section and name in one.names)
         yield from (Oddity(one, f"no equation says how ${name}$ moves") for one in beside)
+        if not known.is_defined(name):
+            yield from _unused_definition(item, known)
     supposed = dict.fromkeys(
         (*on, *known.supposed(item), *known.sets(item), *last_place(item, known))
     )
@@ -60,6 +62,30 @@ def _idle_definitions(item: SourceStatement, known: Known) -> Iterator[Oddity]:
         names = known.roles[one].names if known.roles[one].name == DEFINITION else ()
         if names and not any({*names} & later.names for later in after if later.order > one.order):
             yield Oddity(one, f"${names[0]}$ is defined and stands nowhere after it")
+
+
+def _unused_definition(item: SourceStatement, known: Known) -> Iterator[Oddity]:
+    """The last that gave a name a meaning before a statement, in its section, unused since.
+
+    What the statement names, and nothing defines, may be defined there by another letter.
+    """
+    section = (one for one in known.items if one.section is item.section)
+    up_to = [one for one in section if one.order <= item.order or one.sentence == item.sentence]
+    for one in sorted(up_to, key=lambda one: -one.order):
+        role = known.roles.get(one)
+        names = {*role.names} if role is not None and role.name in NAMING else set[str]()
+        since = [other for other in up_to if other.order > one.order]
+        if names and one.order < item.order and not any(names & later.names for later in since):
+            yield Oddity(one, f"${min(names)}$ is defined there, and stood nowhere since")
+            return
+
+
+def stranger(item: SourceStatement, name: str, known: Known) -> Iterator[Oddity]:
+    """The statement in which alone a name stands of all that a claim rests on, before the claim."""
+    before = (one for one in _stands_on(item, known) if one.order < item.order and is_printed(one))
+    having = [one for one in before if name in one.names]
+    if name not in item.names and len(having) == 1:
+        yield Oddity(having[0], f"${name}$ stands here alone of what it rests on")
 
 
 def _stands_on(item: SourceStatement, known: Known) -> Iterator[SourceStatement]:

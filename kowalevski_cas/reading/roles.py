@@ -143,8 +143,8 @@ def unjudged(item: SourceStatement, known: Known) -> StatementRole | None:
     """What is denied, quoted, asked or left out, and what is claimed with exceptions."""
     if said := cue("except", item.lead):
         return StatementRole(OTHER, f"“{said}” leaves it out", "excepted")
-    mates = (role for one, role in known.roles.items() if one.sentence == item.sentence)
-    if cue("excepted", item.after) or any(role.kind == "excepted" for role in mates):
+    mates = (known.roles.get(one) for one in known.of_sentence(item.sentence))
+    if cue("excepted", item.after) or any(role and role.kind == "excepted" for role in mates):
         if names := _named(item, known):
             return StatementRole(DEFINITION, "named here; its sentence makes exceptions", "", names)
         return StatementRole(OTHER, "its sentence makes exceptions: it is not judged", "excepted")

@@ -18,7 +18,7 @@ from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
 
 
-class ByTime(NamedTuple):
+class PrintedSolution(NamedTuple):
     """What gives names by the time, and the equations that have to hold then."""
 
     given: tuple[SourceStatement, ...]
@@ -32,7 +32,7 @@ def rated_before(name: str, item: SourceStatement, known: Known) -> bool:
 
 def solution_of(
     item: SourceStatement, beside: Sequence[SourceStatement], law: Law | None, known: Known
-) -> ByTime:
+) -> PrintedSolution:
     """The solution that a statement gives with those beside it.
 
     Raises:
@@ -60,7 +60,9 @@ def solution_of(
             given[name] = unprinted(known.paper, f"{_id(item)}-{len(given)}", tex, item)
     if not rows:
         raise ValueError("no equation is printed that it would solve")
-    return ByTime((*dict.fromkeys(given[name] for name in given if name in linked),), (*rows,))
+    return PrintedSolution(
+        (*dict.fromkeys(given[name] for name in given if name in linked),), (*rows,)
+    )
 
 
 def _given(item: SourceStatement, known: Known) -> Iterator[tuple[str, SourceStatement]]:

@@ -103,7 +103,7 @@ class _Annotated:
                     waiting = []
                 else:
                     (waiting if last is None else last).append(item)
-        self.names = guess(self.typed)
+        _, self.names = guess(self.typed)
 
     def document(self) -> Document:
         """The page: the verdict, the paper, what stands nowhere in it."""

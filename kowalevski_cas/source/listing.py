@@ -13,7 +13,6 @@ from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.open import independent
 from kowalevski_cas.notation.symbol import STAR, symbol
 from kowalevski_cas.notation.tokens import Token
-from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.formulas import typed_formulas
 from kowalevski_cas.source.text import Source
@@ -39,7 +38,7 @@ class Listed:
 def list_formulas(source: Source) -> tuple[list[Listed], list[tuple[int, str]]]:
     """All formulas of a source, read in the names that they use; and notes by line."""
     expanded, formulas = typed_formulas(source)
-    guesses = [guess(formulas, capitals) for capitals in (MATRIX, VECTOR)]
+    guesses = [*reversed(guess(formulas))]
     # The letter d is that of a derivative, or else a name.
     vocabularies = [
         replace(vocabulary, scalars=vocabulary.scalars - {"d"}) for vocabulary in guesses
@@ -72,11 +71,10 @@ def _read(formula: TypedFormula, vocabularies: Iterable[Vocabulary]) -> tuple[in
     return 0, troubles[0]
 
 
-def guess(formulas: Iterable[TypedFormula], capitals: int = MATRIX) -> Vocabulary:
-    """The names in some formulas, and what they may be.
+def guess(formulas: Iterable[TypedFormula]) -> tuple[Vocabulary, Vocabulary]:
+    """The names in some formulas, and what they may be: with bold capitals as vectors, or matrices.
 
-    Bold letters are vectors, and bold capitals have a rank that is given; a letter with names in
-    brackets behind it is a function of them.
+    Other bold letters are vectors; a letter with names in brackets behind it is a function of them.
     """
     names: set[str] = set()
     functions: set[str] = set()
@@ -91,19 +89,18 @@ def guess(formulas: Iterable[TypedFormula], capitals: int = MATRIX) -> Vocabular
     names -= {*_conjugates(names, formulas)}
     bold = {name for name in names if symbol(name).is_bold}
     upper = {name for name in bold if symbol(name).letter.isupper()}
-    matrices = upper if capitals == MATRIX else set()
     functions = functions & names | names & FUNCTIONS
     derived = {by for formula in formulas for by in _independent(formula.tex)}
     primed = any("'" in formula.tex or r"\prime" in formula.tex for formula in formulas)
     others = names & ({"s", "x"} if primed else derived & {"s", "x"})
-    return Vocabulary(
+    vectors = Vocabulary(
         scalars=frozenset(names - bold - FUNCTIONS),
-        vectors=frozenset(bold - matrices),
-        matrices=frozenset(matrices),
+        vectors=frozenset(bold),
         functions=frozenset(functions),
         times=frozenset({"t"} | names & {r"\tau"} | others),
         moving=frozenset(names - FUNCTIONS),
     )
+    return vectors, replace(vectors, vectors=frozenset(bold - upper), matrices=frozenset(upper))
 
 
 def _independent(tex: str) -> list[str]:

@@ -115,7 +115,8 @@ class Blame:
         twice = self._equal_rates(claim)
         if (edits and not twice) or self._is_expected(claim):
             return edits
-        others = [other for other in self._failing if other is not claim]
+        reads = claim.reads()
+        others = [o for o in self._failing if o is not claim and reads & o.reads()]
         repairs = self._search([claim, *others], least=1, one=claim)
         if edits:  # nobody prints a rate twice: a letter there was taken for another one
             repairs = [
@@ -249,7 +250,7 @@ class Blame:
 
     def _mended_beside(self, repair: Repair) -> int:
         """How many claims a repair mends that may have been meant otherwise."""
-        about = (c for c in self._derivation.claims if repair.place in c.reads())
+        about = self.corrector.interpretation.readers(repair.place)
         failing = (c for c in about if self.verdicts.get(c.id) is Verdict.REFUTED)
         return sum(c.id in self.doubted and self._is_mended(repair, c) for c in failing)
 
@@ -271,7 +272,7 @@ class Blame:
         """The true claims that a repair makes false, as points tell."""
         if isinstance(repair.change, ConstantRelation):
             return []
-        about = (c for c in self._derivation.claims if repair.place in c.reads())
+        about = self.corrector.interpretation.readers(repair.place)
         return [c for c in about if self._holds(c) and self._passes(repair, c) is False]
 
     # -- what is proved ---------------------------------------------------------------
@@ -319,7 +320,7 @@ class Blame:
         if not isinstance(edit, Edit):
             return False
         keeps = self.corrector.keeps
-        true = [c for c in self._derivation.claims if place in c.reads() and self._holds(c)]
+        true = [c for c in self.corrector.interpretation.readers(place) if self._holds(c)]
         if sum(not keeps(claim, place, edit) for claim in true) > repair.tolerates:
             return True
         mended = ((self._on(claim), claim) for claim in repair.mends)

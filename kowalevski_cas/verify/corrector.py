@@ -116,8 +116,7 @@ class Corrector:
         place, edit = neighbour.printed, neighbour.edit
         if place is None or edit is None:
             return True
-        claims = self.interpretation.derivation.claims
-        others = (c for c in claims if c is not claim and place in c.reads())
+        others = (c for c in self.interpretation.readers(place) if c is not claim)
         return all(self.keeps(other, place, edit) for other in others if self.is_true(other))
 
     def is_true(self, claim: Claim) -> bool:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
+from collections.abc import Sequence
+from functools import cached_property
 from typing import Final
 
 from kowalevski_cas.notation import Formula
@@ -68,6 +70,18 @@ class Interpretation:
         read = {place: f for place, f in self.accepted.items() if place not in about}
         texts = texts or self.texts
         return self.elaborations.under(texts.reading(read) if read else texts)
+
+    def readers(self, place: Printed) -> Sequence[Claim]:
+        """The claims of which a verdict can depend on a place."""
+        return self._readers.get(place, ())
+
+    @cached_property
+    def _readers(self) -> dict[Printed, list[Claim]]:
+        found = defaultdict[Printed, list[Claim]](list)
+        for claim in self.derivation.claims:
+            for place in claim.reads():
+                found[place].append(claim)
+        return dict(found)
 
     def section_of(self, claim: Claim) -> str:
         """The number of the section in which a claim stands."""

@@ -8,7 +8,7 @@ from hashlib import sha256
 from typing import NamedTuple
 
 from kowalevski_cas.algebra import POINTS
-from kowalevski_cas.notation import Edit, Formula, Vocabulary, to_latex
+from kowalevski_cas.notation import Edit, Formula, Name, Relation, Vocabulary, to_latex
 from kowalevski_cas.paper.texts import Printed
 
 CORRECTED = "corrected"
@@ -149,6 +149,13 @@ class Correction(NamedTuple):
         """The place that is mended, if it is none of the claim's own."""
         in_place = self.printed is None or (self.edit is not None and not self.blamed)
         return "" if in_place or self.printed is None else self.printed.place
+
+    @property
+    def supposed(self) -> str:
+        """The constant that it gives by others, if it supposes a relation of these."""
+        formula = self.formulas[0] if self.printed is not None and self.edit is None else None
+        first = formula.members[0] if isinstance(formula, Relation) else None
+        return first.name if isinstance(first, Name) else ""
 
 
 class Outcome(NamedTuple):

@@ -103,6 +103,26 @@ def test_letters_are_named_that_nothing_ties_to_the_motion(stated, free):
     assert bool(free) == ("taken as free" in message)
 
 
+@pytest.mark.parametrize(("letter", "causes"), [(r"\alpha ", ["law.2"]), ("b", [])])
+def test_a_letter_of_one_formula_is_named_if_a_claim_would_hold_with_another_value(letter, causes):
+    text = r"""The equations of motion are
+    \begin{equation}\label{law}\dot x=y,\qquad \dot y=-LETTERx+kl,\qquad \dot z=0.\end{equation}
+    Put $b=kl$ and $F=y^2+bx^2-2bx$. If $c>0$, then
+    \begin{equation}\label{rate}\dot F=0.\end{equation} Later, let $\alpha=2$."""
+    found = claim(audited(text.replace("LETTER", letter)), "rate")
+    assert found.verdict == (Verdict.UNDECIDED if causes else Verdict.PROVED)
+    assert [*found.causes] == causes
+
+
+@pytest.mark.parametrize("letter", ["F", "G"])
+def test_the_last_definition_is_named_that_stood_nowhere_where_another_letter_is_derived(letter):
+    text = rf"""The momentum is $c=yz$. Put ${letter}=x^2+y^2-2xz$. Then $F$ is constant: $\dot F=0$.
+    The level ${letter}=c$ is a curve."""
+    (found,) = (one for one in audited(LAW + text).formulas if one.id == "dot-F-0")
+    named = r"$G$ is defined there, and stood nowhere since" in found.message
+    assert (found.verdict == OPEN) == named == (letter == "G")
+
+
 def test_an_equation_of_motion_is_named_where_a_name_moves_by_two():
     law = LAW.replace(r"\dot z=0", r"\dot y=0")
     found = claim(

@@ -416,3 +416,68 @@ def test_the_set_of_a_last_multiplier_is_named_by_its_equations(of, verdict):
     found = read(decode("top.tex", text.replace("LINE", "").replace("MORE", "").encode()))
     outcomes = ReadingSession(found).outcomes
     assert outcomes["lastmultiplier-set"].verdict is verdict
+
+
+SPRING = r"""The equations of motion are
+\begin{equation}\label{motion} \dot x=y,\quad m\dot y=-kx. \end{equation}
+%kc: suppose m>0,\quad k>0
+Here
+%kc: claim scaling simple "m=1" "k=1" measures x 0 1 y POWER 1
+$UNIT$ is taken for the unit of time, which is the choice $m=1$, $k=1$.
+"""
+
+
+@pytest.mark.parametrize(
+    ("unit", "power", "green"),
+    [(r"\sqrt{m/k}", -1, True), (r"\sqrt{k/m}", -1, False), (r"\sqrt{m/k}", 0, False)],
+)
+def test_a_unit_of_time_simplifies_the_equations_of_what_it_measures(unit, power, green):
+    text = SPRING.replace("UNIT", unit).replace("POWER", str(power))
+    (outcome,) = ReadingSession(read(Source("top.tex", text))).outcomes.values()
+    assert outcome.verdict.green is green
+
+
+SPECIAL = r"""The equations of motion are
+\begin{equation}\label{motion} \dot u=u(v+s),\quad \dot v=-v,\quad \dot s=us. \end{equation}
+%kc: claim invariant relations of wide
+The set
+\begin{equation}\label{wide} u=0 \end{equation}
+is invariant. Suppose now that $s=0$. We have
+%kc: given
+\begin{equation}\label{narrow} NARROW=0 \end{equation}
+in its place.
+%kc: claim limit general wide special narrow on "s=0"
+The end.
+"""
+
+
+@pytest.mark.parametrize(("narrow", "green"), [("2u", True), ("v", False), ("uv", False)])
+def test_a_set_goes_over_into_one_of_a_special_case_each_on_its_own_scene(narrow, green):
+    found = read(Source("top.tex", SPECIAL.replace("NARROW", narrow)))
+    (claim,) = (one.claim for one in found.statements if one.claim.id.startswith("limit"))
+    assert "s" in claim.general.scene.variables and "s" not in claim.special.scene.variables
+    assert ReadingSession(found).outcomes[claim.id].verdict.green is green
+
+
+ROWS = r"""The equations of motion are
+\begin{equation}\label{motion} \dot u=v,\quad \dot v=-u. \end{equation}
+%kc: given
+\begin{equation}\label{lines} u+v=0,\quad u-v=0. \end{equation}
+The same is written as
+%kc: claim equivalence to lines
+\begin{equation}\label{again} SAME. \end{equation}
+"""
+
+
+@pytest.mark.parametrize(
+    ("same", "green"),
+    [(r"2u=-2v,\quad v-u=0", [True, True]), (r"v-u=0,\quad 2u=-2v", [False, False])],
+)
+def test_of_a_display_each_row_is_compared_with_that_of_its_number(same, green):
+    found = ReadingSession(read(Source("top.tex", ROWS.replace("SAME", same)))).outcomes
+    assert [found[f"again.{k}"].verdict.green for k in (1, 2)] == green
+
+
+def test_as_many_rows_are_named_as_claim():
+    found = told(Source("top.tex", ROWS.replace("SAME", "2u=-2v")), "again")
+    assert found.claim is None and "one statement is expected, or 1 in rows" in found.message

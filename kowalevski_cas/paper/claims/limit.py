@@ -29,8 +29,8 @@ class Limit(Claim):
     On the scene of the limit let F be the general functions and e those of the
     special system. There is an invertible T with F = T e, and where e vanishes
     :math:`\dot T + T N = \kappa M T`, M being the matrix of the general system, N that of the
-    special one, and :math:`\kappa` the ratio of the times. M and N are regular on their sets, and
-    M, N, T and its inverse where e vanishes.
+    special one, and :math:`\kappa` the ratio of the times, if there are two. M and N are regular on
+    their sets, and M, N, T and its inverse where e vanishes.
     """
 
     general: InvariantRelations
@@ -58,8 +58,8 @@ class Limit(Claim):
     def _rest(self, on: Elaborations, m: Rows, n: Rows, t: Rows) -> Iterator[Formula]:
         """The entries of the difference."""
         space = on(self.scene)
-        assert self.scene.clock is not None
-        scale = space.plain(on.texts.time_change(self.scene.clock).rate)
+        clock = self.scene.clock
+        scale = space.plain(on.texts.time_change(clock).rate) if clock is not None else ONE
         for rows in zip(t, product(t, n), product(m, t), strict=True):
             for a, b, c in zip(*rows, strict=True):
                 yield total((rate(a), b, Negative(times(scale, c))))
