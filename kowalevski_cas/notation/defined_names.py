@@ -27,7 +27,7 @@ UNDECLARED = Vocabulary()
 class DefinedNames(NamedTuple):
     """The names that a statement defines, those whose squares it gives, and if it has a matrix.
 
-    Of ``multiples`` it gives a whole multiple, as of T in :math:`2T=v^2`.
+    Of ``multiples`` it gives a whole multiple, as of T in :math:`2T=v^2`, or the opposite.
     """
 
     names: tuple[str, ...]
@@ -89,10 +89,10 @@ class _Member(Cursor):
         return (name, power == "2") if read else ("", False)
 
     def multiple(self) -> str:
-        """The name of which the member is a whole multiple; empty if it is none."""
+        """The name of which the member is a whole multiple, or the opposite; empty for none."""
         self.at = 1
         with suppress(NotationError):
-            if self.tokens[0].kind == "number":
+            if self.tokens[0].kind == "number" or self.tokens[0].text == "-":
                 name = self.name()
                 return name if self.tokens[self.at].kind == END else ""
         return ""

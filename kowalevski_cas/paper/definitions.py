@@ -11,6 +11,7 @@ from kowalevski_cas.notation import (
     Derivative,
     Formula,
     Name,
+    Negative,
     Number,
     Product,
     Quotient,
@@ -175,6 +176,8 @@ class Definitions:
                 case Product((Number() as factor, multiple)) if multiple == own:
                     rest = next(other for other in others if other != one)
                     return Quotient(rest, factor)
+                case Negative(opposite) if opposite == own:
+                    return Negative(next(other for other in others if other != one))
         if not others or (name in printed.heads.names and own not in members):
             raise Meaningless(f"no expression stands for {name} in its definition", name)
         given = (m for m in others if getattr(m, "name", "") not in self.setting.scene.definitions)

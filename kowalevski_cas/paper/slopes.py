@@ -39,8 +39,8 @@ def derived(formula: Formula, by: str, order: int = 1) -> Formula:
 
     >>> from kowalevski_cas.notation import to_plain
     >>> words = Vocabulary(frozenset("ax"), functions=FUNCTIONS)
-    >>> to_plain(derived(read(r"x\cos ax", words), "x"))
-    'cos ax + x(−sin ax)a'
+    >>> to_plain(derived(read(r"x\cos(ax)", words), "x"))
+    'cos(ax) + x·([−sin(ax)]a)'
     """
     if not order:
         return formula

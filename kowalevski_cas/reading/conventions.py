@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
+from itertools import pairwise
 
 from kowalevski_cas.notation import Name, PoissonBracket, Vector
 from kowalevski_cas.notation.symbol import symbol
@@ -12,6 +13,7 @@ from kowalevski_cas.paper.implied import canonical_pairs, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.unit_matrices import unit_matrices
 from kowalevski_cas.reading.brackets import brackets_by_functions
+from kowalevski_cas.reading.canonical import momenta
 from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.known import CONVENTION, UNIT_MATRIX, Known, StatementRole
 from kowalevski_cas.reading.levels import levels_apart
@@ -71,6 +73,7 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
             entries = ",".join("1" if k == int(number[1]) else "0" for k in range(1, SPACE + 1))
             item = unprinted(paper, f"basis-{number[1]}{suffix}", f"{vector}=({entries})")
             yield item, StatementRole(CONVENTION, "a vector of the basis", "basis", (vector,))
+    yield from _along_axes(known, suffix)
     yield from _matrices_of_elements(known, suffix)
     yield from _components(known, suffix)
     yield from levels_apart(known, suffix)
@@ -81,11 +84,42 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
         why = "the canonical bracket, as the equations of motion are those of Hamilton"
         yield item, StatementRole(CONVENTION, why, "", item.printed.heads.names)
     yield from _unit_matrices(scalars, known, suffix)
+    yield from momenta(known, suffix)
     if "i" in scalars and not known.units and not known.moves("i"):
         yield (
             unprinted(paper, f"unit{suffix}", "i^2=-1"),
             StatementRole(CONVENTION, "the imaginary unit", "unit"),
         )
+
+
+_UNIT = re.compile(
+    r"[\s,~]*(?:be|is|denotes?|[-—–]+)?\s*(?:the\s+|a\s+)?(?:unit\s+vector|орт)\s+"
+    r"(?:(?:of|along|in\s+the\s+direction\s+of)\s+the(?:\s+positive)?(?:\s+axis\s+of)?|оси)[\s~]*$",
+    re.IGNORECASE,
+)
+"""The words between a vector and the coordinate along the axis of which it is a unit vector."""
+
+
+def _along_axes(known: Known, suffix: str) -> Iterator[tuple[SourceStatement, StatementRole]]:
+    """The vectors that words call unit vectors of the axes of coordinates.
+
+    The coordinates are the components of a vector that moves.
+    """
+    for one, axis in pairwise(known.items):
+        vector = one.formula.name if isinstance(one.formula, Name) else ""
+        coordinate = axis.formula.name if isinstance(axis.formula, Name) else ""
+        parts = known.names.vectors.get(vector, ())
+        if one.sentence != axis.sentence or not parts or not _UNIT.fullmatch(axis.lead):
+            continue
+        points = [own for own in known.names.vectors.values() if coordinate in own]
+        said = known.is_defined(vector) or known.moves(vector)
+        if said or not known.moves(coordinate) or len(points) != 1 != len(parts):
+            continue
+        entries = ",".join(str(int(part == coordinate)) for part in points[0])
+        if len(points[0]) == len(parts):
+            name = re.sub(r"\W+", "-", f"along-{vector}{suffix}")
+            item = unprinted(known.paper, name, f"{vector}=({entries})", one)
+            yield item, StatementRole(CONVENTION, "words call it a unit vector", "", (vector,))
 
 
 def _matrices_of_elements(

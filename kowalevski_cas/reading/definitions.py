@@ -26,6 +26,7 @@ from kowalevski_cas.reading.fresh import (
     is_given_behind,
     without_factor,
 )
+from kowalevski_cas.reading.kinetic import has_momentum
 from kowalevski_cas.reading.known import (
     ASSUMPTION,
     CLAIM,
@@ -122,7 +123,10 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
     given = item.printed.heads
     fresh = [n for n in given.names or given.multiples if is_fresh(n, item, known)]
     fresh = [name for name in fresh if not is_given_behind(name, item, known)]
-    if not fresh:
+    opposite = not given.names and any(isinstance(m, Negative) for m in item.members)
+    if opposite and not known.varying(item.names - {*fresh}):
+        return None  # it gives no value of anything that moves
+    if not fresh or has_momentum(fresh[0], item, known):
         return None
     heads = {head(name)[0] for name in fresh}
     alone = [without_factor(m) for m in item.members]
@@ -238,7 +242,7 @@ def change(item: SourceStatement, known: Known) -> StatementRole | None:
 def square(item: SourceStatement, known: Known) -> StatementRole | None:
     """The square of a name that nothing has defined, alone on a side."""
     fresh = [n for n in item.printed.heads.squares if is_fresh(n, item, known)]
-    if not fresh:
+    if not fresh or has_momentum(fresh[0], item, known):
         return None
     if not known.varying(item.names - {*fresh}):
         return _square_of_constants(item, known, fresh)

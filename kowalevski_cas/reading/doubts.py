@@ -9,6 +9,7 @@ from kowalevski_cas.notation import Name, Number, PoissonBracket, Power
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.reading.canonical import MOMENTUM
 from kowalevski_cas.reading.compositions import is_of_maps
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import EQUATIONS
@@ -40,7 +41,7 @@ def doubt_of(
     fixed = (member for member in item.members if not known.varying(member.names()))
     if role.kind == "identity" and not item.derives and any(fixed):
         return Doubt.ALWAYS
-    if role.kind == "solution":
+    if role.kind in ("solution", "energy") or _has_momentum(rung, known):
         return Doubt.ALWAYS
     if role.kind == SAID:
         return None
@@ -129,6 +130,12 @@ def _has_usual_bracket(item: SourceStatement, rung: Rung, known: Known) -> bool:
     nodes = item.formula.nodes() if item.formula is not None else ()
     bracketed = any(isinstance(node, PoissonBracket) for node in nodes)
     return bool(usual) and bracketed and Number(0) not in item.members
+
+
+def _has_momentum(rung: Rung, known: Known) -> bool:
+    """Whether a claim stands on momenta that the paper does not give."""
+    own = {one.printed for one, role in known.roles.items() if role.kind == MOMENTUM}
+    return not own.isdisjoint(rung.claim.scene.definitions.values())
 
 
 def _has_basis(rung: Rung, known: Known) -> bool:

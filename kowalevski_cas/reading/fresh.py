@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 
-from kowalevski_cas.notation import Formula, Name, Number, Power, Product
+from kowalevski_cas.notation import Formula, Name, Negative, Number, Power, Product
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.kinetic import has_momentum
 from kowalevski_cas.reading.known import CLAIM, DEFINITION, LAW, Known
 from kowalevski_cas.reading.phrases import joined_lead
 from kowalevski_cas.reading.statements import SourceStatement, derived_names, is_numerical
@@ -24,7 +25,7 @@ def is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
         if _defines_anew(item, found):
             return True
         bound = {n for one in found for name in one.printed.heads.names for n in head(name)[1]}
-        unclear = any(not known.is_explained(n) for one in found for n in one.names - bound)
+        unclear = any(not _is_clear(n, one, known) for one in found for n in one.names - bound)
         rests = any(function in known.below(n) for n in item.names - {function})
         return unclear and not rests and all(known.is_explained(n) for n in item.names)
     if known.moves(function) or function in known.times or known.is_step(function):
@@ -47,6 +48,14 @@ def is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
         or (new and not item.typed.inline)
         or _is_used_before(function, first, item, known)
     )
+
+
+def _is_clear(name: str, one: SourceStatement, known: Known) -> bool:
+    """Whether it is known what a name in a definition is, as a constant of the energy, too."""
+    if known.is_explained(name) or has_momentum(name, one, known):
+        return True
+    energies = (n for law in known.laws for n in law.mentions if known.is_defined(n))
+    return any(name in known.below(energy) for energy in energies)
 
 
 def _is_used_before(name: str, first: SourceStatement, item: SourceStatement, known: Known) -> bool:
@@ -92,9 +101,9 @@ def is_given_behind(name: str, item: SourceStatement, known: Known) -> bool:
 
 
 def without_factor(formula: Formula) -> Formula:
-    """What stands behind a number, as T in 2T; a formula that is no such product itself."""
+    """What stands behind a number, as T in 2T, or a sign; any other formula itself."""
     match formula:
-        case Product((Number(), inner)):
+        case Product((Number(), inner)) | Negative(Name() as inner):
             return inner
     return formula
 

@@ -44,6 +44,7 @@ VERBS = ("law", *NAMING, "claim", "skip", *BESIDE)
 RULED = (
     "identity", "constant", "integral", "invariant", "rest", "inequality", "solution",
     "approximate", "somewhere", "another-law", "condition", "form", "divergence", "measure",
+    "energy",
 )  # fmt: skip
 """Kinds of claims of which the rules of reading know on what they stand."""
 

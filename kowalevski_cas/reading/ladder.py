@@ -27,14 +27,17 @@ from kowalevski_cas.paper.claims import (
 )
 from kowalevski_cas.paper.claims.maps import OF_MAPS
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.reading.canonical import ENERGY, meant
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, near, normalisations
+from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.linear_parts import point_of
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.solutions import solution_of
 from kowalevski_cas.reading.stage import Stage, Supposed
 from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.unprinted import unprinted
 
 ZERO = Number(0)
 _OF_SETS: dict[str, tuple[type[Claim], str]] = {
@@ -92,8 +95,8 @@ class _Ladder:
                 yield from self.eigenvalues()
             case "solution":
                 yield from self.solutions()
-            case "divergence" | "measure":
-                yield from self.of_flow()
+            case "divergence" | "measure" | "energy":
+                yield from self.of_energy() if self.role.kind == ENERGY else self.of_flow()
             case "approximate":
                 yield from map(_stronger, self.identities())
                 yield from self.first_order()
@@ -281,6 +284,20 @@ class _Ladder:
         sets = sets_of(own, self.known.paper.source.text)
         return next(items for items in sets if self.item in items)
 
+    # -- energies --------------------------------------------------------------------
+
+    def of_energy(self) -> Iterator[Rung]:
+        """That an energy in other letters is what it was before."""
+        law = self.stage.law(self.item, [self.item])
+        if law is None:
+            raise ValueError("no equations of motion are read by which this is an energy")
+        name = f"{self.item.printed.display.id}-{self.item.printed.number}-meant"
+        by = unprinted(self.known.paper, name, meant(self.item, self.known), self.item)
+        there = replace(law, change=(*law.change, by))
+        for assumptions in self.suppositions():
+            says = "this is the energy in these letters"
+            yield self.rung(Identity, says, assumptions, (), (self.item, by), there)
+
     def eigenvalues(self) -> Iterator[Rung]:
         """That a number is an eigenvalue at the point of which the words speak."""
         point = point_of(self.item, self.known)
@@ -302,7 +319,7 @@ class _Ladder:
         """
         laws = [law for law in self.known.laws if not law.change]
         law = self.stage.law(self.item, [self.item]) or (laws[0] if len(laws) == 1 else None)
-        if law is None:
+        if law is None or is_free(law):
             raise ValueError("of which of the equations of motion is this said?")
         for assumptions in self._ways():
             if self.role.kind == "divergence":

@@ -64,8 +64,12 @@ def solution(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 def _is_given_by_time(name: str, item: SourceStatement, known: Known) -> bool:
-    """Whether what stands for a function of what moves has a printed rate, and no time in it."""
+    """Whether what stands for a function of what moves has a printed rate, and no time in it.
+
+    Nothing else that moves stands beside the time.
+    """
     moved = known.varies(name) and not known.moves(name)
+    moved = moved and not known.varying(item.names - {*item.bare})
     return moved and "t" not in known.below(name) and rated_before(name, item, known)
 
 
@@ -81,6 +85,14 @@ def rate(item: SourceStatement, known: Known) -> StatementRole | None:
                 return StatementRole(CLAIM, "one of the equations of a set", "invariant")
             return StatementRole(CLAIM, "a rate that vanishes", "integral")
     return None
+
+
+_CYCLE = re.compile(
+    r"\bcycle,?\s+(?:namely\s+)?the\s+(?:circle|ellipse|curve|oval)\s*$"
+    r"|\bпредельн\w+\s+цикл\w*,?\s+(?:окружность|эллипс|кривая)\s*$",
+    re.IGNORECASE,
+)
+"""How words end behind which stands the equation of a closed orbit."""
 
 
 _OF_FUNCTION = re.compile(
@@ -106,6 +118,8 @@ def claimed_set(item: SourceStatement, known: Known) -> StatementRole | None:
     for words, kind in (("invariant", "invariant"), ("equilibrium", "rest")):
         if said := words_of(item, words):
             return StatementRole(CLAIM, f"“{said}” is said of the set", kind)
+    if cycle := _CYCLE.search(item.lead):
+        return StatementRole(CLAIM, f"“{cycle[0].strip()}” is invariant", "invariant")
     if said := solved_by(item, "equilibrium"):
         return StatementRole(CLAIM, f"“{said}” are the solutions", "rest")
     return None

@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 from kowalevski_cas.notation import Name, Number, Relation
 from kowalevski_cas.reading.brackets import bracket_of_functions
+from kowalevski_cas.reading.canonical import energy
 from kowalevski_cas.reading.compositions import gives_map
 from kowalevski_cas.reading.constraints import constraint
 from kowalevski_cas.reading.cues import cue
@@ -48,7 +49,7 @@ from kowalevski_cas.reading.propositions import (
     zero_set,
 )
 from kowalevski_cas.reading.statements import SourceStatement, is_ellipsis
-from kowalevski_cas.reading.suppositions import assumption, inequality, value
+from kowalevski_cas.reading.suppositions import assumption, inequality, on_place, value
 
 _BELONGING = re.compile(r"\b(?:of|in|for|by|with|on)[\s~]*(?:the\s+)?(?:\w+\s+)?$")
 """How words end behind which something belongs to a name, and is spoken of itself."""
@@ -202,7 +203,7 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 RULES: tuple[Rule, ...] = (
     unread, eigenvalue, of_flow, expression, named_set, law, constraint, together, unit, bracket,
     bracket_of_functions, unjudged, inequality, repeated, change, roots, claimed_set, point,
-    solution, definition, square, assumption, value, approximate, rate, zero_set, level, integral,
-    identity, other,
+    solution, energy, on_place, definition, square, assumption, value, approximate, rate, zero_set,
+    level, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

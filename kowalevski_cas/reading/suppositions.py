@@ -107,6 +107,32 @@ def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
     return None
 
 
+_ON_PLACE = re.compile(
+    r"(?:^|[.;,]|\b(?:and|but|that|и|а))\s*(?:on|на)\s+(?:(?:the|this|each|every)\s+)?(?:\w+\s+)?"
+    r"(?:plane|line|axis|surface|curve|circle|sphere|cone|cylinder|ellipsoid|hyperplane"
+    r"|плоскост|прям|ос|поверхност|крив|окружност|сфер|конус|цилиндр)\w*[\s,~]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which stands the equation of a place where their clause holds."""
+_SAYS_THERE = re.compile(
+    r"[\s,~]*(?:we|one|it|there|this|the\s+\w+\s+(?:has|have|obey|satisf|is|are)|мы|имеем|получ|находим|будет)\b",
+    re.IGNORECASE,
+)
+
+
+def on_place(item: SourceStatement, known: Known) -> StatementRole | None:
+    """The equation of a place where its sentence says something, as “on the plane x=y we have”."""
+    if not item.typed.inline or len(item.members) != 2 or item.derives:
+        return None
+    varying = known.varying(item.names)
+    if not varying or not (said := _ON_PLACE.search(item.before)):
+        return None
+    if "§" in said[0] or not _SAYS_THERE.match(item.tail):
+        return None
+    words = f"“{said[0].strip(' .,;')}” supposes it there"
+    return StatementRole(ASSUMPTION, words, "set of the sentence", tuple(varying))
+
+
 def value(item: SourceStatement, known: Known) -> StatementRole | None:
     r"""A value that is supposed of a function, as :math:`(\alpha,\alpha)=1`."""
     said = supposing(item)

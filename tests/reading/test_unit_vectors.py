@@ -44,3 +44,21 @@ def test_without_that_it_is_not_granted(said):
 def test_components_that_are_printed_one_by_one(said, claim, true):
     text = rf"{POINT} Here ${said}$. Put $f=x_1^2+x_2^2$. Then \[ {claim} . \]"
     assert last(text).green is true
+
+
+FIELD = r"""A point has the Hamiltonian \[ H=\tfrac12(p_x^2+p_y^2+p_z^2)+\tfrac k2(x^2+y^2+z^2)-Fz . \] Let
+\[ \mathbf L=\mathbf r\times\mathbf p . \] """
+
+
+@pytest.mark.parametrize(
+    ("words", "rate", "true"),
+    [
+        (r"Let $\mathbf e$ be the unit vector of the axis of $z$.", r"F\mathbf r\times\mathbf e", True),
+        (r"Let $\mathbf e$ be the unit vector of the axis of $z$.", r"F\mathbf e\times\mathbf r", False),
+        (r"Let $\mathbf e$ be a unit vector along the $z$-axis.", r"F\mathbf r\times\mathbf e", True),
+        (r"Let $\mathbf e$ be the unit vector of the axis of $x$.", r"F\mathbf r\times\mathbf e", False),
+        (r"Let $\mathbf e$ be a unit vector near the axis of $z$.", r"F\mathbf r\times\mathbf e", False),
+    ],
+)  # fmt: skip
+def test_a_unit_vector_of_an_axis_in_words(words, rate, true):
+    assert last(rf"{FIELD} {words} Then $\dot{{\mathbf L}}={rate}$.").green is true
