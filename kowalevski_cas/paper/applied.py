@@ -102,7 +102,10 @@ def arguments_said_once(texts: Iterable[str]) -> dict[str, str]:
             return sum(len(re.findall(letter + behind, tex)) for tex in texts)
 
         calls, primed = count(r"\s*(?:\\left\s*)?\("), count(r"\s*(?:'|\^\{?\\prime)")
-        once = calls == 1 and count("") > 1 and not (primed or count(r"\s*&?\s*="))
+        alone = count("") > 1 and not (primed or count(r"\s*&?\s*="))
+        listed = re.escape(by).replace(",", r"\s*,\s*")
+        derived = re.compile(rf"\}}\s*\(\s*{listed}\s*\)")  # as \frac{\partial H}{\partial p}(q,p)
+        once = calls == 1 and alone and not any(map(derived.search, texts))
         if once and re.search(re.escape(by.split(",")[0]), place["body"]):
             found[name] = by
     return found

@@ -1,6 +1,5 @@
 """Comments of authors go before all that is inferred; what they cannot mean is an error."""
 
-import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -343,7 +342,7 @@ def test_comments_are_counted_at_the_head(tmp_path, capsys):
     main(["audit", "--alone", str(path)])
     out = capsys.readouterr().out
     assert "Comments are obeyed: 1 given, 1 skip." in out
-    assert re.search(r"line \d+: line 7 of top.tex says so; without it", out)
+    assert "(T): line 7 of top.tex says so; without it" in out
 
 
 def test_what_a_comment_states_in_full_is_refuted_where_it_fails():

@@ -125,8 +125,9 @@ def _open(audit: Audit, phrases: Phrases) -> Iterator[str]:
 def _place(audit: Audit, item: SourceStatement) -> str:
     """A statement by its label or its line."""
     assert audit.reading is not None
-    display = item.printed.display
-    return display.label or f"line {audit.reading.paper.lines[display.id]}"
+    paper, start = audit.reading.paper, item.typed.start
+    begins, _ = paper.expanded.origin(start, start + 1)
+    return item.printed.display.label or f"line {audit.source.line(begins)}"
 
 
 def _where(audit: Audit, formula: Audited) -> str:
