@@ -56,7 +56,8 @@ def repairs(audit: Audit, place: Correspondence) -> dict[tuple[int, int], str]:
 def corrected_tex(audit: Audit, place: Correspondence) -> str | None:
     """The source of a display as it should be; ``None`` if nothing is wrong with it.
 
-    What the author has changed is to be what the derivation has, and a misprint to be mended.
+    What the author has changed is to be what the derivation has, and a misprint to be mended. It
+    is ``None`` too where one row stands for several, of which edits mend one without the others.
     """
     display = place.display
     wrong = [f.place for f in audit.formulas if f.wrong and f.place and f.place.display == display]
@@ -67,8 +68,11 @@ def corrected_tex(audit: Audit, place: Correspondence) -> str | None:
     texts = session.decider.interpretation.texts
     for printed, edit in session.causes.repairs(display, session.outcomes.values()):
         # An edit before this one may have changed the source: it is read again.
-        tex = replace(edit, statement=texts.statement(printed)).tex
-        texts = texts.with_source(display, tex)
+        try:
+            statement = texts.statement(printed)
+        except NotationError:
+            return None
+        texts = texts.with_source(display, replace(edit, statement=statement).tex)
     return texts.source(display)
 
 
