@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from itertools import combinations
 
@@ -111,11 +112,11 @@ def _is_multiple(element: Element, others: Sequence[Element]) -> bool:
 
 def _derives_what_stands(before: Formula, after: Formula, on: Elaboration) -> bool:
     """Whether an edit brings in a derivative that is zero by itself, as that of a constant."""
-    rates = [node for node in after.nodes() if isinstance(node, Derivative)]
-    if len(rates) <= sum(isinstance(node, Derivative) for node in before.nodes()):
-        return False
-    old = {*before.nodes()}
-    new = [(on.plain(rate), Number(0)) for rate in rates if rate not in old]
+    rates, old = (
+        Counter(node for node in formula.nodes() if isinstance(node, Derivative))
+        for formula in (after, before)
+    )
+    new = [(on.plain(rate), Number(0)) for rate in rates - old]
     return any(rest.is_zero for rest in on.finder.differences(new))
 
 
