@@ -389,10 +389,15 @@ def is_row(item: SourceStatement) -> bool:
 def _is_driven(row: SourceStatement) -> bool:
     r"""Whether one acceleration stands among other terms, as in :math:`\ddot x+ax=f`.
 
-    What is alone on the other side is a force then, and no name for what stands there.
+    What is alone on the other side is a force then, and no name for what stands there; but words
+    may call that an integral, and where what moves multiplies the acceleration it is some function.
     """
+    if cue("integral", f"{row.words} {row.after}") or len(row.rates) != 1:
+        return False
     terms = row.members[0].terms if isinstance(row.members[0], Sum) else ()
-    return len(row.rates) == 1 and max(map(_order, terms), default=0) > 1
+    driven = [term for term in terms if _order(term) > 1]
+    outside = (node for term in driven for node in (term, *term.children()) if not _order(node))
+    return bool(driven) and not any(node.names() & {*row.rates} for node in outside)
 
 
 def _is_joined(one: SourceStatement, other: SourceStatement) -> bool:

@@ -78,3 +78,18 @@ BOOST = r"""The coordinates in the {word} $S'$ are \[ x'=\gamma(x-vt),\qquad t'=
 def test_primes_of_another_frame_are_no_derivatives(factor, green):
     found = verdicts(BOOST.format(word="frame", factor=factor))
     assert [one.green for one in found.values()] == [green]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"A first integral is $$\ddot x+3ax=c.$$ Hence $$\dot x^2+3ax^2-2cx$$ is constant.",
+        r"The quantity $$x\ddot x+\dot x^2=c$$ is constant. Hence $$\frac{d}{dt}(x\ddot x+\dot x^2)=0.$$",
+        r"From this we obtain $$\ddot x+2ax=c.$$ Hence $$\frac{d}{dt}(\dot x^2+2ax^2-2cx)=0.$$",
+    ],
+)
+def test_what_is_called_an_integral_or_is_deduced_is_no_law(text):
+    law = r"\section{Free} The point moves by $$\ddot x+ax=0.$$"
+    found = verdicts(rf"{law} \section{{More}} {text}")
+    assert found
+    assert not any(verdict.green for verdict in found.values())
