@@ -35,6 +35,8 @@ _WORD = re.compile(r"[A-Za-z]+")
 
 OF_WORDS = {r"\mathrm": "", r"\mathit": "", r"\mathsf": r"\mathsf"}
 """The types in which letters in one group are a word, and that of a letter by itself."""
+DIRECTIONS = frozenset({r"\perp", r"\parallel"})
+"""Relations that are indices of the parts of a vector, or of what belongs to them."""
 _LENGTH = re.compile(
     r"\s*=?\s*[-+]?[\d.]+\s*[a-z]{2}(?:\s*(?:plus|minus)\s*[-+]?[\d.]+\s*[a-z]{2,5})*"
 )
@@ -229,7 +231,7 @@ class _Scanner:
 
     def macro(self, text: str, start: int) -> None:
         action = ACTIONS.get(text, "letter")
-        if action == "letter":
+        if action == "letter" or (text in DIRECTIONS and self.is_index()):
             self.letter(text, start)
         elif action == "blank":
             return
@@ -265,6 +267,11 @@ class _Scanner:
                 self.argument()
             name = text[1:] if action in ("operator", "const") else SPELLING.get(text, text)
             self.add(action, name, start)
+
+    def is_index(self) -> bool:
+        """Whether what comes is the whole index of a letter, or its beginning."""
+        kinds = [token.kind for token in self.tokens[-2:]]
+        return kinds[-1:] == ["_"] or kinds == ["_", "{"]
 
     def order(self, action: str) -> str:
         """The order of a root in brackets, behind the sign."""

@@ -18,7 +18,9 @@ SIGNS = {
 }  # fmt: skip
 """The signs of relations, also of those that only words state."""
 
-_LETTERS = GREEK | {r"\pm": "±", r"\infty": "∞", "'": "′"}
+_LETTERS = GREEK | {
+    r"\pm": "±", r"\infty": "∞", r"\perp": "⟂", r"\parallel": "∥", "'": "′"
+}  # fmt: skip
 
 _STYLES = {
     r"\mathbf": "BOLD", r"\boldsymbol": "BOLD", r"\mathcal": "SCRIPT", r"\mathscr": "SCRIPT",

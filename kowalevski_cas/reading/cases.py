@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
 
+from kowalevski_cas.notation import Relation
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.text import Prose
 
@@ -46,6 +47,22 @@ def named_case(
         if item.theorem is not None and spoken:
             return _of_number(found["number"] or found["number_"], item, before)
     return []
+
+
+def is_told_apart(one: SourceStatement, sentence: Iterable[SourceStatement]) -> bool:
+    """Whether a sentence tells a case from another one: “for a > 0 …, while for a < 0 …”.
+
+    The same members have another sign between them there; the cases are over with the sentence.
+    """
+    if not isinstance(one.formula, Relation):
+        return False
+    others = (other.formula for other in sentence if other is not one)
+    return any(
+        isinstance(other, Relation)
+        and other.members == one.formula.members
+        and other.signs != one.formula.signs
+        for other in others
+    )
 
 
 def _case_of(item: SourceStatement, prose: Prose) -> str:

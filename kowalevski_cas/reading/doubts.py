@@ -16,12 +16,12 @@ from kowalevski_cas.reading.hypotheses import EQUATIONS
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, SETS, Known
 from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.law import Law
-from kowalevski_cas.reading.laws import is_row
 from kowalevski_cas.reading.linear_parts import KIND as EIGENVALUE
 from kowalevski_cas.reading.measures import differentials_of_images
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.phrases import integral_words, is_conditional
+from kowalevski_cas.reading.rows import is_row
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import SOURCE
 

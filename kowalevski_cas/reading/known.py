@@ -12,7 +12,7 @@ from typing import NamedTuple
 from kowalevski_cas.notation import Formula, Name, NotationError
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.names import BRACKET, head
-from kowalevski_cas.reading.cases import named_case
+from kowalevski_cas.reading.cases import is_told_apart, named_case
 from kowalevski_cas.reading.clauses import Clauses
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.law import Law
@@ -248,8 +248,13 @@ class Known:
         clauses = self._clauses(one.sentence)
         if one in clauses.conditions and one.sentence == item.sentence and item in clauses.of:
             return one in clauses.of[item] and self.reaches(one, item)
+        if one.sentence != item.sentence and self._is_told_apart(one):
+            return False
         before = one.order < item.order and one not in clauses.behind
         return before and self.reaches(one, item) and not self._is_over(one, item)
+
+    def _is_told_apart(self, one: SourceStatement) -> bool:
+        return is_told_apart(one, self.of_sentence(one.sentence))
 
     def _is_over(self, one: SourceStatement, item: SourceStatement) -> bool:
         """Whether a later paragraph gives a constant of the case another number: it is over.
@@ -303,9 +308,9 @@ class Known:
         found: dict[tuple[int, int], list[SourceStatement]] = {}
         here = self.supposed(item)
         for one in self.assumptions:
-            kind = self.roles[one].kind
+            brief = self.roles[one].kind in ("", "of the sentence") or self._is_told_apart(one)
             near = one.order < item.order or one.sentence == item.sentence
-            if near and one not in here and kind in ("", "of the sentence"):
+            if near and one not in here and brief:
                 found.setdefault(one.sentence, []).append(one)
         return [*found.values()]
 

@@ -86,8 +86,8 @@ class Law:
 
     @cached_property
     def printed(self) -> frozenset[SourceStatement]:
-        """Its equations as they are printed."""
-        return frozenset(item.implied_by or item for item in self.items)
+        """Its equations as they are printed, but for those that another law has before it."""
+        return frozenset(item.implied_by or item for item in self._own)
 
     @cached_property
     def rows(self) -> tuple[SourceStatement, ...]:
@@ -101,8 +101,14 @@ class Law:
 
     @cached_property
     def first(self) -> SourceStatement:
-        """The first of its equations."""
-        return min((*self.items, *self.change), key=lambda item: item.order)
+        """The first of its equations, but for those that another law has before it."""
+        return min((*self._own, *self.change), key=lambda item: item.order)
+
+    @property
+    def _own(self) -> list[SourceStatement]:
+        """Its equations where the text is about it: others are kept from a law before it."""
+        here = [one for one in self.items if (self.begins or 0) <= one.typed.start]
+        return here or [*self.items]
 
     @cached_property
     def mentions(self) -> frozenset[str]:

@@ -2,21 +2,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterator, Sequence
 
-from kowalevski_cas.notation import (
-    Derivative,
-    Formula,
-    Name,
-    Negative,
-    Partial,
-    Power,
-    Product,
-    Relation,
-    Sum,
-    Vector,
-)
+from kowalevski_cas.notation import Name, Sum, Vector
 from kowalevski_cas.reading.changes import find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
@@ -24,6 +12,8 @@ from kowalevski_cas.reading.kinematics import free_motion
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.momenta import find_momenta
 from kowalevski_cas.reading.names import Names
+from kowalevski_cas.reading.restated import replaced_law
+from kowalevski_cas.reading.rows import highest_order, is_row, rates_given
 from kowalevski_cas.reading.said_rows import (
     rows_of_conjugates,
     rows_of_differentials,
@@ -149,8 +139,9 @@ class _LawFinder:
         beside = any(row.sentence == item.sentence for law in part for row in law.items)
         if not (self._may_set_up(item) or beside):
             return None
-        if not beside and item not in self.said.rows and (law := self.other_system(item, part)):
-            return law
+        if not beside and item not in self.said.rows:
+            if law := replaced_law(item, part, self.paper) or self.other_system(item, part):
+                return law
         since = part[0].begins or self.paper.prose.start
         moving = {name for law in part for name in law.variables}
         if not {*self.scalars(item)} - moving or self.is_defined(item, self.paper.prose.start):
@@ -360,30 +351,6 @@ class _LawFinder:
         return [row for row in whole if not {*self.scalars(row)} <= rated] or whole
 
 
-_EITHER_SIGN = re.compile(r"\\(?:pm|mp)(?![A-Za-z])")
-
-
-def is_row(item: SourceStatement) -> bool:
-    r"""Whether a statement may be an equation of motion: an equality, linear in highest rates.
-
-    What is a name on the left is a definition, unless it gives a multiple of one rate, as
-    :math:`p=m\dot q`. With either sign of a term it is no law: with both, nothing might move.
-    """
-    if not item.rates or _EITHER_SIGN.search(item.printed.tex):
-        return False
-    if len(item.members) != 2 and not _is_chain(item.members):
-        return False
-    highest = max(item.rates.values())
-    nodes = [node for member in item.members for node in member.nodes()]
-    if any(isinstance(node, Power) and _order(node.base) >= highest for node in nodes):
-        return False
-    first, *others = item.members
-    rates = (m.argument if isinstance(m, Negative) else m for m in others)
-    if isinstance(first, Partial) and not any(isinstance(m, Derivative) for m in rates):
-        return False  # it is a gradient that is computed
-    return not isinstance(first, Name) or _is_multiple(others[0])
-
-
 def _is_driven(row: SourceStatement) -> bool:
     r"""Whether one acceleration stands among other terms, as in :math:`\ddot x+ax=f`.
 
@@ -393,8 +360,10 @@ def _is_driven(row: SourceStatement) -> bool:
     if cue("integral", f"{row.words} {row.after}") or len(row.rates) != 1:
         return False
     terms = row.members[0].terms if isinstance(row.members[0], Sum) else ()
-    driven = [term for term in terms if _order(term) > 1]
-    outside = (node for term in driven for node in (term, *term.children()) if not _order(node))
+    driven = [term for term in terms if highest_order(term) > 1]
+    outside = (
+        node for term in driven for node in (term, *term.children()) if not highest_order(node)
+    )
     return bool(driven) and not any(node.names() & {*row.rates} for node in outside)
 
 
@@ -403,37 +372,3 @@ def _is_joined(one: SourceStatement, other: SourceStatement) -> bool:
     return (
         not one.typed.inline and one.typed.kind == other.typed.kind and not other.lead.strip(" ,;")
     )
-
-
-def _is_chain(members: Sequence[Formula]) -> bool:
-    r"""Whether equalities begin with their only rate, :math:`\dot q=\partial H/\partial p=p`."""
-    rates = [member for member in members if _order(member)]
-    return len(members) > 2 and rates == [*members[:1]] and isinstance(members[0], Derivative)
-
-
-def _is_multiple(formula: Formula) -> bool:
-    """Whether a formula is a rate with a factor."""
-    factors = formula.factors if isinstance(formula, Product) else (formula,)
-    return sum(isinstance(factor, Derivative) for factor in factors) == 1
-
-
-def _order(formula: Formula) -> int:
-    """The highest order of a derivative in a formula; 0 if there is none."""
-    below = max(map(_order, formula.children()), default=0)
-    return below + isinstance(formula, Derivative)
-
-
-def rates_given(rows: Sequence[SourceStatement], names: Names) -> int:
-    """How many rates some rows give, each one or those of a vector."""
-    return sum(len(names.vectors.get(_left(row), "1")) for row in rows)
-
-
-def _left(row: SourceStatement) -> str:
-    """The name of which a row gives the rate, or the one that it begins with."""
-    formula = row.formula
-    assert isinstance(formula, Relation)
-    for member in formula.members:
-        for node in member.nodes():
-            if isinstance(node, Derivative):
-                return next(iter(node.argument.names()), "")
-    return ""

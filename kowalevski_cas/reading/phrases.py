@@ -9,7 +9,7 @@ from kowalevski_cas.notation import Derivative, Formula, Name, Negative, Number,
 from kowalevski_cas.paper.names import head
 from kowalevski_cas.reading.cues import cue, cues, last_cue
 from kowalevski_cas.reading.known import Known
-from kowalevski_cas.reading.laws import is_row
+from kowalevski_cas.reading.rows import is_row
 from kowalevski_cas.reading.statements import SourceStatement
 
 ZERO = Number(0)

@@ -2,35 +2,80 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 from kowalevski_cas.reading.law import Law
-from kowalevski_cas.reading.laws import is_row, rates_given
 from kowalevski_cas.reading.names import Names
-from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.rows import is_row, rates_given
+from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
+from kowalevski_cas.reading.text import references
 
 
 def find_restated(items: Sequence[SourceStatement], laws: Sequence[Law]) -> list[Law]:
-    """The laws that displays print anew, row for row, with what rows of the law are left.
-
-    They give all the rates of the rows in place of which they stand, of the same order and by the
-    same time.
-    """
+    """The laws that displays print anew, row for row, with what rows of the law are left."""
     found: list[Law] = []
     for display in {id(i.typed): [o for o in items if o.typed is i.typed] for i in items}.values():
         rows = [item for item in display if is_row(item)]
         if not rows or rows[0].typed.inline or any(rows[0] in law.items for law in laws):
             continue
         for law in laws:
-            rated = _orders(rows, law.names)
-            own = [row for row in law.rows if rated.keys() & {*law.names.scalars(row.rates)}]
-            whole = rates_given(rows, law.names) == len(rated)
-            alike = _orders(own, law.names) == rated and _times(rows) <= _times(own)
-            if law.order < rows[0].order and whole and alike:
-                kept = tuple(row for row in law.rows if row not in own)
-                found.append(Law((*kept, *rows), law.names, restates=law, momenta=law.momenta))
+            if kept := _kept(law, rows):
+                items_of = (*kept.rows, *rows)
+                found.append(Law(items_of, law.names, restates=law, momenta=law.momenta))
                 break
     return found
+
+
+_REPLACED = re.compile(
+    r"\breplaced\s+by(?:\s+the\s+(?:equations?|ones?))?[\s:,]*$"
+    r"|\bin\s+place\s+of\s+[^.;]*\b(?:have|stand|appear|come|take)\w*[\s:,]*$"
+    r"|\bзамен(?:я|ен)\w*\s+(?:на|уравнени\w+)[\s:,]*$"
+    r"|\bвместо\s+[^.;]*\b(?:имеем|име[ею]т|получа\w+|стоят|будет)[\s:,]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which equations stand that take the place of those that they cite."""
+_NOT = re.compile(r"\b(?:not|never|cannot|if|were|не|нельзя|если)\b", re.IGNORECASE)
+
+
+def replaced_law(item: SourceStatement, part: Sequence[Law], paper: SourcePaper) -> Law | None:
+    """The law of another system: one before it, with the rows that a display replaces.
+
+    Words right before the display say so, and cite what is replaced.
+    """
+    words = item.lead
+    if item.typed.inline or not _REPLACED.search(words) or _NOT.search(words):
+        return None
+    cited = {one for label in references(words) for one in paper.labels.get(label, ())}
+    rows = [one for one in paper.items if one.typed is item.typed and is_row(one)]
+    for law in part:
+        kept = _kept(law, rows) if cited & {*law.rows} else None
+        if kept is not None and not law.change:
+            apart = [one for one in item.sections if one not in law.first.sections]
+            begins = apart[0].start if apart else item.sentence[0]
+            return Law((*kept.rows, *rows), law.names, momenta=law.momenta, begins=begins)
+    return None
+
+
+class _Kept(NamedTuple):
+    """The rows of a law in place of which no others are printed."""
+
+    rows: tuple[SourceStatement, ...]
+
+
+def _kept(law: Law, rows: Sequence[SourceStatement]) -> _Kept | None:
+    """What rows of a law are left where others are printed; ``None`` if these replace none.
+
+    They give all the rates of those that they replace, of the same order and by the same time.
+    """
+    rated = _orders(rows, law.names)
+    own = [row for row in law.rows if rated.keys() & {*law.names.scalars(row.rates)}]
+    whole = rates_given(rows, law.names) == len(rated)
+    alike = _orders(own, law.names) == rated and _times(rows) <= _times(own)
+    if not rows or law.order >= rows[0].order or not (whole and alike):
+        return None
+    return _Kept(tuple(row for row in law.rows if row not in own))
 
 
 def _orders(rows: Iterable[SourceStatement], names: Names) -> dict[str, int]:

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from kowalevski_cas.notation import Derivative, Formula, Name, Relation, to_latex
 from kowalevski_cas.reading.known import CLAIM, Known
 from kowalevski_cas.reading.law import Law
-from kowalevski_cas.reading.laws import is_row
+from kowalevski_cas.reading.rows import is_row
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
 

@@ -131,6 +131,8 @@ _NAMED_BY = re.compile(
     re.IGNORECASE,
 )
 """Words right before what is small in the name of something."""
+_ABOUT = re.compile(r"\\(?:approx|simeq)(?![A-Za-z])")
+"""The signs of an approximation."""
 _DOTS = re.compile(r"\s*(?:\\[lcv]?dots[a-z]?|\.\.\.)[\s.,;]*")
 
 
@@ -191,15 +193,24 @@ class SourcePaper:
     def _approximating(self, item: SourceStatement) -> Iterator[int]:
         """Where the words stand, in the section of a statement, that it holds approximately.
 
-        What a footnote says reaches to its end; what is said of a name behind “where”, no further.
+        What a footnote says reaches to its end; what is said of a name behind “where”, or of what
+        is printed as an approximation, no further.
         """
         for said in self._approximations:
             if said > item.typed.end and cue("where", self.prose.between(item.typed.end, said)):
+                continue
+            sentence = self.prose.sentence(said)
+            if sentence in self._approximated and item.sentence != sentence:
                 continue
             footnote = self.prose.footnote(said)
             if footnote is None or footnote[0] <= item.typed.start < footnote[1]:
                 if item.section.start <= said < item.sentence[1]:
                     yield said
+
+    @cached_property
+    def _approximated(self) -> frozenset[tuple[int, int]]:
+        """The sentences that print what is approximately equal: their words speak of that."""
+        return frozenset(item.sentence for item in self.items if _ABOUT.search(item.printed.tex))
 
     @cached_property
     def _approximations(self) -> list[int]:

@@ -33,12 +33,35 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
         claimed = last_cue("claim", words) > last_cue("suppose", words)
         claimed = claimed or (not item.typed.inline and bool(cue("claim", item.tail)))
         claimed = claimed or (cue("further", item.lead) != "" and not supposing(item))
+        claimed = claimed or _is_concluded(item)
         begun = bool(cue("suppose", item.before[:12])) and not cue("claim", item.lead)
         supposed = begun or not claimed or _says_first(item, known)
     if supposed:
         why = "an inequality that is supposed"
         return StatementRole(ASSUMPTION, why, "inequality", tuple(item.names))
     return StatementRole(CLAIM, "an inequality that is claimed", "inequality")
+
+
+_SEEN = re.compile(
+    r"\b(?:see|seen|saw|finds?|found|concludes?|notes?|noted|observes?|know|known|deduces?|infers?"
+    r"|follows|clear|obvious|evident|easy)\b(?:\s+(?:\w+\s+){0,3})?(?P<that>\s*\bthat\b)"
+    r"|\b(?:видим|видно|заключаем|ясно|очевидно|следует|находим|заметим|получаем)(?P<что>,?\s+что)\b",
+    re.IGNORECASE,
+)
+"""Words for what is known or found, with the conjunction behind which it stands."""
+_THAT = re.compile(r"(?:,?\s*(?:\band|\bи)\s+)?\b(?:that|что)[\s,~]*$", re.IGNORECASE)
+
+
+def _is_concluded(item: SourceStatement) -> bool:
+    """Whether words say of an inline inequality that it is found: “we see that a > b”.
+
+    So does a sentence that begins with “therefore”, if it supposes nothing.
+    """
+    if not item.typed.inline or cue("suppose", f"{item.lead} "):
+        return False
+    if item.lead == item.before and cue("deduced", item.lead[:14]):
+        return True
+    return bool(_THAT.search(item.lead) and _SEEN.search(item.before))
 
 
 _STATES = re.compile(
@@ -85,7 +108,8 @@ def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
     said = supposing(item)
     others = [member for member in item.members if not isinstance(member, Name)]
     names_of = {name for member in others for name in member.names()}
-    names = [name for name in item.bare if not known.varies(name) and name not in names_of]
+    below = {inner for name in names_of for inner in known.below(name)}
+    names = [name for name in item.bare if not known.varies(name) and name not in below]
     given = isinstance(others[0], Vector) if others else False
     given = given and not any(map(known.varies, names_of - known.levels))
     if moving and said and (is_number(others) or (given and is_value(others[0]))):

@@ -35,7 +35,7 @@ from kowalevski_cas.notation import (
 WORDS = Vocabulary(
     scalars=frozenset(
         r"""x_1 x_2 \omega_1 \omega_{12} \ell \Psi i d a m u_0
-        \mathrm{sn} \tilde{q}_2 y_{\alpha} x^*_1 \hat{\omega}^*""".split()
+        \mathrm{sn} \tilde{q}_2 y_{\alpha} v_{\perp} x^*_1 \hat{\omega}^*""".split()
     ),
     vectors=frozenset(
         [r"\boldsymbol{\alpha}", r"\boldsymbol{\omega}", r"\mathbf{e}_1", r"\hat{\mathbf{e}}_1"]

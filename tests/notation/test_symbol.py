@@ -15,6 +15,7 @@ from kowalevski_cas.notation import (
     Number,
     Power,
     Product,
+    Relation,
     Vocabulary,
     decorations,
     read,
@@ -214,3 +215,13 @@ def test_a_new_decoration_is_a_line_of_one_table(tmp_path):
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     (line,) = {*done.stdout.splitlines()}
     assert all(part in line for part in ("†", "breve(", "<mo>˘</mo>", "x\\u0306\\u2081\\u2020"))
+
+
+@pytest.mark.parametrize("tex", [r"v_\perp", r"v_{\perp}"])
+def test_a_direction_is_an_index_and_a_relation_elsewhere(tex):
+    words = Vocabulary(scalars=frozenset({r"v_{\perp}", "x", "y"}))
+    assert read(tex, words) == Name(r"v_{\perp}")
+    assert to_plain(read(f"{tex}^2=x", words)).startswith("v")
+    assert read(r"x\perp y", words) == Relation((Name("x"), Name("y")), (r"\perp",))
+    with pytest.raises(NotationError):
+        read(r"v_{x\perp}", words)

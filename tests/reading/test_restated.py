@@ -80,3 +80,56 @@ def test_a_new_variable_has_a_law_where_nothing_is_cited():
     text = r"The angle $v$ turns by \[ \dot v=2g. \]"
     laws = reading(DISPLACED + text).parts.laws
     assert laws[-1].variables == ("x", "y", "v")
+
+
+FREE = r"""The equations of motion are
+\begin{equation}\label{free} \dot a=u,\quad \dot b=v,\quad \dot u=kv,\quad \dot v=-ku. \end{equation}
+Put $T=\frac12(u^2+v^2)$.
+\section{A field} """
+FIELD = r"\[ \dot u=kv,\qquad \dot v=-ku+f. \]"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"Now the last two of the equations \eqref{free} are replaced by",
+        r"In place of the last two equations \eqref{free} we have",
+        r"Последние два из уравнений \eqref{free} заменяются на",
+    ],
+)
+def test_a_law_goes_on_with_the_equations_that_take_the_place_of_others(words):
+    found = verdicts(FREE + words + FIELD + r"Then $\frac{d}{dt}(T-fb)=0$ and $\dot T=fv$.")
+    assert {*found.values()} == {"PROVED"}
+    found = verdicts(FREE + words + FIELD + r"Then $\frac{d}{dt}(T+fb)=0$ and $\dot T=fu$.")
+    assert "PROVED" not in found.values()
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"The equations \eqref{free} cannot be replaced by",
+        r"If $k$ is replaced by $g$ in \eqref{free}, we find",
+        r"If the last two of \eqref{free} were replaced by",
+        r"The last two of these are replaced by",
+    ],
+)
+def test_other_words_replace_no_law(words):
+    laws = reading(FREE + words + FIELD).parts.laws
+    assert not any(len(law.items) == 4 and law.begins is not None for law in laws)
+
+
+NEAR = r"""The equation of motion is \[ \ddot q=-cq-eq^3. \] WORDS
+The energy is $E=\frac12\dot q^2+\frac c2q^2+\frac e4q^4$, and \[ RATE \]"""
+
+
+@pytest.mark.parametrize(
+    "words", [r"Approximately, $q\approx q_0\cos t$.", r"We have $c\simeq1$ approximately."]
+)
+@pytest.mark.parametrize("rate, verdict", [(r"\dot E=0", "PROVED"), (r"\dot E=q", "REFUTED")])
+def test_words_beside_an_approximation_speak_of_it(words, rate, verdict):
+    assert verdicts(NEAR.replace("WORDS", words).replace("RATE", rate))[rate] == verdict
+
+
+def test_other_words_reach_further():
+    text = NEAR.replace("WORDS", "We neglect terms of higher order.").replace("RATE", r"\dot E=q")
+    assert "REFUTED" not in verdicts(text).values()

@@ -1,0 +1,76 @@
+"""Equations of motion by their form: which rates they give, and of what order."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from kowalevski_cas.notation import (
+    Derivative,
+    Formula,
+    Name,
+    Negative,
+    Partial,
+    Power,
+    Product,
+    Relation,
+)
+from kowalevski_cas.reading.names import Names
+from kowalevski_cas.reading.statements import SourceStatement
+
+_EITHER_SIGN = re.compile(r"\\(?:pm|mp)(?![A-Za-z])")
+
+
+def is_row(item: SourceStatement) -> bool:
+    r"""Whether a statement may be an equation of motion: an equality, linear in highest rates.
+
+    What is a name on the left is a definition, unless it gives a multiple of one rate, as
+    :math:`p=m\dot q`. With either sign of a term it is no law: with both, nothing might move.
+    """
+    if not item.rates or _EITHER_SIGN.search(item.printed.tex):
+        return False
+    if len(item.members) != 2 and not _is_chain(item.members):
+        return False
+    highest = max(item.rates.values())
+    nodes = [node for member in item.members for node in member.nodes()]
+    if any(isinstance(node, Power) and highest_order(node.base) >= highest for node in nodes):
+        return False
+    first, *others = item.members
+    rates = (m.argument if isinstance(m, Negative) else m for m in others)
+    if isinstance(first, Partial) and not any(isinstance(m, Derivative) for m in rates):
+        return False  # it is a gradient that is computed
+    return not isinstance(first, Name) or _is_multiple(others[0])
+
+
+def _is_chain(members: Sequence[Formula]) -> bool:
+    r"""Whether equalities begin with their only rate, :math:`\dot q=\partial H/\partial p=p`."""
+    rates = [member for member in members if highest_order(member)]
+    return len(members) > 2 and rates == [*members[:1]] and isinstance(members[0], Derivative)
+
+
+def _is_multiple(formula: Formula) -> bool:
+    """Whether a formula is a rate with a factor."""
+    factors = formula.factors if isinstance(formula, Product) else (formula,)
+    return sum(isinstance(factor, Derivative) for factor in factors) == 1
+
+
+def highest_order(formula: Formula) -> int:
+    """The highest order of a derivative in a formula; 0 if there is none."""
+    below = max(map(highest_order, formula.children()), default=0)
+    return below + isinstance(formula, Derivative)
+
+
+def rates_given(rows: Sequence[SourceStatement], names: Names) -> int:
+    """How many rates some rows give, each one or those of a vector."""
+    return sum(len(names.vectors.get(_left(row), "1")) for row in rows)
+
+
+def _left(row: SourceStatement) -> str:
+    """The name of which a row gives the rate, or the one that it begins with."""
+    formula = row.formula
+    assert isinstance(formula, Relation)
+    for member in formula.members:
+        for node in member.nodes():
+            if isinstance(node, Derivative):
+                return next(iter(node.argument.names()), "")
+    return ""
