@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from kowalevski_cas.notation import Name
+from kowalevski_cas.notation import Name, Number, Power
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import SourceStatement
 
@@ -42,7 +42,7 @@ class Law:
         if self.images:
             rows = {one.bare[0]: one for one in (*self.items, *self.solved) if _gives(one)}
             return {name: one for name, one in rows.items() if name not in self._cyclic(rows)}
-        found = {name: one for one in self.change for name in self.names.scalars(one.bare[:1])}
+        found = {name: one for one in self.change for name in self.names.scalars(_head(one))}
         return {**(self.base.given if self.base else {}), **found, **self._momenta}
 
     @cached_property
@@ -135,3 +135,11 @@ class Law:
 def _gives(item: SourceStatement) -> bool:
     """Whether a statement has a name alone on its left."""
     return bool(item.bare) and item.members[0] == Name(item.bare[0])
+
+
+def _head(item: SourceStatement) -> tuple[str, ...]:
+    """The name that a statement gives, itself or its square."""
+    match item.members:
+        case (Power(Name(name), Number(2)), *_):
+            return (name,)
+    return item.bare[:1]

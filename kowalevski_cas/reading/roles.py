@@ -48,6 +48,7 @@ from kowalevski_cas.reading.propositions import (
     solution,
     zero_set,
 )
+from kowalevski_cas.reading.solutions import constant_of_solution
 from kowalevski_cas.reading.statements import SourceStatement, is_ellipsis
 from kowalevski_cas.reading.suppositions import assumption, inequality, on_place, value
 
@@ -203,7 +204,7 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 RULES: tuple[Rule, ...] = (
     unread, eigenvalue, of_flow, expression, named_set, law, constraint, together, unit, bracket,
     bracket_of_functions, unjudged, inequality, repeated, change, roots, claimed_set, point,
-    solution, energy, on_place, definition, square, assumption, value, approximate, rate, zero_set,
-    level, integral, identity, other,
+    solution, constant_of_solution, energy, on_place, definition, square, assumption, value,
+    approximate, rate, zero_set, level, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

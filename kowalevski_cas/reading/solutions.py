@@ -7,11 +7,21 @@ for its rate. What stands in them and is not given may be a rate of what is: by
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Sequence
 from typing import NamedTuple
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Relation, to_latex
-from kowalevski_cas.reading.known import CLAIM, Known
+from kowalevski_cas.notation import (
+    Derivative,
+    Formula,
+    Name,
+    Number,
+    Power,
+    Relation,
+    to_latex,
+    to_plain,
+)
+from kowalevski_cas.reading.known import CLAIM, DEFINITION, Known, StatementRole
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.rows import is_row
 from kowalevski_cas.reading.statements import SourceStatement
@@ -19,7 +29,7 @@ from kowalevski_cas.reading.unprinted import unprinted
 
 
 class PrintedSolution(NamedTuple):
-    """What gives names by the time, and the equations that have to hold then."""
+    """What gives names by the time, or constants in that, and the equations that then hold."""
 
     given: tuple[SourceStatement, ...]
     rows: tuple[SourceStatement, ...]
@@ -60,9 +70,8 @@ def solution_of(
             given[name] = unprinted(known.paper, f"{_id(item)}-{len(given)}", tex, item)
     if not rows:
         raise ValueError("no equation is printed that it would solve")
-    return PrintedSolution(
-        (*dict.fromkeys(given[name] for name in given if name in linked),), (*rows,)
-    )
+    by_time = dict.fromkeys(given[name] for name in given if name in linked)
+    return PrintedSolution((*by_time, *constants_of(item, known)), (*rows,))
 
 
 def _given(item: SourceStatement, known: Known) -> Iterator[tuple[str, SourceStatement]]:
@@ -79,6 +88,58 @@ def _given(item: SourceStatement, known: Known) -> Iterator[tuple[str, SourceSta
 
 def _id(item: SourceStatement) -> str:
     return f"{item.printed.display.id}-{item.printed.number}-by-time"
+
+
+_CASE = re.compile(r"\s*(?:if|when|for|let|suppose|если|при|когда|пусть)\b[^§]*$", re.IGNORECASE)
+"""How a sentence begins that speaks of a case, and not of the solution in general."""
+_NEXT = 1
+"""So many sentences behind a solution may say what its constants are."""
+
+
+def constants_of(item: SourceStatement, known: Known) -> list[SourceStatement]:
+    r"""What gives constants of a solution, or their squares, beside it or in the next sentence.
+
+    So :math:`x=a\operatorname{cn}(pt,k)` is found to be one where :math:`p^2=b+ca^2`.
+    """
+    mentioned = {name for law in known.laws for name in law.mentions}
+    own = {name for name in item.names - mentioned - {"t"} if not known.varies(name)}
+    found: dict[str, SourceStatement] = {}
+    for one in known.items:
+        name = _constant_given(one, own)
+        fixed = name and not (one.derives or known.varying(one.names))
+        if fixed and one.order > item.order and _is_next(one, item, known):
+            found.setdefault(name, one)
+    return [*found.values()]
+
+
+def constant_of_solution(item: SourceStatement, known: Known) -> StatementRole | None:
+    """What gives a constant of the solution before it: it says for which one this is a solution."""
+    for one, role in known.roles.items():
+        if role.kind == "solution" and one.order < item.order and item in constants_of(one, known):
+            name = _constant_given(item, one.names)
+            if known.is_defined(name) and known.definitions[name][-1].section is item.section:
+                return None
+            why = f"gives the constant {to_plain(Name(name))} of the solution before it"
+            squared = not isinstance(item.members[0], Name)
+            return StatementRole(DEFINITION, why, "square" if squared else "", (name,))
+    return None
+
+
+def _constant_given(one: SourceStatement, own: Collection[str]) -> str:
+    """The name among some of which an equation gives the value, or the square; or none."""
+    match one.members:
+        case (Name(name) | Power(Name(name), Number(2)), value) if name in own:
+            return "" if name in value.names() else name
+    return ""
+
+
+def _is_next(one: SourceStatement, item: SourceStatement, known: Known) -> bool:
+    """Whether a statement stands in the sentence of a solution, or in the next one."""
+    apart = one.sentence != item.sentence
+    if one.section is not item.section or (apart and _CASE.match(one.before)):
+        return False
+    between = {o.sentence for o in known.items if item.order < o.order <= one.order}
+    return len(between - {item.sentence}) <= _NEXT
 
 
 def _rows_of(names: Sequence[str], rows: Sequence[SourceStatement]) -> Iterator[SourceStatement]:

@@ -1,0 +1,67 @@
+"""What is printed behind a solution of its constants: for which of them it is one."""
+
+import pytest
+
+from kowalevski_cas.reading import DEFINITION
+from tests.reading.test_restated import reading, verdicts
+
+QUARTIC = r"""The equation of motion is
+\begin{equation}\label{law} \ddot q+cq+eq^3=0. \end{equation} """
+TRIED = r"We try \[ q=A\operatorname{cn}(pt,m) \] and determine $p$ and $m$ by \eqref{law}:"
+CONSTANTS = r"\[ p^2=c+eA^2,\qquad m^2=\frac{eA^2}{2(c+eA^2)}. \]"
+GREEN = ("PROVED", "CONDITIONAL")
+CN = r"q=A\operatorname{cn}(pt,m)"
+
+
+def test_a_solution_has_the_constants_that_are_found_behind_it():
+    text = QUARTIC + TRIED + CONSTANTS + r"Moreover, \[ 2p^2m^2=eA^2. \]"
+    found = verdicts(text)
+    assert found[CN] in GREEN and found["2p^2m^2=eA^2"] in GREEN
+    assert sum(one.role.name == DEFINITION for one in reading(text).formulas) == 2
+
+
+@pytest.mark.parametrize(
+    "printed, wrong", [("2(c+", "3(c+"), ("p^2=c+", "p^2=c-"), ("{eA^2}", "{eA}")]
+)
+def test_with_other_constants_it_is_none(printed, wrong):
+    text = QUARTIC + TRIED + CONSTANTS.replace(printed, wrong)
+    assert verdicts(text)[CN] == "UNDECIDED"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"$q=B\sin(wt)$ is a solution with $w^2=c$.",
+        r"A solution is $q=B\sin(wt)$; this works for $w^2=c$.",
+        r"A solution is $q=B\sin(wt)$. We find that it fits if \[ w^2=c. \]",
+    ],
+)
+def test_constants_stand_beside_a_solution_or_in_the_next_sentence(words):
+    law = r"The equation of motion is \[ \ddot q=-cq. \] "
+    assert verdicts(law + words)[r"q=B\sin(wt)"] in GREEN
+    assert verdicts(law + words.replace("w^2=c", "w^2=2c"))[r"q=B\sin(wt)"] == "UNDECIDED"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"A solution is $q=B\sin(wt)$. If $w=2$, it has the period $\pi$.",
+        r"A solution is $q=B\sin(wt)$. \section{Other springs} There $w^2=c$.",
+        r"A solution is $q=B\sin(wt)$. It is known. There are others. For these $w^2=4c$.",
+        r"A solution is $q=B\sin(wt)$, where $w^2=cw$.",
+        r"A solution is $q=B\sin(wt)$, where $w^2=c+q$.",
+    ],
+)
+def test_other_equations_say_nothing_of_its_constants(words):
+    found = verdicts(r"The equation of motion is \[ \ddot q=-cq. \] " + words)
+    assert found.get(r"q=B\sin(wt)", "UNDECIDED") == "UNDECIDED"
+
+
+def test_each_solution_has_its_own_constants():
+    text = (
+        r"The equation of motion is \[ \ddot q=-cq. \] A solution is $q=B\sin(wt)$, where $w^2=c$. "
+    )
+    other = r"\section{Growth} Another one is $q=Be^{wt}$, where $w^2=-c$."
+    assert {*verdicts(text + other).values()} <= {*GREEN}
+    other = r"\section{Growth} Another one is $q=Be^{wt}$, where $w^2=c$."
+    assert verdicts(text + other)[r"q=Be^{wt}"] == "UNDECIDED"
