@@ -210,7 +210,7 @@ class SourcePaper:
     @cached_property
     def _approximated(self) -> frozenset[tuple[int, int]]:
         """The sentences that print what is approximately equal: their words speak of that."""
-        return frozenset(item.sentence for item in self.items if _ABOUT.search(item.printed.tex))
+        return frozenset(item.sentence for item in self.items if _ABOUT.search(item.typed.tex))
 
     @cached_property
     def _approximations(self) -> list[int]:

@@ -130,6 +130,11 @@ def test_words_beside_an_approximation_speak_of_it(words, rate, verdict):
     assert verdicts(NEAR.replace("WORDS", words).replace("RATE", rate))[rate] == verdict
 
 
+def test_what_cannot_be_read_is_no_approximation():
+    text = NEAR.replace("WORDS", r"Let $i=1,2,3$, approximately.").replace("RATE", r"\dot E=0")
+    assert r"\dot E=0" in verdicts(text)
+
+
 def test_other_words_reach_further():
     text = NEAR.replace("WORDS", "We neglect terms of higher order.").replace("RATE", r"\dot E=q")
     assert "REFUTED" not in verdicts(text).values()
