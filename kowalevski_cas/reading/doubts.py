@@ -23,6 +23,7 @@ from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.phrases import integral_words, is_conditional
 from kowalevski_cas.reading.rows import is_row
 from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.suppositions import FOUND
 from kowalevski_cas.reading.unprinted import SOURCE
 
 _INDEXED = re.compile(r"_\{?[ijk]\b")
@@ -41,7 +42,7 @@ def doubt_of(
     fixed = (member for member in item.members if not known.varying(member.names()))
     if role.kind == "identity" and not item.derives and any(fixed):
         return Doubt.ALWAYS
-    if role.kind in ("solution", "energy") or _has_momentum(rung, known):
+    if role.kind in ("solution", "energy") or role.reason == FOUND or _has_momentum(rung, known):
         return Doubt.ALWAYS
     if role.kind == SAID:
         return None

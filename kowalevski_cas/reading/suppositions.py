@@ -13,6 +13,10 @@ from kowalevski_cas.reading.phrases import is_number, is_value, reach, reach_of_
 from kowalevski_cas.reading.statements import SourceStatement, derived_names
 
 
+FOUND = "an inequality that words say to be found"
+"""Why an inequality is claimed that may hold with less than it says, as where nothing moves."""
+
+
 def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
     """What says that something is larger, or is not; of what moves it is claimed, as a rule."""
     if item.members:
@@ -33,7 +37,8 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
         claimed = last_cue("claim", words) > last_cue("suppose", words)
         claimed = claimed or (not item.typed.inline and bool(cue("claim", item.tail)))
         claimed = claimed or (cue("further", item.lead) != "" and not supposing(item))
-        claimed = claimed or _is_concluded(item)
+        if not claimed and _is_concluded(item):
+            return StatementRole(CLAIM, FOUND, "inequality")
         begun = bool(cue("suppose", item.before[:12])) and not cue("claim", item.lead)
         supposed = begun or not claimed or _says_first(item, known)
     if supposed:

@@ -84,3 +84,9 @@ def test_a_constant_is_not_given_by_what_it_defines(total, verdict):
 def test_a_supposition_that_a_number_fulfils_says_nothing():
     found = verdicts(ROD + r" Let $\sigma=c+g$, $\sigma>0$. Put $c=g=1$. Then \[ p+s=4. \]")
     assert found["p+s=4"] == "PROVED"
+
+
+def test_what_is_found_may_hold_where_nothing_degenerates():
+    text = r""" Let $c>0$. Put $k=\frac{A^2}{2(c+A^2)}$. We see that $0<k<\frac12$, and $2k(c+A^2)=A^2$."""
+    found = verdicts(ROD + text)
+    assert found[r"0<k<\frac12"] == "UNDECIDED"
