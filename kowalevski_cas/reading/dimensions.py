@@ -1,0 +1,229 @@
+"""What does not scale as all the rest of a paper does: a misprint may stand there.
+
+By all else that is printed a name, or a rate, may have a dimension; a formula by which it has none
+disagrees with the rest. It is suspected only if one change lets it agree in all its terms: many a
+paper takes units in which something is 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+from kowalevski_cas.notation import (
+    Derivative,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Quotient,
+    Relation,
+    Sum,
+)
+from kowalevski_cas.notation.edits import replace, subtree
+from kowalevski_cas.notation.errors import closeness
+from kowalevski_cas.notation.formula import times
+from kowalevski_cas.notation.misprints import Misprint, factors_of, misprints
+from kowalevski_cas.notation.scales import TIME, Scale, Scales, Span
+from kowalevski_cas.reading.known import CLAIM, DEFINITION, LAW, LEVEL, Known
+from kowalevski_cas.reading.statements import SourceStatement, is_numerical
+from kowalevski_cas.verify.vacuous import ALIKE, is_trivial
+
+AS_THE_REST = "it would scale as the rest with"
+"""The words for repairs."""
+
+SAYING = (CLAIM, DEFINITION, LAW, LEVEL)
+"""The roles of statements of which all terms scale alike."""
+
+EVIDENCE = 2
+"""How many other sums have to say of what has a dimension how it scales."""
+
+MOST = 3
+"""How many repairs are told."""
+
+_OF_LAWS = ("exponent", "index", "letter", "power", "factor")
+_KINDS = (*_OF_LAWS, "missing", "exchange")
+"""The kinds of slips that change how something scales, the likelier ones first.
+
+Units are chosen so that constants of a law are 1: nothing is missing there.
+"""
+
+
+class Misscaled(NamedTuple):
+    """A statement that scales as nothing else does, and what would have no dimension by it."""
+
+    item: SourceStatement
+    atom: Scale
+    repairs: tuple[Formula, ...]
+    """With what it would scale as all the rest, the likelier ones first."""
+
+
+def misscaled(known: Known) -> list[Misscaled]:
+    """The statements of a part that scale as nothing else there does."""
+    return [*_Dimensions(known).misscaled()]
+
+
+class _Dimensions:
+    """What the statements of a part say of how its names scale."""
+
+    def __init__(self, known: Known) -> None:
+        self.known = known
+        marks = {mark for one in known.items for mark in one.marks}
+        self.primed = "prime" if marks - {"prime"} else TIME  # not the time, where that has dots
+        self.said = {
+            one: Scales(one.formula, self.primed)
+            for one in known.items
+            if one.formula is not None and _is_said(one, known)
+        }
+        displays: dict[int, list[SourceStatement]] = {}
+        for one in self.said:
+            displays.setdefault(id(one.typed), []).append(one)
+        self.groups = [
+            [[one] for one in self.said],
+            [own for own in displays.values() if len(own) > 1 and all(map(self._defines, own))],
+        ]
+
+    def _defines(self, one: SourceStatement) -> bool:
+        return self.known.roles[one].name == DEFINITION
+
+    def misscaled(self) -> Iterator[Misscaled]:
+        """What scales as nothing else, taken by itself, or with all that its display says."""
+        found: set[SourceStatement] = set()
+        for groups in self.groups:
+            lost: dict[SourceStatement, list[Scale]] = {}
+            spans: dict[SourceStatement, Span] = {}
+            inside = {one for group in groups for one in group}
+            base = self._span([one for one in self.said if one not in inside])
+            for group, others in self._without_each(groups, base):
+                for one in group:
+                    spans[one] = self._with_pure(one, others)
+                    if atoms := _lost(self.said[one], spans[one]):
+                        lost[one] = atoms
+            for one in [one for one in lost if one not in found]:
+                if not any(map(is_numerical, one.members)) and not self._is_rivalled(one, lost):
+                    repairs = self._repairs(one, lost[one], spans[one])
+                    if repairs:
+                        found.add(one)
+                        yield Misscaled(one, lost[one][0], repairs)
+
+    def _span(self, items: Iterable[SourceStatement], base: Span | None = None) -> Span:
+        """All that some statements say, beside what was said."""
+        found = base.copy() if base is not None else Span()
+        for one in items:
+            for scale in self.said[one].all:
+                found.add(scale)
+        return found
+
+    def _with_pure(self, item: SourceStatement, others: Span) -> Span:
+        """What is said, with the arguments of a statement: nobody forgets these."""
+        found = others.copy()
+        for scale in self.said[item].pure:
+            found.add(scale)
+        return found
+
+    def _without_each(
+        self, groups: Sequence[list[SourceStatement]], base: Span
+    ) -> Iterator[tuple[list[SourceStatement], Span]]:
+        """Each of some groups of statements, with what all the others say."""
+        if len(groups) < 2:
+            yield from ((group, base) for group in groups)
+            return
+        half = len(groups) // 2
+        for part, rest in ((groups[:half], groups[half:]), (groups[half:], groups[:half])):
+            more = self._span((one for group in rest for one in group), base)
+            yield from self._without_each(part, more)
+
+    def _is_rivalled(
+        self, item: SourceStatement, lost: Mapping[SourceStatement, list[Scale]]
+    ) -> bool:
+        """Whether another statement may be the wrong one as well: the rest agrees with neither."""
+        rivals = [
+            one
+            for one in lost
+            if one is not item
+            and one.typed is not item.typed
+            and any(atom in lost[item] for atom in lost[one])
+        ]
+        rest = self._span(one for one in self.said if one not in (item, *rivals))
+        agreeing = [
+            sum(bool(scale) and scale in rest for scale in self.said[one].alike)
+            for one in (item, *rivals)
+        ]
+        return bool(rivals) and agreeing[0] >= min(agreeing[1:])
+
+    def _repairs(
+        self, item: SourceStatement, lost: Sequence[Scale], others: Span
+    ) -> tuple[Formula, ...]:
+        """The changes by which a statement scales as all the rest, the likelier ones first."""
+        assert item.formula is not None
+        beside = [scales for one, scales in self.said.items() if one is not item]
+        names = {name for atom in lost for name in atom}
+        if sum(not names.isdisjoint(scale) for one in beside for scale in one.alike) < EVIDENCE:
+            return ()
+        new = self.said[item].names.difference(*(scales.names for scales in beside))
+        scalars = self.known.paper.words.scalars - {*item.bare[:1]}
+        own, near = scalars & item.names, scalars & {n for one in beside for n in one.names}
+        kinds = _OF_LAWS if self.known.roles[item].name == LAW else _KINDS
+        for offered in (own, near - own) if self._defines(item) else (own,):
+            found: dict[Formula, tuple[object, ...]] = {}
+            slips = misprints(item.formula, self.known.paper.words, offered)
+            for kind, path, replacement, _ in (*slips, *_missing(item.formula, sorted(offered))):
+                if kind in kinds and path != (0,) and _may_be(item.formula, path, replacement):
+                    edited = replace(item.formula, path, replacement)
+                    scales = Scales(edited, self.primed)
+                    if others.explains(scales.all, new) and not is_trivial(edited):
+                        lines = sum(isinstance(node, Quotient) for node in edited.nodes())
+                        found.setdefault(edited, (kinds.index(kind), path[:1] == (0,), lines))
+            if found:
+                return tuple(sorted(found, key=found.__getitem__)[:MOST])
+        return ()
+
+
+def _is_said(one: SourceStatement, known: Known) -> bool:
+    role = known.roles.get(one)
+    return role is not None and role.name in SAYING
+
+
+def _lost(scales: Scales, others: Span) -> list[Scale]:
+    """What has a dimension by all the others, and none by a formula."""
+    with_it = others.copy()
+    for scale in scales.alike:
+        with_it.add(scale)
+    return [atom for atom in scales.atoms if atom not in others and atom in with_it]
+
+
+def _may_be(formula: Formula, path: tuple[int, ...], new: Formula) -> bool:
+    """Whether a change puts no name for another kind of letter, and derives nothing more."""
+    old = subtree(formula, path)
+    if isinstance(old, Name) and isinstance(new, Name):
+        return closeness(old.name, new.name) >= ALIKE
+    return not isinstance(new, Derivative) or new in old.nodes()
+
+
+def _missing(formula: Formula, names: Sequence[str]) -> Iterator[Misprint]:
+    """What is missing: the square of a name as a factor, or a name or its square as a divisor."""
+    waiting: list[tuple[tuple[int, ...], Formula, Formula | None]] = [((), formula, None)]
+    while waiting:
+        path, node, parent = waiting.pop()
+        waiting += [((*path, k), child, node) for k, child in enumerate(node.children())]
+        is_term = isinstance(parent, Sum | Relation | Negative) and not isinstance(node, Sum)
+        if isinstance(node, Number | Negative | Quotient) and not isinstance(parent, Quotient):
+            continue
+        for name in names if is_term or isinstance(parent, Quotient) else ():
+            square = Power(Name(name), Number(2))
+            yield "missing", path, times(*factors_of(node), square), ""
+            if is_term and name not in node.names():
+                yield from (("missing", path, Quotient(node, by), "") for by in (Name(name), square))
+
+
+def shown(scale: Scale) -> str:
+    """A product of powers as it is told: the rate of a name has a dot."""
+    named = {name: exponent for name, exponent in scale.items() if name != "t"}
+    if len(named) == 1 and [*named.values()] == [1]:
+        (name,) = named
+        order = -scale.get("t", Fraction(0))
+        if order in (0, 1, 2):
+            return (name, rf"\dot{{{name}}}", rf"\ddot{{{name}}}")[int(order)]
+    return "".join(n if e == 1 else f"{n}^{{{e}}}" for n, e in sorted(scale.items()))
