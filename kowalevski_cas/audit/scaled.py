@@ -14,9 +14,11 @@ from kowalevski_cas.verify.outcome import Verdict
 def tell_scales(found: Sequence[Audited], reading: Reading) -> None:
     """Doubt what scales as nothing else does, unless it is proved or refuted as it stands."""
     by_place = {audited.place: audited for audited in found if audited.place is not None}
+    unread = {audited.id: audited for audited in found if audited.place is None}
     for known in reading.parts.known:
         for one in misscaled(known):
-            audited = by_place.get(one.item.printed)
+            place = one.item.printed
+            audited = by_place.get(place) or unread.get(place.display.id)
             if audited is not None and audited.verdict in (GIVEN, OPEN, Verdict.UNDECIDED):
                 audited.verdict = Verdict.UNDECIDED
                 audited.message = "; ".join(filter(None, (audited.message, _told(one))))

@@ -27,6 +27,7 @@ from kowalevski_cas.notation.errors import closeness
 from kowalevski_cas.notation.formula import times
 from kowalevski_cas.notation.misprints import Misprint, factors_of, misprints
 from kowalevski_cas.notation.scales import TIME, Scale, Scales, Span
+from kowalevski_cas.reading.formulas import BY_NO_TIME, tree_of
 from kowalevski_cas.reading.known import CLAIM, DEFINITION, LAW, LEVEL, Known
 from kowalevski_cas.reading.statements import SourceStatement, is_numerical
 from kowalevski_cas.verify.vacuous import ALIKE, is_trivial
@@ -72,11 +73,8 @@ class _Dimensions:
         self.known = known
         marks = {mark for one in known.items for mark in one.marks}
         self.primed = "prime" if marks - {"prime"} else TIME  # not the time, where that has dots
-        self.said = {
-            one: Scales(one.formula, self.primed)
-            for one in known.items
-            if one.formula is not None and _is_said(one, known)
-        }
+        self.formulas = {one: tree for one in known.items if (tree := _said(one, known)) is not None}
+        self.said = {one: Scales(tree, self.primed) for one, tree in self.formulas.items()}
         displays: dict[int, list[SourceStatement]] = {}
         for one in self.said:
             displays.setdefault(id(one.typed), []).append(one)
@@ -157,21 +155,21 @@ class _Dimensions:
         self, item: SourceStatement, lost: Sequence[Scale], others: Span
     ) -> tuple[Formula, ...]:
         """The changes by which a statement scales as all the rest, the likelier ones first."""
-        assert item.formula is not None
+        formula = self.formulas[item]
         beside = [scales for one, scales in self.said.items() if one is not item]
         names = {name for atom in lost for name in atom}
         if sum(not names.isdisjoint(scale) for one in beside for scale in one.alike) < EVIDENCE:
             return ()
         new = self.said[item].names.difference(*(scales.names for scales in beside))
         scalars = self.known.paper.words.scalars - {*item.bare[:1]}
-        own, near = scalars & item.names, scalars & {n for one in beside for n in one.names}
+        own, near = scalars & formula.names(), {n for one in beside for n in one.names}
         kinds = _OF_LAWS if self.known.roles[item].name == LAW else _KINDS
-        for offered in (own, near - own) if self._defines(item) else (own,):
+        for offered in (own, scalars & near - own) if self._defines(item) else (own,):
             found: dict[Formula, tuple[object, ...]] = {}
-            slips = misprints(item.formula, self.known.paper.words, offered)
-            for kind, path, replacement, _ in (*slips, *_missing(item.formula, sorted(offered))):
-                if kind in kinds and path != (0,) and _may_be(item.formula, path, replacement):
-                    edited = replace(item.formula, path, replacement)
+            slips = misprints(formula, self.known.paper.words, offered)
+            for kind, path, replacement, _ in (*slips, *_missing(formula, sorted(offered))):
+                if kind in kinds and path != (0,) and _may_be(formula, path, replacement):
+                    edited = replace(formula, path, replacement)
                     scales = Scales(edited, self.primed)
                     if others.explains(scales.all, new) and not is_trivial(edited):
                         lines = sum(isinstance(node, Quotient) for node in edited.nodes())
@@ -181,9 +179,14 @@ class _Dimensions:
         return ()
 
 
-def _is_said(one: SourceStatement, known: Known) -> bool:
+def _said(one: SourceStatement, known: Known) -> Formula | None:
+    """A formula of which all terms scale alike; what derives by no time is not read otherwise."""
     role = known.roles.get(one)
-    return role is not None and role.name in SAYING
+    if role is not None and role.name in SAYING:
+        return one.formula
+    if one.trouble == BY_NO_TIME:
+        return tree_of(one.printed.display.tex, one.printed.number, known.paper.words)
+    return None
 
 
 def _lost(scales: Scales, others: Span) -> list[Scale]:

@@ -160,6 +160,11 @@ def _by_elements(formulas: Sequence[TypedFormula], known: frozenset[str]) -> fro
     return frozenset(found)
 
 
+BY_NO_TIME = "a derivative by what is no time"
+_RATIO = re.compile(r"(?:\\[dt]?frac\s*\{?|/)\s*(?:d\b|\\mathrm\s*\{\s*d\s*\})")
+"""A differential above a line, or below a slash."""
+
+
 def read_formula(
     formula: TypedFormula, tex: str, words: Vocabulary
 ) -> Iterator[tuple[Formula | None, str, tuple[int, int]]]:
@@ -178,10 +183,16 @@ def read_formula(
     for tokens, start, end in found:
         try:
             tree = OpenParser(tex, tokens, words).statement()[0]
-            why = "a derivative by what is no time" if _is_derivative(tree, tex) else ""
+            why = BY_NO_TIME if _is_derivative(tree, tex) else ""
             yield (None if why else _expanded(tree)), why, (start, end)
         except (NotationError, RecursionError) as error:
             yield None, getattr(error, "message", str(error)), (start, end)
+
+
+def tree_of(tex: str, number: int, words: Vocabulary) -> Formula:
+    """The statement of a number in a display, with d as a letter where it derives by no time."""
+    tokens, _, _ = [*placed(tex)][number - 1]
+    return OpenParser(tex, tokens, words).statement()[0]
 
 
 def _expanded(tree: Formula) -> Formula:
@@ -194,4 +205,4 @@ def _expanded(tree: Formula) -> Formula:
 
 def _is_derivative(tree: Formula, tex: str) -> bool:
     """Whether the letter d was read as a name, and stands above or below a fraction."""
-    return "d" in tree.names() and re.search(r"\\[dt]?frac\s*\{?\s*d\b|/\s*d\b", tex) is not None
+    return "d" in tree.names() and _RATIO.search(tex) is not None
