@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import re
 import sys
 from collections import Counter
 from collections.abc import Iterator
@@ -27,11 +26,9 @@ from kowalevski_cas.reading.statements import read_statements
 from kowalevski_cas.source.files import read_source
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.outcome import FALSE_AS_READ
-from study.readings import WITH, Entry, audit_entries
+from study.readings import Entry, audit_entries, repairs_told
 
 GREEN, NOTICED, LEFT = "green", "noticed", "not noticed"
-
-DOLLARS = re.compile(r"\$(.*?)\$")
 
 MOST = 3
 """How many repairs are looked at."""
@@ -85,8 +82,7 @@ def repairs(formulas: list[Entry], own: list[Entry]) -> list[str]:
         proposed = [one["correction"], *one["alternatives"]] if one in own else []
         found += [repair["printed"] for repair in filter(None, proposed)][:MOST]
         if one in own or ids & {*one["causes"]}:
-            said, _, rest = str(one["message"]).partition(AS_THE_REST)
-            found += [*WITH.findall(said), *DOLLARS.findall(rest)]
+            found += repairs_told(str(one["message"]))
     return found
 
 

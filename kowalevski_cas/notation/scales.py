@@ -13,29 +13,27 @@ from fractions import Fraction
 
 from kowalevski_cas.notation.formula import (
     Application,
-    Binary,
-    Conjugate,
-    Constant,
+    Commutator,
+    CrossProduct,
     Derivative,
-    Diagonal,
     Formula,
+    ImaginaryPart,
     Modulus,
     Name,
     Negative,
     Number,
     Partial,
-    PoissonBracket,
     Power,
     Product,
     Quotient,
     Radical,
+    RealPart,
     Relation,
     Root,
+    ScalarProduct,
     Sum,
     Summation,
-    Unary,
-    Unwritten,
-    Vector,
+    Transposed,
 )
 from kowalevski_cas.notation.functions import EXTREMES, FAMILY_OF, FUNCTIONS, OF_A_MATRIX, SIGN
 from kowalevski_cas.notation.symbol import name_of_rate, symbol
@@ -95,51 +93,49 @@ class Scales:
 
     def _known(self, node: Formula) -> Scale | None:
         match node:
-            case Number(0) | Unwritten() | Constant() | Vector() | Diagonal():
-                self._below(node)
-                return None
-            case Number():
-                return {}
             case Name():
                 return self._atom(_of_name(node.name))
+            case Number():
+                return {} if node.value else None
             case Sum() | Relation():
                 return self._common(node.children())
-            case Product():
-                return _product((scale, 1) for scale in self._needed(*node.factors))
-            case Quotient():
-                return _product(zip(self._needed(*node.children()), (1, -1), strict=True))
             case Power():
                 return self._power(node)
-            case Root() | Radical():
-                order = node.order if isinstance(node, Radical) else 2
-                return _product([(*self._needed(node.argument), Fraction(1, order))])
-            case Derivative():
-                (of,), by = self._needed(node.argument), self._by.get(node.mark, node.mark)
-                return self._atom(_product([(of, 1), ({by: Fraction(1)}, -1)]))
-            case Partial():
-                (of,) = self._needed(node.argument)
-                return _product([(of, 1), (_of_name(node.by), -1)])
+            case Derivative() | Partial():
+                return self._derived(node)
             case Application():
                 return self._application(node)
-            case PoissonBracket() | Conjugate():  # a bar makes many another quantity
-                self._below(node)
-                return None
-            case Binary():
-                return _product((scale, 1) for scale in self._needed(node.left, node.right))
             case Summation():
                 return self._scale(node.body)
-            case Negative() | Modulus() | Unary():
+            case Negative() | Modulus() | Transposed() | RealPart() | ImaginaryPart():
                 return self._scale(node.argument)
-        self._below(node)
+        return self._multiplied(node)
+
+    def _multiplied(self, node: Formula) -> Scale | None:
+        """The scale of products and roots; of anything else what stands in it is looked at."""
+        match node:
+            case Product() | ScalarProduct() | CrossProduct() | Commutator():
+                return _product((scale, 1) for scale in self._needed(*node.children()))
+            case Quotient():
+                return _product(zip(self._needed(*node.children()), (1, -1), strict=True))
+            case Root() | Radical():
+                order = node.order if isinstance(node, Radical) else 2
+                (under,) = self._needed(node.argument)
+                return _product([(under, Fraction(1, order))])
+        for child in node.children():
+            self._scale(child)
         return None
+
+    def _derived(self, node: Derivative | Partial) -> Scale:
+        (of,) = self._needed(node.argument)
+        if isinstance(node, Partial):
+            return _product([(of, 1), (_of_name(node.by), -1)])
+        by = self._by.get(node.mark, node.mark)
+        return self._atom(_product([(of, 1), ({by: Fraction(1)}, -1)]))
 
     def _atom(self, scale: Scale) -> Scale:
         self.atoms.append(scale)
         return scale
-
-    def _below(self, node: Formula) -> None:
-        for child in node.children():
-            self._scale(child)
 
     def _common(self, nodes: Iterable[Formula]) -> Scale | None:
         """The scale that several nodes have in common."""
@@ -150,7 +146,8 @@ class Scales:
     def _power(self, node: Power) -> Scale | None:
         exponent = _number(node.exponent)
         if exponent is not None:
-            return _product([(*self._needed(node.base), exponent)])
+            (base,) = self._needed(node.base)
+            return _product([(base, exponent)])
         raised = self._scale(node.exponent)
         if node.base != Name("e"):  # it may be an index that is raised
             return None
@@ -175,7 +172,7 @@ class Scales:
 
 
 def _of_name(name: str) -> Scale:
-    r"""The scale of a name: a vector with a hat is a unit vector, and d and :math:`\pi` have none."""
+    r"""The scale of a name; a vector with a hat, a differential and :math:`\pi` have none."""
     variable, order = name, 0
     while (one := name_of_rate(variable)) != variable:
         variable, order = one, order + 1
@@ -191,8 +188,8 @@ def _number(node: Formula) -> Fraction | None:
         case Number(value):
             return Fraction(value)
         case Negative():
-            value = _number(node.argument)
-            return None if value is None else -value
+            inner = _number(node.argument)
+            return None if inner is None else -inner
         case Quotient():
             above, below = _number(node.numerator), _number(node.denominator)
             return above / below if above is not None and below else None

@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from kowalevski_cas.limits import tell
 from kowalevski_cas.notation import Application, to_latex
@@ -24,6 +25,7 @@ from kowalevski_cas.reading.comments import read_comments
 from kowalevski_cas.reading.constraints import UNBOUND, enter_constraints, unbound_multiplier
 from kowalevski_cas.reading.conventions import enter_conventions
 from kowalevski_cas.reading.cyclic import enter_cyclic_names
+from kowalevski_cas.reading.dimensions import Misscaled, misscaled
 from kowalevski_cas.reading.doubts import doubt_of
 from kowalevski_cas.reading.energies import claims_of_energies
 from kowalevski_cas.reading.grammar import wrong
@@ -76,6 +78,11 @@ class Reading:
     """The claims that comments state and that are no formula's."""
     outcomes: dict[str, Outcome] = field(default_factory=dict, repr=False)
     """What is said about claims that were decided as soon as they were read, by their ids."""
+
+    @cached_property
+    def misscaled(self) -> list[Misscaled]:
+        """The statements that scale as nothing else in their part does."""
+        return [one for known in self.parts.known for one in misscaled(known)]
 
 
 def read(

@@ -70,7 +70,9 @@ def says_something(neighbour: Neighbour, statement: Statement, printed: Statemen
     replaced = (before.names() - after.names()) & defined
     if replaced and unlike(edit) and not edit.replacement.names() & defined:
         return False
-    return is_trivial(before) >= is_trivial(after) and not (_common(after) - _common(before)) & defined
+    return (
+        is_trivial(before) >= is_trivial(after) and not (_common(after) - _common(before)) & defined
+    )
 
 
 def _moves(statement: Statement) -> bool:
