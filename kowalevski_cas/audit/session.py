@@ -97,10 +97,10 @@ def repaired(
 def _repairs(blame: Blame, limit: float) -> Repairs:
     """The corrections that are found in time."""
     found: Repairs = {}
-    failing = blame.open()
-    with suppress(TimeoutError, RecursionError), time_limit(limit):
-        found = blame.shared() if failing else {}
-    for claim in failing:
+    for cluster in blame.clusters():
+        with suppress(TimeoutError, RecursionError), time_limit(limit):
+            found |= blame.shared(cluster)
+    for claim in blame.open():
         if claim.id not in found:
             with suppress(TimeoutError, RecursionError), time_limit(limit):
                 found[claim.id] = blame.alone(claim)

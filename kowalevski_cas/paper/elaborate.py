@@ -24,8 +24,6 @@ from kowalevski_cas.notation import (
     Negative,
     NotationError,
     Number,
-    Product,
-    Quotient,
     Relation,
     to_latex,
 )
@@ -35,6 +33,7 @@ from kowalevski_cas.paper.generators import functions_of
 from kowalevski_cas.paper.inlined import InlinedDefinitions
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.motion import LawOfMotion
+from kowalevski_cas.paper.numbers import number_of
 from kowalevski_cas.paper.partials import Partials
 from kowalevski_cas.paper.plain import Plain
 from kowalevski_cas.paper.radicals import Radicals
@@ -189,20 +188,13 @@ class Elaboration(Meaning):
         roots = (Name(self.radicals.root(name)) for name in self.radicals.orders)
         granted = (Name(n) if n in self.roots else self.formula(n) for n in self.scene.nonzero)
         strict = map(self.formula, self.supposed.strict())
-        said = (one for one in (*granted, *strict) if not self._is_given_by_number(one))
+        said = (one for one in (*granted, *strict) if not number_of(one, self._definition))
         return (*said, *self.transcendental.nonzero, *roots)
 
-    def _is_given_by_number(self, formula: Formula) -> bool:
-        r"""Whether it is a number: :math:`bc\ne0` says nothing beside :math:`b=1, c=2b`."""
-        match formula:
-            case Number(value):
-                return value != 0
-            case Name(name) if name in self.scene.definitions:
-                step = self.step(name)
-                return isinstance(step, Let) and self._is_given_by_number(step.formula)
-            case Negative() | Product() | Quotient():
-                return all(map(self._is_given_by_number, formula.children()))
-        return False
+    def _definition(self, name: str) -> Formula | None:
+        """What a name is defined to be, if it is."""
+        step = self.step(name) if name in self.scene.definitions else None
+        return step.formula if isinstance(step, Let) else None
 
     @cached_property
     def conjugates(self) -> tuple[tuple[str, str], ...]:

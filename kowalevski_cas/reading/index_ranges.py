@@ -33,6 +33,10 @@ _NUMBERED = re.compile(
 """A letter with one sign in its index: without braces it is one, whatever follows."""
 _SUM = re.compile(r"\\sum\s*_\s*\{\s*([a-z])\s*=\s*1\s*\}\s*\^\s*\{?\s*(\d)")
 _PAIR = re.compile(r"_\s*\{\s*([ijk])\s*,?\s*([ijk])\s*\}")
+_COMPARED = re.compile(
+    r"\\sum\s*(?:\\limits\s*)?_\s*\{\s*([a-z])\s*(?:\\neq?(?![A-Za-z])|[<>])\s*([a-z])\s*\}"
+)
+"""Two indices of a sum that are compared: they have the same values."""
 _SHIFTED = re.compile(r"_\s*\{\s*([a-z])\s*[+-]")
 _NUMBERS = {"two": 2, "three": 3, "four": 4, "five": 5, "двум": 2, "трем": 3, "трём": 3}
 _PERIOD = re.compile(
@@ -89,7 +93,12 @@ def with_ranges(formulas: Sequence[TypedFormula], text: str, period: int = 0) ->
     """
     said = [_said(formula.tex) for formula in formulas]
     usual = _by_numbers([formula.tex for formula in formulas])
-    pairs = {pair.groups() for formula in formulas for pair in _PAIR.finditer(formula.tex)}
+    pairs = {
+        pair.groups()
+        for formula in formulas
+        for pattern in (_PAIR, _COMPARED)
+        for pair in pattern.finditer(formula.tex)
+    }
     shifts = () if period else (_SHIFTED.findall(formula.tex) for formula in formulas)
     shifted = {letter for found in shifts for letter in found}
     known: dict[str, Values] = {}

@@ -53,24 +53,6 @@ def find_laws(paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] 
     return found or free_motion(paper, names)
 
 
-def find_restated(items: Sequence[SourceStatement], laws: Sequence[Law]) -> list[Law]:
-    """The laws that displays print anew, row for row, with what rows of the law are left."""
-    found: list[Law] = []
-    for display in {id(i.typed): [o for o in items if o.typed is i.typed] for i in items}.values():
-        rows = [item for item in display if is_row(item)]
-        if not rows or rows[0].typed.inline or any(rows[0] in law.items for law in laws):
-            continue
-        for law in laws:
-            rated = {name for row in rows for name in law.names.scalars(row.rates)}
-            own = [row for row in law.rows if rated & {*law.names.scalars(row.rates)}]
-            old = {name for row in own for name in law.names.scalars(row.rates)}
-            if law.order < rows[0].order and rated == old:
-                kept = tuple(row for row in law.rows if row not in own)
-                found.append(Law((*kept, *rows), law.names, restates=law, momenta=law.momenta))
-                break
-    return found
-
-
 class _LawFinder:
     """The equations with rates of a paper, and which of them belong together."""
 
@@ -248,8 +230,26 @@ class _LawFinder:
         ]
 
     def _follows(self, row: SourceStatement, moving: Collection[str]) -> bool:
-        """Whether what a row derives was given before by what moves already."""
-        return any(self._relates(one, row, moving) for one in self.paper.items)
+        """Whether what a row derives was given before by what moves already.
+
+        Where its sentence cites something, it may be given by what stands for that.
+        """
+        moved = self._standing_for(moving) if row.refs else moving
+        return any(self._relates(one, row, moved) for one in self.paper.items)
+
+    def _standing_for(self, moving: Collection[str]) -> set[str]:
+        """What moves, with the names, or their squares, that are given by it."""
+        giving = [one for one in self.paper.items if one.members and one not in self.rows]
+        found = {*moving}
+        while new := {
+            name
+            for one in giving
+            if found & {*self.names.scalars(one.names)}
+            for name in (*one.printed.heads.names, *one.printed.heads.squares)
+            if name not in found
+        }:
+            found |= new
+        return found
 
     def _relates(self, one: SourceStatement, row: SourceStatement, moving: Collection[str]) -> bool:
         """Whether an equation before a row gives what the row derives by what moves already."""
@@ -293,14 +293,16 @@ class _LawFinder:
         while True:
             rated = {name for row in own for name in self.scalars(row)}
             wanted = {name for row in own for name in self.names.scalars(row.names)}
-            if self.given(own) >= len(rated):  # else a rate stands on a right side only
+            if rates_given(own, self.names) >= len(
+                rated
+            ):  # else a rate stands on a right side only
                 wanted -= rated
             more = self.following(own, wanted, apart, rows)
             if not more:
                 break
             own += more
         rated_names = {name for row in own for name in self.scalars(row)}
-        if self.given(own) < len(rated_names):
+        if rates_given(own, self.names) < len(rated_names):
             return None
         momenta = {
             one: moving
@@ -323,10 +325,6 @@ class _LawFinder:
             ):
                 last = row
                 yield row
-
-    def given(self, rows: Sequence[SourceStatement]) -> int:
-        """How many rates some rows give, each one or those of a vector."""
-        return sum(len(self.names.vectors.get(_left(row), "1")) for row in rows)
 
     def following(
         self,
@@ -423,6 +421,11 @@ def _order(formula: Formula) -> int:
     """The highest order of a derivative in a formula; 0 if there is none."""
     below = max(map(_order, formula.children()), default=0)
     return below + isinstance(formula, Derivative)
+
+
+def rates_given(rows: Sequence[SourceStatement], names: Names) -> int:
+    """How many rates some rows give, each one or those of a vector."""
+    return sum(len(names.vectors.get(_left(row), "1")) for row in rows)
 
 
 def _left(row: SourceStatement) -> str:

@@ -22,8 +22,9 @@ from kowalevski_cas.reading.known import (
     StatementRole,
 )
 from kowalevski_cas.reading.law import Law
-from kowalevski_cas.reading.laws import find_laws, find_restated
+from kowalevski_cas.reading.laws import find_laws
 from kowalevski_cas.reading.names import Names
+from kowalevski_cas.reading.restated import find_restated
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 
 

@@ -34,6 +34,8 @@ _HEADING = re.compile(
     r"(?:\\noindent\s*|\\(?:small|med|big)skip\s*)*"
     r"(?:\{\s*\\(?:bf|it|em|sl|sc|bfseries|itshape|scshape)(?![A-Za-z])|\\text(?:bf|it|sc|sl)\s*\{)"
     r"(?P<bold>[^{}§]*(?:\{[^{}]*\}[^{}§]*)*)\}"
+    r"|\n[ \t]*\n\s*(?:\\noindent\s*)?\\emph\s*\{(?!Proof|Доказат)(?P<said>[^{}§]*)\}"
+    r"(?:(?<=[.:]\})|(?=\s*\.?(?:---|\\,---|—)))"
 )
 _LEVELS = "part chapter section subsection subsubsection paragraph subparagraph".split()
 _RUN_IN = len(_LEVELS)
@@ -122,7 +124,7 @@ class Prose:
             (
                 found.start(),
                 _level(found),
-                " ".join((found["title"] or found["bold"] or "").split()),
+                " ".join((found["title"] or found["bold"] or found["said"] or "").split()),
             )
             for found in _HEADING.finditer(self.text, self.start)
         ]

@@ -20,7 +20,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import takewhile
 from math import inf
 from typing import TYPE_CHECKING
@@ -44,6 +44,7 @@ from kowalevski_cas.verify.suspects import (
     Suspect,
     Suspicion,
     changes,
+    determined_rates,
     likelihood,
     numbers,
 )
@@ -85,7 +86,9 @@ class Blame:
 
     def corrections(self) -> Repairs:
         """The corrections of all claims that fail: what they share first, then one by one."""
-        found = self.shared()
+        found: Repairs = {}
+        for cluster in self.clusters():
+            found |= self.shared(cluster)
         for claim in self.open():
             if claim.id not in found:
                 found[claim.id] = self.alone(claim)
@@ -96,10 +99,23 @@ class Blame:
         refuted = {id for id, verdict in self.verdicts.items() if verdict is Verdict.REFUTED}
         return [c for c in self._derivation.claims if c.id in refuted.difference(self.corrected)]
 
-    def shared(self) -> Repairs:
-        """The corrections of claims that one change mends together."""
+    def clusters(self) -> list[list[Claim]]:
+        """The claims that one change may mend together: they stand on formulas in common."""
+        found: list[tuple[list[Claim], frozenset[Printed]]] = []
+        for claim in self.open():
+            if self._explains_itself(claim):
+                continue
+            reads = claim.reads()
+            near = [cluster for cluster in found if cluster[1] & reads]
+            found = [cluster for cluster in found if cluster not in near]
+            claims = [one for ones, _ in near for one in ones]
+            found.append(([*claims, claim], reads.union(*(read for _, read in near))))
+        return [claims for claims, _ in found if len(claims) > 1]
+
+    def shared(self, cluster: Sequence[Claim]) -> Repairs:
+        """The corrections of claims of a cluster that one change mends together."""
         found: Repairs = {}
-        failing = [claim for claim in self.open() if not self._explains_itself(claim)]
+        failing = [*cluster]
         while len(failing) > 1:
             best = self._proofs(self._search(failing, least=2), least=2)
             if not best:
@@ -207,11 +223,24 @@ class Blame:
     def _statement(self, claim: Claim) -> Statement:
         return self.corrector.interpretation.statement(claim)
 
-    def _right(self) -> set[Printed]:
-        """What true claims state, and what is accepted: nobody suspects that."""
+    @cached_property
+    def _stated(self) -> frozenset[Printed]:
+        """What true claims state, and what is accepted."""
         true = (claim for claim in self._derivation.claims if self._holds(claim))
-        stated = {place for claim in true for place in claim.establishes()}
-        return stated | {*self.corrector.interpretation.accepted}
+        stated = (place for claim in true for place in claim.establishes())
+        return frozenset(stated).union(self.corrector.interpretation.accepted)
+
+    def _right(self, failing: Sequence[Claim]) -> set[Printed]:
+        """What true claims state or determine, and what is accepted: nobody suspects that."""
+        beside = [c for c in self._derivation.claims if self._is_doubted(c)]
+        interpretation = self.corrector.interpretation
+        return {
+            *self._stated, *determined_rates([*failing, *beside], interpretation, self._holds)
+        }  # fmt: skip
+
+    def _is_doubted(self, claim: Claim) -> bool:
+        """Whether a claim fails that may have been meant otherwise."""
+        return claim.id in self.doubted and self.verdicts.get(claim.id) is Verdict.REFUTED
 
     # -- what mends -----------------------------------------------------------------
 
@@ -224,7 +253,8 @@ class Blame:
         """
         end = clock() + self.seconds
         for candidates in (changes, numbers):
-            tried = candidates(failing, least, self.corrector.interpretation, self._right)
+            right = partial(self._right, failing)
+            tried = candidates(failing, least, self.corrector.interpretation, right)
             in_time = takewhile(lambda _: clock() < end, tried)
             if found := self._mending(in_time, least, one):
                 return found
@@ -264,8 +294,7 @@ class Blame:
     def _mended_beside(self, repair: Repair) -> int:
         """How many claims a repair mends that may have been meant otherwise."""
         about = self.corrector.interpretation.readers(repair.place)
-        failing = (c for c in about if self.verdicts.get(c.id) is Verdict.REFUTED)
-        return sum(c.id in self.doubted and self._is_mended(repair, c) for c in failing)
+        return sum(self._is_doubted(c) and self._is_mended(repair, c) for c in about)
 
     def _is_mended(self, repair: Repair, claim: Claim) -> bool:
         """Whether a repair makes a claim true: at points, or by a proof if they cannot tell."""

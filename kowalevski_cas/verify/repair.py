@@ -8,6 +8,7 @@ from math import inf
 from typing import Any
 
 from kowalevski_cas.limits import tell, time_limit
+from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.decider import PROVING, Decider
 from kowalevski_cas.verify.outcome import Outcome, Verdict
@@ -32,7 +33,14 @@ def repair(
     """The outcomes with the corrections that are found in time."""
     found = {outcome.claim: outcome for outcome in outcomes}
     if failing := blame.open():
-        (shared,) = work(lambda _: _common_repair(blame, decider), ["shared"])
+        clusters = blame.clusters()
+
+        def together(place: int) -> Repairs:
+            return _common_repair(blame, clusters[place], decider)
+
+        shared: Repairs = {}
+        for repairs in work(together, range(len(clusters))):
+            shared |= repairs
         for id, corrections in shared.items():
             found[id] = found[id].corrected_by(corrections)
         left = [claim for claim in failing if claim.id not in shared]
@@ -53,11 +61,11 @@ def repair(
     return [*found.values()]
 
 
-def _common_repair(blame: Blame, decider: Decider) -> Repairs:
+def _common_repair(blame: Blame, cluster: Sequence[Claim], decider: Decider) -> Repairs:
     """What mends several claims, if it is found in the time in which it is to be proved as well."""
     patience = decider.patience
     longest = decider.timeout if patience is None else PROVING * patience
     # the outer limit never comes: it is there for a process that dies, as in each claim
     with suppress(Exception), time_limit(inf), time_limit(longest):
-        return blame.shared()
+        return blame.shared(cluster)
     return {}  # what goes wrong with one of the claims is told where it is by itself

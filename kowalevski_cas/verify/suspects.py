@@ -4,11 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from enum import IntEnum
+from itertools import islice
 from typing import NamedTuple
 
-from kowalevski_cas.notation import Edit, Name, Negative, Number, Power, Quotient, Relation, edits
+from kowalevski_cas.notation import (
+    Derivative,
+    Edit,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Quotient,
+    Relation,
+    edits,
+)
 from kowalevski_cas.notation.edits import changes_subject
-from kowalevski_cas.paper.claims import Claim, Neighbour
+from kowalevski_cas.paper.claims import Claim, FirstIntegral, Neighbour
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.verify.corrections import unlikeliness
 from kowalevski_cas.verify.interpretation import Interpretation
@@ -29,6 +41,9 @@ KINDS = (
 )
 """The kinds of edits, the likelier ones first."""
 
+
+LAW = "vector field"
+"""The role of equations of motion on a scene."""
 
 IMAGINARY = Relation((Power(Name("i"), Number(2)), Negative(Number(1))), ("=",))
 """What the imaginary unit obeys: nobody suspects it."""
@@ -57,12 +72,8 @@ class Repair(NamedTuple):
 
     @property
     def tolerates(self) -> int:
-        """How many true claims it may make false: of a law, fewer than half of what it mends.
-
-        What was claimed of a misprinted law may be true of that by chance.
-        """
-        mended = len(self.mends) + self.beside
-        return (mended - 1) // 2 if self.suspect is Suspect.LAW else 0
+        """How many true claims it may make false: none, if it is none of a law."""
+        return most_broken(len(self.mends) + self.beside) if self.suspect is Suspect.LAW else 0
 
     def of(self, claim: Claim, texts: Texts) -> Neighbour:
         """What a claim says with the repair."""
@@ -156,13 +167,47 @@ def _suspects(
             if roles.get(place) == "unit" and texts.formula(place) == IMAGINARY:
                 continue
             standing.setdefault(place, []).append(claim)
-            law = roles.get(place) == "vector field"
+            law = roles.get(place) == LAW
             if place in established:
                 found[place] = Suspect.OWN
             elif place in roles:
                 found.setdefault(place, Suspect.LAW if law else Suspect.DEFINITION)
     several = {place for place, claims in standing.items() if len(claims) >= least}
     return {place: one for place, one in found.items() if place in several.difference(right)}
+
+
+def determined_rates(
+    failing: Sequence[Claim], interpretation: Interpretation, holds: Callable[[Claim], bool]
+) -> set[Printed]:
+    """The rates of variables on which more true integrals depend than a repair may make false.
+
+    The derivative of an integral is linear in the rates: with any other one it does not vanish.
+    """
+    found, texts = set[Printed](), interpretation.texts
+    for row in {place for claim in failing for role, place in claim.scene.roles() if role == LAW}:
+        match texts.formula(row):
+            case Relation((Derivative(Name(variable)), *_)):
+                standing = sum(row in claim.scene.places for claim in failing)
+                readers = (c for c in interpretation.readers(row) if holds(c))
+                integrals = (c for c in readers if isinstance(c, FirstIntegral) and not c.given)
+                depending = (c for c in integrals if _depends(c.formulas(texts), variable))
+                if any(islice(depending, most_broken(standing), None)):
+                    found.add(row)
+    return found
+
+
+def most_broken(mended: int) -> int:
+    """How many true claims a repair of a law may make false: fewer than half of what it mends.
+
+    What was claimed of a misprinted law may be true of that by chance.
+    """
+    return (mended - 1) // 2
+
+
+def _depends(formulas: Iterable[Formula], variable: str) -> bool:
+    """Whether formulas depend on a variable, and on its rate only by the law."""
+    nodes = {node for formula in formulas for node in formula.nodes()}
+    return Name(variable) in nodes and not any(isinstance(node, Derivative) for node in nodes)
 
 
 def _names(failing: Sequence[Claim], suspects: Iterable[Printed], texts: Texts) -> frozenset[str]:

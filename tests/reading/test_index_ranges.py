@@ -136,3 +136,24 @@ def test_a_differential_form_is_no_function(form):
     (role,) = [f.role for f in found.formulas if f.item.typed.tex == form]
     assert "differential" in role.reason or "read" in role.name
     assert not any(v.value == "refuted" for _, v in verdicts(HALPHEN + rf"${form}$ is preserved."))
+
+
+VORTICES = r"""
+Let $(x_a,y_a)$, $a=1,2,3$, be the places. With $l_{ab}^2=(x_a-x_b)^2+(y_a-y_b)^2$ the motion is
+\[ \dot x_a=-\sum_{b\ne a}k_b\frac{y_a-y_b}{l_{ab}^2},\qquad
+\dot y_a=\sum_{b\ne a}k_b\frac{x_a-x_b}{l_{ab}^2}. \]
+"""
+
+
+def test_an_index_that_is_compared_with_another_one_has_its_values():
+    found = verdicts(VORTICES + r"The quantity $\sum_ak_ax_a$ is an integral.")
+    assert [verdict.green for _, verdict in found] == [True]
+    found = verdicts(VORTICES + r"The quantity $\sum_ax_a$ is an integral.")
+    assert [verdict.green for _, verdict in found] == [False]
+    found = verdicts(VORTICES + r"The quantity $k_1x_1+k_2x_2$ is an integral.")
+    assert [verdict.green for _, verdict in found] == [False]
+
+
+def test_letters_beside_each_other_in_an_index_are_not_compared():
+    found = reading(r"For $a=1,2$ the equations are \[ \dot x_a=v_{as}x_a. \]")
+    assert found.parts.laws[0].mentions == {"x_1", "x_2", "v_{1s}", "v_{2s}"}

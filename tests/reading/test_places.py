@@ -2,6 +2,8 @@
 
 import pytest
 
+from kowalevski_cas.reading import read
+from kowalevski_cas.source.files import decode
 from kowalevski_cas.verify.outcome import Verdict
 from tests.reading.test_reading import TOP, reading, roles, verdicts
 from tests.sample import sampled
@@ -171,3 +173,22 @@ def test_what_a_point_moves_on_is_a_constraint(words):
         rf"{words} \[ x^2+y^2=2pz . \] The equations are {law} Then $x\dot y-y\dot x$ is constant."
     )
     assert role(text, "x^2+y^2=2pz").kind == "constraint"
+
+
+@pytest.mark.parametrize(
+    "heading", [r"\emph{Second case.}", r"\emph{Second case}---", r"\noindent\emph{Second case:}"]
+)
+def test_what_is_emphasised_at_the_head_of_a_paragraph_is_a_heading(heading):
+    text = r"\begin{document} Let $a=1$." + "\n\n" + heading + r" Now $b=2$. \end{document}"
+    source = decode("paper.tex", text.encode())
+    assert read(source).formulas[-1].item.section.title.startswith("Second case")
+
+
+@pytest.mark.parametrize(
+    "words", [r"\emph{Hence} we have", r"\emph{Proof.} Now", r"and \emph{now.}"]
+)
+def test_other_words_that_are_emphasised_are_none(words):
+    gap = "" if words.startswith("and") else "\n\n"
+    text = r"\begin{document} Let $a=1$." + gap + words + r" $b=2$. \end{document}"
+    source = decode("paper.tex", text.encode())
+    assert not read(source).formulas[-1].item.section.title

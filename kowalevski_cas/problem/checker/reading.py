@@ -23,7 +23,7 @@ _GROUP = rf"\{{{_WORD}+\}}"
 for _ in range(8):  # groups may stand in groups, as in the root of a fraction
     _GROUP = rf"\{{(?:{_WORD}|{_GROUP})+\}}"
 NAME = re.compile(
-    rf"(?:[A-Za-z]|\\(?=[A-Za-z]))(?:[\w']|\\(?=[A-Za-z])|\^(?=[-+A-Za-z*{{\\])|(?<=\^)[-+*]|(?<=_)[-+]|{_GROUP})*",
+    rf"(?:[A-Za-z]|\\(?=[A-Za-z]))(?:[\w']|\\(?=[A-Za-z])|\^(?=[-+A-Za-z*{{\\])|(?<=\^)[-+*]|(?<=_)[-+*]|{_GROUP})*",
     re.ASCII,
 )
 

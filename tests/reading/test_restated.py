@@ -1,0 +1,82 @@
+"""Laws that are printed anew: what is no law of the same motion is none of them."""
+
+import pytest
+
+from kowalevski_cas.audit.reading import ReadingSession
+from kowalevski_cas.reading import read
+from kowalevski_cas.source.files import decode
+
+PENDULUM = r"""
+\section{Motion} The equation of motion is
+\begin{equation}\label{law} \ddot u=a\sin u\cos u-b\sin u. \end{equation}
+"""
+
+
+def reading(text):
+    return read(decode("paper.tex", (r"\begin{document}" + text + r"\end{document}").encode()))
+
+
+def verdicts(text):
+    found = reading(text)
+    outcomes = ReadingSession(found, timeout=5).outcomes
+    return {
+        f.item.printed.tex.strip(): outcomes[f.claim.id].verdict.name
+        for f in found.formulas
+        if f.claim is not None
+    }
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"The normal force has the part \[ K=2m\dot u\cos u. \]",
+        r"With $\tau=ct$ it becomes \[ u''=\frac{\sin u}{c^2}(a\cos u-b). \]",
+        r"Its square obeys \[ \dot u^2=2h+2b\cos u+a\sin^2u. \]",
+    ],
+)
+def test_other_orders_and_other_times_print_no_law_anew(text):
+    (known,) = reading(PENDULUM + text).parts.known
+    assert known.restated == []
+
+
+def test_a_law_for_special_constants_is_printed_anew():
+    text = r"Let $a=2b$. Then \[ \ddot u=2b\sin u\cos u-b\sin u. \]"
+    (known,) = reading(PENDULUM + text).parts.known
+    assert [law.restates for law in known.restated] == known.laws
+
+
+def test_one_equation_for_two_rates_prints_no_law_of_both_anew():
+    text = r"\[ \dot x=cy,\quad \dot y=-cx. \] We note in passing \[ x\dot y-y\dot x=-cs. \]"
+    (known,) = reading("The equations of motion are" + text).parts.known
+    assert known.restated == []
+
+
+def test_rates_by_the_first_time_are_those_of_the_first_law():
+    text = r"""\section{Time} Put $\tau=ct$. If $a=b$, equation \eqref{law} becomes
+    \[ u''=\frac{b}{c^2}\sin u(\cos u-1). \]
+    \section{Energy} The energy is $E=\frac12\dot u^2-\frac12a\sin^2u-b\cos u$. We have \[ RATE \]"""
+    true = r"\dot E=0"
+    false = r"\dot E=\dot u"
+    assert verdicts(PENDULUM + text.replace("RATE", true))[true] in ("PROVED", "CONDITIONAL")
+    assert verdicts(PENDULUM + text.replace("RATE", false))[false] in ("REFUTED", "UNDECIDED")
+
+
+DISPLACED = r"""
+The equations of motion are \[ \dot x=y,\qquad \dot y=-x. \]
+\section{Near the circle} Let $r^2=x^2+y^2$ and $g=r^2$.
+"""
+
+
+@pytest.mark.parametrize("sign", "+-")
+def test_what_follows_from_what_is_cited_is_claimed(sign):
+    text = (
+        rf"\[ x^2+y^2=c \label{{c}} \] Put $g=s+v$, and from \eqref{{c}} \[ \ddot v{sign}kv=0. \]"
+    )
+    laws = reading(DISPLACED + text).parts.laws
+    assert [law.variables for law in laws] == [("x", "y")]
+
+
+def test_a_new_variable_has_a_law_where_nothing_is_cited():
+    text = r"The angle $v$ turns by \[ \dot v=2g. \]"
+    laws = reading(DISPLACED + text).parts.laws
+    assert laws[-1].variables == ("x", "y", "v")
