@@ -6,8 +6,9 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
+from kowalevski_cas.notation import Name
 from kowalevski_cas.reading.hypotheses import last_place
-from kowalevski_cas.reading.known import DEFINITION, NAMING, Known
+from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, NAMING, Known
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import is_printed
 
@@ -55,9 +56,14 @@ def oddities(
 def _idle_definitions(item: SourceStatement, known: Known) -> Iterator[Oddity]:
     """The definitions before a statement, in its section, of names that nothing after them has.
 
-    What the statement names may be defined there by another letter.
+    What the statement names may be defined there by another letter, or behind it in its sentence.
     """
     after = [one for one in known.items if one.section is item.section]
+    counts = Counter(name for one in known.items for name in one.names)
+    for one in (one for one in after if one.order > item.order and one.sentence == item.sentence):
+        given = known.roles[one].name in (DEFINITION, ASSUMPTION) and len(one.bare) == 1
+        if given and counts[one.bare[0]] == 1 and one.members[0] == Name(one.bare[0]):
+            yield Oddity(one, f"${one.bare[0]}$ is given there, and stands nowhere else")
     for one in (one for one in after if one.order < item.order):
         names = known.roles[one].names if known.roles[one].name == DEFINITION else ()
         if names and not any({*names} & later.names for later in after if later.order > one.order):
