@@ -20,6 +20,7 @@ from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives, with_partials
 from kowalevski_cas.paper.summation import without_sums
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.reading.antiderivatives import without_integral
 from kowalevski_cas.reading.compositions import functions_in, maps_in, written_out
 from kowalevski_cas.reading.measures import with_jacobian
 from kowalevski_cas.reading.ranks import with_ranks
@@ -42,6 +43,7 @@ def by_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
         with suppress(NotationError):  # who reads it says so
             tex = without_initial_values(tex, moving)
         tex = with_jacobian(with_partials(with_derivatives(tex, by), fields))
+        tex = without_integral(tex)
         with suppress(ValueError):  # at other arguments it cannot be read
             tex = without_arguments(tex, known)
         yield formula if tex == formula.tex else replace(formula, tex=tex)
