@@ -7,9 +7,10 @@ from hashlib import sha256
 from typing import NamedTuple
 
 from kowalevski_cas.limits import ProcessDied, time_limit
-from kowalevski_cas.notation import NotationError, Number, Relation
+from kowalevski_cas.notation import Formula, NotationError, Number, Relation
 from kowalevski_cas.paper.claims import Neighbour
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.reading.ladder import Rung
@@ -54,13 +55,21 @@ def _basis(found: list[Rung], on: Elaborations) -> str:
     claims = [claim for rung in found for claim in (rung.claim, rung.idle) if claim is not None]
     places = frozenset().union(*(claim.reads() for claim in claims))
     said = [f"{type(claim).__name__} {vars(claim)}" for claim in claims]
-    read = sorted(f"{place.place} {on.texts.formula(place)}" for place in places)
+    read = sorted(f"{place.place} {_as_read(place, on.texts)}" for place in places)
     ways = [
         f"{rung.in_force} {rung.is_stronger} {rung.elsewhere} "
         f"{[one.printed for one in rung.on]} {[one.printed for one in rung.given]}"
         for rung in found
     ]
     return sha256("\n".join((*said, *read, *ways)).encode()).hexdigest()
+
+
+def _as_read(place: Printed, texts: Texts) -> Formula | str:
+    """The formula at a place, or the words for what cannot be read there."""
+    try:
+        return texts.as_printed(place)
+    except NotationError as error:
+        return str(error)
 
 
 def choose(found: list[Rung], on: Elaborations) -> Choice:
