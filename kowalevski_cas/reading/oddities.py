@@ -41,12 +41,13 @@ def oddities(
             yield Oddity(one, f"${single[0]}$ stands nowhere else")
             if one is item:
                 yield from _idle_definitions(item, known)
-    for name in (name for name in item.rates if not known.moves(name)):
+    for name in item.rates:
+        if known.moves(name) or known.is_defined(name):
+            continue
         before = (one for one in known.items if one.order < item.order)
         beside = (one for one in before if one.section is item.section and name in one.names)
         yield from (Oddity(one, f"no equation says how ${name}$ moves") for one in beside)
-        if not known.is_defined(name):
-            yield from _unused_definition(item, known)
+        yield from _unused_definition(item, known)
     supposed = dict.fromkeys(
         (*on, *known.supposed(item), *known.sets(item), *last_place(item, known))
     )
