@@ -33,6 +33,7 @@ from kowalevski_cas.notation.scales import TIME, Scale, Scales, Span
 from kowalevski_cas.reading.formulas import BY_NO_TIME, tree_of
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, LEVEL, Known
 from kowalevski_cas.reading.statements import SourceStatement, is_numerical
+from kowalevski_cas.reading.text import TextSection
 from kowalevski_cas.verify.vacuous import ALIKE, is_trivial
 
 AS_THE_REST = "it would scale as the rest with"
@@ -43,6 +44,9 @@ SAYING = (CLAIM, DEFINITION, LAW, LEVEL)
 
 EVIDENCE = 2
 """How many other sums have to say of what has a dimension how it scales."""
+
+MANY = 8
+"""Where more statements than these may each be the one that disagrees, units are chosen."""
 
 MOST = 3
 """How many repairs are told."""
@@ -66,14 +70,26 @@ class Misscaled(NamedTuple):
 
 
 def misscaled(known: Known) -> list[Misscaled]:
-    """The statements of a part that scale as nothing else there does."""
-    return [*_Dimensions(known).misscaled()]
+    """The statements of a part that scale as nothing else does in their section, and by the laws.
+
+    In another section a letter may be another quantity.
+    """
+    rows = {row for law in known.laws for row in law.rows}
+    sections: dict[TextSection | None, list[SourceStatement]] = {}
+    for one in known.items:
+        sections.setdefault(next(iter(one.sections[1:2]), None), []).append(one)
+    found: dict[SourceStatement, Misscaled] = {}
+    for items in sections.values():
+        beside = [one for one in known.items if one in rows and one not in items]
+        for one in _Dimensions(known, [*items, *beside]).misscaled():
+            found.setdefault(one.item, one)
+    return [*found.values()]
 
 
 class _Dimensions:
-    """What the statements of a part say of how its names scale."""
+    """What some statements of a part say of how their names scale."""
 
-    def __init__(self, known: Known) -> None:
+    def __init__(self, known: Known, items: Sequence[SourceStatement]) -> None:
         self.known = known
         marks = {mark for one in known.items for mark in one.marks}
         self.primed = "prime" if marks - {"prime"} else TIME  # not the time, where that has dots
@@ -118,6 +134,8 @@ class _Dimensions:
                         and not any(map(is_numerical, one.members))
                     ):
                         lost[one] = self._lost(one, atoms, spans[one])
+            if len(lost) > MANY:
+                continue
             mended = {one: self._repairs(one, spans[one]) for one in lost}
             lost = {one: atoms for one, atoms in lost.items() if atoms and mended[one]}
             for one in [one for one in lost if one not in found]:
