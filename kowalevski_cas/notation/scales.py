@@ -9,7 +9,6 @@ are linear equations for the dimensions of its names.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
-from fractions import Fraction
 
 from kowalevski_cas.notation.formula import (
     Application,
@@ -38,8 +37,11 @@ from kowalevski_cas.notation.formula import (
 from kowalevski_cas.notation.functions import EXTREMES, FAMILY_OF, FUNCTIONS, OF_A_MATRIX, SIGN
 from kowalevski_cas.notation.symbol import name_of_rate, symbol
 
-Scale = Mapping[str, Fraction]
-"""A product of powers: the exponent of each name."""
+MODULUS = 2**31 - 1
+"""Of a prime: exponents are counted modulo it, and a half is a whole number then."""
+
+Scale = Mapping[str, int]
+"""A product of powers: the exponent of each name, modulo the prime."""
 
 TIME = "t"
 """By what a dot derives."""
@@ -121,7 +123,7 @@ class Scales:
             case Root() | Radical():
                 order = node.order if isinstance(node, Radical) else 2
                 (under,) = self._needed(node.argument)
-                return _product([(under, Fraction(1, order))])
+                return _product([(under, pow(order, -1, MODULUS))])
         for child in node.children():
             self._scale(child)
         return None
@@ -131,7 +133,7 @@ class Scales:
         if isinstance(node, Partial):
             return _product([(of, 1), (_of_name(node.by), -1)])
         by = self._by.get(node.mark, node.mark)
-        return self._atom(_product([(of, 1), ({by: Fraction(1)}, -1)]))
+        return self._atom(_product([(of, 1), ({by: 1}, -1)]))
 
     def _atom(self, scale: Scale) -> Scale:
         self.atoms.append(scale)
@@ -168,7 +170,7 @@ class Scales:
         if derived and (len(arguments) != 1 or arguments[0] is None):
             raise Unscaled
         by = [(arguments[0] or {}, -derived)] if derived else []
-        return self._atom(_product([({base: Fraction(1)}, 1), *by]))
+        return self._atom(_product([({base: 1}, 1), *by]))
 
 
 def _of_name(name: str) -> Scale:
@@ -179,29 +181,29 @@ def _of_name(name: str) -> Scale:
     parts = symbol(variable)
     if variable in ("d", r"\pi") or (parts.is_bold and r"\hat" in parts.accents):
         return {}
-    return _product([({variable: Fraction(1)}, 1), ({TIME: Fraction(1)}, -order)])
+    return _product([({variable: 1}, 1), ({TIME: 1}, -order)])
 
 
-def _number(node: Formula) -> Fraction | None:
+def _number(node: Formula) -> int | None:
     """The value of an exponent that is a number."""
     match node:
         case Number(value):
-            return Fraction(value)
+            return value
         case Negative():
             inner = _number(node.argument)
             return None if inner is None else -inner
         case Quotient():
             above, below = _number(node.numerator), _number(node.denominator)
-            return above / below if above is not None and below else None
+            return above * pow(below, -1, MODULUS) if above is not None and below else None
     return None
 
 
-def _product(factors: Iterable[tuple[Scale, int | Fraction]]) -> dict[str, Fraction]:
+def _product(factors: Iterable[tuple[Scale, int]]) -> dict[str, int]:
     """The product of some scales, each with its exponent."""
-    found: dict[str, Fraction] = {}
+    found: dict[str, int] = {}
     for scale, exponent in factors:
         for name, own in scale.items():
-            found[name] = found.get(name, Fraction(0)) + own * exponent
+            found[name] = (found.get(name, 0) + own * exponent) % MODULUS
     return {name: exponent for name, exponent in found.items() if exponent}
 
 
@@ -224,7 +226,7 @@ class Span:
         if not rest:
             return False
         first = min(rest)
-        self._rows[first] = _product([(rest, 1 / rest[first])])
+        self._rows[first] = _product([(rest, pow(rest[first], -1, MODULUS))])
         return True
 
     def explains(self, scales: Iterable[Scale], new: Collection[str]) -> bool:
@@ -235,7 +237,7 @@ class Span:
                 own = [name for name in rest if name in new]
                 if not own:
                     return False
-                found._rows[own[0]] = _product([(rest, 1 / rest[own[0]])])
+                found._rows[own[0]] = _product([(rest, pow(rest[own[0]], -1, MODULUS))])
         return True
 
     def _rest(self, scale: Scale) -> Scale:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from fractions import Fraction
 from typing import NamedTuple
 
 from kowalevski_cas.notation import (
@@ -29,7 +28,7 @@ from kowalevski_cas.notation.edits import replace, subtree
 from kowalevski_cas.notation.errors import closeness
 from kowalevski_cas.notation.formula import times
 from kowalevski_cas.notation.misprints import Misprint, factors_of, misprints
-from kowalevski_cas.notation.scales import TIME, Scale, Scales, Span
+from kowalevski_cas.notation.scales import MODULUS, TIME, Scale, Scales, Span
 from kowalevski_cas.reading.formulas import BY_NO_TIME, tree_of
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, LEVEL, Known
 from kowalevski_cas.reading.statements import SourceStatement, is_numerical
@@ -279,10 +278,8 @@ def _missing(formula: Formula, names: Sequence[str]) -> Iterator[Misprint]:
 
 def shown(scale: Scale) -> str:
     """A product of powers as it is told: the rate of a name has a dot."""
-    named = {name: exponent for name, exponent in scale.items() if name != "t"}
-    if len(named) == 1 and [*named.values()] == [1]:
-        (name,) = named
-        order = -scale.get("t", Fraction(0))
-        if order in (0, 1, 2):
-            return (name, rf"\dot{{{name}}}", rf"\ddot{{{name}}}")[int(order)]
-    return "".join(n if e == 1 else f"{n}^{{{e}}}" for n, e in sorted(scale.items()))
+    (name, power), *more = [(n, e) for n, e in scale.items() if n != TIME] or [(TIME, 1)]
+    order = -scale.get(TIME, 0) % MODULUS
+    if not more and power == 1 and order in (0, 1, 2):
+        return (name, rf"\dot{{{name}}}", rf"\ddot{{{name}}}")[order]
+    return name
