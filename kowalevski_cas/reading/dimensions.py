@@ -77,12 +77,12 @@ def misscaled(known: Known) -> list[Misscaled]:
     sections: dict[TextSection | None, list[SourceStatement]] = {}
     for one in known.items:
         sections.setdefault(next(iter(one.sections[1:2]), None), []).append(one)
-    found: dict[SourceStatement, Misscaled] = {}
+    found: list[Misscaled] = []
     for items in sections.values():
         beside = [one for one in known.items if one in rows and one not in items]
-        for one in _Dimensions(known, [*items, *beside]).misscaled():
-            found.setdefault(one.item, one)
-    return [*found.values()]
+        strange = _Dimensions(known, [*items, *beside]).misscaled()
+        found += [one for one in strange if one.item in items]
+    return found
 
 
 class _Dimensions:
