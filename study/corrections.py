@@ -21,11 +21,12 @@ from kowalevski_cas.cli import run as run_command
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, CommandError
 from kowalevski_cas.notation import to_latex
+from kowalevski_cas.reading.dimensions import AS_THE_REST
 from kowalevski_cas.reading.statements import read_statements
 from kowalevski_cas.source.files import read_source
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.outcome import FALSE_AS_READ
-from study.readings import WITH, Entry, audit_entries
+from study.readings import Entry, audit_entries, repairs_told
 
 GREEN, NOTICED, LEFT = "green", "noticed", "not noticed"
 
@@ -59,7 +60,8 @@ def corrected_formula(folder: Path, entry: Entry, timeout: float) -> CorrectedFo
         one["verdict"] in ("refuted", "suspect")
         or one["correction"]
         or one["id"] in causes
-        or str(one["message"]).startswith(FALSE_AS_READ)
+        or FALSE_AS_READ in str(one["message"])
+        or AS_THE_REST in str(one["message"])
         for one in own
     )
     claims = [one["verdict"] for one in own if one["role"] == "claim"]
@@ -80,7 +82,7 @@ def repairs(formulas: list[Entry], own: list[Entry]) -> list[str]:
         proposed = [one["correction"], *one["alternatives"]] if one in own else []
         found += [repair["printed"] for repair in filter(None, proposed)][:MOST]
         if one in own or ids & {*one["causes"]}:
-            found += WITH.findall(str(one["message"]))
+            found += repairs_told(str(one["message"]))
     return found
 
 

@@ -20,6 +20,7 @@ from typing import Any
 from kowalevski_cas.cli import run as run_command
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, CommandError
+from kowalevski_cas.reading.dimensions import AS_THE_REST
 from kowalevski_cas.source.files import read_source
 from kowalevski_cas.verify.outcome import FALSE_AS_READ, Verdict
 
@@ -36,8 +37,8 @@ STANDS_FOR = {
 }
 """Roles of the truth that are right as well, where the audit has another word."""
 
-WITH = re.compile(r"(?:it holds|is true) with \$(.*?)\$")
-"""The words for a repair in messages."""
+_WITH = re.compile(r"(?:it holds|is true) with \$(.*?)\$")
+_DOLLARS = re.compile(r"\$(.*?)\$")
 
 _GREEN = ("proved", "conditional")
 _GAP = r"(?:\s|\\label\{[^}]*\})*"
@@ -98,6 +99,12 @@ class Score:
                 f"timeouts {self.timeouts}",
             ]
         )
+
+
+def repairs_told(message: str) -> list[str]:
+    """The repairs of which a message speaks."""
+    said, _, rest = message.partition(AS_THE_REST)
+    return [*_WITH.findall(said), *_DOLLARS.findall(rest)]
 
 
 def audit_entries(path: Path, timeout: float, limit: float = LIMIT) -> list[Entry]:
@@ -167,7 +174,7 @@ def compare(path: Path, formulas: list[Entry]) -> Score:
             if not noticed:
                 said = "; ".join(f"{f['role']}, {f['verdict']}" for f in here) or "not listed"
                 score.unnoticed.append(f"{where} {row['tex'][:60]}: {said}")
-            score.repairs += any(f["correction"] or WITH.search(str(f["message"])) for f in here)
+            score.repairs += any(f["correction"] or repairs_told(str(f["message"])) for f in here)
     return score
 
 

@@ -15,6 +15,8 @@ which a point was found.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from fractions import Fraction
+from itertools import islice
 from random import Random
 
 from flint import fmpz, nmod, nmod_mat
@@ -81,11 +83,20 @@ class SampledPrograms(Programs):
         """Whether a program vanishes at random points modulo random primes."""
         if not self._samples:
             random = Random(0)
-            for prime in primes(random, PRIMES):
+            numbers = [square.number for square in self.radicands if square.number is not None]
+            with_roots = (p for p in primes(random, TRIES) if all(_has_root(n, p) for n in numbers))
+            for prime in islice(with_roots, PRIMES):
                 # Programs that are asked later may need any of the roots.
                 roots = [self.generator(name) for name in self.roots]
                 self._samples.append(residue_point(Question(self, roots), prime, random))
+        if not self._samples:
+            raise NoPoint(f"the printed roots of numbers exist modulo none of {TRIES} primes")
         return all(point(program) == 0 for point in self._samples)
+
+
+def _has_root(number: Fraction, prime: int) -> bool:
+    """Whether a rational number has a square root modulo a prime."""
+    return fmpz(number.numerator * number.denominator).jacobi(prime) >= 0
 
 
 def primes(random: Random, number: int) -> Iterator[int]:

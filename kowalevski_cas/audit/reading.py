@@ -18,6 +18,7 @@ from kowalevski_cas.audit.causes import Causes
 from kowalevski_cas.audit.describe import Describer
 from kowalevski_cas.audit.doubted import how_read, is_false_as_read, point_at, repairs_of_doubted
 from kowalevski_cas.audit.places import Correspondence
+from kowalevski_cas.audit.scaled import edits_by_scales, tell_scales
 from kowalevski_cas.limits import time_limit
 from kowalevski_cas.notation import Edit, Formula, Name, Negative, Number, Power, Relation, edits
 from kowalevski_cas.paper.claims import Claim
@@ -180,7 +181,8 @@ class ReadingSession:
         explained = [o.claim for o in outcomes if o.correction or o.claim in waiting | doubted]
         corrected = [*explained, *self._in_words]
         corrector, lost = session.decider.corrector, self._lost
-        return Blame(corrector, verdicts, corrected, PATIENCE, doubted, lost)
+        suspected = edits_by_scales(self.reading, session.interpretation.texts)
+        return Blame(corrector, verdicts, corrected, PATIENCE, doubted, lost, suspected)
 
     # -- what is mended elsewhere --------------------------------------------------------
 
@@ -276,6 +278,7 @@ def audit_reading(session: ReadingSession) -> Audit:
     for audited in found:
         _as_read(audited, by_place.get(audited.place) if audited.place else skipped.get(audited.id))
     point_at(found, session.repairs, reading)
+    tell_scales(found, reading)
     said = (*paper.source.refused, *paper.expanded.notes)
     notes = [(paper.source.line(offset), reason) for offset, reason in said]
     return Audit(

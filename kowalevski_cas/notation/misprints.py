@@ -15,6 +15,7 @@ from kowalevski_cas.notation.formula import (
     Derivative,
     Formula,
     ImaginaryPart,
+    Modulus,
     Name,
     Negative,
     Number,
@@ -40,6 +41,9 @@ HALF = Quotient(ONE, TWO)
 # Where a factor may be missing: it would stand for the whole child of these nodes.
 _WHOLE = (Relation, Sum, Negative, Quotient, Root, RealPart, ImaginaryPart, Conjugate)
 
+
+_SQUARED = (Name, Derivative, Modulus)
+"""Of what the square may be meant."""
 
 Misprint = tuple[str, Path, Formula, str]
 """Its kind, a place, the subtree that should stand there, and the words for it."""
@@ -125,7 +129,8 @@ def _term(place: _NodePlace) -> bool:
     return whole and _prints(node) and not isinstance(node, Negative)
 
 
-def _factors_of(node: Formula) -> tuple[Formula, ...]:
+def factors_of(node: Formula) -> tuple[Formula, ...]:
+    """The factors of a product; of anything else, itself."""
     return node.factors if isinstance(node, Product) else (node,)
 
 
@@ -201,7 +206,7 @@ def _exponents(vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
         others.append(Number(node.value + 1))
     elif isinstance(node, Power) and node.exponent == TWO:
         others.append(node.base)
-    elif isinstance(node, Name | Derivative) and not isinstance(place.parent, Power | Derivative):
+    elif isinstance(node, _SQUARED) and not isinstance(place.parent, Power | Derivative):
         others += [Power(node, TWO)] if rank(node, vocabulary) == SCALAR else []
     for other in dict.fromkeys(others):
         yield "exponent", place.path, other, _read(node, other)
@@ -225,7 +230,7 @@ def _coefficients(place: _NodePlace) -> Iterator[Misprint]:
             if other != node and not (other == ONE and isinstance(place.parent, Product)):
                 yield "coefficient", place.path, other, _read(node, other)
     elif _term(place) and not isinstance(node, Sum | Number):
-        factors = _factors_of(node)
+        factors = factors_of(node)
         if not isinstance(factors[0], Number) and not _is_fraction(factors[0]):
             for number in (TWO, HALF):
                 words = f"insert ${to_latex(number)}$ before ${to_latex(node)}$"
@@ -274,7 +279,7 @@ def _additions(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> I
     # What multiplies a quotient multiplies its numerator.
     if not _prints(node) or isinstance(node, Negative | Quotient):
         return
-    factors = _factors_of(node)
+    factors = factors_of(node)
     if all(isinstance(factor, Name | Number | Power) for factor in factors):
         first = len(factors)
     else:
@@ -331,7 +336,7 @@ def _moves(vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
     """A factor of the denominator in the numerator, or the other way round."""
     node = place.node
     if isinstance(node, Quotient):
-        above, below = _factors_of(node.numerator), _factors_of(node.denominator)
+        above, below = factors_of(node.numerator), factors_of(node.denominator)
         for index, factor in enumerate(below):
             rest = times(*below[:index], *below[index + 1 :])
             up = times(*above, factor)

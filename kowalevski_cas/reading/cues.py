@@ -47,6 +47,9 @@ CUES: dict[str, str] = {
         \bunder\b in\s+the\s+case \bcase\b restrict\w+ \bconsider\b \bwith\b(?!\s+respect)
         on\s+the\s+(?:\w+\s+)?levels? пусть предполож\w+ полож\w+ полага\w+ если при\s*$ допуст\w+
         в\s+случае будем\s+считать считая возьм\w+ выбер\w+ \bпри\b""",
+    "ansatz": r"""
+        \btr(?:y|ied|ying|ial)\b \bseek\b \bsought\b look(?:ing)?\s+for ansatz \bguess\w*
+        particular\s+(?:integral|solution) ищем \bискать\b подстановк\w+ частн\w+\s+решени\w+""",
     "when": r"""
         \bif\b \bwhen\b \bsuppos\w+ \blet\b \bесли\b \bкогда\b \bпусть\b""",
     "define": r"""

@@ -22,7 +22,7 @@ from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.phrases import integral_words, is_conditional
 from kowalevski_cas.reading.rows import is_row
-from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.statements import SourceStatement, is_numerical
 from kowalevski_cas.reading.suppositions import FOUND
 from kowalevski_cas.reading.unprinted import SOURCE
 
@@ -205,11 +205,14 @@ def _has_statement_below(item: SourceStatement, rung: Rung, known: Known) -> boo
 def _has_two_meanings(item: SourceStatement, rung: Rung, known: Known) -> bool:
     """Whether a name on which it rests stands alone on a side once more in its section."""
     places = rung.claim.scene.definitions
+    before = [one for one in known.items if one.order < item.order and one.members]
     return any(
-        one.printed != places[name] and one.order < item.order and one.section in item.sections[1:]
-        for name in places
-        for one in known.later.get(name, ())
-        if one is not item
+        one.printed != places[name] and one.section in item.sections[1:]
+        for one in before
+        for name in one.bare[:1]
+        if name in places
+        and one.members[0] == Name(name)
+        and not any(map(is_numerical, one.members))
     )
 
 

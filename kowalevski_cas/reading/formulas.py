@@ -20,6 +20,7 @@ from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives, with_partials
 from kowalevski_cas.paper.summation import without_sums
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.reading.antiderivatives import without_integral
 from kowalevski_cas.reading.compositions import functions_in, maps_in, written_out
 from kowalevski_cas.reading.measures import with_jacobian
 from kowalevski_cas.reading.ranks import with_ranks
@@ -42,6 +43,7 @@ def by_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
         with suppress(NotationError):  # who reads it says so
             tex = without_initial_values(tex, moving)
         tex = with_jacobian(with_partials(with_derivatives(tex, by), fields))
+        tex = without_integral(tex)
         with suppress(ValueError):  # at other arguments it cannot be read
             tex = without_arguments(tex, known)
         yield formula if tex == formula.tex else replace(formula, tex=tex)
@@ -160,6 +162,11 @@ def _by_elements(formulas: Sequence[TypedFormula], known: frozenset[str]) -> fro
     return frozenset(found)
 
 
+BY_NO_TIME = "a derivative by what is no time"
+_RATIO = re.compile(r"(?:\\[dt]?frac\s*\{?|/)\s*(?:d\b|\\mathrm\s*\{\s*d\s*\})")
+"""A differential above a line, or below a slash."""
+
+
 def read_formula(
     formula: TypedFormula, tex: str, words: Vocabulary
 ) -> Iterator[tuple[Formula | None, str, tuple[int, int]]]:
@@ -178,10 +185,16 @@ def read_formula(
     for tokens, start, end in found:
         try:
             tree = OpenParser(tex, tokens, words).statement()[0]
-            why = "a derivative by what is no time" if _is_derivative(tree, tex) else ""
+            why = BY_NO_TIME if _is_derivative(tree, tex) else ""
             yield (None if why else _expanded(tree)), why, (start, end)
         except (NotationError, RecursionError) as error:
             yield None, getattr(error, "message", str(error)), (start, end)
+
+
+def tree_of(tex: str, number: int, words: Vocabulary) -> Formula:
+    """The statement of a number in a display, with d as a letter where it derives by no time."""
+    tokens, _, _ = [*placed(tex)][number - 1]
+    return OpenParser(tex, tokens, words).statement()[0]
 
 
 def _expanded(tree: Formula) -> Formula:
@@ -194,4 +207,4 @@ def _expanded(tree: Formula) -> Formula:
 
 def _is_derivative(tree: Formula, tex: str) -> bool:
     """Whether the letter d was read as a name, and stands above or below a fraction."""
-    return "d" in tree.names() and re.search(r"\\[dt]?frac\s*\{?\s*d\b|/\s*d\b", tex) is not None
+    return "d" in tree.names() and _RATIO.search(tex) is not None

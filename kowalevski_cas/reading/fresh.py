@@ -47,6 +47,7 @@ def is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
         or (known.roles[first].name == LAW and function in derived_names(first))
         or (new and not item.typed.inline)
         or _is_used_before(function, first, item, known)
+        or _is_left_open(function, first, item, known)
     )
 
 
@@ -78,6 +79,21 @@ def _is_used_before(name: str, first: SourceStatement, item: SourceStatement, kn
     explained = all(map(known.is_explained, item.names - {name}))
     told = bool(cue("deduced", item.lead)) and not is_called_constant(name, item, known)
     return alone and explained and not (supposed or mentioned or told)
+
+
+def _is_left_open(name: str, first: SourceStatement, item: SourceStatement, known: Known) -> bool:
+    """Whether it is the constant of an ansatz, of which a display says later what it has to be.
+
+    Nothing else gives it or supposes anything of it, and it is none of a law.
+    """
+    if known.roles[first].name != DEFINITION or item.typed.inline or known.varying(item.names):
+        return False
+    if item.members[0] != Name(name) or not cue("ansatz", first.lead):
+        return False
+    giving = (one for one in known.items if one.members[:1] == (Name(name),))
+    supposed = any(name in known.roles[one].names for one in known.assumptions)
+    mentioned = any(name in law.mentions for law in known.laws)
+    return next(giving, item) is item and not (supposed or mentioned)
 
 
 def is_called_constant(name: str, item: SourceStatement, known: Known) -> bool:

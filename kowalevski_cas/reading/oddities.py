@@ -6,8 +6,9 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
+from kowalevski_cas.notation import Name
 from kowalevski_cas.reading.hypotheses import last_place
-from kowalevski_cas.reading.known import DEFINITION, NAMING, Known
+from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, NAMING, Known
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import is_printed
 
@@ -40,12 +41,13 @@ def oddities(
             yield Oddity(one, f"${single[0]}$ stands nowhere else")
             if one is item:
                 yield from _idle_definitions(item, known)
-    for name in (name for name in item.rates if not known.moves(name)):
+    for name in item.rates:
+        if known.moves(name) or known.is_defined(name):
+            continue
         before = (one for one in known.items if one.order < item.order)
         beside = (one for one in before if one.section is item.section and name in one.names)
         yield from (Oddity(one, f"no equation says how ${name}$ moves") for one in beside)
-        if not known.is_defined(name):
-            yield from _unused_definition(item, known)
+        yield from _unused_definition(item, known)
     supposed = dict.fromkeys(
         (*on, *known.supposed(item), *known.sets(item), *last_place(item, known))
     )
@@ -55,9 +57,14 @@ def oddities(
 def _idle_definitions(item: SourceStatement, known: Known) -> Iterator[Oddity]:
     """The definitions before a statement, in its section, of names that nothing after them has.
 
-    What the statement names may be defined there by another letter.
+    What the statement names may be defined there by another letter, or behind it in its sentence.
     """
     after = [one for one in known.items if one.section is item.section]
+    counts = Counter(name for one in known.items for name in one.names)
+    for one in (one for one in after if one.order > item.order and one.sentence == item.sentence):
+        given = known.roles[one].name in (DEFINITION, ASSUMPTION) and len(one.bare) == 1
+        if given and counts[one.bare[0]] == 1 and one.members[0] == Name(one.bare[0]):
+            yield Oddity(one, f"${one.bare[0]}$ is given there, and stands nowhere else")
     for one in (one for one in after if one.order < item.order):
         names = known.roles[one].names if known.roles[one].name == DEFINITION else ()
         if names and not any({*names} & later.names for later in after if later.order > one.order):

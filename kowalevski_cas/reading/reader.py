@@ -7,12 +7,15 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from kowalevski_cas.limits import tell
+from kowalevski_cas.notation import Application, to_latex
+from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation, Doubt, Section
 from kowalevski_cas.paper.differentials import differentials
-from kowalevski_cas.paper.names import BRACKET, head
+from kowalevski_cas.paper.names import BRACKET, head, primitive
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
@@ -22,6 +25,7 @@ from kowalevski_cas.reading.comments import read_comments
 from kowalevski_cas.reading.constraints import UNBOUND, enter_constraints, unbound_multiplier
 from kowalevski_cas.reading.conventions import enter_conventions
 from kowalevski_cas.reading.cyclic import enter_cyclic_names
+from kowalevski_cas.reading.dimensions import Misscaled, misscaled
 from kowalevski_cas.reading.doubts import doubt_of
 from kowalevski_cas.reading.energies import claims_of_energies
 from kowalevski_cas.reading.grammar import wrong
@@ -74,6 +78,11 @@ class Reading:
     """The claims that comments state and that are no formula's."""
     outcomes: dict[str, Outcome] = field(default_factory=dict, repr=False)
     """What is said about claims that were decided as soon as they were read, by their ids."""
+
+    @cached_property
+    def misscaled(self) -> list[Misscaled]:
+        """The statements that scale as nothing else in their part does."""
+        return [one for known in self.parts.known for one in misscaled(known)]
 
 
 def read(
@@ -299,13 +308,26 @@ class _DerivationReader:
                     functions[letter] = name
                     places[name] = item.printed
         moving = {name for law in self.parts.laws for name in law.variables} & {*scalars}
-        scalars = sorted({*scalars} - functions.keys() - moving)
+        places |= self._unknown_functions(functions.keys() | moving)
+        scalars = sorted({*scalars} - {head(name)[0] for name in places} - moving)
         scene = Scene(
             "all names", vectors, (*sorted(moving),), tuple(scalars), definitions=places,
             matrices=tuple(name for name in places if name in words.matrices),
         )  # fmt: skip
         times = dict.fromkeys(clocks or ["t"])
         return {f"names-{time}": replace(scene, time=time) for time in times}
+
+    def _unknown_functions(self, known: set[str]) -> dict[str, Printed]:
+        """The functions that are applied, and that nothing gives, with the first such place."""
+        found: dict[str, tuple[str, Printed]] = {}
+        for item in self.parts.roles:
+            for node in item.formula.nodes() if item.formula is not None else ():
+                if isinstance(node, Application):
+                    function, _ = primitive(node.function)
+                    if function not in FUNCTIONS and function not in known:
+                        arguments = ",".join(map(to_latex, node.arguments))
+                        found.setdefault(function, (f"{function}({arguments})", item.printed))
+        return dict(found.values())
 
 
 __all__ = ["JudgedStatement", "Reading", "read"]

@@ -12,7 +12,6 @@ from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, OTHER, Known, Statem
 from kowalevski_cas.reading.phrases import is_number, is_value, reach, reach_of_constants, supposing
 from kowalevski_cas.reading.statements import SourceStatement, derived_names
 
-
 FOUND = "an inequality that words say to be found"
 """Why an inequality is claimed that may hold with less than it says, as where nothing moves."""
 

@@ -31,7 +31,9 @@ STATES: dict[str, str] = {
     "number": r"""
         \bonly\b \bexactly\b \bunique\w* \bat\s+(?:most|least)\b \balmost\s+all\b \bevery\b
         \ball\s+(?:\w+\s+)?(?:points|motions|solutions|trajectories|values|integrals|zeros|roots)\b
-        только ровно единственн\w+ не\s+более почти\s+вс\w+""",
+        \b(?:each|any)\s+(?:\w+\s+)?(?:point|motion|solution|orbit|trajectory|initial)\b
+        \bwhatever\b \bregardless\s+of\b кажд\w+\s+(?:движен|решен|орбит|траектор)\w+ при\s+люб\w+
+        каковы\s+бы только ровно единственн\w+ не\s+более почти\s+вс\w+""",
     "existence": r"""
         there\s+(?:is|are|exists?|does\s+not\s+exist)\b \bexists?\b (?:has|have)\s+no\b
         \bno\s+other\b \bnever\b существу\w+ \bнет\b не\s+име\w+""",

@@ -18,7 +18,7 @@ the ids of the claims. Of a repair of another formula ``blamed`` is what is prin
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, partial
 from itertools import takewhile
@@ -73,6 +73,8 @@ class Blame:
     """Of those that have a correction, the claims that may have been meant otherwise."""
     lost: Mapping[str, Collection[str]] = field(default_factory=dict)
     """The names in claims that the paper defines nowhere, beside those of their scenes."""
+    suspected: Mapping[Printed, Sequence[Edit]] = field(default_factory=dict)
+    """What other signs than failing claims speak against, with the edits that would mend it."""
     _true: dict[str, bool] = field(default_factory=dict)
 
     @property
@@ -128,8 +130,12 @@ class Blame:
         is_printed = claim.printed is None or not claim.printed.display.source
         near = self.corrector.near(printed, MOST, self.seconds / SHARE) if is_printed else ()
         edits = tuple(near)
+        if self._is_expected(claim):
+            return edits
+        if first := self._proofs(self._by_suspicion(claim), least=1).get(claim.id):
+            return (*first, *edits)[:MOST]
         twice = self._equal_rates(claim)
-        if (edits and not twice) or self._is_expected(claim):
+        if edits and not twice:
             return edits
         reads = claim.reads()
         others = [o for o in self._failing if o is not claim and reads & o.reads()]
@@ -141,6 +147,13 @@ class Blame:
                 if repair.suspect is Suspect.LAW and self._equal_rates(claim, repair) < twice
             ]
         return (*self._proofs(repairs, least=1).get(claim.id, ()), *edits)[:MOST]
+
+    def _by_suspicion(self, claim: Claim) -> Iterator[Repair]:
+        """The edits of what is suspected beside a claim that stands on it."""
+        own = claim.establishes()
+        for place, several in self.suspected.items():
+            if place in claim.reads() and place not in own:
+                yield from (Repair(Suspect.DEFINITION, edit, place, (claim,)) for edit in several)
 
     def _equal_rates(self, claim: Claim, repair: Repair | None = None) -> int:
         """How many pairs of variables have the same rate, which is not zero, with a repair."""

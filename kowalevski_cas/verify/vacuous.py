@@ -70,7 +70,9 @@ def says_something(neighbour: Neighbour, statement: Statement, printed: Statemen
     replaced = (before.names() - after.names()) & defined
     if replaced and unlike(edit) and not edit.replacement.names() & defined:
         return False
-    return _trivial(before) >= _trivial(after) and not (_common(after) - _common(before)) & defined
+    return (
+        is_trivial(before) >= is_trivial(after) and not (_common(after) - _common(before)) & defined
+    )
 
 
 def _moves(statement: Statement) -> bool:
@@ -120,7 +122,7 @@ def _derives_what_stands(before: Formula, after: Formula, on: Elaboration) -> bo
     return any(rest.is_zero for rest in on.finder.differences(new))
 
 
-def _trivial(formula: Formula) -> bool:
+def is_trivial(formula: Formula) -> bool:
     """Whether two sides, terms, or arguments of a bracket are the same, but for their signs."""
     several = (
         node for node in formula.nodes() if isinstance(node, Relation | PoissonBracket | Sum)

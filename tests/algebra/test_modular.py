@@ -1,5 +1,6 @@
 """Points modulo primes: they refute for certain, and say how likely they err when they do not."""
 
+from fractions import Fraction
 from random import Random
 
 import pytest
@@ -10,6 +11,7 @@ from kowalevski_cas.algebra.modular import (
     LOWEST,
     POINTS,
     PRIMES,
+    SampledPrograms,
     error_bound,
     primes,
     residue_point,
@@ -140,3 +142,21 @@ def test_rational_functions_modulo_a_prime():
     assert f.above == nmod_poly([0, 2], p) and f.below == nmod_poly([-1, 0, 1], p)
     with pytest.raises(ZeroDivisionError):
         1 / (t + -1 * t)
+
+
+@pytest.mark.parametrize("number", [2, 3, 5, 6, 7, Fraction(-3, 7)])
+def test_a_screen_takes_primes_modulo_which_the_roots_of_numbers_exist(number):
+    """At another prime no point would have them, however many are tried."""
+    programs = SampledPrograms(("x",))
+    x, root = programs.generator("x"), programs.adjoin("r", programs.number(number))
+    assert (root * root + programs.number(-number)).is_zero
+    assert not (root + x).is_zero and not (root + programs.number(1)).is_zero
+
+
+def test_a_screen_has_no_points_where_no_prime_has_the_roots():
+    """A program would vanish at all points of none."""
+    programs = SampledPrograms(("x",))
+    for k, prime in enumerate([2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53]):
+        programs.adjoin(f"r{k}", programs.number(prime))
+    with pytest.raises(NoPoint):
+        _ = programs.generator("x").is_zero

@@ -140,3 +140,12 @@ def test_near_a_set_that_is_no_point_nothing_is_claimed_of_another_point():
     \begin{equation}\label{rate} \dot y=-y. \end{equation}"""
     found = claim(audited(text), "rate")
     assert found.verdict == OPEN and any("F-z" in one for one in found.causes)
+
+
+def test_a_letter_that_is_given_behind_and_stands_nowhere_else_may_be_meant():
+    text = r"""The energy is \[ E=\frac{y^2}{2n}+\frac{n\kappa^2x^2}{2} . \] The curve is the ellipse
+    \begin{equation}\label{ellipse}\frac{x^2}{a^2}+\frac{y^2}{b^2}=1\end{equation} with the semiaxes
+    \[ %s=\sqrt{\frac{2E}{n\kappa^2}},\qquad b=\sqrt{2nE} . \]"""
+    wrong = claim(audited(text % "s"), "ellipse")
+    assert "$s$ is given there, and stands nowhere else" in wrong.message
+    assert claim(audited(text % "a"), "ellipse").verdict in (Verdict.PROVED, Verdict.CONDITIONAL)

@@ -9,6 +9,7 @@ from kowalevski_cas.audit.reading import ReadingSession
 from kowalevski_cas.cli import main
 from kowalevski_cas.paper.claims import Dimension, FirstIntegral, Implication
 from kowalevski_cas.reading import read
+from kowalevski_cas.reading.brackets import OF_FUNCTIONS
 from kowalevski_cas.reading.draft import beside, comments, draft, text_of
 from kowalevski_cas.reading.grammar import kinds
 from kowalevski_cas.reading.known import TOGETHER
@@ -323,7 +324,8 @@ def test_every_role_that_is_inferred_can_be_written(name):
     assert lines
     for formula in reading.formulas:
         written = formula.role.name in ("law", "definition", "level", "assumption", "claim")
-        if written and formula.role.kind != TOGETHER:  # equations that give names are found anew
+        # equations that give names together, or brackets of variables, are found anew
+        if written and formula.role.kind not in (TOGETHER, OF_FUNCTIONS):
             assert text_of(formula, reading.paper), (formula.item.printed.place, formula.role)
 
 

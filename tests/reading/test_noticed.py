@@ -280,3 +280,37 @@ def test_where_a_square_is_not_defined_nothing_is_false_by_it():
     \[ \tau^2=(x-y)(z-x)+(y-z)(x-y). \]
     The point $x=y=z=0$ is an equilibrium.""")
     assert found["x=y=z=0"] == "undecided"
+
+
+ANSATZ = r"""
+The equation of motion is \[ \dot w=-\alpha w+e^{-\beta t} . \]
+We try a particular solution $w_1=Ge^{-\beta t}$. It yields
+\begin{align} \alpha G-\beta G&=1, \\ G&=%s . \end{align}
+"""
+
+
+@pytest.mark.parametrize(
+    ("constant", "green"),
+    sampled(
+        [
+            (r"\frac{1}{\alpha-\beta}", True),
+            (r"\frac{1}{\alpha+\beta}", False),
+            (r"\frac{1}{\beta-\alpha}", False),
+            (r"\frac{2}{\alpha-\beta}", False),
+            (r"\frac{\beta}{\alpha-\beta}", False),
+        ],
+        2,
+    ),
+)
+def test_what_the_constant_of_an_ansatz_has_to_be_is_said_by_a_display(constant, green):
+    found = reading(ANSATZ % constant)
+    assert [f.role.name for f in found.formulas if f.item.bare[:1] == ("G",)] == [DEFINITION]
+    verdict = verdicts(ANSATZ % constant)[r"\alpha G-\beta G&=1"]
+    assert verdict.green == green
+
+
+def test_a_rate_that_a_control_gives_as_well_refutes_nothing():
+    text = r"""\section{Control} The mass obeys $\ddot z=f$, and the cost is \[ c=z^2+\dot z^2+f^2 . \] The best control is
+    \[ f=\phi(z,\dot z)=-z-\sqrt3\dot z . \]
+    Then \[ S=\sqrt3z^2+2z\dot z+\sqrt3\dot z^2,\qquad \frac{dS}{dt}=-c . \]"""
+    assert Verdict.REFUTED not in verdicts(text).values()
