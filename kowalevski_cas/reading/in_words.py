@@ -171,12 +171,16 @@ def _made(
 
 
 def functions_of(items: Sequence[SourceStatement], known: Known) -> Iterator[SourceStatement]:
-    """What defines or prints the functions that some statements name."""
+    """What defines or prints the functions that some statements name, of what moves.
+
+    Brackets with what is made of names that nothing explains vanish, which says nothing.
+    """
     for item in items:
         if isinstance(item.formula, Name):
             by = known.definition(item.formula.name, item)
             if by is not None and by.members and by.members[0] == item.formula:
-                yield by
+                if known.varying(by.names - item.names):
+                    yield by
         elif item.formula is not None and known.varying(item.names) and not item.derives:
             role = known.roles.get(item)
             if not item.members or (role is not None and _names_first(item, role)):

@@ -99,3 +99,20 @@ def test_headings_and_names_of_constants_claim_nothing(words):
     before = audit_reading(ReadingSession(reading(LAW), timeout=5)).uncovered
     found = audit_reading(ReadingSession(reading(LAW + words), timeout=5)).uncovered
     assert [one.words for one in found] == [one.words for one in before]
+
+
+BRACKETS = r"""
+The equations are $$\dot u=v,\quad \dot v=-u,\quad \dot x=y,\quad \dot y=-x$$
+with the brackets $\{u,v\}=1$, $\{x,y\}=1$, $\{u,x\}=\{u,y\}=\{v,x\}=\{v,y\}=0$. Put $S=u^2+v^2$ and $W=x^2+y^2$.
+"""
+
+
+def test_what_moves_is_in_involution_or_is_not():
+    found = reading(BRACKETS + r"The functions $S$ and $W$ are in involution.")
+    assert [one.role.kind for one in found.statements if one.claim] == ["involution"]
+
+
+def test_brackets_with_names_that_nothing_explains_are_not_claimed_to_vanish():
+    text = r"In other letters $B=\rho^2+\pi_\varphi^2$. The functions $S$, $W$ and $B$ are in involution."
+    found = reading(BRACKETS + text)
+    assert not [one for one in found.statements if one.claim]
