@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from typing import NamedTuple
 
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.names import Names
@@ -21,9 +20,8 @@ def find_restated(items: Sequence[SourceStatement], laws: Sequence[Law]) -> list
         if not rows or rows[0].typed.inline or any(rows[0] in law.items for law in laws):
             continue
         for law in laws:
-            if kept := _kept(law, rows):
-                items_of = (*kept.rows, *rows)
-                found.append(Law(items_of, law.names, restates=law, momenta=law.momenta))
+            if (kept := _kept(law, rows)) is not None:
+                found.append(Law((*kept, *rows), law.names, restates=law, momenta=law.momenta))
                 break
     return found
 
@@ -54,17 +52,11 @@ def replaced_law(item: SourceStatement, part: Sequence[Law], paper: SourcePaper)
         if kept is not None and not law.change:
             apart = [one for one in item.sections if one not in law.first.sections]
             begins = apart[0].start if apart else item.sentence[0]
-            return Law((*kept.rows, *rows), law.names, momenta=law.momenta, begins=begins)
+            return Law((*kept, *rows), law.names, momenta=law.momenta, begins=begins)
     return None
 
 
-class _Kept(NamedTuple):
-    """The rows of a law in place of which no others are printed."""
-
-    rows: tuple[SourceStatement, ...]
-
-
-def _kept(law: Law, rows: Sequence[SourceStatement]) -> _Kept | None:
+def _kept(law: Law, rows: Sequence[SourceStatement]) -> list[SourceStatement] | None:
     """What rows of a law are left where others are printed; ``None`` if these replace none.
 
     They give all the rates of those that they replace, of the same order and by the same time.
@@ -75,7 +67,7 @@ def _kept(law: Law, rows: Sequence[SourceStatement]) -> _Kept | None:
     alike = _orders(own, law.names) == rated and _times(rows) <= _times(own)
     if not rows or law.order >= rows[0].order or not (whole and alike):
         return None
-    return _Kept(tuple(row for row in law.rows if row not in own))
+    return [row for row in law.rows if row not in own]
 
 
 def _orders(rows: Iterable[SourceStatement], names: Names) -> dict[str, int]:

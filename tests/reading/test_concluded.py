@@ -88,5 +88,5 @@ def test_a_supposition_that_a_number_fulfils_says_nothing():
 
 def test_what_is_found_may_hold_where_nothing_degenerates():
     text = r""" Let $c>0$. Put $k=\frac{A^2}{2(c+A^2)}$. We see that $0<k<\frac12$, and $2k(c+A^2)=A^2$."""
-    found = verdicts(ROD + text)
+    found = verdicts(ROD + text, timeout=60)
     assert found[r"0<k<\frac12"] == "UNDECIDED"

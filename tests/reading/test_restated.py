@@ -16,9 +16,9 @@ def reading(text):
     return read(decode("paper.tex", (r"\begin{document}" + text + r"\end{document}").encode()))
 
 
-def verdicts(text):
+def verdicts(text, timeout=5):
     found = reading(text)
-    outcomes = ReadingSession(found, timeout=5).outcomes
+    outcomes = ReadingSession(found, timeout=timeout).outcomes
     return {
         f.item.printed.tex.strip(): outcomes[f.claim.id].verdict.name
         for f in found.formulas
