@@ -59,6 +59,7 @@ class _LawFinder:
         entries = rows_of_matrices(paper, rows)
         rows = [one for row in rows for one in entries.get(row, [row])]
         self.rows = [*rows, *rows_of_differentials(paper)]
+        self.multiples = [row for row in self.rows if isinstance(row.members[0], Name)]
         self.momenta = find_momenta(paper.items, self.rows, names)
         self.found: list[Law] = []
         self.defining: dict[str, list[SourceStatement]] = {}
@@ -257,11 +258,11 @@ class _LawFinder:
 
         A multiple of a rate defines it, as :math:`C=r^2\dot\theta`, where that moves already.
         """
-        moving = {name for law in self.found for name in law.variables}
-        for one in self.rows:
-            multiple = one.order < row.order and isinstance(one.members[0], Name)
-            if multiple and one.bare[0] in row.rates and {*self.scalars(one)} <= moving:
-                return True
+        for one in self.multiples:
+            if one.order < row.order and one.bare[0] in row.rates:
+                moving = {name for law in self.found for name in law.variables}
+                if {*self.scalars(one)} <= moving:
+                    return True
         return any(
             since <= one.typed.start < row.typed.start or one.sentence == row.sentence
             for name in {*row.rates, *map(self.names.whole, row.rates)}

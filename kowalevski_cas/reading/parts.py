@@ -148,13 +148,16 @@ class Parts:
 
     def _inherited(self, item: SourceStatement, known: Known) -> Iterator[SourceStatement]:
         """What defines names of a statement in the last part of which the law goes on here."""
+        mentioned = {name for law in known.laws for name in law.mentions}
+        met = mentioned | known.definitions.keys()
+        named = (name for name in item.names if item.members[:1] != (Name(name),))
+        waiting = [name for name in named if name not in met and not known.moves(name)]
+        if not waiting:
+            return
         place = self.places[item]
         before = [self.known[k] for k in reversed(range(place)) if self._goes_on(k, place)]
         if not before:
             return
-        mentioned = {name for law in known.laws for name in law.mentions}
-        waiting = [name for name in item.names if item.members[:1] != (Name(name),)]
-        met = mentioned | known.definitions.keys()
         while waiting:
             name = waiting.pop()
             if name in met or known.moves(name):
@@ -173,13 +176,14 @@ class Parts:
         """
         before = self.known[earlier]
         printed = [[one for one in self.known[k].laws if not one.new] for k in (earlier, place)]
+        moving, now = ({name for law in laws for name in law.variables} for laws in printed)
+        if moving != now:
+            return False
         constants = []
         for laws in printed:
             mentioned = {n for law in laws for name in law.mentions for n in before.below(name)}
-            constants.append({n for n in mentioned if not before.is_defined(n)})
-        moving = [{name for law in laws for name in law.variables} for laws in printed]
-        constants = [own - moving[0] for own in constants]
-        return moving[0] == moving[1] and bool(constants[0]) and constants[0] <= constants[1]
+            constants.append({n for n in mentioned if not before.is_defined(n)} - moving)
+        return bool(constants[0]) and constants[0] <= constants[1]
 
     @cached_property
     def named_apart(self) -> list[frozenset[str]]:
