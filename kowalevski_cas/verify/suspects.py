@@ -181,19 +181,26 @@ def determined_rates(
 ) -> set[Printed]:
     """The rates of variables on which more true integrals depend than a repair may make false.
 
-    The derivative of an integral is linear in the rates: with any other one it does not vanish.
+    The derivative of an integral is linear in the rates: with any other one it does not vanish, if
+    nothing more is supposed there, as that a constant is zero.
     """
     found, texts = set[Printed](), interpretation.texts
     for row in {place for claim in failing for role, place in claim.scene.roles() if role == LAW}:
         match texts.formula(row):
             case Relation((Derivative(Name(variable)), *_)):
-                standing = sum(row in claim.scene.places for claim in failing)
+                standing = [claim for claim in failing if row in claim.scene.places]
                 readers = (c for c in interpretation.readers(row) if holds(c))
-                integrals = (c for c in readers if isinstance(c, FirstIntegral) and not c.given)
+                integrals = (c for c in readers if any(_is_as_general(c, one) for one in standing))
                 depending = (c for c in integrals if _depends(c.formulas(texts), variable))
-                if any(islice(depending, most_broken(standing), None)):
+                if any(islice(depending, most_broken(len(standing)), None)):
                     found.add(row)
     return found
+
+
+def _is_as_general(claim: Claim, other: Claim) -> bool:
+    """Whether a claim is an integral wherever another one is stated."""
+    own = claim.scene.places.keys() - {*claim.establishes()}
+    return isinstance(claim, FirstIntegral) and not claim.given and own <= other.scene.places.keys()
 
 
 def most_broken(mended: int) -> int:

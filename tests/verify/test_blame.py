@@ -289,6 +289,17 @@ def test_nobody_suspects_a_rate_that_true_integrals_determine(claims, suspected)
     assert {place.place for place in law - searched._right(failing)} & about == suspected
 
 
+def test_what_is_true_for_special_constants_determines_no_rate():
+    """A term that vanishes there may be wrong."""
+    coupled = System(r"\dot x=p,\ \dot p=-x+Cy,\ \dot y=q,\ \dot q=-y-Cx")
+    coupled.where("C=0").integral("x^2+p^2")
+    for claim in (r"\frac12(p^2+q^2+x^2+y^2)+Cxy", r"pq+xy+\frac12C(x^2+y^2)"):
+        coupled.integral(claim)
+    special, *others = decided(coupled).values()
+    assert special.verdict.green
+    assert {mended(one) for one in others} == {(r"\dot{p} = -x - Cy", "field.2")}
+
+
 def test_claims_that_have_nothing_in_common_are_mended_apart():
     from kowalevski_cas.reading import read
     from kowalevski_cas.source.text import Source
