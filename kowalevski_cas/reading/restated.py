@@ -34,13 +34,14 @@ _REPLACED = re.compile(
     re.IGNORECASE,
 )
 """How words end behind which equations stand that take the place of those that they cite."""
+_THESE = re.compile(r"\b(?:these|those|them|этих|этого|их)\b", re.IGNORECASE)
 _NOT = re.compile(r"\b(?:not|never|cannot|if|were|не|нельзя|если)\b", re.IGNORECASE)
 
 
 def replaced_law(item: SourceStatement, part: Sequence[Law], paper: SourcePaper) -> Law | None:
     """The law of another system: one before it, with the rows that a display replaces.
 
-    Words right before the display say so, and cite what is replaced.
+    Words right before the display say so, and cite what is replaced, or call it “these”.
     """
     words = item.lead
     if item.typed.inline or not _REPLACED.search(words) or _NOT.search(words):
@@ -48,7 +49,8 @@ def replaced_law(item: SourceStatement, part: Sequence[Law], paper: SourcePaper)
     cited = {one for label in references(words) for one in paper.labels.get(label, ())}
     rows = [one for one in paper.items if one.typed is item.typed and is_row(one)]
     for law in part:
-        kept = _kept(law, rows) if cited & {*law.rows} else None
+        these = not cited and law is part[-1] and _THESE.search(words)
+        kept = _kept(law, rows) if these or cited & {*law.rows} else None
         if kept is not None and not law.change:
             apart = [one for one in item.sections if one not in law.first.sections]
             begins = apart[0].start if apart else item.sentence[0]

@@ -95,6 +95,7 @@ FIELD = r"\[ \dot u=kv,\qquad \dot v=-ku+f. \]"
         r"Now the last two of the equations \eqref{free} are replaced by",
         r"In place of the last two equations \eqref{free} we have",
         r"Последние два из уравнений \eqref{free} заменяются на",
+        r"In another problem the last two of these are replaced by",
     ],
 )
 def test_a_law_goes_on_with_the_equations_that_take_the_place_of_others(words):
@@ -110,7 +111,8 @@ def test_a_law_goes_on_with_the_equations_that_take_the_place_of_others(words):
         r"The equations \eqref{free} cannot be replaced by",
         r"If $k$ is replaced by $g$ in \eqref{free}, we find",
         r"If the last two of \eqref{free} were replaced by",
-        r"The last two of these are replaced by",
+        r"The last two of these cannot be replaced by",
+        r"The last two are replaced by",
     ],
 )
 def test_other_words_replace_no_law(words):
