@@ -35,7 +35,8 @@ Work = Callable[[Take, Heard], Iterable[Answer]]
 def has_threads() -> bool:
     """Whether this process has more than one thread that runs Python.
 
-    Threads of compiled libraries do not count: those of BLAS end before a copy is made.
+    Threads of compiled libraries do not count: those of BLAS end before a copy is made, and the
+    others are told to make none.
     """
     return len(sys._current_frames()) > 1
 

@@ -65,6 +65,7 @@ class SemidefiniteProgram(NamedTuple):
         cost[margin] = -1
         settings = clarabel.DefaultSettings()
         settings.verbose = False
+        settings.max_threads = 1  # its threads would not survive a fork, and be waited for
         nothing = sparse.csc_matrix((margin + 1, margin + 1))
         solver = clarabel.DefaultSolver(nothing, cost, matrix, np.array(free), cones, settings)
         try:

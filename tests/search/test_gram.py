@@ -6,6 +6,8 @@ import pytest
 from flint import Ordering, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.polynomials import TooLarge
+from kowalevski_cas.limits import time_limit
+from kowalevski_cas.processes import each
 from kowalevski_cas.search.gram import GramEquations
 from kowalevski_cas.search.weighted_squares import represent
 
@@ -30,3 +32,17 @@ def test_what_has_too_many_unknowns_is_not_begun(size, power, weights, known):
     target = (1 + sum(gens)) ** 2 * prod(gens[:1]) ** (2 * power - 2) + gens[-1] ** (2 * power)
     with pytest.raises(TooLarge):
         GramEquations(target, gens[:weights], [target + 1] * known or [], 2)
+
+
+def test_a_process_that_has_searched_leaves_copies_of_it_free_to_search():
+    """Threads do not survive a fork: a copy would wait for them until its time is over."""
+    pytest.importorskip("clarabel")
+    x, y = letters(2)
+    squares = [(x - 2 * y) ** 2 + y**2 + 1, x**2 + y**2 + 1]
+
+    def search(place):
+        with time_limit(30):
+            return represent(squares[place] ** 6, []) is None
+
+    here = [search(place) for place in (0, 1)]
+    assert [*each(search, (0, 1))] == here
