@@ -17,6 +17,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from kowalevski_cas.audit.followed import FROM_BEFORE
 from kowalevski_cas.cli import run as run_command
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, CommandError
@@ -103,8 +104,9 @@ class Score:
 
 def repairs_told(message: str) -> list[str]:
     """The repairs of which a message speaks."""
-    said, _, rest = message.partition(AS_THE_REST)
-    return [*_WITH.findall(said), *_DOLLARS.findall(rest)]
+    said, _, rest = message.partition(FROM_BEFORE)
+    said, _, more = said.partition(AS_THE_REST)
+    return [*_WITH.findall(said), *_DOLLARS.findall(more), *_DOLLARS.findall(rest)]
 
 
 def audit_entries(path: Path, timeout: float, limit: float = LIMIT) -> list[Entry]:

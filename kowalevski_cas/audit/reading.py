@@ -17,6 +17,7 @@ from kowalevski_cas.audit.author import AuthorSession
 from kowalevski_cas.audit.causes import Causes
 from kowalevski_cas.audit.describe import Describer
 from kowalevski_cas.audit.doubted import how_read, is_false_as_read, point_at, repairs_of_doubted
+from kowalevski_cas.audit.followed import tell_steps
 from kowalevski_cas.audit.places import Correspondence
 from kowalevski_cas.audit.scaled import edits_by_scales, tell_scales
 from kowalevski_cas.limits import time_limit
@@ -279,6 +280,7 @@ def audit_reading(session: ReadingSession) -> Audit:
         _as_read(audited, by_place.get(audited.place) if audited.place else skipped.get(audited.id))
     point_at(found, session.repairs, reading)
     tell_scales(found, reading)
+    tell_steps(found, session.repairs, reading)
     said = (*paper.source.refused, *paper.expanded.notes)
     notes = [(paper.source.line(offset), reason) for offset, reason in said]
     return Audit(

@@ -1,0 +1,309 @@
+r"""Values of formulas at a sample: each name, and each of its derivatives, has a number of its own.
+
+What is printed of :math:`\ddot r` and :math:`\frac{d^2u}{d\theta^2}` can be compared so without any
+law: where a name is given by others its derivatives are those of what gives it, and else they are
+free. Vectors and matrices have one component: what fails there is false.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterable, Mapping
+from contextlib import AbstractContextManager
+from math import prod
+
+from flint import acb, ctx
+
+from kowalevski_cas.notation import (
+    Application,
+    Derivative,
+    Formula,
+    Modulus,
+    Name,
+    Negative,
+    Number,
+    Partial,
+    Power,
+    Product,
+    Quotient,
+    Root,
+    ScalarProduct,
+    Sum,
+    to_latex,
+)
+from kowalevski_cas.notation.symbol import name_of_rate, symbol
+
+Key = tuple[str, ...]
+"""A name with the variables by which it is derived; or a function with the value at which it is."""
+
+BITS = 300
+"""The precision of values."""
+DIGITS = 30
+"""So many digits say at which value an unknown function is taken."""
+_STEP = 2.0**-70
+"""By how much something is moved to find a derivative."""
+_SMALL = 2.0**-40
+"""What is nearer to zero than this, of values of about one, is zero."""
+PARTIAL = r"\partial"
+TIME = "t"
+
+_FUNCTIONS: Mapping[str, Callable[[acb], acb]] = {
+    r"\sin": acb.sin,
+    r"\cos": acb.cos,
+    r"\tan": acb.tan,
+    r"\exp": acb.exp,
+    r"\ln": acb.log,
+    r"\log": acb.log,
+    r"\sinh": acb.sinh,
+    r"\cosh": acb.cosh,
+    r"\tanh": acb.tanh,
+    r"\arcsin": acb.asin,
+    r"\arccos": acb.acos,
+    r"\arctan": acb.atan,
+}
+
+
+class Valueless(Exception):
+    """What has no value at a sample, as a vector product, or a quotient by zero."""
+
+
+class Sample:
+    """Numbers for names and their derivatives.
+
+    ``given`` are formulas for some of them, ``rated`` the names that are derived, each with a
+    variable, ``fields`` the names by which unknown functions are derived, and ``primed`` is the
+    variable by which a prime derives.
+    """
+
+    def __init__(
+        self,
+        seed: int,
+        given: Mapping[Key, Formula],
+        rated: Iterable[tuple[str, str]],
+        fields: Mapping[str, frozenset[str]],
+        primed: str,
+    ) -> None:
+        self.seed, self.given, self.rated, self.fields = seed, given, frozenset(rated), fields
+        self.primed = primed
+        self.values: dict[Key, acb] = {}
+        self.touched: set[Key] = set()
+        self._busy: set[Key] = set()
+        self._moved = False
+
+    def copy(self, fields: Mapping[str, frozenset[str]]) -> Sample:
+        """The same numbers, with functions that are derived by some names."""
+        found = Sample(self.seed, self.given, self.rated, fields, self.primed)
+        found.values = dict(self.values)
+        return found
+
+    def key(self, node: Formula) -> Key | None:
+        """The key of a name, of a derivative of one, or of what is printed like one; or none."""
+        match node:
+            case Name(name):
+                return (name,)
+            case Derivative(inner, mark):
+                below = self.key(inner)
+                return below and (*below, self.variable(mark))
+            case Partial(Name(name), by):
+                return (PARTIAL, name, by)
+            case Partial(Partial() as inner, by):
+                below = self.key(inner)
+                return below and (*below, by)
+            case Power(Name(name), exponent) if _is_index(exponent):
+                return (name, "^", to_latex(exponent))
+        return None
+
+    def variable(self, mark: str) -> str:
+        """The variable by which a mark derives."""
+        return {"dot": TIME, "prime": self.primed}.get(mark, mark)
+
+    def value(self, node: Formula) -> acb:
+        """The value of a formula.
+
+        Raises:
+            Valueless: it has none.
+        """
+        match node:
+            case Number(number):
+                return acb(number)
+            case Sum(terms):
+                return sum(map(self.value, terms), acb(0))
+            case Product() | ScalarProduct():
+                return prod(map(self.value, node.children()), start=acb(1))
+            case Quotient(above, below):
+                return self.value(above) / _divisor(self.value(below))
+            case Power():
+                return self._power(node)
+            case Derivative(inner, mark):
+                return self._derivative(node, inner, self.variable(mark))
+            case Partial(inner, by):
+                return self._partial(node, inner, by)
+            case Application(function, arguments):
+                return self._applied(function, [self.value(one) for one in arguments])
+        return self._simple(node)
+
+    def _simple(self, node: Formula) -> acb:
+        """The value of a name, or of what has one argument."""
+        match node:
+            case Name("i"):
+                return acb(0, 1)
+            case Name(r"\pi"):
+                return acb.pi()
+            case Negative(inner):
+                return -self.value(inner)
+            case Root(inner):
+                return self.value(inner).sqrt()
+            case Modulus(inner):
+                return (self.value(inner) ** 2).sqrt()
+        return self._named(node)
+
+    def holds(self, left: Formula, right: Formula) -> bool:
+        """Whether two formulas have one value.
+
+        Raises:
+            Valueless: one of them has none.
+        """
+        one, other = self.value(left), self.value(right)
+        return is_zero((one - other) / (1 + abs(complex(one)) + abs(complex(other))))
+
+    def atom(self, key: Key) -> acb:
+        """The value of a key: that of what gives it, or any number."""
+        if key not in self.values:
+            if key in self.given:
+                if key in self._busy:
+                    raise Valueless(key[0])
+                self._busy.add(key)
+                try:
+                    return self.value(self.given[key])
+                finally:
+                    self._busy.discard(key)
+            number = random.Random(f"{self.seed} {key}").randrange(500, 1500)
+            self.values[key] = acb(number) / 1000
+        self.touched.add(key)
+        return self.values[key]
+
+    def _named(self, node: Formula) -> acb:
+        key = self.key(node)
+        if key is None:
+            raise Valueless(type(node).__name__)
+        return self.atom(key)
+
+    def _power(self, node: Power) -> acb:
+        if self.key(node) is not None:
+            return self._named(node)
+        base = self.value(node.base)
+        if isinstance(node.exponent, Number):
+            return base**node.exponent.value
+        exponent = self.value(node.exponent)
+        return acb((exponent * _divisor(base).log()).exp())
+
+    def _applied(self, function: str, arguments: list[acb]) -> acb:
+        if function in _FUNCTIONS and len(arguments) == 1:
+            found = _FUNCTIONS[function](arguments[0])
+            if not found.is_finite():
+                raise Valueless(function)
+            return found
+        key = (function, "(", *(one.str(DIGITS, radius=False) for one in arguments))
+        if self._moved and key not in self.values:
+            raise Valueless(function)
+        return self.atom(key)
+
+    # -- derivatives -----------------------------------------------------------------------
+
+    def _derivative(self, node: Formula, inner: Formula, by: str) -> acb:
+        key = self.key(node)
+        if key is not None and (key in self.values or key in self.given):
+            return self.atom(key)
+        below = self.key(inner)
+        if below is not None and below[0] in self.fields and below[:1] not in self.given:
+            return self._along_all(below[0], by)
+        directions = self._directions(inner, by)
+        if key is not None and (below in self.values or not directions):
+            return self.atom(key)
+        return self._slope(inner, directions)
+
+    def _along_all(self, function: str, by: str) -> acb:
+        """The rate of an unknown function, by those of what it is derived by."""
+        found = acb(0)
+        for name in sorted(self.fields[function]):
+            rate = acb(1) if name == by else self.value(_rate(name, by))
+            found += self.atom((PARTIAL, function, name)) * rate
+        return found
+
+    def _partial(self, node: Formula, inner: Formula, by: str) -> acb:
+        key = self.key(node)
+        if key is not None and key[1:2] not in self.given:
+            return self.atom(key)
+        at = self.key(_rated(by))
+        if at is None:
+            raise Valueless(by)
+        self.value(inner)
+        self.atom(at)
+        return self._slope(inner, {at: acb(1)})
+
+    def _directions(self, node: Formula, by: str) -> dict[Key, acb]:
+        """How all that moves by a variable moves, of which a formula is made."""
+        before, self.touched = self.touched, set()
+        self.value(node)
+        own, self.touched = self.touched, before | self.touched
+        found: dict[Key, acb] = {}
+        for key in sorted(own):
+            if key == (by,):
+                found[key] = acb(1)
+            elif (key[0], by) in self.rated and key[1:2] != ("(",) and not _is_initial(key[0]):
+                found[key] = self.atom((*key, by))
+        return found
+
+    def _slope(self, node: Formula, directions: Mapping[Key, acb]) -> acb:
+        """The derivative of a formula where some keys move."""
+        ends = []
+        for sign in (1, -1):
+            moved = self.copy(self.fields)
+            moved._moved = True
+            for key, direction in directions.items():
+                moved.values[key] = self.atom(key) + direction * sign * _STEP
+            ends.append(moved.value(node))
+        return (ends[0] - ends[1]) / (2 * _STEP)
+
+
+def _rate(name: str, by: str) -> Formula:
+    """The derivative of a name, or of a velocity, by a variable."""
+    return Derivative(_rated(name), "dot" if by == TIME else by)
+
+
+def _rated(name: str) -> Formula:
+    """A name by which something is derived, which may be a velocity, with a dot or a prime."""
+    if name.endswith("'"):
+        return Derivative(Name(name[:-1]), "prime")
+    of = name_of_rate(name)
+    return Name(name) if of == name else Derivative(Name(of), "dot")
+
+
+def _is_initial(name: str) -> bool:
+    """Whether a name is that of the first value of another one: it does not move."""
+    return symbol(name).index == "0"
+
+
+def _is_index(exponent: Formula) -> bool:
+    """Whether what is raised is an index: it counts steps, as n+1, or components from 0 on."""
+    match exponent:
+        case Sum((Name("n"), Number() | Negative(Number()))) | Name("n") | Number(0):
+            return True
+    return False
+
+
+def _divisor(value: acb) -> acb:
+    if is_zero(value):
+        raise Valueless("a quotient by zero")
+    return value
+
+
+def is_zero(value: acb) -> bool:
+    """Whether a value of about one is zero."""
+    return bool(abs(complex(value)) < _SMALL)
+
+
+def precisely() -> AbstractContextManager[object]:
+    """The precision in which values are found, as a context."""
+    found: AbstractContextManager[object] = ctx.workprec(BITS)
+    return found

@@ -1,0 +1,53 @@
+"""What does not follow from what stands before it is told: nothing is decided by it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from kowalevski_cas.audit.audited import GIVEN, OPEN, Audited
+from kowalevski_cas.notation import to_latex
+from kowalevski_cas.reading import CLAIM, Reading
+from kowalevski_cas.reading.dimensions import AS_THE_REST
+from kowalevski_cas.verify.outcome import FALSE_AS_READ, Correction, Verdict
+
+FROM_BEFORE = "from what stands before it this would follow:"
+"""The words for repairs."""
+
+
+def tell_steps(
+    found: Sequence[Audited], repairs: Mapping[str, Correction], reading: Reading
+) -> None:
+    """Doubt what follows with one change only, unless it is decided, or mended otherwise."""
+    from kowalevski_cas.reading.following import unfollowing  # it loads FLINT
+
+    by_place = {audited.place: audited for audited in found if audited.place is not None}
+    unread = {audited.id: audited for audited in found if audited.place is None}
+    for known in reading.parts.known:
+        at = {
+            item: audited
+            for item in known.items
+            if (audited := by_place.get(item.printed) or unread.get(item.printed.display.id))
+        }
+        open_ones = {one for one, audited in at.items() if _may_be_wrong(audited, repairs)}
+        wrong = {one for one, audited in at.items() if _is_doubted(audited)}
+        for one in unfollowing(known, frozenset(open_ones), frozenset(wrong)):
+            audited = at[one.item]
+            shown = " or ".join(f"${to_latex(formula)}$" for formula in one.repairs)
+            said = [audited.message] if FALSE_AS_READ in audited.message else [FALSE_AS_READ]
+            if audited.message not in said and audited.role != "unread":
+                said += filter(None, [audited.message])
+            audited.verdict = Verdict.UNDECIDED
+            audited.message = "; ".join([*said, f"{FROM_BEFORE} {shown}"])
+            audited.causes = (audited.name,)
+
+
+def _may_be_wrong(audited: Audited, repairs: Mapping[str, Correction]) -> bool:
+    """Whether nothing is decided of a formula, and nothing else mends it."""
+    mended = AS_THE_REST in audited.message or any(id in repairs for id in audited.claims)
+    return audited.verdict in (GIVEN, OPEN, Verdict.UNDECIDED) and not mended
+
+
+def _is_doubted(audited: Audited) -> bool:
+    """Whether nothing is to be built on a formula."""
+    doubted = audited.verdict == Verdict.UNDECIDED and bool(audited.message)
+    return audited.wrong or (audited.role == CLAIM and doubted) or AS_THE_REST in audited.message

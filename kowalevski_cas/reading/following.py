@@ -1,0 +1,149 @@
+"""What does not follow from what is printed before it, and would with one change.
+
+A step of a derivation is looked at by itself: what stands before it in its section is put in, all
+other letters, derivatives and unknown functions are free. A step that fails is doubted only if it
+follows when one token of it is another one: what else it may rest on is not known.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from kowalevski_cas.algebra.samples import precisely
+from kowalevski_cas.notation import Formula, Name, Number, Sum, Vocabulary, to_latex
+from kowalevski_cas.notation.edits import replace
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.free_formulas import free_formulas
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, NOTATION, OTHER, Known
+from kowalevski_cas.reading.premises import pairs_of
+from kowalevski_cas.reading.slips import KINDS, may_be, slips
+from kowalevski_cas.reading.statements import SourceStatement, is_numerical
+from kowalevski_cas.reading.steps import DerivationStep, PrintedBefore
+from kowalevski_cas.verify.vacuous import is_trivial
+
+MOST = 3
+"""How many repairs are told."""
+
+_OF_ALL = ("identity", "integral", "solution", "constant", "energy")
+"""The kinds of claims that are made of no set."""
+
+_STEP = re.compile(
+    r"\bor\W*$|\bi\.\s*e\b|\bthat\s+is\b|\bnamely\b|\bsol(?:ved?|utions?|ving)\b|\bsubstitut\w*"
+    r"|\binsert\w*|\binto\b|\bmultipl\w+|\bdivid\w+|\bintegrat\w+|\bdifferentiat\w+|\bor\b"
+    r"|\bили\b|\bто\s+есть\b|\bреш\w+|\bподстав\w*|\bумнож\w*|\bделя\w*|\bразделив\w*",
+    re.IGNORECASE,
+)
+"""Words before a step."""
+
+
+class Unfollowing(NamedTuple):
+    """A step that does not follow, and the steps that would, the likelier ones first."""
+
+    item: SourceStatement
+    repairs: tuple[Formula, ...]
+
+
+def unfollowing(
+    known: Known, asked: frozenset[SourceStatement], doubted: frozenset[SourceStatement]
+) -> Iterator[Unfollowing]:
+    """The steps among those ``asked`` that follow with one change only.
+
+    Nothing is built on what is ``doubted``.
+    """
+    formulas = free_formulas(known)
+    sections: dict[int, list[SourceStatement]] = {}
+    for one in known.items:
+        sections.setdefault(id(one.section), []).append(one)
+    for items in sections.values():
+        yield from _Section(items, formulas, known).unfollowing(asked, doubted)
+
+
+class _Section:
+    """The statements of a section that say something, in their order."""
+
+    def __init__(
+        self,
+        items: Sequence[SourceStatement],
+        formulas: Mapping[SourceStatement, Formula],
+        known: Known,
+    ) -> None:
+        self.known = known
+        self.formulas = {one: formulas[one] for one in items if one in formulas}
+        self.said = [one for one in self.formulas if _says(one, self.formulas[one], known)]
+        self.words: Vocabulary = known.paper.words
+        nodes = (node for one in self.formulas.values() for node in one.nodes())
+        terms = {term for node in nodes if isinstance(node, Sum) for term in node.terms}
+        self.terms = sorted(terms, key=_length)
+
+    def unfollowing(
+        self, asked: frozenset[SourceStatement], doubted: frozenset[SourceStatement]
+    ) -> Iterator[Unfollowing]:
+        """The steps that follow with one change only; what rests on one is read with it."""
+        mended: dict[SourceStatement, Formula] = {}
+        for item in self.said:
+            formula = self.formulas[item]
+            if item not in asked or not (item in doubted or _is_step(item, formula)):
+                continue
+            sure = (one for one in self._before(item) if one in mended or one not in doubted)
+            before = [mended.get(one, self.formulas[one]) for one in sure]
+            if repairs := self._repairs(formula, before):
+                mended[item] = repairs[0]
+                yield Unfollowing(item, repairs)
+
+    def _before(self, item: SourceStatement) -> list[SourceStatement]:
+        """What stands before a statement, and what its sentence says behind it of its letters."""
+        behind = [
+            one
+            for one in self.said
+            if one.order > item.order
+            and one.sentence == item.sentence
+            and one.typed is not item.typed
+            and cue("where", one.before[-400:])
+        ]
+        return [one for one in self.said if one.order < item.order] + behind
+
+    def _repairs(self, formula: Formula, before: Sequence[Formula]) -> tuple[Formula, ...]:
+        """The changes by which a step follows that does not, the likelier ones first."""
+        found: dict[Formula, tuple[object, ...]] = {}
+        with precisely():
+            step = DerivationStep(formula, PrintedBefore(formula, before, self.terms))
+            own = formula.names()
+            offered = (own | step.before.names) & self.words.scalars
+            for place, slip in enumerate(slips(step, self.words, offered) if step.fails() else ()):
+                kind, path, new, _ = slip
+                edited = replace(formula, path, new)
+                if edited in found or edited in before or kind not in KINDS:
+                    continue
+                possible = may_be(formula, slip) and not is_trivial(edited)
+                if possible and DerivationStep(edited, step.before).follows():
+                    order = not new.names() <= own, path[:1] == (0,), KINDS.index(kind), place
+                    found[edited] = order
+        return tuple(sorted(found, key=lambda edited: found[edited])[:MOST])
+
+
+def _says(item: SourceStatement, formula: Formula, known: Known) -> bool:
+    """Whether a statement holds wherever its section speaks of its letters."""
+    role = known.roles.get(item)
+    if role is None or role.name in (OTHER, NOTATION, ASSUMPTION) or not pairs_of(formula):
+        return False
+    if role.name == CLAIM and role.kind not in _OF_ALL:
+        return False
+    members = getattr(formula, "members", ())
+    numbers = any(map(is_numerical, members)) and (item.typed.inline or role.name == CLAIM)
+    bare = all(isinstance(one, Name | Number) for one in members)
+    return not (numbers and bare) and not (item.typed.inline and numbers)
+
+
+def _is_step(item: SourceStatement, formula: Formula) -> bool:
+    """Whether a statement is a chain, or words let it follow."""
+    words = f"{item.before} "
+    chain = len(pairs_of(formula)) > 1
+    return not item.typed.inline and bool(chain or cue("claim", words) or _STEP.search(words))
+
+
+def _length(formula: Formula) -> tuple[int, str]:
+    """Shorter terms come first."""
+    tex = to_latex(formula)
+    return len(tex), tex

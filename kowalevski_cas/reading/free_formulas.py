@@ -1,0 +1,177 @@
+r"""Formulas as they are read where nothing is proved of them: more freely than what is judged.
+
+Any letter may derive, as :math:`\theta` in :math:`\frac{d^2u}{d\theta^2}`; lists of letters
+behind a letter are arguments, and so is what always stands in brackets behind a bold one; a
+:math:`\Delta` belongs to the letter behind it, unless it stands alone somewhere.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import replace
+
+from kowalevski_cas.notation import (
+    Formula,
+    Name,
+    NotationError,
+    Number,
+    Partial,
+    Power,
+    Product,
+    Summation,
+    Vocabulary,
+    times,
+)
+from kowalevski_cas.notation.layout import statements as placed
+from kowalevski_cas.notation.open import OpenParser, independent
+from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.summation import expand_sum, without_sums
+from kowalevski_cas.reading.known import Known
+from kowalevski_cas.reading.statements import SourceStatement
+
+TERMS = 2
+"""How many terms a sum has of which the number is a letter."""
+
+_LETTER = r"(?:[A-Za-z]|\\[a-z]+)"
+_ARGUMENTS = re.compile(rf"(?P<of>{_LETTER}'*)\s*\(\s*{_LETTER}(?:\s*,\s*{_LETTER})+\s*\)")
+"""A list of letters behind a letter: it is at these that a function is taken."""
+_BOLD = r"\\(?:mathbf|boldsymbol|bm|vec)\s*\{\s*(?:[A-Za-z]|\\[A-Za-z]+)\s*\}(?:_\{?\w+\}?)?"
+_LISTED = rf"(?:{_BOLD}|\\d?dot\s*\{{\s*{_BOLD}\s*\}})"
+_BOLD_FUNCTION = re.compile(
+    rf"(?P<of>{_BOLD})(?P<raised>\^\{{-1\}})?\s*\((?P<at>\s*{_LISTED}(?:\s*,\s*{_LISTED})*\s*)\)"
+)
+"""A bold letter with what is, or may be, its arguments."""
+_OF_RATE = re.compile(r"\\partial\s*(?P<of>[A-Za-z])'")
+_RATE = "_{999}"
+"""The index of a name that stands for that with a prime by which something is derived."""
+_DELTA = r"\Delta"
+
+
+def free_formulas(known: Known) -> dict[SourceStatement, Formula]:
+    """The formula of each statement that can be read."""
+    found: dict[SourceStatement, Formula] = {}
+    texts = [one.typed.tex for one in known.items]
+    functions = _bold_functions(texts)
+    words = known.paper.words
+    by = {name for tex in texts for name in _independent(tex)}
+    applied = {m["of"].rstrip("'") for tex in texts for m in _ARGUMENTS.finditer(tex)}
+    words = replace(words, times=words.times | by, functions=words.functions - applied)
+    for one in known.items:
+        if one.formula is not None:
+            found[one] = one.formula
+            continue
+        with suppress(NotationError, RecursionError, IndexError):
+            tex = _without_arguments(one.printed.display.tex, functions)
+            found[one] = _read(tex, one.printed.number, words)
+    alone = any(Name(_DELTA) in _alone(tree) for tree in found.values())
+    return found if alone else {one: _with_differences(tree) for one, tree in found.items()}
+
+
+def _read(tex: str, number: int, words: Vocabulary) -> Formula:
+    """The statement of a number in a display, in which primes may stand behind a ∂."""
+    marked = _OF_RATE.sub(lambda m: rf"\partial {m['of']}{_RATE}", tex)
+    tokens, _, _ = [*placed(marked)][number - 1]
+    rates = {f"{m['of']}{_RATE}" for m in _OF_RATE.finditer(tex)}
+    words = replace(words, scalars=words.scalars | rates)
+    return _primed(OpenParser(marked, tokens, words).statement()[0])
+
+
+def _primed(formula: Formula) -> Formula:
+    formula = formula.map_children(_primed)
+    if isinstance(formula, Partial) and formula.by.endswith(_RATE):
+        return replace(formula, by=formula.by.removesuffix(_RATE) + "'")
+    return formula
+
+
+def _independent(tex: str) -> list[str]:
+    with suppress(NotationError):
+        return independent(tex)
+    return []
+
+
+def _without_arguments(tex: str, bold: set[str]) -> str:
+    """A display without the arguments of its functions."""
+    tex = _ARGUMENTS.sub(lambda m: m["of"], tex)
+    return _BOLD_FUNCTION.sub(
+        lambda m: m["of"] + (m["raised"] or "") if m["of"] in bold else m[0], tex
+    )
+
+
+def _bold_functions(texts: list[str]) -> set[str]:
+    """The bold letters that have one list of arguments behind them wherever they stand."""
+    at: dict[str, set[str]] = {}
+    count: dict[str, int] = {}
+    for tex in texts:
+        for match in _BOLD_FUNCTION.finditer(tex):
+            at.setdefault(match["of"], set()).add(match["at"])
+            count[match["of"]] = count.get(match["of"], 0) + 1
+    whole = {name: sum(tex.count(name) for tex in texts) for name in at}
+    return {name for name in at if len(at[name]) == 1 and count[name] == whole[name] > 1}
+
+
+# -- differences ---------------------------------------------------------------------------
+
+
+def _alone(formula: Formula) -> Iterator[Formula]:
+    r"""The names in a formula, but for each Δ that stands before a letter in a product."""
+    waiting = [formula]
+    while waiting:
+        node = waiting.pop()
+        children = node.children()
+        if isinstance(node, Product):
+            behind = (*children[1:], Number(1))
+            children = tuple(
+                one
+                for one, other in zip(children, behind, strict=True)
+                if one != Name(_DELTA) or _letter(other) is None
+            )
+        yield node
+        waiting += children
+
+
+def _letter(node: Formula) -> Name | None:
+    match node:
+        case Name() | Power(Name(), _):
+            return node if isinstance(node, Name) else node.base  # type: ignore[return-value]
+    return None
+
+
+def _with_differences(formula: Formula) -> Formula:
+    """A formula in which each difference is one name."""
+    formula = formula.map_children(_with_differences)
+    if not isinstance(formula, Product) or Name(_DELTA) not in formula.factors:
+        return formula
+    found: list[Formula] = []
+    for factor in formula.factors:
+        letter = _letter(factor)
+        if found[-1:] == [Name(_DELTA)] and letter is not None:
+            whole = Name(f"{_DELTA} {letter.name}")
+            found[-1] = whole if factor == letter else replace(factor, base=whole)  # type: ignore[call-arg]
+        else:
+            found.append(factor)
+    return times(*found)
+
+
+# -- sums ----------------------------------------------------------------------------------
+
+
+def instances(formula: Formula) -> Iterator[Formula]:
+    """A formula with its sums written out; for each value of an index that is free in it."""
+    bound = {node.index for node in formula.nodes() if isinstance(node, Summation)}
+    written = without_sums(_bounded(formula))
+    free = {symbol(name).index for name in written.names()} & {"i", "j", "k"}
+    if len(free - bound) != 1:
+        yield written
+        return
+    (index,) = free - bound
+    for value in range(1, TERMS + 1):
+        yield expand_sum(Summation(index, Number(value), Number(value), written))
+
+
+def _bounded(formula: Formula) -> Formula:
+    """A formula with a number for the letter up to which a sum goes."""
+    if isinstance(formula, Summation) and isinstance(formula.last, Name):
+        formula = replace(formula, last=Number(TERMS))
+    return formula.map_children(_bounded)

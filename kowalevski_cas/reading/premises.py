@@ -1,0 +1,127 @@
+"""What stands before a step of a derivation, solved at a sample as far as it is linear."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from itertools import pairwise
+
+from kowalevski_cas.algebra.samples import Key, Sample, Valueless, is_zero
+from kowalevski_cas.notation import Constant, Formula, Relation, Unwritten
+from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.reading.free_formulas import instances
+
+NO_VALUE = (Valueless, Meaningless, ValueError, OverflowError, ZeroDivisionError)
+"""What is raised where a formula has no value at a sample."""
+
+Pair = tuple[Formula, Formula]
+"""The sides of an equation."""
+
+
+class SolvedSample:
+    """A sample at which what stands before a step holds, as far as it can be solved."""
+
+    def __init__(self, sample: Sample, premises: Sequence[Pair]) -> None:
+        self.sample, self.fixed = sample, set[Key]()
+        given: dict[Key, Formula] = {}
+        sample.given = given
+        rest: list[Pair] = []
+        for left, right in reversed(premises):
+            key = sample.key(left)
+            if key is None or key in given or not self._gives(key, right):
+                rest.append((left, right))
+        self.determined = {*given}
+        sample.values.clear()
+        for pair in reversed(rest):
+            with suppress(*NO_VALUE):
+                self._solve(pair)
+
+    def holds(self, pairs: Sequence[Pair], fields: Mapping[str, frozenset[str]]) -> bool | None:
+        """Whether some equations hold; ``None`` if they say nothing of what is determined."""
+        sample = self.sample.copy(fields)
+        used, true, said = set[Key](), True, False
+        for left, right in pairs:
+            key = sample.key(left)
+            sample.touched = set()
+            holds = sample.holds(left, right)
+            fresh = (
+                key is not None and key not in self.determined and not self._derived(key, fields)
+            )
+            if fresh:
+                continue
+            said, true = True, true and holds
+            used |= sample.touched | self._given_in(left) | self._given_in(right)
+        return true if said and used & self.determined else None
+
+    def _derived(self, key: Key, fields: Mapping[str, frozenset[str]]) -> bool:
+        """Whether a key is the derivative of what is given."""
+        return any(key[:length] in self.sample.given for length in range(1, len(key))) or (
+            key[0] in fields or key[1:2] in self.sample.given
+        )
+
+    def _given_in(self, side: Formula) -> set[Key]:
+        keys = {self.sample.key(node) for node in side.nodes()}
+        return {key for key in keys if key is not None and key in self.sample.given}
+
+    def _gives(self, key: Key, right: Formula) -> bool:
+        """Whether something can be given by a formula that does not rest on it."""
+        given = self.sample.given
+        assert isinstance(given, dict)
+        if any(key[:length] in given for length in range(1, len(key))):
+            return False
+        given[key] = right
+        try:
+            self.sample.atom(key)
+        except NO_VALUE:
+            del given[key]
+            return False
+        return True
+
+    def _solve(self, pair: Pair) -> None:
+        """Give what stands linearly in an equation the value by which it holds."""
+        sample, (left, right) = self.sample, pair
+        sample.touched = set()
+        start = sample.value(left) - sample.value(right)
+        touched = {*sample.touched}
+        if is_zero(start):
+            self.fixed |= touched
+            return
+        for key in sorted(touched - self.fixed, key=_solved_first):
+            value, ends = sample.values[key], []
+            for step in (1, 2):
+                sample.values[key] = value + step
+                with suppress(Valueless):
+                    ends.append(sample.value(left) - sample.value(right))
+            sample.values[key] = value
+            if len(ends) < 2 or not is_zero(ends[1] - 2 * ends[0] + start):
+                continue
+            slope = ends[0] - start
+            if not is_zero(slope):
+                sample.values[key] = value - start / slope
+                self.determined.add(key)
+                self.fixed |= touched
+                return
+
+
+def _solved_first(key: Key) -> tuple[object, ...]:
+    """The order in which something is solved for: derivatives, functions, names."""
+    return key[1:2] != ("(",) and len(key) == 1, -len(key), key
+
+
+def pairs_of(formula: Formula) -> list[Pair]:
+    """The equations of a chain, but for members that leave something out."""
+    if not isinstance(formula, Relation) or not formula.is_equality:
+        return []
+    members = [one for one in formula.members if not _leaves_out(one)]
+    return [*pairwise(members)]
+
+
+def _leaves_out(member: Formula) -> bool:
+    return any(isinstance(node, Unwritten | Constant) for node in member.nodes())
+
+
+def written_out(formula: Formula) -> list[Formula]:
+    """The formulas that one is, with its sums written out; none where that cannot be done."""
+    with suppress(*NO_VALUE):
+        return [*instances(formula)]
+    return []

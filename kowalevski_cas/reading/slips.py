@@ -1,0 +1,80 @@
+"""The slips that a step of a derivation may have: of one token, or a part of what stands before."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kowalevski_cas.notation import (
+    Constant,
+    Derivative,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Partial,
+    Power,
+    Relation,
+    Sum,
+    Unwritten,
+    Vocabulary,
+    times,
+    to_latex,
+    total,
+)
+from kowalevski_cas.notation.edits import subtree
+from kowalevski_cas.notation.errors import closeness
+from kowalevski_cas.notation.misprints import Misprint, factors_of, misprints
+from kowalevski_cas.reading.steps import DerivationStep
+from kowalevski_cas.verify.vacuous import ALIKE
+
+KINDS = (
+    "sign", "exponent", "power", "index", "letter", "coefficient", "factor", "missing", "operation",
+)  # fmt: skip
+"""The kinds of slips, the likelier ones first."""
+
+
+def slips(step: DerivationStep, words: Vocabulary, offered: set[str]) -> Iterator[Misprint]:
+    """The slips of a step: of one token, or a term or a factor of what stands before it."""
+    yield from misprints(step.formula, words, offered)
+    waiting: list[tuple[tuple[int, ...], Formula, Formula | None]] = [((), step.formula, None)]
+    while waiting:
+        path, node, parent = waiting.pop()
+        waiting += [((*path, k), child, node) for k, child in enumerate(node.children())]
+        yield from _of_two(path, node)
+        if isinstance(parent, Sum | Negative) and isinstance(node, Name):
+            for rate in sorted(step.before.rates, key=to_latex):
+                yield "missing", path, times(node, rate), ""
+        if isinstance(parent, Relation) and not isinstance(node, Constant | Unwritten):
+            own = node.terms if isinstance(node, Sum) else (node,)
+            for term in step.before.terms:
+                yield "missing", path, Sum((term, *own)), ""
+
+
+def _of_two(path: tuple[int, ...], node: Formula) -> Iterator[Misprint]:
+    """A plus for a product, and a second derivative for the square of the first one."""
+    match node:
+        case Sum(terms):
+            for k in range(1, len(terms)):
+                joined = times(*factors_of(terms[k - 1]), *factors_of(terms[k]))
+                yield "operation", path, total((*terms[: k - 1], joined, *terms[k + 1 :])), ""
+        case Derivative(Derivative(_, mark) as inner, other) if mark == other:
+            yield "operation", path, Power(inner, Number(2)), ""
+        case Partial(Name() as inner, by):
+            yield "letter", path, Partial(inner, f"{by}'"), ""
+
+
+def may_be(formula: Formula, slip: Misprint) -> bool:
+    """Whether a slip is one: no name of another kind, no name by itself, no term twice."""
+    kind, path, new, _ = slip
+    old = subtree(formula, path)
+    members = formula.members if isinstance(formula, Relation) else (formula,)
+    if isinstance(old, Name) and isinstance(new, Name):
+        return path != (0,) and closeness(old.name, new.name) >= ALIKE
+    alone = {one.name for one in members if isinstance(one, Name)}
+    if path[:1] == (0,) and alone & members[0].names():
+        return kind == "coefficient"
+    if kind != "missing":
+        return True
+    added = {term for term in getattr(new, "terms", ())} - {*getattr(old, "terms", (old,))}
+    terms = {term for one in members for term in getattr(one, "terms", (one,))}
+    return alone.isdisjoint(new.names() - old.names()) and added.isdisjoint(terms)
