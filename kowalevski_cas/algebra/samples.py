@@ -225,6 +225,8 @@ class Sample:
     def _along_all(self, function: str, by: str) -> acb:
         """The rate of an unknown function, by those of what it is derived by."""
         found = acb(0)
+        if not self.fields.keys().isdisjoint(map(name_of_rate, self.fields[function])):
+            raise Valueless(function)
         for name in sorted(self.fields[function]):
             rate = acb(1) if name == by else self.value(_rate(name, by))
             found += self.atom((PARTIAL, function, name)) * rate

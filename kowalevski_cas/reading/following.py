@@ -12,7 +12,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from kowalevski_cas.algebra.samples import precisely
-from kowalevski_cas.notation import Formula, Name, Number, Sum, Vocabulary, to_latex
+from kowalevski_cas.notation import (
+    Derivative,
+    Formula,
+    Name,
+    Number,
+    Partial,
+    Sum,
+    Vocabulary,
+    to_latex,
+)
 from kowalevski_cas.notation.edits import replace
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.free_formulas import free_formulas
@@ -28,6 +37,8 @@ MOST = 3
 
 _OF_ALL = ("identity", "integral", "solution", "constant", "energy")
 """The kinds of claims that are made of no set."""
+
+OF_SENTENCE = "of the sentence"
 
 _STEP = re.compile(
     r"\bor\W*$|\bi\.\s*e\b|\bthat\s+is\b|\bnamely\b|\bsol(?:ved?|utions?|ving)\b|\bsubstitut\w*"
@@ -84,13 +95,29 @@ class _Section:
         mended: dict[SourceStatement, Formula] = {}
         for item in self.said:
             formula = self.formulas[item]
-            if item not in asked or not (item in doubted or _is_step(item, formula)):
+            if item not in asked or not (item in doubted or self._is_step(item)):
                 continue
             sure = (one for one in self._before(item) if one in mended or one not in doubted)
             before = [mended.get(one, self.formulas[one]) for one in sure]
             if repairs := self._repairs(formula, before):
                 mended[item] = repairs[0]
                 yield Unfollowing(item, repairs)
+
+    def _is_step(self, item: SourceStatement) -> bool:
+        """Whether a statement is a chain, derives what is given, or words let it follow.
+
+        A total derivative by partial ones follows from nothing.
+        """
+        words, formula = f"{item.before} ", self.formulas[item]
+        pairs = pairs_of(formula)
+        derived = pairs[0][0]
+        while isinstance(derived, Derivative):
+            derived = derived.argument
+        given = (self.formulas[one] for one in self.said if one.order < item.order)
+        derives = derived != pairs[0][0] and any(pairs_of(one)[0][0] == derived for one in given)
+        partial = {node.argument for node in formula.nodes() if isinstance(node, Partial)}
+        said = len(pairs) > 1 or derives or cue("claim", words) or _STEP.search(words)
+        return not item.typed.inline and bool(said or derived in partial)
 
     def _before(self, item: SourceStatement) -> list[SourceStatement]:
         """What stands before a statement, and what its sentence says behind it of its letters."""
@@ -126,7 +153,9 @@ class _Section:
 def _says(item: SourceStatement, formula: Formula, known: Known) -> bool:
     """Whether a statement holds wherever its section speaks of its letters."""
     role = known.roles.get(item)
-    if role is None or role.name in (OTHER, NOTATION, ASSUMPTION) or not pairs_of(formula):
+    if role is None or role.name in (OTHER, NOTATION) or not pairs_of(formula):
+        return False
+    if role.name == ASSUMPTION and (item.typed.inline or role.kind not in ("", OF_SENTENCE)):
         return False
     if role.name == CLAIM and role.kind not in _OF_ALL:
         return False
@@ -134,13 +163,6 @@ def _says(item: SourceStatement, formula: Formula, known: Known) -> bool:
     numbers = any(map(is_numerical, members)) and (item.typed.inline or role.name == CLAIM)
     bare = all(isinstance(one, Name | Number) for one in members)
     return not (numbers and bare) and not (item.typed.inline and numbers)
-
-
-def _is_step(item: SourceStatement, formula: Formula) -> bool:
-    """Whether a statement is a chain, or words let it follow."""
-    words = f"{item.before} "
-    chain = len(pairs_of(formula)) > 1
-    return not item.typed.inline and bool(chain or cue("claim", words) or _STEP.search(words))
 
 
 def _length(formula: Formula) -> tuple[int, str]:

@@ -43,6 +43,8 @@ _BOLD_FUNCTION = re.compile(
     rf"(?P<of>{_BOLD})(?P<raised>\^\{{-1\}})?\s*\((?P<at>\s*{_LISTED}(?:\s*,\s*{_LISTED})*\s*)\)"
 )
 """A bold letter with what is, or may be, its arguments."""
+_TWICE = re.compile(r"\\sum_\{\s*([a-z])\s*,\s*([a-z])\s*=\s*(\d)\s*\}\s*\^(\w|\{\w\})")
+"""A sum over two indices."""
 _OF_RATE = re.compile(r"\\partial\s*(?P<of>[A-Za-z])'")
 _RATE = "_{999}"
 """The index of a name that stands for that with a prime by which something is derived."""
@@ -53,17 +55,19 @@ def free_formulas(known: Known) -> dict[SourceStatement, Formula]:
     """The formula of each statement that can be read."""
     found: dict[SourceStatement, Formula] = {}
     texts = [one.typed.tex for one in known.items]
-    functions = _bold_functions(texts)
+    whole = known.paper.expanded.text
+    functions = _bold_functions([whole[one.typed.start : one.typed.end] for one in known.items])
     words = known.paper.words
     by = {name for tex in texts for name in _independent(tex)}
     applied = {m["of"].rstrip("'") for tex in texts for m in _ARGUMENTS.finditer(tex)}
-    words = replace(words, times=words.times | by, functions=words.functions - applied)
+    words = replace(words, times=words.times | by, functions=words.functions - applied - functions)
     for one in known.items:
+        tex = _without_arguments(one.printed.display.tex, functions)
         if one.formula is not None:
             found[one] = one.formula
-            continue
+            if tex == one.printed.display.tex and "d" not in one.names:
+                continue
         with suppress(NotationError, RecursionError, IndexError):
-            tex = _without_arguments(one.printed.display.tex, functions)
             found[one] = _read(tex, one.printed.number, words)
     alone = any(Name(_DELTA) in _alone(tree) for tree in found.values())
     return found if alone else {one: _with_differences(tree) for one, tree in found.items()}
@@ -93,10 +97,17 @@ def _independent(tex: str) -> list[str]:
 
 def _without_arguments(tex: str, bold: set[str]) -> str:
     """A display without the arguments of its functions."""
-    tex = _ARGUMENTS.sub(lambda m: m["of"], tex)
+    tex = _ARGUMENTS.sub(lambda m: m["of"], _with_single_sums(tex))
     return _BOLD_FUNCTION.sub(
         lambda m: m["of"] + (m["raised"] or "") if m["of"] in bold else m[0], tex
     )
+
+
+def _with_single_sums(tex: str) -> str:
+    """A display in which each sum is over one index, and commas stand between two of them."""
+    for first, second, *_ in _TWICE.findall(tex):
+        tex = re.sub(rf"_\{{\s*{first}\s*{second}\s*\}}", f"_{{{first},{second}}}", tex)
+    return _TWICE.sub(r"\\sum_{\1=\3}^\4\\sum_{\2=\3}^\4", tex)
 
 
 def _bold_functions(texts: list[str]) -> set[str]:

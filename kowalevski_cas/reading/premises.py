@@ -11,7 +11,7 @@ from kowalevski_cas.notation import Constant, Formula, Relation, Unwritten
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.reading.free_formulas import instances
 
-NO_VALUE = (Valueless, Meaningless, ValueError, OverflowError, ZeroDivisionError)
+NO_VALUE = (Valueless, Meaningless, ValueError, ArithmeticError, RecursionError)
 """What is raised where a formula has no value at a sample."""
 
 Pair = tuple[Formula, Formula]
@@ -23,14 +23,13 @@ class SolvedSample:
 
     def __init__(self, sample: Sample, premises: Sequence[Pair]) -> None:
         self.sample, self.fixed = sample, set[Key]()
-        given: dict[Key, Formula] = {}
-        sample.given = given
+        self.given: dict[Key, Formula] = {}
+        sample.given = self.given
         rest: list[Pair] = []
         for left, right in reversed(premises):
-            key = sample.key(left)
-            if key is None or key in given or not self._gives(key, right):
+            if not self._gives(left, right) and not self._gives(right, left):
                 rest.append((left, right))
-        self.determined = {*given}
+        self.determined = {*self.given}
         sample.values.clear()
         for pair in reversed(rest):
             with suppress(*NO_VALUE):
@@ -63,13 +62,12 @@ class SolvedSample:
         keys = {self.sample.key(node) for node in side.nodes()}
         return {key for key in keys if key is not None and key in self.sample.given}
 
-    def _gives(self, key: Key, right: Formula) -> bool:
-        """Whether something can be given by a formula that does not rest on it."""
-        given = self.sample.given
-        assert isinstance(given, dict)
-        if any(key[:length] in given for length in range(1, len(key))):
+    def _gives(self, name: Formula, by: Formula) -> bool:
+        """Whether a name can be given by a formula that does not rest on it."""
+        given, key = self.given, self.sample.key(name)
+        if key is None or any(key[:length] in given for length in range(1, len(key) + 1)):
             return False
-        given[key] = right
+        given[key] = by
         try:
             self.sample.atom(key)
         except NO_VALUE:

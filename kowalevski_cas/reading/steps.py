@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from functools import cached_property
 
@@ -16,8 +16,8 @@ SAMPLES = 3
 MANY = 60
 """How many equations before a step are looked at."""
 
-_VARIABLES = ("t", r"\tau", "x", "s", r"\xi", r"\theta")
-"""By what a prime may derive."""
+_VARIABLES = (("t", r"\tau", "x"), ("s", r"\xi", r"\theta"))
+"""By what a prime may derive, the likelier ones first."""
 
 
 class PrintedBefore:
@@ -34,6 +34,8 @@ class PrintedBefore:
         sides = [*(side for pair in self.premises for side in pair), *own]
         self.nodes = [node for side in sides for node in side.nodes()]
         self.names = {node.name for node in self.nodes if isinstance(node, Name)}
+        given = (side for pair in self.premises for side in pair)
+        self.known = frozenset[str]().union(*(side.names() for side in given))
         self.rates = {node for node in self.nodes if isinstance(node, Derivative)}
         self._solved: dict[int, SolvedSample] = {}
 
@@ -54,12 +56,11 @@ class PrintedBefore:
         """The variable by which a prime derives, if only one stands there."""
         rated = {rate.argument for rate in self.rates}
         dotted = any(rate.mark == "dot" for rate in self.rates)
-        free = [
-            name
-            for name in _VARIABLES
-            if name in self.names and Name(name) not in rated and not (name == "t" and dotted)
-        ]
-        return free[0] if len(free) == 1 else "prime"
+        for likely in _VARIABLES:
+            free = [name for name in likely if name in self.names and Name(name) not in rated]
+            if free := [name for name in free if not (name == "t" and dotted)]:
+                return free[0] if len(free) == 1 else "prime"
+        return "prime"
 
 
 class DerivationStep:
@@ -82,8 +83,18 @@ class DerivationStep:
         with suppress(*NO_VALUE):
             if (name := self._solving) is not None:
                 return self._solves(name, seed)
-            return self.before.solved(seed).holds(self._integral or self.pairs, self._fields)
+            return self.before.solved(seed).holds(
+                self._integral or [*self._telling()], self._fields
+            )
         return None
+
+    def _telling(self) -> Iterator[Pair]:
+        """The equations that say more than what a new name on the right is."""
+        known = {*self.before.known}
+        for left, right in self.pairs:
+            known |= left.names()
+            if right.names() <= known:
+                yield left, right
 
     @cached_property
     def _solving(self) -> str | None:

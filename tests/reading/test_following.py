@@ -1,0 +1,102 @@
+"""Steps of derivations: what does not follow from what stands before it, and would with one change."""
+
+import pytest
+
+from kowalevski_cas.reading import read
+from kowalevski_cas.reading.following import unfollowing
+from kowalevski_cas.source.text import Source
+
+CENTRAL = r"""
+A body of mass $\mu$ has the moment $k = \mu\rho^2\dot\varphi$, and its radius obeys
+\[ \ddot\rho - \frac{k^2}{\mu^2\rho^3} = \frac{P(\rho)}{\mu} . \]
+With $w = 1/\rho$ we have
+\[ \ddot\rho = -\frac{k^2}{\mu^2}w^2\frac{d^2 w}{d\varphi^2} . \]
+Inserted, this gives
+\[ \frac{k^2}{\mu}w^2\left(\frac{d^2w}{d\varphi^2} + w\right) = %s . \]
+"""
+EXACT = r"""
+We want the solutions of
+\[ (4z - 2y)\frac{dz}{dy} + 2y - 2z = 0 . \]
+The solution is
+\[ y^2 %s yz + 2z^2 = K . \]
+"""
+BEAM = r"""
+The deflection obeys
+\[ b\,\frac{\partial^2 w}{\partial z^2} = -q\cos\beta . \]
+The solution with both ends at rest is
+\[ w = \frac{q\cos\beta}{2%s}z(a - z) . \]
+"""
+CHAIN = r"""
+With $\lambda = \sqrt{1 - v^2/c^2}$ we have
+\[ E = \frac{mc^2}{\lambda} = \frac{mc^2}{\sqrt{1 %s v^2/c^2}} = mc^2 + \frac12mv^2 + \cdots . \]
+"""
+RATE = r"""
+Let $B$ be constant. The solution is
+\[ z = \cosh(B\tau)a + \frac{1}{B}\sinh(B\tau)b . \]
+Differentiating we have
+\[ z' = B\sinh(B\tau)a + \%s(B\tau)b . \]
+"""
+INTEGRAND = r"""
+The integrand is
+\[ g = z\sqrt{1 + (z')^2} , \]
+and so
+\[ g - z'\frac{\partial g}{\partial %s} = \frac{z}{\sqrt{1 + (z')^2}} = \text{constant} . \]
+"""
+OSCILLATOR = r"""
+The equation of motion is
+\[ J\ddot\alpha = -mgb\sin\alpha \]
+with $J = 2mb^2$, or
+\[ \ddot\alpha = -\frac{g}{%s} . \]
+"""
+WAVE = r"""
+Primes are derivatives by $x$. Let
+\begin{align*}
+  \chi(x, t) &= \exp\left\{aR(x,t)\right\}, \\
+  \chi''(x, t) &= \left(aR''(x, t) + a^2%s\right)\chi(x, t) .
+\end{align*}
+"""
+SCHEME = r"""
+The scheme is
+\begin{align*}
+p^{n+1} &= p^n - \Delta t\,k q^n, \\
+q^{n+1} &= q^n + \Delta t\,p^{n+1} .
+\end{align*}
+This gives
+\[ q^{n+1} = q^n + \Delta t(p^n - k\Delta t%s q^n) . \]
+"""
+SOURCE = r"""
+For $y = t^2$
+\[ y'' + by = 2 + bt^2 \ne 0 . \]
+The equation $y'' + by = s$ has the solution $y = t^2$ for
+\[ s = %s . \]
+"""
+CASES = [
+    (CENTRAL, "-P(1/w)", "P(1/w)"),
+    (EXACT, "-2", "-3"),
+    (BEAM, "b", "b^2"),
+    (CHAIN, "-", "+"),
+    (RATE, "cosh", "sinh"),
+    (INTEGRAND, "z'", "z"),
+    (OSCILLATOR, r"2b}\sin{\alpha", r"2b\sin\alpha"),
+    (WAVE, r"\bigl(R'(x, t)\bigr)^2", r"R''(x, t)"),
+    (SCHEME, "", "^2"),
+    (SOURCE, "2 + bt^2", "bt^2"),
+]
+
+
+def page(body):
+    text = "\\documentclass{article}\n\\begin{document}\n" + body + "\n\\end{document}\n"
+    return Source("PAPER.tex", text)
+
+
+def found(body):
+    reading = read(page(body))
+    (known,) = reading.parts.known
+    return [*unfollowing(known, frozenset(known.items), frozenset())]
+
+
+@pytest.mark.parametrize(("body", "right", "wrong"), CASES)
+def test_a_step_is_doubted_that_follows_with_one_change_only(body, right, wrong):
+    assert found(body % right) == []
+    (one,) = found(body % wrong)
+    assert one.repairs
