@@ -67,10 +67,18 @@ def free_formulas(known: Known) -> dict[SourceStatement, Formula]:
             found[one] = one.formula
             if tex == one.printed.display.tex and "d" not in one.names:
                 continue
-        with suppress(NotationError, RecursionError, IndexError):
-            found[one] = _read(tex, one.printed.number, words)
+        for own in (words, _with_one_component(words)):
+            with suppress(NotationError, RecursionError, IndexError):
+                found[one] = _read(tex, one.printed.number, own)
+                break
     alone = any(Name(_DELTA) in _alone(tree) for tree in found.values())
     return found if alone else {one: _with_differences(tree) for one, tree in found.items()}
+
+
+def _with_one_component(words: Vocabulary) -> Vocabulary:
+    """The names, with numbers for vectors and matrices: then a vector and a matrix are added."""
+    scalars = words.scalars | words.vectors | words.matrices
+    return replace(words, scalars=scalars, vectors=frozenset(), matrices=frozenset())
 
 
 def _read(tex: str, number: int, words: Vocabulary) -> Formula:

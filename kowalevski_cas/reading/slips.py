@@ -41,7 +41,7 @@ def slips(step: DerivationStep, words: Vocabulary, offered: set[str]) -> Iterato
         path, node, parent = waiting.pop()
         waiting += [((*path, k), child, node) for k, child in enumerate(node.children())]
         yield from _of_two(path, node)
-        if isinstance(parent, Sum | Negative) and isinstance(node, Name):
+        if isinstance(parent, Sum | Negative | Relation) and isinstance(node, Name):
             for rate in sorted(step.before.rates, key=to_latex):
                 yield "missing", path, times(node, rate), ""
         if isinstance(parent, Relation) and not isinstance(node, Constant | Unwritten):
