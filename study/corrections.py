@@ -22,11 +22,18 @@ from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, CommandError
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.reading.dimensions import AS_THE_REST
+from kowalevski_cas.reading.free_formulas import free_formulas
 from kowalevski_cas.reading.statements import read_statements
 from kowalevski_cas.source.files import read_source
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.outcome import FALSE_AS_READ
 from study.readings import Entry, audit_entries, repairs_told
+
+EXIT_CODES = {
+    AS_RECORDED: "every wrong formula is noticed",
+    DIFFERENT: "one is not noticed, or is proved",
+    NOTHING: "there is nothing to look at",
+}
 
 GREEN, NOTICED, LEFT = "green", "noticed", "not noticed"
 
@@ -98,9 +105,11 @@ def meant_formulas(path: Path, entry: Entry) -> set[str]:
 
 def _statements(source: Source) -> Iterator[str]:
     """The statements of a source, as the program prints them."""
-    for item in read_statements(source).items:
+    paper = read_statements(source)
+    for item in paper.items:
         if item.formula is not None:
             yield to_latex(item.formula)
+    yield from map(to_latex, free_formulas(paper, paper.items).values())
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

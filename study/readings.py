@@ -25,6 +25,11 @@ from kowalevski_cas.reading.dimensions import AS_THE_REST
 from kowalevski_cas.source.files import read_source
 from kowalevski_cas.verify.outcome import FALSE_AS_READ, Verdict
 
+EXIT_CODES = {
+    AS_RECORDED: "nothing false is proved, and nothing true refuted",
+    DIFFERENT: "something is, or an audit ends without an answer",
+}
+
 LIMIT = 240
 """The seconds for a paper, if no others are asked for: what is cut off then is ``timeout``."""
 

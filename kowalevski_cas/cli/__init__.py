@@ -74,9 +74,7 @@ def run(program: str, module: str, words: Sequence[str]) -> int:
     """Run the command in the module with this name, called ``program``; return its exit code."""
 
     def parser() -> argparse.ArgumentParser:
-        found = argparse.ArgumentParser(
-            program, epilog=exit_codes(module.rpartition(".")[2]), formatter_class=_HELP
-        )
+        found = argparse.ArgumentParser(program, formatter_class=_HELP)
         try:
             command = import_module(module)
         except ModuleNotFoundError as error:
@@ -85,6 +83,8 @@ def run(program: str, module: str, words: Sequence[str]) -> int:
             found.description = _docstring(module)
             found.epilog = f"Its arguments are shown where there is {_needed(error)}"
             return found
+        own = getattr(command, "EXIT_CODES", None)
+        found.epilog = exit_codes(module.rpartition(".")[2], own)
         found.description = command.__doc__
         command.add_arguments(found)
         found.set_defaults(run=command.run)

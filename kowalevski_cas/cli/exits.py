@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from kowalevski_cas import UserError
 
@@ -88,9 +88,12 @@ _MEANINGS = {
 }
 
 
-def exit_codes(command: str) -> str:
-    """What the exit codes of a command mean, or of all, to stand at the end of a help."""
-    meanings = {AS_RECORDED: "done"} | _ALWAYS | _MEANINGS.get(command, {})
+def exit_codes(command: str, own: Mapping[int, str] | None = None) -> str:
+    """What the exit codes of a command mean, or of all, to stand at the end of a help.
+
+    A command that is none of the package's says what its ``own`` mean.
+    """
+    meanings = {AS_RECORDED: "done"} | _ALWAYS | {**(own or _MEANINGS.get(command, {}))}
     lines = (f"  {code:<3} {words}\n" for code, words in sorted(meanings.items()))
     return "exit codes:\n" + "".join(lines)
 

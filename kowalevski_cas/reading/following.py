@@ -32,6 +32,13 @@ from kowalevski_cas.reading.statements import SourceStatement, is_numerical
 from kowalevski_cas.reading.steps import DerivationStep, PrintedBefore
 from kowalevski_cas.verify.vacuous import is_trivial
 
+_ANOTHER = re.compile(
+    r"\b(?:instead|replac\w+|friction|damp\w+|without|twice|double\w*|half|other|another|new)\b"
+    r"|\b(?:вместо|замен\w+|трени\w+|друг\w+|нов\w+|вдвое)\b",
+    re.IGNORECASE,
+)
+"""Words that may change what stands before."""
+
 MOST = 3
 """How many repairs are told."""
 
@@ -63,7 +70,7 @@ def unfollowing(
 
     Nothing is built on what is ``doubted``.
     """
-    formulas = free_formulas(known)
+    formulas = free_formulas(known.paper, known.items)
     sections: dict[int, list[SourceStatement]] = {}
     for one in known.items:
         sections.setdefault(id(one.section), []).append(one)
@@ -109,6 +116,8 @@ class _Section:
         A total derivative by partial ones follows from nothing.
         """
         words, formula = f"{item.before} ", self.formulas[item]
+        if cue("when", words) or cue("place", words) or _ANOTHER.search(words):
+            return False
         pairs = pairs_of(formula)
         derived = pairs[0][0]
         while isinstance(derived, Derivative):

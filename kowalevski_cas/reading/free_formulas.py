@@ -8,7 +8,7 @@ behind a letter are arguments, and so is what always stands in brackets behind a
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -28,8 +28,7 @@ from kowalevski_cas.notation.layout import statements as placed
 from kowalevski_cas.notation.open import OpenParser, independent
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.summation import expand_sum, without_sums
-from kowalevski_cas.reading.known import Known
-from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 
 TERMS = 2
 """How many terms a sum has of which the number is a letter."""
@@ -51,17 +50,19 @@ _RATE = "_{999}"
 _DELTA = r"\Delta"
 
 
-def free_formulas(known: Known) -> dict[SourceStatement, Formula]:
+def free_formulas(
+    paper: SourcePaper, items: Sequence[SourceStatement]
+) -> dict[SourceStatement, Formula]:
     """The formula of each statement that can be read."""
     found: dict[SourceStatement, Formula] = {}
-    texts = [one.typed.tex for one in known.items]
-    whole = known.paper.expanded.text
-    functions = _bold_functions([whole[one.typed.start : one.typed.end] for one in known.items])
-    words = known.paper.words
+    texts = [one.typed.tex for one in items]
+    whole = paper.expanded.text
+    functions = _bold_functions([whole[one.typed.start : one.typed.end] for one in items])
+    words = paper.words
     by = {name for tex in texts for name in _independent(tex)}
     applied = {m["of"].rstrip("'") for tex in texts for m in _ARGUMENTS.finditer(tex)}
     words = replace(words, times=words.times | by, functions=words.functions - applied - functions)
-    for one in known.items:
+    for one in items:
         tex = _without_arguments(one.printed.display.tex, functions)
         if one.formula is not None:
             found[one] = one.formula

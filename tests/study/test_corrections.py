@@ -54,3 +54,8 @@ def test_the_command_counts_and_what_is_not_noticed_is_no_success(folder, capsys
     assert "noticed 1, green 0, not noticed 0; as the author mended 1" in capsys.readouterr().out
     path, _ = folder("y^2+x^2", "other")
     assert run("python -m study.corrections", "study.corrections", [str(path)]) == 1
+
+
+def test_its_help_says_when_it_is_no_success(capsys):
+    run("python -m study.corrections", "study.corrections", ["--help"])
+    assert "1   one is not noticed, or is proved" in capsys.readouterr().out
