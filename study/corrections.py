@@ -21,6 +21,7 @@ from kowalevski_cas.cli import run as run_command
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, CommandError
 from kowalevski_cas.notation import to_latex
+from kowalevski_cas.reading.definite_integrals import with_integrals
 from kowalevski_cas.reading.dimensions import AS_THE_REST
 from kowalevski_cas.reading.free_formulas import free_formulas
 from kowalevski_cas.reading.statements import read_statements
@@ -109,7 +110,8 @@ def _statements(source: Source) -> Iterator[str]:
     for item in paper.items:
         if item.formula is not None:
             yield to_latex(item.formula)
-    yield from map(to_latex, free_formulas(paper, paper.items).values())
+    for formula in free_formulas(paper, paper.items).values():
+        yield to_latex(with_integrals(formula))
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -8,7 +8,7 @@ free. Vectors and matrices have one component: what fails there is false.
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import AbstractContextManager
 from math import prod
 
@@ -38,12 +38,18 @@ Key = tuple[str, ...]
 
 BITS = 300
 """The precision of values."""
+INTEGRAL = r"\mathrm{int}"
+"""The function of the ends, the variable and the integrand that a definite integral is."""
+INFINITE = "I_{999}"
+"""The name of an infinite end."""
 DIGITS = 30
 """So many digits say at which value an unknown function is taken."""
 _STEP = 2.0**-70
 """By how much something is moved to find a derivative."""
 _SMALL = 2.0**-40
 """What is nearer to zero than this, of values of about one, is zero."""
+_NOTHING = 2.0**-150
+"""By what is nearer to zero than this nothing is divided."""
 PARTIAL = r"\partial"
 TIME = "t"
 
@@ -89,11 +95,18 @@ class Sample:
         self.touched: set[Key] = set()
         self._busy: set[Key] = set()
         self._moved = False
+        self._integrals: dict[Formula, acb] = {}
 
     def copy(self, fields: Mapping[str, frozenset[str]]) -> Sample:
         """The same numbers, with functions that are derived by some names."""
         found = Sample(self.seed, self.given, self.rated, fields, self.primed)
-        found.values = dict(self.values)
+        found.values, found._integrals = dict(self.values), self._integrals
+        return found
+
+    def _moving(self) -> Sample:
+        """The same numbers, of which some will be changed."""
+        found = self.copy(self.fields)
+        found._integrals = {}
         return found
 
     def key(self, node: Formula) -> Key | None:
@@ -138,6 +151,10 @@ class Sample:
                 return self._derivative(node, inner, self.variable(mark))
             case Partial(inner, by):
                 return self._partial(node, inner, by)
+            case Application(function, (first, last, Name(by), body)) if function == INTEGRAL:
+                if node not in self._integrals:
+                    self._integrals[node] = self._integral(self._ends(first, last), by, body)
+                return self._integrals[node]
             case Application(function, arguments):
                 return self._applied(function, [self.value(one) for one in arguments])
         return self._simple(node)
@@ -208,6 +225,30 @@ class Sample:
             raise Valueless(function)
         return self.atom(key)
 
+    # -- integrals ------------------------------------------------------------------------
+
+    def _ends(self, first: Formula, last: Formula) -> tuple[acb, acb | None]:
+        """The ends of an integral, of which the last one may be infinite."""
+        return self.value(first), None if last == Name(INFINITE) else self.value(last)
+
+    def _integral(self, ends: tuple[acb, acb | None], by: str, body: Formula) -> acb:
+        """An integral by the rule of tanh and sinh.
+
+        To infinity it is any sum over values of the integrand: what is equal by its linearity alone
+        is equal then.
+        """
+        first, last = ends
+        inner = self._moving()
+        constant = inner.value(body)
+        if (by,) not in inner.touched and last is not None:
+            return (last - first) * constant
+        found = acb(0)
+        for place, weight in _nodes() if last is not None else _ANY_NODES:
+            inner = self._moving()
+            inner.values[by,] = first + (place if last is None else (last - first) * place)
+            found += weight * inner.value(body)
+        return found if last is None else found * (last - first)
+
     # -- derivatives -----------------------------------------------------------------------
 
     def _derivative(self, node: Formula, inner: Formula, by: str) -> acb:
@@ -260,12 +301,24 @@ class Sample:
         """The derivative of a formula where some keys move."""
         ends = []
         for sign in (1, -1):
-            moved = self.copy(self.fields)
+            moved = self._moving()
             moved._moved = True
             for key, direction in directions.items():
                 moved.values[key] = self.atom(key) + direction * sign * _STEP
             ends.append(moved.value(node))
         return (ends[0] - ends[1]) / (2 * _STEP)
+
+
+_ANY_NODES = tuple((acb(2 * k + 1) / 7, acb(k + 2) / 11) for k in range(7))
+_WIDTH, _REACH = 8, 4
+
+
+def _nodes() -> Iterator[tuple[acb, acb]]:
+    """The places and the weights of the rule of tanh and sinh between 0 and 1."""
+    for k in range(-_REACH * _WIDTH, _REACH * _WIDTH + 1):
+        t = acb(k) / _WIDTH
+        raised = (acb.pi() * t.sinh()).exp()
+        yield raised / (1 + raised), acb.pi() * t.cosh() * raised / (1 + raised) ** 2 / _WIDTH
 
 
 def _rate(name: str, by: str) -> Formula:
@@ -295,7 +348,7 @@ def _is_index(exponent: Formula) -> bool:
 
 
 def _divisor(value: acb) -> acb:
-    if is_zero(value):
+    if abs(complex(value)) < _NOTHING:
         raise Valueless("a quotient by zero")
     return value
 

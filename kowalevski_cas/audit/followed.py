@@ -18,7 +18,8 @@ def tell_steps(
     found: Sequence[Audited], repairs: Mapping[str, Correction], reading: Reading
 ) -> None:
     """Doubt what follows with one change only, unless it is decided, or mended otherwise."""
-    from kowalevski_cas.reading.following import unfollowing  # it loads FLINT
+    from kowalevski_cas.reading.definite_integrals import with_integrals  # they load FLINT
+    from kowalevski_cas.reading.following import unfollowing
 
     by_place = {audited.place: audited for audited in found if audited.place is not None}
     unread = {audited.id: audited for audited in found if audited.place is None}
@@ -32,7 +33,7 @@ def tell_steps(
         wrong = {one for one, audited in at.items() if _is_doubted(audited)}
         for one in unfollowing(known, frozenset(open_ones), frozenset(wrong)):
             audited = at[one.item]
-            shown = " or ".join(f"${to_latex(formula)}$" for formula in one.repairs)
+            shown = " or ".join(f"${to_latex(with_integrals(formula))}$" for formula in one.repairs)
             said = [audited.message] if FALSE_AS_READ in audited.message else [FALSE_AS_READ]
             if audited.message not in said and audited.role != "unread":
                 said += filter(None, [audited.message])

@@ -27,7 +27,7 @@ from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.free_formulas import free_formulas
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, NOTATION, OTHER, Known
 from kowalevski_cas.reading.premises import pairs_of
-from kowalevski_cas.reading.slips import KINDS, may_be, slips
+from kowalevski_cas.reading.slips import KINDS, is_integrated, may_be, slips
 from kowalevski_cas.reading.statements import SourceStatement, is_numerical
 from kowalevski_cas.reading.steps import DerivationStep, PrintedBefore
 from kowalevski_cas.verify.vacuous import is_trivial
@@ -150,7 +150,7 @@ class _Section:
             for place, slip in enumerate(slips(step, self.words, offered) if step.fails() else ()):
                 kind, path, new, _ = slip
                 edited = replace(formula, path, new)
-                if edited in found or edited in before or kind not in KINDS:
+                if edited in found or edited in before or is_integrated(formula, path):
                     continue
                 possible = may_be(formula, slip) and not is_trivial(edited)
                 if possible and DerivationStep(edited, step.before).follows():

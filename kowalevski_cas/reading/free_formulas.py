@@ -12,6 +12,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
+from kowalevski_cas.algebra.samples import INTEGRAL
 from kowalevski_cas.notation import (
     Formula,
     Name,
@@ -28,6 +29,7 @@ from kowalevski_cas.notation.layout import statements as placed
 from kowalevski_cas.notation.open import OpenParser, independent
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.summation import expand_sum, without_sums
+from kowalevski_cas.reading.definite_integrals import without_integrals
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 
 TERMS = 2
@@ -36,6 +38,7 @@ TERMS = 2
 _LETTER = r"(?:[A-Za-z]|\\[a-z]+)"
 _ARGUMENTS = re.compile(rf"(?P<of>{_LETTER}'*)\s*\(\s*{_LETTER}(?:\s*,\s*{_LETTER})+\s*\)")
 """A list of letters behind a letter: it is at these that a function is taken."""
+_AT_LETTER = re.compile(rf"(?P<of>{_LETTER}(?:_\w)?)\s*\(\s*{_LETTER}\s*\)")
 _BOLD = r"\\(?:mathbf|boldsymbol|bm|vec)\s*\{\s*(?:[A-Za-z]|\\[A-Za-z]+)\s*\}(?:_\{?\w+\}?)?"
 _LISTED = rf"(?:{_BOLD}|\\d?dot\s*\{{\s*{_BOLD}\s*\}})"
 _BOLD_FUNCTION = re.compile(
@@ -61,9 +64,14 @@ def free_formulas(
     words = paper.words
     by = {name for tex in texts for name in _independent(tex)}
     applied = {m["of"].rstrip("'") for tex in texts for m in _ARGUMENTS.finditer(tex)}
-    words = replace(words, times=words.times | by, functions=words.functions - applied - functions)
+    single = _single(texts, words.functions)
+    words = replace(
+        words,
+        times=words.times | by,
+        functions=words.functions - applied - functions - single | {INTEGRAL},
+    )
     for one in items:
-        tex = _without_arguments(one.printed.display.tex, functions)
+        tex = without_integrals(_without_arguments(one.printed.display.tex, functions | single))
         if one.formula is not None:
             found[one] = one.formula
             if tex == one.printed.display.tex and "d" not in one.names:
@@ -107,9 +115,18 @@ def _independent(tex: str) -> list[str]:
 def _without_arguments(tex: str, bold: set[str]) -> str:
     """A display without the arguments of its functions."""
     tex = _ARGUMENTS.sub(lambda m: m["of"], _with_single_sums(tex))
+    tex = _AT_LETTER.sub(lambda m: m["of"] if m["of"] in bold else m[0], tex)
     return _BOLD_FUNCTION.sub(
         lambda m: m["of"] + (m["raised"] or "") if m["of"] in bold else m[0], tex
     )
+
+
+def _single(texts: list[str], functions: frozenset[str]) -> set[str]:
+    """The functions of one letter that are printed without it as well."""
+    found = {m["of"] for tex in texts for m in _AT_LETTER.finditer(tex)} & functions
+    bare = (rf"(?<![A-Za-z\\]){re.escape(name)}(?!\s*[\w(])" for name in found)
+    pairs = zip(found, bare, strict=True)
+    return {name for name, one in pairs if any(re.search(one, tex) for tex in texts)}
 
 
 def _with_single_sums(tex: str) -> str:

@@ -6,8 +6,9 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from itertools import pairwise
 
-from kowalevski_cas.algebra.samples import Key, Sample, Valueless, is_zero
-from kowalevski_cas.notation import Constant, Formula, Relation, Unwritten
+from kowalevski_cas.algebra.samples import INTEGRAL, Key, Sample, Valueless, is_zero
+from kowalevski_cas.notation import Application, Constant, Formula, Relation, Unwritten
+from kowalevski_cas.notation.formula import EQUALITIES
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.reading.free_formulas import instances
 
@@ -50,7 +51,8 @@ class SolvedSample:
                 continue
             said, true = True, true and holds
             used |= sample.touched | self._given_in(left) | self._given_in(right)
-        return true if said and used & self.determined else None
+        integral = any(_has_integral(side) for pair in pairs for side in pair)
+        return true if said and (integral or used & self.determined) else None
 
     def _derived(self, key: Key, fields: Mapping[str, frozenset[str]]) -> bool:
         """Whether a key is the derivative of what is given."""
@@ -108,10 +110,21 @@ def _solved_first(key: Key) -> tuple[object, ...]:
 
 def pairs_of(formula: Formula) -> list[Pair]:
     """The equations of a chain, but for members that leave something out."""
-    if not isinstance(formula, Relation) or not formula.is_equality:
+    if not isinstance(formula, Relation):
         return []
-    members = [one for one in formula.members if not _leaves_out(one)]
-    return [*pairwise(members)]
+    signs = ("", *formula.signs)
+    kept = [
+        (one, sign in EQUALITIES)
+        for one, sign in zip(formula.members, signs, strict=True)
+        if not _leaves_out(one)
+    ]
+    return [(one, other) for (one, _), (other, equal) in pairwise(kept) if equal]
+
+
+def _has_integral(side: Formula) -> bool:
+    """Whether a definite integral stands there: it need not rest on anything else."""
+    nodes = side.nodes()
+    return any(isinstance(node, Application) and node.function == INTEGRAL for node in nodes)
 
 
 def _leaves_out(member: Formula) -> bool:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from kowalevski_cas.algebra.samples import INTEGRAL
 from kowalevski_cas.notation import (
+    Application,
     Constant,
     Derivative,
     Formula,
@@ -13,6 +15,7 @@ from kowalevski_cas.notation import (
     Number,
     Partial,
     Power,
+    Quotient,
     Relation,
     Sum,
     Unwritten,
@@ -35,7 +38,7 @@ KINDS = (
 
 def slips(step: DerivationStep, words: Vocabulary, offered: set[str]) -> Iterator[Misprint]:
     """The slips of a step: of one token, or a term or a factor of what stands before it."""
-    yield from misprints(step.formula, words, offered)
+    yield from (slip for slip in misprints(step.formula, words, offered) if slip[0] in KINDS)
     waiting: list[tuple[tuple[int, ...], Formula, Formula | None]] = [((), step.formula, None)]
     while waiting:
         path, node, parent = waiting.pop()
@@ -46,6 +49,8 @@ def slips(step: DerivationStep, words: Vocabulary, offered: set[str]) -> Iterato
                 yield "missing", path, times(node, rate), ""
         if isinstance(parent, Relation) and not isinstance(node, Constant | Unwritten):
             own = node.terms if isinstance(node, Sum) else (node,)
+            for number in (Number(4), Quotient(Number(1), Number(4))):
+                yield "coefficient", path, times(number, *factors_of(node)), ""
             for term in step.before.terms:
                 yield "missing", path, Sum((term, *own)), ""
 
@@ -61,6 +66,12 @@ def _of_two(path: tuple[int, ...], node: Formula) -> Iterator[Misprint]:
             yield "operation", path, Power(inner, Number(2)), ""
         case Partial(Name() as inner, by):
             yield "letter", path, Partial(inner, f"{by}'"), ""
+
+
+def is_integrated(formula: Formula, path: tuple[int, ...]) -> bool:
+    """Whether a place is in an integral: other integrands take long, and are not tried."""
+    above = (subtree(formula, path[:length]) for length in range(len(path)))
+    return any(isinstance(node, Application) and node.function == INTEGRAL for node in above)
 
 
 def may_be(formula: Formula, slip: Misprint) -> bool:

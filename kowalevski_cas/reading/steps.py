@@ -6,8 +6,9 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from functools import cached_property
 
-from kowalevski_cas.algebra.samples import Sample
+from kowalevski_cas.algebra.samples import INFINITE, Sample
 from kowalevski_cas.notation import Derivative, Formula, Name, Number, Partial
+from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.premises import NO_VALUE, Pair, SolvedSample, pairs_of, written_out
 
 SAMPLES = 3
@@ -90,7 +91,7 @@ class DerivationStep:
 
     def _telling(self) -> Iterator[Pair]:
         """The equations that say more than what a new name on the right is."""
-        known = {*self.before.known}
+        known = {*self.before.known, PI, INFINITE}
         for left, right in self.pairs:
             known |= left.names()
             if right.names() <= known:
