@@ -151,12 +151,8 @@ class Sample:
                 return self._derivative(node, inner, self.variable(mark))
             case Partial(inner, by):
                 return self._partial(node, inner, by)
-            case Application(function, (first, last, Name(by), body)) if function == INTEGRAL:
-                if node not in self._integrals:
-                    self._integrals[node] = self._integral(self._ends(first, last), by, body)
-                return self._integrals[node]
-            case Application(function, arguments):
-                return self._applied(function, [self.value(one) for one in arguments])
+            case Application():
+                return self._applied(node)
         return self._simple(node)
 
     def _simple(self, node: Formula) -> acb:
@@ -214,7 +210,14 @@ class Sample:
         exponent = self.value(node.exponent)
         return acb((exponent * _divisor(base).log()).exp())
 
-    def _applied(self, function: str, arguments: list[acb]) -> acb:
+    def _applied(self, node: Application) -> acb:
+        function = node.function
+        match node.arguments:
+            case (first, last, Name(by), body) if function == INTEGRAL:
+                if node not in self._integrals:
+                    self._integrals[node] = self._integral(self._ends(first, last), by, body)
+                return self._integrals[node]
+        arguments = [self.value(one) for one in node.arguments]
         if function in _FUNCTIONS and len(arguments) == 1:
             found = _FUNCTIONS[function](arguments[0])
             if not found.is_finite():
