@@ -15,6 +15,7 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from kowalevski_cas.audit.audited import OPEN
 from kowalevski_cas.cli import run as run_command
@@ -51,6 +52,8 @@ class CorrectedFormula:
     end: str
     repaired: bool
     said: str
+    alarm: bool = False
+    """Whether what its author printed later is doubted as well: then it was not understood."""
 
 
 def corrected_formula(folder: Path, entry: Entry, timeout: float) -> CorrectedFormula:
@@ -62,23 +65,32 @@ def corrected_formula(folder: Path, entry: Entry, timeout: float) -> CorrectedFo
     path = folder / entry["id"] / "PAPER.tex"
     formulas = audit_entries(path, timeout)
     own = [one for one in formulas if one["label"] == entry["label"]]
+    noticed = is_noticed(formulas, own)
+    claims = [one["verdict"] for one in own if one["role"] == "claim"]
+    green = bool(claims) and {*claims} <= {"proved", "conditional"}
+    end = NOTICED if noticed else GREEN if green else LEFT
+    said = "; ".join(f"{one['role']}, {one['verdict']}: {one['message'] or ''}" for one in own)
+    mended, meant = mended_source(path, entry), meant_formulas(path, entry)
+    with TemporaryDirectory() as there:
+        page = Path(there) / path.name
+        page.write_text(mended.text, encoding="utf-8")
+        later = audit_entries(page, timeout)
+    alarm = is_noticed(later, [one for one in later if one["label"] == entry["label"]])
+    repaired = bool(meant & {*repairs(formulas, own)})
+    return CorrectedFormula(entry["id"], entry["kind"], end, repaired, said, alarm)
+
+
+def is_noticed(formulas: list[Entry], own: list[Entry]) -> bool:
+    """Whether something is said against the formulas of a display."""
     failing = [one for one in formulas if one not in own and one["verdict"] != OPEN]
     causes = {cause for one in failing for cause in one["causes"]}
-    noticed = any(
+    return any(
         one["verdict"] in ("refuted", "suspect")
         or one["correction"]
         or one["id"] in causes
         or FALSE_AS_READ in str(one["message"])
         or AS_THE_REST in str(one["message"])
         for one in own
-    )
-    claims = [one["verdict"] for one in own if one["role"] == "claim"]
-    green = bool(claims) and {*claims} <= {"proved", "conditional"}
-    end = NOTICED if noticed else GREEN if green else LEFT
-    said = "; ".join(f"{one['role']}, {one['verdict']}: {one['message'] or ''}" for one in own)
-    meant = meant_formulas(path, entry)
-    return CorrectedFormula(
-        entry["id"], entry["kind"], end, bool(meant & {*repairs(formulas, own)}), said
     )
 
 
@@ -96,12 +108,16 @@ def repairs(formulas: list[Entry], own: list[Entry]) -> list[str]:
 
 def meant_formulas(path: Path, entry: Entry) -> set[str]:
     """What the author printed later, as the program prints it; nothing that stood there before."""
+    return {*_statements(mended_source(path, entry))} - {*_statements(read_source(path))}
+
+
+def mended_source(path: Path, entry: Entry) -> Source:
+    """The page with what its author printed later."""
     source = read_source(path)
-    before = {*_statements(source)}
     mended = replace(source, text=source.text.replace(entry["wrong"], entry["right"], 1))
     if mended.text == source.text:
         raise CommandError(f"{path} has no {entry['wrong']}", NOTHING)
-    return {*_statements(mended)} - before
+    return mended
 
 
 def _statements(source: Source) -> Iterator[str]:
@@ -139,14 +155,15 @@ def run(arguments: argparse.Namespace) -> int:
             one = CorrectedFormula(entry["id"], entry["kind"], LEFT, False, str(error))
         found.append(one)
         mended = ", mended" if one.repaired else ""
+        mended += ", doubted when right, too" if one.alarm else ""
         print(f"{one.id} ({one.kind}): {one.end}{mended}: {one.said}", flush=True)
     if not found:
         raise CommandError("there is nothing to look at", NOTHING)
     ends = Counter(one.end for one in found)
     counts = ", ".join(f"{end} {ends[end]}" for end in (NOTICED, GREEN, LEFT))
-    print(
-        f"{len(found)} corrections: {counts}; as the author mended {sum(o.repaired for o in found)}"
-    )
+    repaired, alarms = sum(one.repaired for one in found), sum(one.alarm for one in found)
+    print(f"{len(found)} corrections: {counts}; as the author mended {repaired}", end="")
+    print(f"; doubted when right, too {alarms}")
     return AS_RECORDED if ends[NOTICED] == len(found) else DIFFERENT
 
 

@@ -8,12 +8,22 @@ free. Vectors and matrices have one component: what fails there is false.
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import AbstractContextManager
 from math import prod
 
 from flint import acb, ctx
 
+from kowalevski_cas.algebra.keys import (
+    PARTIAL,
+    Key,
+    is_initial,
+    key_of,
+    rate_of,
+    rated,
+    variable_of,
+)
+from kowalevski_cas.algebra.quadrature import ANY_NODES, INFINITE, INTEGRAL, nodes
 from kowalevski_cas.notation import (
     Application,
     Derivative,
@@ -29,19 +39,11 @@ from kowalevski_cas.notation import (
     Root,
     ScalarProduct,
     Sum,
-    to_latex,
 )
-from kowalevski_cas.notation.symbol import name_of_rate, symbol
-
-Key = tuple[str, ...]
-"""A name with the variables by which it is derived; or a function with the value at which it is."""
+from kowalevski_cas.notation.symbol import name_of_rate
 
 BITS = 300
 """The precision of values."""
-INTEGRAL = r"\mathrm{int}"
-"""The function of the ends, the variable and the integrand that a definite integral is."""
-INFINITE = "I_{999}"
-"""The name of an infinite end."""
 DIGITS = 30
 """So many digits say at which value an unknown function is taken."""
 _STEP = 2.0**-70
@@ -50,8 +52,6 @@ _SMALL = 2.0**-40
 """What is nearer to zero than this, of values of about one, is zero."""
 _NOTHING = 2.0**-150
 """By what is nearer to zero than this nothing is divided."""
-PARTIAL = r"\partial"
-TIME = "t"
 
 _FUNCTIONS: Mapping[str, Callable[[acb], acb]] = {
     r"\sin": acb.sin,
@@ -111,24 +111,7 @@ class Sample:
 
     def key(self, node: Formula) -> Key | None:
         """The key of a name, of a derivative of one, or of what is printed like one; or none."""
-        match node:
-            case Name(name):
-                return (name,)
-            case Derivative(inner, mark):
-                below = self.key(inner)
-                return below and (*below, self.variable(mark))
-            case Partial(Name(name), by):
-                return (PARTIAL, name, by)
-            case Partial(Partial() as inner, by):
-                below = self.key(inner)
-                return below and (*below, by)
-            case Power(Name(name), exponent) if _is_index(exponent):
-                return (name, "^", to_latex(exponent))
-        return None
-
-    def variable(self, mark: str) -> str:
-        """The variable by which a mark derives."""
-        return {"dot": TIME, "prime": self.primed}.get(mark, mark)
+        return key_of(node, self.primed)
 
     def value(self, node: Formula) -> acb:
         """The value of a formula.
@@ -148,7 +131,7 @@ class Sample:
             case Power():
                 return self._power(node)
             case Derivative(inner, mark):
-                return self._derivative(node, inner, self.variable(mark))
+                return self._derivative(node, inner, variable_of(mark, self.primed))
             case Partial(inner, by):
                 return self._partial(node, inner, by)
             case Application():
@@ -246,7 +229,7 @@ class Sample:
         if (by,) not in inner.touched and last is not None:
             return (last - first) * constant
         found = acb(0)
-        for place, weight in _nodes() if last is not None else _ANY_NODES:
+        for place, weight in nodes() if last is not None else ANY_NODES:
             inner = self._moving()
             inner.values[by,] = first + (place if last is None else (last - first) * place)
             found += weight * inner.value(body)
@@ -272,7 +255,7 @@ class Sample:
         if not self.fields.keys().isdisjoint(map(name_of_rate, self.fields[function])):
             raise Valueless(function)
         for name in sorted(self.fields[function]):
-            rate = acb(1) if name == by else self.value(_rate(name, by))
+            rate = acb(1) if name == by else self.value(rate_of(name, by))
             found += self.atom((PARTIAL, function, name)) * rate
         return found
 
@@ -280,7 +263,7 @@ class Sample:
         key = self.key(node)
         if key is not None and key[1:2] not in self.given:
             return self.atom(key)
-        at = self.key(_rated(by))
+        at = self.key(rated(by))
         if at is None:
             raise Valueless(by)
         self.value(inner)
@@ -296,7 +279,7 @@ class Sample:
         for key in sorted(own):
             if key == (by,):
                 found[key] = acb(1)
-            elif (key[0], by) in self.rated and key[1:2] != ("(",) and not _is_initial(key[0]):
+            elif (key[0], by) in self.rated and key[1:2] != ("(",) and not is_initial(key[0]):
                 found[key] = self.atom((*key, by))
         return found
 
@@ -310,44 +293,6 @@ class Sample:
                 moved.values[key] = self.atom(key) + direction * sign * _STEP
             ends.append(moved.value(node))
         return (ends[0] - ends[1]) / (2 * _STEP)
-
-
-_ANY_NODES = tuple((acb(2 * k + 1) / 7, acb(k + 2) / 11) for k in range(7))
-_WIDTH, _REACH = 8, 4
-
-
-def _nodes() -> Iterator[tuple[acb, acb]]:
-    """The places and the weights of the rule of tanh and sinh between 0 and 1."""
-    for k in range(-_REACH * _WIDTH, _REACH * _WIDTH + 1):
-        t = acb(k) / _WIDTH
-        raised = (acb.pi() * t.sinh()).exp()
-        yield raised / (1 + raised), acb.pi() * t.cosh() * raised / (1 + raised) ** 2 / _WIDTH
-
-
-def _rate(name: str, by: str) -> Formula:
-    """The derivative of a name, or of a velocity, by a variable."""
-    return Derivative(_rated(name), "dot" if by == TIME else by)
-
-
-def _rated(name: str) -> Formula:
-    """A name by which something is derived, which may be a velocity, with a dot or a prime."""
-    if name.endswith("'"):
-        return Derivative(Name(name[:-1]), "prime")
-    of = name_of_rate(name)
-    return Name(name) if of == name else Derivative(Name(of), "dot")
-
-
-def _is_initial(name: str) -> bool:
-    """Whether a name is that of the first value of another one: it does not move."""
-    return symbol(name).index == "0"
-
-
-def _is_index(exponent: Formula) -> bool:
-    """Whether what is raised is an index: it counts steps, as n+1, or components from 0 on."""
-    match exponent:
-        case Sum((Name("n"), Number() | Negative(Number()))) | Name("n") | Number(0):
-            return True
-    return False
 
 
 def _divisor(value: acb) -> acb:

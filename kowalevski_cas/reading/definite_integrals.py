@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 
-from kowalevski_cas.algebra.samples import INFINITE, INTEGRAL
+from kowalevski_cas.algebra.quadrature import INFINITE, INTEGRAL
 from kowalevski_cas.notation import Application, Formula, Name, Number, to_latex
 
 _SIGN = re.compile(r"\\int\s*(?:\\limits\s*)?_")

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
-from kowalevski_cas.algebra.samples import INTEGRAL
+from kowalevski_cas.algebra.quadrature import INTEGRAL
 from kowalevski_cas.notation import (
     Formula,
     Name,

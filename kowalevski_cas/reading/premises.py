@@ -6,7 +6,9 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from itertools import pairwise
 
-from kowalevski_cas.algebra.samples import INTEGRAL, Key, Sample, Valueless, is_zero
+from kowalevski_cas.algebra.keys import Key
+from kowalevski_cas.algebra.quadrature import INTEGRAL
+from kowalevski_cas.algebra.samples import Sample, Valueless, is_zero
 from kowalevski_cas.notation import Application, Constant, Formula, Relation, Unwritten
 from kowalevski_cas.notation.formula import EQUALITIES
 from kowalevski_cas.problem.space import Meaningless

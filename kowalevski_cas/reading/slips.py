@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kowalevski_cas.algebra.samples import INTEGRAL
+from kowalevski_cas.algebra.quadrature import INTEGRAL
 from kowalevski_cas.notation import (
     Application,
     Constant,

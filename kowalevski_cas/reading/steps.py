@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from functools import cached_property
 
-from kowalevski_cas.algebra.samples import INFINITE, Sample
+from kowalevski_cas.algebra.quadrature import INFINITE
+from kowalevski_cas.algebra.samples import Sample
 from kowalevski_cas.notation import Derivative, Formula, Name, Number, Partial
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.premises import NO_VALUE, Pair, SolvedSample, pairs_of, written_out
