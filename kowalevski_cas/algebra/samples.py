@@ -150,7 +150,7 @@ class Sample:
             case Root(inner):
                 return self.value(inner).sqrt()
             case Modulus(inner):
-                return (self.value(inner) ** 2).sqrt()
+                return acb(abs(self.value(inner)))
         return self._named(node)
 
     def holds(self, left: Formula, right: Formula) -> bool:

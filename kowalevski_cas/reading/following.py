@@ -91,9 +91,6 @@ class _Section:
         self.formulas = {one: formulas[one] for one in items if one in formulas}
         self.said = [one for one in self.formulas if _says(one, self.formulas[one], known)]
         self.words: Vocabulary = known.paper.words
-        nodes = (node for one in self.formulas.values() for node in one.nodes())
-        terms = {term for node in nodes if isinstance(node, Sum) for term in node.terms}
-        self.terms = sorted(terms, key=_length)
 
     def unfollowing(
         self, asked: frozenset[SourceStatement], doubted: frozenset[SourceStatement]
@@ -106,7 +103,7 @@ class _Section:
                 continue
             sure = (one for one in self._before(item) if one in mended or one not in doubted)
             before = [mended.get(one, self.formulas[one]) for one in sure]
-            if repairs := self._repairs(formula, before):
+            if repairs := self._repairs(formula, PrintedBefore(formula, before, self._terms(item))):
                 mended[item] = repairs[0]
                 yield Unfollowing(item, repairs)
 
@@ -140,20 +137,26 @@ class _Section:
         ]
         return [one for one in self.said if one.order < item.order] + behind
 
-    def _repairs(self, formula: Formula, before: Sequence[Formula]) -> tuple[Formula, ...]:
+    def _terms(self, item: SourceStatement) -> list[Formula]:
+        """The terms of the sums before a statement, the shorter ones first."""
+        before = (one for other, one in self.formulas.items() if other.order < item.order)
+        sums = (node for one in before for node in one.nodes() if isinstance(node, Sum))
+        return sorted({term for node in sums for term in node.terms}, key=_length)
+
+    def _repairs(self, formula: Formula, before: PrintedBefore) -> tuple[Formula, ...]:
         """The changes by which a step follows that does not, the likelier ones first."""
         found: dict[Formula, tuple[object, ...]] = {}
         with precisely():
-            step = DerivationStep(formula, PrintedBefore(formula, before, self.terms))
+            step = DerivationStep(formula, before)
             own = formula.names()
-            offered = (own | step.before.names) & self.words.scalars
+            offered = (own | before.names) & self.words.scalars
             for place, slip in enumerate(slips(step, self.words, offered) if step.fails() else ()):
                 kind, path, new, _ = slip
                 edited = replace(formula, path, new)
-                if edited in found or edited in before or is_integrated(formula, path):
+                if edited in found or edited in before.formulas or is_integrated(formula, path):
                     continue
                 possible = may_be(formula, slip) and not is_trivial(edited)
-                if possible and DerivationStep(edited, step.before).follows():
+                if possible and DerivationStep(edited, before).follows():
                     order = not new.names() <= own, path[:1] == (0,), KINDS.index(kind), place
                     found[edited] = order
         return tuple(sorted(found, key=lambda edited: found[edited])[:MOST])

@@ -38,6 +38,7 @@ TERMS = 2
 _LETTER = r"(?:[A-Za-z]|\\[a-z]+)"
 _ARGUMENTS = re.compile(rf"(?P<of>{_LETTER}'*)\s*\(\s*{_LETTER}(?:\s*,\s*{_LETTER})+\s*\)")
 """A list of letters behind a letter: it is at these that a function is taken."""
+_CAPITAL = re.compile(r"(?<![A-Za-z\\])([A-Z])(?![A-Za-z])\s*(\()?")
 _AT_LETTER = re.compile(rf"(?P<of>{_LETTER}(?:_\w)?)\s*\(\s*{_LETTER}\s*\)")
 _BOLD = r"\\(?:mathbf|boldsymbol|bm|vec)\s*\{\s*(?:[A-Za-z]|\\[A-Za-z]+)\s*\}(?:_\{?\w+\}?)?"
 _LISTED = rf"(?:{_BOLD}|\\d?dot\s*\{{\s*{_BOLD}\s*\}})"
@@ -124,9 +125,15 @@ def _without_arguments(tex: str, bold: set[str]) -> str:
 def _single(texts: list[str], functions: frozenset[str]) -> set[str]:
     """The functions of one letter that are printed without it as well."""
     found = {m["of"] for tex in texts for m in _AT_LETTER.finditer(tex)} & functions
-    bare = (rf"(?<![A-Za-z\\]){re.escape(name)}(?!\s*[\w(])" for name in found)
+    bare = (rf"(?<![A-Za-z\\]){re.escape(name)}(?!\s*[\w('])" for name in found)
     pairs = zip(found, bare, strict=True)
     return {name for name, one in pairs if any(re.search(one, tex) for tex in texts)}
+
+
+def _always_applied(texts: list[str]) -> set[str]:
+    """The capital letters that have a bracket behind them wherever they stand."""
+    bare = {m[1] for tex in texts for m in _CAPITAL.finditer(tex) if not m[2]}
+    return {m[1] for tex in texts for m in _CAPITAL.finditer(tex) if m[2]} - bare
 
 
 def _with_single_sums(tex: str) -> str:

@@ -28,7 +28,7 @@ class PrintedBefore:
     def __init__(
         self, formula: Formula, before: Sequence[Formula], terms: Sequence[Formula]
     ) -> None:
-        self.terms = terms
+        self.formulas, self.terms = frozenset(before), terms
         self.premises = [
             pair for one in before for each in written_out(one) for pair in pairs_of(each)
         ][-MANY:]
