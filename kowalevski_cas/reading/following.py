@@ -149,7 +149,8 @@ class _Section:
         with precisely():
             step = DerivationStep(formula, before)
             own = formula.names()
-            offered = (own | before.names) & self.words.scalars
+            offered = {name for name in own | before.names if not before.is_unit(name)}
+            offered &= self.words.scalars
             for place, slip in enumerate(slips(step, self.words, offered) if step.fails() else ()):
                 kind, path, new, _ = slip
                 edited = replace(formula, path, new)

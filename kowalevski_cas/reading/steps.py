@@ -7,7 +7,7 @@ from contextlib import suppress
 from functools import cached_property
 
 from kowalevski_cas.algebra.quadrature import INFINITE
-from kowalevski_cas.algebra.samples import Sample
+from kowalevski_cas.algebra.samples import Sample, is_zero
 from kowalevski_cas.notation import Derivative, Formula, Name, Number, Partial
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.premises import NO_VALUE, Pair, SolvedSample, pairs_of, written_out
@@ -46,6 +46,13 @@ class PrintedBefore:
         if seed not in self._solved:
             self._solved[seed] = SolvedSample(self.sample(seed), self.premises)
         return self._solved[seed]
+
+    def is_unit(self, name: str) -> bool:
+        """Whether a name stands for 0, 1 or -1: nobody sees whether it is a factor."""
+        with suppress(*NO_VALUE):
+            value = self.solved(0).sample.value(Name(name))
+            return is_zero(value * (value * value - 1))
+        return False
 
     def sample(self, seed: int) -> Sample:
         """A sample at which all is free."""
