@@ -9,7 +9,15 @@ from itertools import pairwise
 from kowalevski_cas.algebra.keys import Key
 from kowalevski_cas.algebra.quadrature import INTEGRAL
 from kowalevski_cas.algebra.samples import Sample, Valueless, is_zero
-from kowalevski_cas.notation import Application, Constant, Formula, Relation, Unwritten
+from kowalevski_cas.notation import (
+    Application,
+    Constant,
+    Derivative,
+    Formula,
+    Name,
+    Relation,
+    Unwritten,
+)
 from kowalevski_cas.notation.formula import EQUALITIES
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.reading.free_formulas import instances
@@ -53,8 +61,9 @@ class SolvedSample:
                 continue
             said, true = True, true and holds
             used |= sample.touched | self._given_in(left) | self._given_in(right)
-        integral = any(_has_integral(side) for pair in pairs for side in pair)
-        return true if said and (integral or used & self.determined) else None
+        alone = any(_has_integral(side) for pair in pairs for side in pair)
+        alone |= any(_is_total(left, fields) for left, _ in pairs)
+        return true if said and (alone or used & self.determined) else None
 
     def _derived(self, key: Key, fields: Mapping[str, frozenset[str]]) -> bool:
         """Whether a key is the derivative of what is given."""
@@ -121,6 +130,13 @@ def pairs_of(formula: Formula) -> list[Pair]:
         if not _leaves_out(one)
     ]
     return [(one, other) for (one, _), (other, equal) in pairwise(kept) if equal]
+
+
+def _is_total(left: Formula, fields: Mapping[str, frozenset[str]]) -> bool:
+    """Whether it is the derivative of an unknown function by all that it is a function of."""
+    if not isinstance(left, Derivative) or not isinstance(left.argument, Name):
+        return False
+    return len(fields.get(left.argument.name, ())) > 1
 
 
 def _has_integral(side: Formula) -> bool:

@@ -99,10 +99,11 @@ class DerivationStep:
 
     def _telling(self) -> Iterator[Pair]:
         """The equations that say more than what a new name on the right is."""
-        known = {*self.before.known, PI, INFINITE}
+        known, fields = {*self.before.known, PI, INFINITE}, {*map(Name, self._fields)}
         for left, right in self.pairs:
             known |= left.names()
-            if right.names() <= known:
+            total = isinstance(left, Derivative) and left.argument in fields
+            if total or right.names() <= known:
                 yield left, right
 
     @cached_property

@@ -73,6 +73,29 @@ For $y = t^2$
 The equation $y'' + by = s$ has the solution $y = t^2$ for
 \[ s = %s . \]
 """
+INTEGRAL = r"""
+The period is small, and then
+\[ \frac{S}{2} = \sqrt{\frac{b}{k}}\int_0^{\beta}\frac{d z}{\sqrt{\beta^2 - z^2}} = %s\sqrt{\frac{b}{k}} . \]
+"""
+FORM = r"""
+The energy is a form in the velocities,
+\[ K = \frac{1}{2}\sum_{j,l=1}^n c_{jl}\dot x_j\dot x_l . \]
+By the theorem of Euler we have
+\[ %s = \sum_{j=1}^n\frac{\partial K}{\partial\dot x_j}\dot x_j . \]
+"""
+TOTAL = r"""
+The function changes by
+\[ \frac{dS}{dt} = \sum_{j=1}^n\left(\frac{\partial S}{\partial x_j} %s \dot x_j
+ + \frac{\partial S}{\partial y_j}\dot y_j\right) + \frac{\partial S}{\partial t} . \]
+"""
+ARM = r"""
+The arm moves by
+\[ \mathbf{J}(\mathbf{x})\ddot{\mathbf{x}} + \mathbf{D}(\mathbf{x},\dot{\mathbf{x}})\dot{\mathbf{x}}
+ = \mathbf{E}\mathbf{w} . \]
+Solved for the accelerations the equations are
+\[ \ddot{\mathbf{x}} = \mathbf{J}^{-1}(\mathbf{x})\left[\mathbf{E}\mathbf{w}
+ - \mathbf{D}(\mathbf{x},\dot{\mathbf{x}})%s\right] . \]
+"""
 CASES = [
     (CENTRAL, "-P(1/w)", "P(1/w)"),
     (EXACT, "-2", "-3"),
@@ -83,6 +106,10 @@ CASES = [
     (OSCILLATOR, r"2b}\sin{\alpha", r"2b\sin\alpha"),
     (WAVE, r"\bigl(R'(x, t)\bigr)^2", r"R''(x, t)"),
     (SCHEME, "", "^2"),
+    (INTEGRAL, r"\frac{\pi}{2}", r"2\pi"),
+    (FORM, "2K", "K"),
+    (TOTAL, "", "+"),
+    (ARM, r"\dot{\mathbf{x}}", ""),
     (SOURCE, "2 + bt^2", "bt^2"),
 ]
 
