@@ -225,6 +225,14 @@ CUES: dict[str, str] = {
         \bdamping\b \brelaxation\b теперь\s+рассмотр\w+
         рассмотрим\s+(?:теперь|также) друг\w+\s+(?:систем|задач|пример)\w+
         приведенн\w+ полярн\w+ добав\w+ трени(?:е|я|ем)\b""",
+    "another case": r"""
+        \bnow\b \bhere\b \bif\b \bwhen\b \bcases?\b \bwith\b(?!\s+respect) \bunder\b \blet\b
+        suppos\w+ assum\w+ \bconsider\b becom\w+ chang\w+ \badd\w* \bpresen(?:ce|t)\b modif\w+
+        replac\w+ \binstead\b in\s+place\s+of \bdamp\w* friction\w* dissipat\w+ viscous \bdrag\b
+        resist\w+ \bforc(?:es?|ed|ing)\b \bdriv(?:en|ing)\b perturb\w+ \b(?:an)?other\b different
+        \btakes?\s+the\s+form \bturns?\s+into теперь здесь если когда случа\w+ \bс\b \bпри\b пусть
+        рассмотр\w+ станов\w+ прим\w+\s+вид добав\w+ наличи\w+ измен\w+ замен\w+ вместо
+        \bтрени\w+ демпф\w+ диссипа\w+ вязк\w+ сопротивлен\w+ вынужд\w+ возмущ\w+ \bдруг\w+""",
     "hamiltonian": r"""
         \bhamilton\w* canonical\w* \blagrang\w* гамильтон\w* каноническ\w+ лагранж\w*""",
     "map": r"""

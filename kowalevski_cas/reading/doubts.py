@@ -22,6 +22,7 @@ from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.phrases import integral_words, is_conditional
 from kowalevski_cas.reading.rows import is_row
+from kowalevski_cas.reading.small_oscillations import CHARACTERISTIC, FREQUENCY, may_be_of_squares
 from kowalevski_cas.reading.statements import SourceStatement, is_numerical
 from kowalevski_cas.reading.suppositions import FOUND
 from kowalevski_cas.reading.unprinted import SOURCE
@@ -43,6 +44,10 @@ def doubt_of(
     if role.kind == "identity" and not item.derives and any(fixed):
         return Doubt.ALWAYS
     if role.kind in ("solution", "energy") or role.reason == FOUND or _has_momentum(rung, known):
+        return Doubt.ALWAYS
+    if role.kind == CHARACTERISTIC and may_be_of_squares(item, known):
+        return Doubt.ALWAYS
+    if role.kind == FREQUENCY and known.clocks:
         return Doubt.ALWAYS
     if role.kind == SAID:
         return None

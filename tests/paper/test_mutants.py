@@ -71,6 +71,10 @@ def flow():
     """Claims about a flow, and about a solution by the time."""
     plane = System(r"\dot x=-y+xy,\quad \dot y=x+2y^2")
     plane.states(kinds.Divergence, "divergence", "", printed="5y")
+    rest, _ = ("x=0", "y=0"), plane.define("w=sx")  # which says that s is a constant
+    plane.states(kinds.Frequency, "frequency", "", printed="1", relations=rest, is_square=False)
+    about = {"relations": rest, "variable": "s"}
+    plane.states(kinds.CharacteristicEquation, "characteristic", "", printed="2s^2+2=0", **about)
     plane.states(kinds.PreservedMeasure, "measure", "", printed=r"\frac{1}{(1-x)^5}")
     by_time = plane.section.display("by-time", r"u=\cos2t,\quad \ddot u=-4u")
     alone = Scene("the time", definitions={"u": by_time[1]})
