@@ -75,9 +75,9 @@ class FollowsFinder(PointFinder):
         found = rows_of(alternatives(goal, at), known, goal.main)
         entries = [entry for row in found[0] for entry in row] if found else []
         if found is None or any(entry.denominator for entry in entries):
-            everywhere = self._at_real_points(
-                goal, conclusions, known, at, divided
-            ) or self._by_loci(goal, at)
+            everywhere = self._at_real_points(goal, conclusions, known, at) or self._by_loci(
+                goal, at
+            )
             if everywhere is not None:
                 return Entailment(everywhere, point)
         if found is None:
@@ -92,29 +92,19 @@ class FollowsFinder(PointFinder):
             return None
         return Entailment(proof, self.point(at, here, [*divided, *entries]))
 
+    @staticmethod
     def _at_real_points(
-        self,
         goal: Follows,
         conclusions: Sequence[Sequence[Element]],
         known: Sequence[Element],
         at: Evaluation,
-        divided: Sequence[Element],
     ) -> Proof | None:
-        """A proof by cases where all are polynomials, or where something is known of signs.
-
-        Nobody looks for it where a point in general position is against it.
-        """
-
-        def fails(there: Candidate) -> bool:
-            return not any(map(there.vanish, conclusions))
-
+        """A proof by cases where all are polynomials, or where something is known of signs."""
         everything = (*known, *(one for conclusion in conclusions for one in conclusion))
         if not everything or not is_real(at.setting):
             return None
         plain = known and not at.ring.roots and not any(one.denominator for one in everything)
         if not plain and not _has_signs(goal):
-            return None
-        if self.point(at, known, divided, fails, 1, squares=False):
             return None
         equal, differences = equal_products(at)
         known = [*known, *differences]
