@@ -71,10 +71,6 @@ def flow():
     """Claims about a flow, and about a solution by the time."""
     plane = System(r"\dot x=-y+xy,\quad \dot y=x+2y^2")
     plane.states(kinds.Divergence, "divergence", "", printed="5y")
-    rest, _ = ("x=0", "y=0"), plane.define("w=sx")  # which says that s is a constant
-    plane.states(kinds.Frequency, "frequency", "", printed="1", relations=rest, is_square=False)
-    about = {"relations": rest, "variable": "s"}
-    plane.states(kinds.CharacteristicEquation, "characteristic", "", printed="2s^2+2=0", **about)
     plane.states(kinds.PreservedMeasure, "measure", "", printed=r"\frac{1}{(1-x)^5}")
     by_time = plane.section.display("by-time", r"u=\cos2t,\quad \ddot u=-4u")
     alone = Scene("the time", definitions={"u": by_time[1]})
@@ -83,7 +79,17 @@ def flow():
     return replace(derivation(plane.section), name="flow")
 
 
-OWN = (free_body(), rotation(), flow())
+def near_rest():
+    """Claims about the linear part of a flow, which is free of s."""
+    plane = System(r"\dot x=-2y+sxy,\quad \dot y=2x+sy^2")
+    rest = ("x=0", "y=0")
+    plane.states(kinds.Frequency, "frequency", "", printed="4", relations=rest, is_square=True)
+    about = {"relations": rest, "variable": "s"}
+    plane.states(kinds.CharacteristicEquation, "characteristic", "", printed="3s^2=-12", **about)
+    return replace(derivation(plane.section), name="near-rest")
+
+
+OWN = (free_body(), rotation(), flow(), near_rest())
 SESSIONS = {one.name: Session(one, ["flint"]) for one in (*map(load, available()), *OWN)}
 CLAIMS = {
     (name, claim.id): claim for name in SESSIONS for claim in SESSIONS[name].derivation.claims
