@@ -226,13 +226,12 @@ CUES: dict[str, str] = {
         рассмотрим\s+(?:теперь|также) друг\w+\s+(?:систем|задач|пример)\w+
         приведенн\w+ полярн\w+ добав\w+ трени(?:е|я|ем)\b""",
     "another case": r"""
-        \bnow\b \bhere\b \bif\b \bwhen\b \bcases?\b \bwith\b(?!\s+respect) \bunder\b \blet\b
-        suppos\w+ assum\w+ \bconsider\b becom\w+ chang\w+ \badd\w* \bpresen(?:ce|t)\b modif\w+
-        replac\w+ \binstead\b in\s+place\s+of \bdamp\w* friction\w* dissipat\w+ viscous \bdrag\b
-        resist\w+ \bforc(?:es?|ed|ing)\b \bdriv(?:en|ing)\b perturb\w+ \b(?:an)?other\b different
-        \btakes?\s+the\s+form \bturns?\s+into теперь здесь если когда случа\w+ \bс\b \bпри\b пусть
-        рассмотр\w+ станов\w+ прим\w+\s+вид добав\w+ наличи\w+ измен\w+ замен\w+ вместо
-        \bтрени\w+ демпф\w+ диссипа\w+ вязк\w+ сопротивлен\w+ вынужд\w+ возмущ\w+ \bдруг\w+""",
+        \bcases?\b \bbecom(?:es?|ing)\b \bchang(?:es|ed)\b (?:is|are|be|been)\s+added \badding\b
+        modif\w+ replac\w+ \binstead\b in\s+place\s+of perturb\w+ \bdriv(?:en|ing)\b
+        \bforc(?:ed|ing)\b resist\w+ \bdrag\b \bviscous\b
+        \banother\s+(?:system|law|problem|force|equation) случа\w+ становит\w+ добав\w+
+        измен[еия]\w+ замен[яи]\w+ вместо возмущ[её]н\w+ вынужд\w+
+        \bдруг\w+\s+(?:систем|задач|закон|сил|уравнени)\w+""",
     "hamiltonian": r"""
         \bhamilton\w* canonical\w* \blagrang\w* гамильтон\w* каноническ\w+ лагранж\w*""",
     "map": r"""

@@ -23,9 +23,10 @@ from kowalevski_cas.paper.claims import (
 from kowalevski_cas.processes import each
 from kowalevski_cas.reading.choice import may_hold
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.known import CLAIM, UNREAD
+from kowalevski_cas.reading.known import CLAIM, UNREAD, Known
 from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.parts import Parts
+from kowalevski_cas.reading.restated import orders_of, times_of
 from kowalevski_cas.reading.rows import is_row
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.verify.interpretation import Interpretation
@@ -38,6 +39,12 @@ NOT_CLAIMED = ("denied", "excepted", "quoted", "asked")
 """The kinds of what is printed and not claimed as it is."""
 _RATE = re.compile(r"\\d{1,3}ot(?![A-Za-z])[^=]*=|\\frac\s*\{\\?(?:mathrm\s*)?\{?d[^=]*=")
 """A printed rate."""
+_SUPPOSED = re.compile(
+    r"\b(?:now|here|if|when|with|for|under|suppose|let|теперь|здесь|если|когда|при|пусть|с|для)\b"
+    r"(?!\s+(?:respect|the\s+help|\(?\\))[^§]*$",
+    re.IGNORECASE,
+)
+"""How words end that suppose something without a formula, right before what then is so."""
 _BY_ALGEBRA = (
     Casimir, EverywhereIndependent, Identity, Implication, Independence, Inequality, Involution,
 )  # fmt: skip
@@ -73,14 +80,13 @@ class OtherCases:
         )
         if role.name == UNREAD or role.kind in NOT_CLAIMED or (role.name == CLAIM and not rungs):
             return bool(force) and _RATE.search(item.typed.tex) is not None
-        if role.name != CLAIM or not is_row(item):
+        if role.name != CLAIM or not is_row(item) or not _is_whole(item, known):
             return False
         before = item.earlier[0] if item.earlier else ""
         words = f"{item.sections[-1].title} {before} {item.words}"
-        rated = known.names.scalars(item.rates)
-        alone = len(rated) == 1 and role.kind != "approximate"
-        case = force or (alone and cue("another case", words))
-        return bool(case) and any(map(known.moves, rated))
+        alone = len(known.names.scalars(item.rates)) == 1 and role.kind != "approximate"
+        case = cue("another case", words) or _SUPPOSED.search(item.lead)
+        return bool(force or (alone and case))
 
     def otherwise(self, item: SourceStatement, start: int, claim: Claim) -> str:
         """Why a claim at a place of the text may be meant of another law; empty if it is not."""
@@ -110,3 +116,13 @@ class OtherCases:
         footnote = self.parts.paper.prose.footnote(row.typed.start)
         end = footnote[1] if footnote is not None else headed[-1].end
         return row.sentence[0] <= start < end
+
+
+def _is_whole(item: SourceStatement, known: Known) -> bool:
+    """Whether a statement gives rates as a law does: as high as there, by the same time."""
+    own = orders_of((item,), known.names)
+    for law in known.laws:
+        orders = orders_of(law.rows, law.names)
+        if own.keys() <= orders.keys() and times_of((item,)) <= times_of(law.rows):
+            return all(order >= orders[name] for name, order in own.items())
+    return False
