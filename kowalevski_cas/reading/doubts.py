@@ -26,6 +26,7 @@ from kowalevski_cas.reading.small_oscillations import CHARACTERISTIC, FREQUENCY,
 from kowalevski_cas.reading.statements import SourceStatement, is_numerical
 from kowalevski_cas.reading.suppositions import FOUND
 from kowalevski_cas.reading.unprinted import SOURCE
+from kowalevski_cas.reading.varied_laws import is_varied
 
 _INDEXED = re.compile(r"_\{?[ijk]\b")
 _NUMBERED = re.compile(r"_\{?\d")
@@ -51,6 +52,8 @@ def doubt_of(
         return Doubt.ALWAYS
     if role.kind == SAID:
         return None
+    if is_varied(item, known):
+        return Doubt.ALWAYS
     if _is_said_elsewhere(item, known) or _stands_apart(item, rung, candidates, known):
         return Doubt.ALWAYS
     if item in known.apart or (role.kind not in ("integral", EIGENVALUE) and not item.derives):
