@@ -84,9 +84,10 @@ class OtherCases:
             return False
         before = item.earlier[0] if item.earlier else ""
         words = f"{item.sections[-1].title} {before} {item.words}"
-        alone = len(known.names.scalars(item.rates)) == 1 and role.kind != "approximate"
+        if len(known.names.scalars(item.rates)) > 1 and min(item.rates.values()) == 1:
+            return False  # it may be a constraint
         case = cue("another case", words) or _SUPPOSED.search(item.lead)
-        return bool(force or (alone and case))
+        return bool(force or (role.kind != "approximate" and case))
 
     def otherwise(self, item: SourceStatement, start: int, claim: Claim) -> str:
         """Why a claim at a place of the text may be meant of another law; empty if it is not."""
