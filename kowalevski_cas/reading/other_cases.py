@@ -26,6 +26,7 @@ from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import CLAIM, UNREAD, Known
 from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.parts import Parts
+from kowalevski_cas.reading.phrases import joined_lead
 from kowalevski_cas.reading.restated import orders_of, times_of
 from kowalevski_cas.reading.rows import is_row
 from kowalevski_cas.reading.statements import SourceStatement
@@ -40,8 +41,9 @@ NOT_CLAIMED = ("denied", "excepted", "quoted", "asked")
 _RATE = re.compile(r"\\d{1,3}ot(?![A-Za-z])[^=]*=|\\frac\s*\{\\?(?:mathrm\s*)?\{?d[^=]*=")
 """A printed rate."""
 _SUPPOSED = re.compile(
-    r"\b(?:now|here|if|when|with|for|under|suppose|let|теперь|здесь|если|когда|при|пусть|с|для)\b"
-    r"(?!\s+(?:respect|the\s+help|\(?\\))[^§]*$",
+    r"\b(?:now|here|if|when|with|under|suppose|let|consider|take|assume"
+    r"|теперь|здесь|если|когда|при|пусть|рассмотрим|предположим)\b"
+    r"(?!\s+(?:respect|this|th[eo]se|the\s+(?:help|notation)|этом|\(?\\))[^§]*$",
     re.IGNORECASE,
 )
 """How words end that suppose something without a formula, right before what then is so."""
@@ -84,9 +86,10 @@ class OtherCases:
             return False
         before = item.earlier[0] if item.earlier else ""
         words = f"{item.sections[-1].title} {before} {item.words}"
-        if len(known.names.scalars(item.rates)) > 1 and min(item.rates.values()) == 1:
+        if len(item.rates) > 1 and min(item.rates.values()) == 1:
             return False  # it may be a constraint
-        case = cue("another case", words) or _SUPPOSED.search(item.lead)
+        case = cue("another case", words) or cue("system", joined_lead(item))
+        case = case or any(map(_SUPPOSED.search, (item.lead, before)))
         return bool(force or (role.kind != "approximate" and case))
 
     def otherwise(self, item: SourceStatement, start: int, claim: Claim) -> str:

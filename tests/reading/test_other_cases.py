@@ -21,6 +21,11 @@ BEFORE = (
     "\n\n\\emph{Случай трения.} Теперь $ROW$. ",
     "При наличии сопротивления уравнение принимает вид $ROW$. ",
     "Если добавить трение, то $ROW$. ",
+    "Suppose that the spring is a harder one. Then $ROW$. ",
+    "Consider a softer spring: $ROW$. ",
+    "The oscillator of Duffing obeys $\\dot u=v$, $ROW$. ",
+    "A body in a liquid is governed by \\[ROW .\\] ",
+    "Рассмотрим другую пружину. Тогда $ROW$. ",
 )
 ROWS = (
     r"\dot v=-u-cu^3-kv",
@@ -68,6 +73,20 @@ def test_nor_beside_them_nor_where_they_cannot_be_read(text):
 def test_what_follows_from_the_law_changes_nothing(words):
     found = verdicts(LAW + words + r"Then $\dot K=0$.")
     assert found[r"\dot K=0"].green
+
+
+@pytest.mark.parametrize(
+    "row",
+    [
+        r"\dot{\mathbf{w}}=\mathbf{a}\times\mathbf{w}-k\mathbf{w}",
+        r"\dot{\mathbf{w}}=2\mathbf{a}\times\mathbf{w}",
+    ],
+)
+def test_nor_of_the_old_law_of_a_vector(row):
+    law = r"The equation of motion is \[\dot{\mathbf{w}}=\mathbf{a}\times\mathbf{w}\] with a constant vector $\mathbf{a}$. "
+    claim = r"Then $\frac{d}{dt}(\mathbf{w}\cdot\mathbf{w})=0$."
+    assert [*verdicts(law + claim).values()][-1].green
+    assert not any(one.green for one in verdicts(law + rf"With a drag, ${row}$. {claim}").values())
 
 
 def test_another_section_is_of_the_law_again():
