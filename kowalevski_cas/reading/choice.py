@@ -14,7 +14,7 @@ from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.reading.ladder import Rung
-from kowalevski_cas.verify.corrections import fails_where_given
+from kowalevski_cas.verify.corrections import fails_at_points
 from kowalevski_cas.verify.statement import Statement
 
 SECONDS = 2.0
@@ -127,7 +127,7 @@ def may_hold(rung: Rung, on: Elaborations) -> bool:
 def _fails_at_points(rung: Rung, on: Elaborations) -> bool:
     """Whether a claim fails modulo a prime where its hypotheses hold: then it is not the one."""
     with suppress(TimeoutError), time_limit(SECONDS):
-        return fails_where_given(Neighbour("", rung.claim, on.texts), on, {})
+        return fails_at_points(Neighbour("", rung.claim, on.texts), on, {})
     return False
 
 

@@ -37,7 +37,7 @@ class HypothesisPoints:
     def refute(self, goal: Follows, at: Evaluation) -> bool:
         """Whether all conclusions fail at one of the points, where everything is defined."""
         conclusions = [at.differences(conclusion) for conclusion in goal.conclusions]
-        return bool(conclusions) and any(
+        return any(
             all(_fails(candidate, conclusion) for conclusion in conclusions)
             for candidate in self.found
         )

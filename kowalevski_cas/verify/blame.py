@@ -33,7 +33,7 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Change
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.verify.corrections import passes, statement_of
+from kowalevski_cas.verify.corrections import fails_at_points, passes, statement_of
 from kowalevski_cas.verify.corrector import Corrector
 from kowalevski_cas.verify.outcome import Correction, Verdict
 from kowalevski_cas.verify.relations import ConstantRelation
@@ -298,7 +298,7 @@ class Blame:
 
     def _is_mended(self, repair: Repair, claim: Claim) -> bool:
         """Whether a repair makes a claim true: at points, or by a proof if they cannot tell."""
-        if (at_points := self._passes(repair, claim)) is not None:
+        if (at_points := self._passes_at_real_points(repair, claim)) is not None:
             return at_points
         on = self._on(claim)
         try:
@@ -309,6 +309,13 @@ class Blame:
     def _passes(self, repair: Repair, claim: Claim) -> bool | None:
         on = self._on(claim)
         return passes(repair.of(claim, on.texts), on.apart(on.texts), {})
+
+    def _passes_at_real_points(self, repair: Repair, claim: Claim) -> bool | None:
+        """Whether a claim passes with a repair; where that cannot be told, if it fails there."""
+        verdict, on = self._passes(repair, claim), self._on(claim)
+        if verdict is None and fails_at_points(repair.of(claim, on.texts), on, {}):
+            return False
+        return verdict
 
     def _broken(self, repair: Repair) -> list[Claim]:
         """The true claims that a repair makes false, as points tell."""
@@ -342,6 +349,8 @@ class Blame:
         try:
             statement = statement_of(neighbour, on)
             if not says_something(neighbour, statement, self._statement(claim)):
+                return None
+            if self._passes_at_real_points(repair, claim) is False:
                 return None
             proved = self.corrector.correction_of(neighbour, statement)
             return proved and proved._replace(others=self._others(repair))

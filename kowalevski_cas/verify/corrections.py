@@ -137,7 +137,7 @@ def _screen_neighbours(neighbours: Iterable[Neighbour], on: Elaborations) -> Ite
     decided = 0
     for neighbour in neighbours:
         verdict = passes(neighbour, on, stages)
-        if verdict is None and fails_where_given(neighbour, on, points):
+        if verdict is None and fails_at_points(neighbour, on, points):
             continue
         if verdict is None:
             decided += 1
@@ -172,16 +172,16 @@ def passes(neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled]
     return True if len(identities) == len(goals) else None
 
 
-def fails_where_given(
+def fails_at_points(
     neighbour: Neighbour, on: Elaborations, points: dict[object, HypothesisPoints]
 ) -> bool:
-    """Whether a conclusion fails at points of its hypotheses, of which these are known."""
+    """Whether a goal fails at real points of its hypotheses, of which these are known."""
     from kowalevski_cas.search.on_hypotheses import HypothesisPoints
 
     with suppress(NotationError, Meaningless, ZeroDivisionError):
         claim = neighbour.claim
         for goal in claim.goals(claim.settings(on.under(neighbour.texts))):
-            if type(goal) is Follows and goal.given:
+            if type(goal) is Follows:
                 key = goal.space, goal.given
                 if key not in points:
                     points[key] = HypothesisPoints(goal, finder_of)

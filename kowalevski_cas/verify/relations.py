@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import reduce
 
 from flint import fmpq_mpoly
 
@@ -108,9 +107,13 @@ def _factors(space: Elaboration, polynomials: list[fmpq_mpoly]) -> Iterator[fmpq
     """The irreducible common factors of polynomials that have constants only, and several terms."""
     names = space.finder.ring.polynomials.generators
     moving = [k for k, name in enumerate(names) if name not in space.constants]
-    parts = [c for polynomial in polynomials for c in coefficients(polynomial, moving).values()]
-    if parts:
-        common = reduce(fmpq_mpoly.gcd, parts)
+    common = space.finder.ring.polynomials.zero
+    for polynomial in sorted(polynomials, key=len):  # most have none, and the shortest tells it
+        for part in coefficients(polynomial, moving).values():
+            common = common.gcd(part)
+            if common.is_constant():
+                return
+    if not common.is_zero():
         yield from (factor for factor, _ in common.factor()[1] if len(factor) > 1)
 
 
