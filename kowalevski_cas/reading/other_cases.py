@@ -88,9 +88,10 @@ class OtherCases:
         words = f"{item.sections[-1].title} {before} {item.words}"
         if len(item.rates) > 1 and min(item.rates.values()) == 1:
             return False  # it may be a constraint
-        case = cue("another case", words) or cue("system", joined_lead(item))
-        case = case or any(map(_SUPPOSED.search, (item.lead, before)))
-        return bool(force or (role.kind != "approximate" and case))
+        case = bool(cue("another case", words) or cue("system", joined_lead(item))) or any(
+            map(_SUPPOSED.search, (item.lead, before))
+        )
+        return bool(force) or (role.kind != "approximate" and case)
 
     def otherwise(self, item: SourceStatement, start: int, claim: Claim) -> str:
         """Why a claim at a place of the text may be meant of another law; empty if it is not."""

@@ -22,6 +22,7 @@ from kowalevski_cas.notation import (
     Sum,
 )
 from kowalevski_cas.paper.transcendental import PI
+from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import is_value
 from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
 from kowalevski_cas.reading.law import Law
@@ -38,7 +39,10 @@ _SMALL = (
 _FREQUENCY = (
     r"(?P<squares>(?:squares?\s+of\s+the\s+|квадрат\w*\s+)?)(?:frequenc(?:y|ies)|частот\w*)"
 )
-_PLACE = r"(?:[\s~]+(?:about|around|near|at|of|in|вблизи|около|возле|в|у)\b[^.;]*)?"
+_PLACE = (
+    r"(?:[\s~]+of\s+(?:the|this|our)\s+\w+)?"
+    r"(?:[\s~]+(?:about|around|near|at|in|вблизи|около|возле|в|у)\b[^.;]*)?"
+)
 _IS = r"(?:is|are|equals?|(?:is|are)\s+given\s+by|равн\w+|есть|суть|[-—–]+)?[\s:,~]*$"
 _OF_SMALL = re.compile(
     rf"\b{_FREQUENCY}\s+(?:of\s+)?(?:the\s+)?(?:{_SMALL}){_PLACE}[\s~]*{_IS}"
@@ -69,6 +73,11 @@ _WHERE = re.compile(
     re.IGNORECASE,
 )
 """Where something is said to be so."""
+_COMPARED = re.compile(
+    r"\brevers\w+|\btwice\b|\b(?:times|half)\s+(?:as|the)\b|\bthan\b|обра(?:щ|т)\w+|\b(?:вдвое|чем)\b",
+    re.IGNORECASE,
+)
+"""Words that compare a system with another one."""
 _JOINED = re.compile(r"(?:[\s,;~]|\b(?:and|и)\b)*")
 _SMALL_ANGLES = re.compile(r"\bsmall\s+angles\b|\bмал\w+\s+угл\w+", re.IGNORECASE)
 _EXPONENTIAL = r"(?:e\s*\^\s*\{{\s*{0}\s*t\s*\}}|\\exp\s*\(?\s*{0}\s*t)"
@@ -79,25 +88,28 @@ def small_oscillation(item: SourceStatement, known: Known) -> StatementRole | No
     """A frequency of small oscillations, or a characteristic equation, at a point that is said."""
     if item.formula is None or item.derives or known.varying(item.names):
         return None
-    found = frequency(item) or characteristic(item, known)
-    if found and law_at_rest(item, known) and places_of(item, known):
+    found = frequency(item, known) or characteristic(item, known)
+    if found and places_of(item, known):
         kind, name, said = found
         why = f"{said} of the linear part, by the words before it"
         return StatementRole(CLAIM, why, kind, (name,) if kind == FREQUENCY and name else ())
     return None
 
 
-def frequency(item: SourceStatement) -> tuple[str, str, str] | None:
+def frequency(item: SourceStatement, known: Known) -> tuple[str, str, str] | None:
     """The name of a frequency of small oscillations, if a statement prints one; no number of them.
 
-    With the number π it may count oscillations in a unit of time.
+    With the number π it may count oscillations in a unit of time. A name that has been used is
+    not given by it.
     """
     if not _OF_SMALL.search(item.before) or len(item.members) not in (0, 2) or PI in item.names:
         return None
     match item.members[:1]:
-        case () | (Name(_),):
-            return FREQUENCY, "".join(item.bare[:1]), "a frequency"
-        case (Power(Name(name), Number(2)),):
+        case ():
+            return FREQUENCY, "", "a frequency"
+        case (Name(name),) if not known.is_known(name):
+            return FREQUENCY, name, "a frequency"
+        case (Power(Name(name), Number(2)),) if not known.is_known(name):
             return FREQUENCY, name, "the square of a frequency"
     return None
 
@@ -157,8 +169,8 @@ def law_at_rest(item: SourceStatement, known: Known) -> Law | None:
 def places_of(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]:
     """The equations of the point near which a statement says something; none if it is not said.
 
-    What cites something else than the law, or stands behind equations of other deviations, is said
-    of these.
+    What cites something else than the law, or stands behind equations of other deviations or
+    words of another case, is said of these.
     """
     law = law_at_rest(item, known)
     if law is None or _is_of_others(item, law, known):
@@ -177,6 +189,11 @@ def places_of(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...
 
 def _is_of_others(item: SourceStatement, law: Law, known: Known) -> bool:
     """Whether a statement may follow from other equations than the law."""
+    start = max(item.paragraph, item.section.start, law.items[-1].typed.end)
+    words = f"{item.words} {known.paper.prose.between(start, item.typed.start)}"
+    others = ("force", "another system", "another case")
+    if any(cue(name, words) for name in others) or _COMPARED.search(words):
+        return True
     if any(one not in law.rows and not is_value(one, known) for one in known.cited(item)):
         return True
     before = (one for one in known.items if one.section is item.section and one.order < item.order)

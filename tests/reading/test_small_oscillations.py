@@ -108,6 +108,25 @@ def test_what_is_said_of_something_else_is_no_such_claim(words):
     assert not {*kinds} & {*KINDS}
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        SWING + r"Without damping, near $u=0$, the characteristic equation is \[\mu^2+c\mu+n=0 .\]",
+        SWING
+        + r"With a stronger damping the characteristic equation near $u=0$ is \[\mu^2+c\mu+n=0 .\]",
+        SWING
+        + r"If the time is reversed, the characteristic equation near $u=0$ is \[\mu^2+c\mu+n=0 .\]",
+        WELL
+        + r"The characteristic equation of the reduced system at the origin is \[ s^2+cs-a=0 .\]",
+        FREE
+        + r"Near $u=0$ the frequency of small oscillations of a pendulum twice as long is $\sqrt n$.",
+        FREE + r"Let $\nu=2n$. The frequency of small oscillations near $u=0$ is \[\nu^2=n .\]",
+    ],
+)
+def test_words_of_another_case_are_not_judged_by_the_law(text):
+    assert not is_green(text)
+
+
 def test_an_equation_for_frequencies_is_never_red():
     text = FREE + r"Near $u=0$ the characteristic equation is \[ \omega^2-n=0 .\]"
     assert last(text).value == "undecided"
