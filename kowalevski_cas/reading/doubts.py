@@ -46,9 +46,7 @@ def doubt_of(
         return Doubt.ALWAYS
     if role.kind in ("solution", "energy") or role.reason == FOUND or _has_momentum(rung, known):
         return Doubt.ALWAYS
-    if role.kind == CHARACTERISTIC and may_be_of_squares(item, known):
-        return Doubt.ALWAYS
-    if role.kind == FREQUENCY and known.clocks:
+    if role.kind in (CHARACTERISTIC, FREQUENCY, EIGENVALUE) and may_be_of_squares(item, known):
         return Doubt.ALWAYS
     if role.kind == SAID:
         return None

@@ -61,6 +61,8 @@ _SECULAR = re.compile(
     r"\b(?:secular|frequenc\w+|веков\w+|частот\w*)\b|\b(?:imaginary|мним\w+)\b", re.IGNORECASE
 )
 """Words for equations that are often printed for squares of frequencies."""
+_OF_FREQUENCIES = (r"\omega", r"\Omega", r"\nu", r"\sigma")
+"""The usual letters of frequencies."""
 _OF_MATRIX = re.compile(
     r"\b(?:matri(?:x|ces)|operator|tensor|pencil|матриц\w+|оператор\w*|тензор\w*)\b|\bof[\s~]+§",
     re.IGNORECASE,
@@ -150,14 +152,19 @@ def variable_of(item: SourceStatement, known: Known) -> str:
 
 
 def may_be_of_squares(item: SourceStatement, known: Known) -> bool:
-    """Whether a characteristic equation may be one for a frequency, or for its square, or by τ."""
-    letters = re.sub(r"_.*", "", variable_of(item, known)) in (
-        r"\omega",
-        r"\Omega",
-        r"\nu",
-        r"\sigma",
-    )
-    return bool(letters or known.clocks or _SECULAR.search(item.words))
+    """Whether what is said of a linear part may be meant of squares, or by another time.
+
+    A characteristic equation may be one for a frequency; where accelerations are printed, the
+    eigenvalues may be those of the matrix that gives them.
+    """
+    kind = known.roles[item].kind
+    if kind == CHARACTERISTIC:
+        letter = re.sub(r"_.*", "", variable_of(item, known))
+        squares = letter in _OF_FREQUENCIES or _SECULAR.search(item.words) is not None
+    else:
+        orders = (n for law in known.laws for row in law.rows for n in row.rates.values())
+        squares = kind != FREQUENCY and max(orders, default=1) > 1
+    return squares or bool(known.clocks)
 
 
 def law_at_rest(item: SourceStatement, known: Known) -> Law | None:

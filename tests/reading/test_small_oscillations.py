@@ -130,3 +130,8 @@ def test_words_of_another_case_are_not_judged_by_the_law(text):
 def test_an_equation_for_frequencies_is_never_red():
     text = FREE + r"Near $u=0$ the characteristic equation is \[ \omega^2-n=0 .\]"
     assert last(text).value == "undecided"
+
+
+def test_eigenvalues_of_accelerations_are_never_red():
+    text = r"The equation of motion is \[\ddot u=-nu .\] The eigenvalues at the origin are $-n$."
+    assert [one.value for one in verdicts(text).values()] == ["undecided"]
