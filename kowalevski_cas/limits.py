@@ -10,7 +10,7 @@ import os
 import pickle
 import signal
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from math import inf
 from threading import current_thread, main_thread
 from time import monotonic
@@ -187,4 +187,5 @@ def time_limit(seconds: float | None) -> Iterator[None]:
     try:
         yield
     finally:
-        here.tell("end", number)
+        with suppress(BrokenPipeError):  # who waited may be gone
+            here.tell("end", number)

@@ -118,6 +118,12 @@ def _trial(rung: Rung, on: Elaborations, alone: bool) -> tuple[bool, str]:
     return False, ""
 
 
+def may_hold(rung: Rung, on: Elaborations) -> bool:
+    """Whether a claim holds, or is not decided in time and fails nowhere where it was tried."""
+    true, trouble = _trial(rung, on, alone=False)
+    return true or trouble == OVERDUE
+
+
 def _fails_at_points(rung: Rung, on: Elaborations) -> bool:
     """Whether a claim fails modulo a prime where its hypotheses hold: then it is not the one."""
     with suppress(TimeoutError), time_limit(SECONDS):

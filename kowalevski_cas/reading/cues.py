@@ -225,6 +225,13 @@ CUES: dict[str, str] = {
         \bdamping\b \brelaxation\b теперь\s+рассмотр\w+
         рассмотрим\s+(?:теперь|также) друг\w+\s+(?:систем|задач|пример)\w+
         приведенн\w+ полярн\w+ добав\w+ трени(?:е|я|ем)\b""",
+    "another case": r"""
+        \bcases?\b \bbecom(?:es?|ing)\b \bchang(?:es|ed)\b (?:is|are|be|been)\s+added \badding\b
+        modif\w+ replac\w+ \binstead\b in\s+place\s+of perturb\w+ \bdriv(?:en|ing)\b
+        \bforc(?:ed|ing)\b resist\w+ \bdrag\b \bviscous\b
+        \banother\s+(?:system|law|problem|force|equation) случа\w+ становит\w+ добав\w+
+        измен[еия]\w+ замен[яи]\w+ вместо возмущ[её]н\w+ вынужд\w+
+        \bдруг\w+\s+(?:систем|задач|закон|сил|уравнени)\w+""",
     "hamiltonian": r"""
         \bhamilton\w* canonical\w* \blagrang\w* гамильтон\w* каноническ\w+ лагранж\w*""",
     "map": r"""

@@ -22,9 +22,11 @@ from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.phrases import integral_words, is_conditional
 from kowalevski_cas.reading.rows import is_row
+from kowalevski_cas.reading.small_oscillations import CHARACTERISTIC, FREQUENCY, may_be_of_squares
 from kowalevski_cas.reading.statements import SourceStatement, is_numerical
 from kowalevski_cas.reading.suppositions import FOUND
 from kowalevski_cas.reading.unprinted import SOURCE
+from kowalevski_cas.reading.varied_laws import is_varied
 
 _INDEXED = re.compile(r"_\{?[ijk]\b")
 _NUMBERED = re.compile(r"_\{?\d")
@@ -44,8 +46,12 @@ def doubt_of(
         return Doubt.ALWAYS
     if role.kind in ("solution", "energy") or role.reason == FOUND or _has_momentum(rung, known):
         return Doubt.ALWAYS
+    if role.kind in (CHARACTERISTIC, FREQUENCY, EIGENVALUE) and may_be_of_squares(item, known):
+        return Doubt.ALWAYS
     if role.kind == SAID:
         return None
+    if is_varied(item, known):
+        return Doubt.ALWAYS
     if _is_said_elsewhere(item, known) or _stands_apart(item, rung, candidates, known):
         return Doubt.ALWAYS
     if item in known.apart or (role.kind not in ("integral", EIGENVALUE) and not item.derives):

@@ -134,7 +134,7 @@ def near(item: SourceStatement, known: Known) -> SetOfEquations:
     no point, they are zero.
     """
     last = last_place(item, known)
-    if not all(_is_value(one, known) for one in last):
+    if not all(is_value(one, known) for one in last):
         return ()
     moving = [name for law in known.laws for row in law.rows for name in row.rates]
     names = {name for one in last for name in one.bare} & {*moving}
@@ -161,12 +161,12 @@ def last_place(item: SourceStatement, known: Known) -> SetOfEquations:
         one
         for one in known.items
         if start <= one.typed.start and one.order < item.order
-        and (_is_value(one, known) or _is_set(one, known))
+        and (is_value(one, known) or _is_set(one, known))
     ]  # fmt: skip
     return tuple(one for one in before if one.sentence == before[-1].sentence)
 
 
-def _is_value(one: SourceStatement, known: Known) -> bool:
+def is_value(one: SourceStatement, known: Known) -> bool:
     """Whether a statement gives variables by constants."""
     moving = [name for name in one.bare if known.moves(name)]
     others = [member for member in one.members if member not in [*map(Name, moving)]]

@@ -8,15 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 from kowalevski_cas.notation import Name, Number, Root, Unwritten, to_latex
 from kowalevski_cas.paper.claims import (
+    CharacteristicEquation,
     Claim,
     Coefficient,
     Divergence,
     DoubleZero,
     Eigenvalue,
     FirstIntegral,
+    Frequency,
     Identity,
     Implication,
     Inequality,
@@ -34,6 +37,7 @@ from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.linear_parts import point_of
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
+from kowalevski_cas.reading.small_oscillations import places_of, prints_square, variable_of
 from kowalevski_cas.reading.solutions import solution_of
 from kowalevski_cas.reading.stage import Stage, Supposed
 from kowalevski_cas.reading.statements import SourceStatement
@@ -91,8 +95,8 @@ class _Ladder:
                 yield from self.integrals()
             case "invariant" | "rest":
                 yield from self.of_set()
-            case "eigenvalue":
-                yield from self.eigenvalues()
+            case "eigenvalue" | "frequency" | "characteristic":
+                yield from self.of_linear_part()
             case "solution":
                 yield from self.solutions()
             case "divergence" | "measure" | "energy":
@@ -298,16 +302,27 @@ class _Ladder:
             says = "this is the energy in these letters"
             yield self.rung(Identity, says, assumptions, (), (self.item, by), there)
 
-    def eigenvalues(self) -> Iterator[Rung]:
-        """That a number is an eigenvalue at the point of which the words speak."""
-        point = point_of(self.item, self.known)
+    # -- the linear part -------------------------------------------------------------
+
+    def of_linear_part(self) -> Iterator[Rung]:
+        """What is said of the linear part at the point of which the words speak."""
+        item, known = self.item, self.known
+        about: dict[str, Any] = {}
+        kind: type[Claim] = Eigenvalue
         says = "this is an eigenvalue of the linear part at this point"
-        law = next(law for law in self.known.laws if not law.images)
-        items = (self.item, *law.rows, *point)
+        match self.role.kind:
+            case "frequency":
+                kind, about = Frequency, {"is_square": prints_square(item)}
+                says = "this is the frequency of small oscillations near this point"
+            case "characteristic":
+                kind, about = CharacteristicEquation, {"variable": variable_of(item, known)}
+                says = "this is the characteristic equation of the linear part at this point"
+        point = point_of(item, known) if kind is Eigenvalue else places_of(item, known)
+        law = next(law for law in known.laws if not law.images)
         for assumptions in self._ways():
             yield self.rung(
-                Eigenvalue, says, assumptions, (), items,
-                printed=self.item.printed, relations=_places(point),
+                kind, says, assumptions, (), (item, *law.rows, *point),
+                printed=item.printed, relations=_places(point), **about,
             )  # fmt: skip
 
     # -- the flow --------------------------------------------------------------------

@@ -12,7 +12,7 @@ from kowalevski_cas.reading.kinematics import free_motion
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.momenta import find_momenta
 from kowalevski_cas.reading.names import Names
-from kowalevski_cas.reading.restated import replaced_law
+from kowalevski_cas.reading.restated import replaced_law, times_of
 from kowalevski_cas.reading.rows import highest_order, is_row, rates_given
 from kowalevski_cas.reading.said_rows import (
     rows_of_conjugates,
@@ -147,7 +147,7 @@ class _LawFinder:
         moving = {name for law in part for name in law.variables}
         if not {*self.scalars(item)} - moving or self.is_defined(item, self.paper.prose.start):
             return None
-        if part[0].first.marks.isdisjoint(item.marks):  # derivatives by another time
+        if times_of((part[0].first,)).isdisjoint(times_of((item,))):
             return None
         rows = self.undefined(since)
         supposed = self.said.rows

@@ -72,7 +72,7 @@ def point_of(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]
     law = laws[0]
     if where != "§":
         zeros = dict.fromkeys(law.variables, "0")
-        return _equations(zeros, item, law, known)
+        return equations_of(zeros, item, law, known)
     place = words[: found.start("where") if found["where"] else found.start("there")].count("§")
     beside = [one for one in known.items if one.sentence == item.sentence]
     typed = [*dict.fromkeys(one.typed.start for one in beside)]
@@ -116,7 +116,7 @@ def _named(
     if len(entries) != len(law.variables):
         return ()
     values = dict(zip(law.variables, map(to_latex, entries), strict=True))
-    return _equations(values, item, law, known)
+    return equations_of(values, item, law, known)
 
 
 def _entries(formula: Formula) -> tuple[Formula, ...]:
@@ -129,9 +129,10 @@ def _entries(formula: Formula) -> tuple[Formula, ...]:
     return ()
 
 
-def _equations(
+def equations_of(
     values: dict[str, str], item: SourceStatement, law: Law, known: Known
 ) -> tuple[SourceStatement, ...]:
+    """The equations of a point with these coordinates, which the paper does not print."""
     return tuple(
         unprinted(
             known.paper,

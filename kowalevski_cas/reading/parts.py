@@ -26,6 +26,7 @@ from kowalevski_cas.reading.laws import find_laws
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.restated import find_restated
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
+from kowalevski_cas.reading.varied_laws import with_varied
 
 
 class Parts:
@@ -38,7 +39,8 @@ class Parts:
         self, paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] = ()
     ) -> None:
         self.paper, self.said = paper, said
-        self.laws = _in_order(find_laws(paper, names, said, [*maps]), maps)
+        found = [*with_varied(find_laws(paper, names, said, [*maps]), paper)]
+        self.laws = _in_order(found, maps)
         self.roles: dict[SourceStatement, StatementRole] = {}
         units: list[SourceStatement] = []
         own: list[list[Law]] = [[]]

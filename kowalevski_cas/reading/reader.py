@@ -36,6 +36,7 @@ from kowalevski_cas.reading.maps import enter_maps, find_maps, primed_images
 from kowalevski_cas.reading.maps_in_words import claims_of_maps
 from kowalevski_cas.reading.names import Names, vectors_of
 from kowalevski_cas.reading.obey import SAID, about, claim_id, said_rung, said_rungs
+from kowalevski_cas.reading.other_cases import OtherCases
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.referee import Heard, Referee
 from kowalevski_cas.reading.roles import role_of
@@ -144,6 +145,7 @@ class _DerivationReader:
             self._formula(item, role, chosen.get(item))
             for item, role in sorted(self.parts.roles.items(), key=lambda pair: pair[0].order)
         )
+        statements = tuple(map(self._of_this_law, statements))
         claims = (f.claim for f in (*formulas, *statements) if f.claim is not None)
         judged = (*formulas, *statements)
         doubts = {one.claim.id: one.doubt for one in judged if one.claim and one.doubt}
@@ -213,6 +215,13 @@ class _DerivationReader:
         first = self._derivation((*claims, *(one.claim for one in statements if one.claim)))
         scenes = (rung.claim.scene for item in waiting for rung in self.candidates[item])
         interpretation = Interpretation(first, first.texts(None, *scenes))
+        self.cases = OtherCases(self.parts, self.candidates, interpretation)
+        otherwise = {
+            item: self.cases.otherwise(item, item.typed.start, self.candidates[item][0].claim)
+            for item in waiting
+        }
+        self.troubles |= {item: why for item, why in otherwise.items() if why}
+        waiting = [item for item in waiting if not otherwise[item]]
         decide = referee.begin(interpretation) if referee is not None else None
 
         def choice(place: int) -> tuple[Choice, str, Outcome | None]:
@@ -241,13 +250,20 @@ class _DerivationReader:
         doubt, message = doubt_of(item, rung, self.candidates[item], self.parts), choice.message
         if name := unbound_multiplier(self.parts.of(item), rung.claim.scene.constants):
             doubt, message = Doubt.ALWAYS, UNBOUND.format(name)
-        if message == OVERDUE:
+        if message == OVERDUE or item in self.cases.rows:
             doubt = Doubt.ALWAYS
         if lost := self.stages[self.parts.of(item)].lost(item):
             doubt, message = Doubt.ALWAYS, LOST.format(lost[0].printed.tex.strip())
         if choice.elsewhere is not None:
             doubt, message = Doubt.ALWAYS, self._supposed_elsewhere(item, choice.elsewhere)
         return JudgedStatement(item, role, rung.claim, rung.on, rung.constants, doubt, message)
+
+    def _of_this_law(self, said: JudgedStatement) -> JudgedStatement:
+        """What words claim, unless that may be meant of another law."""
+        if said.claim is None or said.span is None or said.role.kind == SAID:
+            return said
+        why = self.cases.otherwise(said.item, said.span[0], said.claim)
+        return replace(said, claim=None, message=why) if why else said
 
     def _supposed_elsewhere(self, item: SourceStatement, place: int) -> str:
         """The words for what is supposed in another place, and makes a claim true."""

@@ -63,16 +63,16 @@ def _kept(law: Law, rows: Sequence[SourceStatement]) -> list[SourceStatement] | 
 
     They give all the rates of those that they replace, of the same order and by the same time.
     """
-    rated = _orders(rows, law.names)
+    rated = orders_of(rows, law.names)
     own = [row for row in law.rows if rated.keys() & {*law.names.scalars(row.rates)}]
     whole = rates_given(rows, law.names) == len(rated)
-    alike = _orders(own, law.names) == rated and _times(rows) <= _times(own)
+    alike = orders_of(own, law.names) == rated and times_of(rows) <= times_of(own)
     if not rows or law.order >= rows[0].order or not (whole and alike):
         return None
     return [row for row in law.rows if row not in own]
 
 
-def _orders(rows: Iterable[SourceStatement], names: Names) -> dict[str, int]:
+def orders_of(rows: Iterable[SourceStatement], names: Names) -> dict[str, int]:
     """The names that some rows derive, with the highest orders."""
     found: dict[str, int] = {}
     for row in rows:
@@ -81,6 +81,6 @@ def _orders(rows: Iterable[SourceStatement], names: Names) -> dict[str, int]:
     return found
 
 
-def _times(rows: Iterable[SourceStatement]) -> set[str]:
+def times_of(rows: Iterable[SourceStatement]) -> set[str]:
     """The times by which some rows are derived, as they are printed: dots are by t."""
     return {"t" if mark == "dot" else mark for row in rows for mark in row.marks}

@@ -48,6 +48,7 @@ from kowalevski_cas.reading.propositions import (
     solution,
     zero_set,
 )
+from kowalevski_cas.reading.small_oscillations import small_oscillation
 from kowalevski_cas.reading.solutions import constant_of_solution
 from kowalevski_cas.reading.statements import SourceStatement, is_ellipsis
 from kowalevski_cas.reading.suppositions import assumption, inequality, on_place, value
@@ -196,8 +197,8 @@ def other(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
-    """What is said of the flow, unless it is denied, quoted or asked."""
-    found = divergence(item, known) or measure(item, known)
+    """What is said of the flow, or of its linear part, unless it is denied, quoted or asked."""
+    found = divergence(item, known) or measure(item, known) or small_oscillation(item, known)
     return (unjudged(item, known) or found) if found else None
 
 

@@ -29,6 +29,7 @@ from kowalevski_cas.reading.index_ranges import period_in, with_ranges
 from kowalevski_cas.reading.named_sets import without_set_names
 from kowalevski_cas.reading.numbers import numbers_of
 from kowalevski_cas.reading.text import MARK, Prose, TextSection, references
+from kowalevski_cas.reading.variations import with_variations
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.formulas import typed_formulas
@@ -265,7 +266,7 @@ class SourcePaper:
 def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> SourcePaper:
     """The statements of a source, read in the names that it uses, some of which are ``primed``."""
     expanded, typed = typed_formulas(source)
-    typed = [*with_elements([*without_maps(typed)], expanded.text)]
+    typed = [*with_variations([*with_elements([*without_maps(typed)], expanded.text)])]
     named = [*without_set_names(typed)]
     formulas = [*by_names([formula for formula, _ in named])]
     prose = Prose(expanded.text, expanded.body, formulas)

@@ -71,6 +71,11 @@ class TextSection:
     start: int
     end: int
 
+    @property
+    def is_run_in(self) -> bool:
+        """Whether its heading begins a paragraph, in bold or slanted type."""
+        return self.level == _RUN_IN
+
 
 class Prose:
     """The words of a text from an offset on, with a mark in place of each formula."""

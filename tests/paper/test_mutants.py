@@ -79,7 +79,17 @@ def flow():
     return replace(derivation(plane.section), name="flow")
 
 
-OWN = (free_body(), rotation(), flow())
+def near_rest():
+    """Claims about the linear part of a flow, which is free of s."""
+    plane = System(r"\dot x=-2y+sxy,\quad \dot y=2x+sy^2")
+    rest = ("x=0", "y=0")
+    plane.states(kinds.Frequency, "frequency", "", printed="4", relations=rest, is_square=True)
+    about = {"relations": rest, "variable": "s"}
+    plane.states(kinds.CharacteristicEquation, "characteristic", "", printed="3s^2=-12", **about)
+    return replace(derivation(plane.section), name="near-rest")
+
+
+OWN = (free_body(), rotation(), flow(), near_rest())
 SESSIONS = {one.name: Session(one, ["flint"]) for one in (*map(load, available()), *OWN)}
 CLAIMS = {
     (name, claim.id): claim for name in SESSIONS for claim in SESSIONS[name].derivation.claims

@@ -1,58 +1,158 @@
-"""Eigenvalues of the linear part of a vector field at a point of rest."""
+"""The linear part of a vector field at a point of rest: eigenvalues, characteristic equation."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import factorial
 
-from kowalevski_cas.notation import Formula, Name, Negative, Quotient, Relation, total
+from kowalevski_cas.notation import (
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Relation,
+    times,
+    total,
+)
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import ONE, equations, members, rate, vanishes
+from kowalevski_cas.paper.claims.forms import (
+    ONE,
+    equation,
+    equations,
+    members,
+    minus,
+    rate,
+    slope,
+    vanishes,
+)
 from kowalevski_cas.paper.components import row_components
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.matrices import determinant
+from kowalevski_cas.paper.matrices import Rows, determinant
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Fails, Follows, Goal
-from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.problem.space import Equation, Meaningless
 
 
-class Eigenvalue(Claim):
+class OfLinearPart(Claim):
+    """What is said of the matrix of the derivatives of the rates at a point of rest.
+
+    The point is where ``relations`` hold: they give all variables; velocities are zero there.
+    """
+
+    relations: tuple[Printed, ...]
+
+    def _at_rest(self, on: Elaborations, space: Elaboration) -> tuple[Equation, ...]:
+        """The equations of the point."""
+        still = (vanishes(Name(name)) for name in space.velocities.values())
+        return (*equations(on, space, self.relations), *still)
+
+    def _value(self, on: Elaborations, space: Elaboration) -> Formula:
+        """What is printed, or the last member of the equation that is."""
+        printed = on.texts.formula(self.own)
+        return space.plain(members(printed)[-1] if isinstance(printed, Relation) else printed)
+
+
+class Eigenvalue(OfLinearPart):
     r"""The printed number is an eigenvalue of the linear part of the field at a point of rest.
 
     The point is where ``relations`` hold: they give all variables. With the matrix J of the
     derivatives of the rates by the variables :math:`\det(J-\lambda E)=0` there.
     """
 
-    relations: tuple[Printed, ...]
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        space = on(self.scene)
+        value, given = self._value(on, space), self._at_rest(on, space)
+        matrix = _minus(_linear_part(space), value)
+        yield Fails(space, (), given)
+        yield Follows(space, ((vanishes(determinant(matrix)), *_rest(space)),), given)
+
+
+class Frequency(OfLinearPart):
+    r"""The printed number is the frequency of small oscillations near a point of rest.
+
+    With the matrix J of the linear part :math:`\det(J^2+\omega^2E)=0`: of all real J that are those
+    with the eigenvalue :math:`i\omega`. If it ``is_square``, its square is printed.
+    """
+
+    is_square: bool
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        if space.velocities:
-            raise Meaningless("the linear part of equations of higher order is not known")
-        printed = on.texts.formula(self.own)
-        value = space.plain(members(printed)[-1] if isinstance(printed, Relation) else printed)
-        given = equations(on, space, self.relations)
-        names = space.scene.variables
-        rates = _rates(space)
-        matrix = tuple(
-            tuple(
-                total((entry, Negative(value))) if x == y else entry
-                for y in names
-                for entry in [space.partial(rates[x], y)]
-            )
-            for x in names
-        )
-        rest = (vanishes(rate(Name(name))) for name in names)
+        value, given = self._value(on, space), self._at_rest(on, space)
+        square = value if self.is_square else Power(value, Number(2))
+        matrix = _linear_part(space)
+        matrix = _minus(_product(matrix, matrix), Negative(square))
         yield Fails(space, (), given)
-        yield Follows(space, ((vanishes(determinant(matrix)), *rest),), given)
+        yield Follows(space, ((vanishes(determinant(matrix)), *_rest(space)),), given)
 
 
-def _rates(space: Elaboration) -> dict[str, Formula]:
-    """The right sides of the equations of motion, by the variables."""
-    rows = [entry for row in space.field for entry in row_components(row, space)]
-    if {name for name, _, _ in rows} != {*space.scene.variables}:
-        raise Meaningless("not all rates are printed by themselves")
-    return {
-        name: space.plain(force if below == ONE else Quotient(force, below))
-        for name, below, force in rows
-    }
+class CharacteristicEquation(OfLinearPart):
+    r"""The printed equation is the characteristic one of the linear part at a point of rest.
+
+    The difference of its sides, or the printed polynomial, is :math:`c\det(\lambda E-J)`, where the
+    ``variable`` is :math:`\lambda`, and c is not zero and free of it.
+    """
+
+    variable: str
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        space = on(self.scene)
+        printed = on.texts.formula(self.own)
+        is_equation = isinstance(printed, Relation)
+        value = minus(equation(on, space, self.own)) if is_equation else space.plain(printed)
+        given, matrix = self._at_rest(on, space), _linear_part(space)
+        # the n-th derivative is n! times the leading coefficient; were λ in it, that of the
+        # product would differ from that of the polynomial
+        leading = value
+        for _ in matrix:
+            leading = space.partial(leading, self.variable)
+        below = determinant(_minus(matrix, Name(self.variable)))
+        sign = (-1) ** len(matrix) * factorial(len(matrix))
+        same = total((times(Number(sign), value), Negative(Product((leading, below)))))
+        yield Fails(space, ((vanishes(leading),),), given)
+        yield Follows(space, ((vanishes(same), *_rest(space)),), given)
+
+
+def _linear_part(space: Elaboration) -> Rows:
+    """The derivatives of the rates of what moves, velocities too, by what moves."""
+    rates: dict[str, Formula] = {x: Name(rate) for x, rate in space.velocities.items()}
+    for row in space.field:
+        for name, below, force in row_components(row, space):
+            rates[name] = space.plain(force if below == ONE else Quotient(force, below))
+    names = _moving(space)
+    if missing := [name for name in names if name not in rates]:
+        raise Meaningless(f"the rate of {missing[0]} is not printed by itself")
+    return tuple(tuple(slope(space, rates[x], y) for y in names) for x in names)
+
+
+def _moving(space: Elaboration) -> tuple[str, ...]:
+    """What moves: the variables, and the velocities of which the rates are printed."""
+    return tuple(dict.fromkeys((*space.scene.variables, *space.velocities.values())))
+
+
+def _rest(space: Elaboration) -> tuple[Equation, ...]:
+    """The equations that nothing moves."""
+    return tuple(vanishes(rate(Name(name))) for name in space.variables)
+
+
+def _minus(matrix: Rows, value: Formula) -> Rows:
+    """A matrix without a multiple of the unit matrix."""
+    return tuple(
+        tuple(total((one, Negative(value))) if j == k else one for k, one in enumerate(row))
+        for j, row in enumerate(matrix)
+    )
+
+
+def _product(left: Rows, right: Rows) -> Rows:
+    """The product of two matrices."""
+    return tuple(
+        tuple(
+            total(times(a, b) for a, b in zip(row, column, strict=True))
+            for column in zip(*right, strict=True)
+        )
+        for row in left
+    )

@@ -1,0 +1,133 @@
+"""Rates that words set up for another case: what stands behind them may be meant of that one.
+
+Rates of what moves that hold by the law follow from it. Where they do not, and words speak of a
+case, of what is added, or of what the equation becomes, they may be another law, to the end of
+their section: what is said there of motions can be read in two ways.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+
+from kowalevski_cas.paper.claims import (
+    Casimir,
+    Claim,
+    EverywhereIndependent,
+    Identity,
+    Implication,
+    Independence,
+    Inequality,
+    Involution,
+)
+from kowalevski_cas.processes import each
+from kowalevski_cas.reading.choice import may_hold
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.known import CLAIM, UNREAD, Known
+from kowalevski_cas.reading.ladder import Rung
+from kowalevski_cas.reading.parts import Parts
+from kowalevski_cas.reading.phrases import joined_lead
+from kowalevski_cas.reading.restated import orders_of, times_of
+from kowalevski_cas.reading.rows import is_row
+from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.verify.interpretation import Interpretation
+
+OTHERWISE = (
+    "${}$ (line {}) does not hold by the equations of motion: it may be another law, and this "
+    "may be said of it; print all equations of that law in a display"
+)
+NOT_CLAIMED = ("denied", "excepted", "quoted", "asked")
+"""The kinds of what is printed and not claimed as it is."""
+_RATE = re.compile(r"\\d{1,3}ot(?![A-Za-z])[^=]*=|\\frac\s*\{\\?(?:mathrm\s*)?\{?d[^=]*=")
+"""A printed rate."""
+_SUPPOSED = re.compile(
+    r"\b(?:now|here|if|when|with|under|suppose|let|consider|take|assume"
+    r"|теперь|здесь|если|когда|при|пусть|рассмотрим|предположим)\b"
+    r"(?!\s+(?:respect|this|th[eo]se|the\s+(?:help|notation)|этом|\(?\\))[^§]*$",
+    re.IGNORECASE,
+)
+"""How words end that suppose something without a formula, right before what then is so."""
+_BY_ALGEBRA = (
+    Casimir, EverywhereIndependent, Identity, Implication, Independence, Inequality, Involution,
+)  # fmt: skip
+"""What says nothing of motions, if nothing is derived there."""
+
+
+class OtherCases:
+    """The rates of a paper that may be laws of other cases, and what stands behind them."""
+
+    def __init__(
+        self,
+        parts: Parts,
+        candidates: Mapping[SourceStatement, Sequence[Rung]],
+        interpretation: Interpretation,
+    ) -> None:
+        self.parts = parts
+        asked = [one for one in parts.roles if self._is_asked(one, candidates.get(one, ()))]
+
+        def fails(place: int) -> bool:
+            rungs = [one for one in candidates.get(asked[place], ()) if not one.elsewhere]
+            return not any(may_hold(one, interpretation.on(one.claim)) for one in rungs)
+
+        found = [*each(fails, range(len(asked)))]
+        self.rows = [row for row, failing in zip(asked, found, strict=True) if failing]
+
+    def _is_asked(self, item: SourceStatement, rungs: Sequence[Rung]) -> bool:
+        """Whether a statement gives rates of what moves, and words set up another case for it."""
+        role, known = self.parts.roles[item], self.parts.of(item)
+        start = max(item.paragraph, item.section.start)
+        force = cue(
+            "force",
+            f"{item.sections[-1].title} {known.paper.prose.between(start, item.sentence[1])}",
+        )
+        if role.name == UNREAD or role.kind in NOT_CLAIMED or (role.name == CLAIM and not rungs):
+            return bool(force) and _RATE.search(item.typed.tex) is not None
+        if role.name != CLAIM or not is_row(item) or not _is_whole(item, known):
+            return False
+        before = item.earlier[0] if item.earlier else ""
+        words = f"{item.sections[-1].title} {before} {item.words}"
+        if len(item.rates) > 1 and min(item.rates.values()) == 1:
+            return False  # it may be a constraint
+        case = bool(cue("another case", words) or cue("system", joined_lead(item))) or any(
+            map(_SUPPOSED.search, (item.lead, before))
+        )
+        return bool(force) or (role.kind != "approximate" and case)
+
+    def otherwise(self, item: SourceStatement, start: int, claim: Claim) -> str:
+        """Why a claim at a place of the text may be meant of another law; empty if it is not."""
+        known = self.parts.of(item)
+        defining = (
+            one
+            for name in item.names
+            for inner in known.below(name)
+            for one in known.definitions.get(inner, ())
+        )
+        derives = item.derives or any(one.derives for one in defining)
+        if isinstance(claim, _BY_ALGEBRA) and not derives:
+            return ""
+        moving = {*claim.scene.variables}
+        for row in self.rows:
+            rated = {*known.names.scalars(row.rates)}
+            reached = row.typed is not item.typed and self._reaches(row, start)
+            if reached and (rated & moving or row.formula is None):
+                lines = self.parts.paper.lines
+                line = lines.get(row.printed.display.id, 0)
+                return OTHERWISE.format(row.typed.tex.strip(" ."), line)
+        return ""
+
+    def _reaches(self, row: SourceStatement, start: int) -> bool:
+        """Whether a place stands beside a row, or behind it, in its section, or in its footnote."""
+        headed = [one for one in row.sections if not one.is_run_in]
+        footnote = self.parts.paper.prose.footnote(row.typed.start)
+        end = footnote[1] if footnote is not None else headed[-1].end
+        return row.sentence[0] <= start < end
+
+
+def _is_whole(item: SourceStatement, known: Known) -> bool:
+    """Whether a statement gives rates as a law does: as high as there, by the same time."""
+    own = orders_of((item,), known.names)
+    for law in known.laws:
+        orders = orders_of(law.rows, law.names)
+        if own.keys() <= orders.keys() and times_of((item,)) <= times_of(law.rows):
+            return all(order >= orders[name] for name, order in own.items())
+    return False

@@ -1,0 +1,270 @@
+"""Characteristic equations and frequencies of small oscillations: of which law, and near what.
+
+They are read where the place is said: in the sentence, or last before it in its paragraph. A law
+that is linear has the origin.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from kowalevski_cas.notation import (
+    Derivative,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Relation,
+    Sum,
+)
+from kowalevski_cas.paper.transcendental import PI
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.hypotheses import is_value
+from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
+from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.linear_parts import equations_of
+from kowalevski_cas.reading.statements import SourceStatement
+
+FREQUENCY, CHARACTERISTIC = "frequency", "characteristic"
+"""The kinds of these claims."""
+
+_SMALL = (
+    r"(?:small|infinitesimal)\s+(?:\w+\s+)?(?:oscillations?|vibrations?|motions|ones)"
+    r"|мал\w+\s+колебани\w+"
+)
+_FREQUENCY = (
+    r"(?P<squares>(?:squares?\s+of\s+the\s+|квадрат\w*\s+)?)(?:frequenc(?:y|ies)|частот\w*)"
+)
+_PLACE = (
+    r"(?:[\s~]+of\s+(?:the|this|our)\s+\w+)?"
+    r"(?:[\s~]+(?:about|around|near|at|in|вблизи|около|возле|в|у)\b[^.;]*)?"
+)
+_IS = r"(?:is|are|equals?|(?:is|are)\s+given\s+by|равн\w+|есть|суть|[-—–]+)?[\s:,~]*$"
+_OF_SMALL = re.compile(
+    rf"\b{_FREQUENCY}\s+(?:of\s+)?(?:the\s+)?(?:{_SMALL}){_PLACE}[\s~]*{_IS}"
+    rf"|\b(?:{_SMALL}){_PLACE}[\s~]+(?:then\s+)?(?:have|has|with|име\w+)\s+(?:then\s+)?(?:the\s+)?"
+    rf"{_FREQUENCY.replace('squares', 'squares_behind')}[\s:~]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which frequencies of small oscillations are printed."""
+_EQUATION = re.compile(
+    r"\b(?:characteristic|secular)\s+(?:equation|polynomial)s?\b(?P<rest>[^.;]*)$"
+    r"|\b(?:характеристическ\w+|веков\w+)\s+(?:уравнени|многочлен|полином)\w+(?P<other>[^.;]*)$",
+    re.IGNORECASE,
+)
+"""How words end behind which a characteristic equation is printed."""
+_SECULAR = re.compile(
+    r"\b(?:secular|frequenc\w+|веков\w+|частот\w*)\b|\b(?:imaginary|мним\w+)\b", re.IGNORECASE
+)
+"""Words for equations that are often printed for squares of frequencies."""
+_OF_FREQUENCIES = (r"\omega", r"\Omega", r"\nu", r"\sigma")
+"""The usual letters of frequencies."""
+_OF_MATRIX = re.compile(
+    r"\b(?:matri(?:x|ces)|operator|tensor|pencil|матриц\w+|оператор\w*|тензор\w*)\b|\bof[\s~]+§",
+    re.IGNORECASE,
+)
+"""Words for that of which it is the characteristic equation, if that is no law of motion."""
+_WHERE = re.compile(
+    r"\b(?:about|around|near|at|вблизи|около|возле|neighbou?rhood\s+of|окрестност\w+|в(?=\s+(?:точке|начале)))\s+"
+    r"(?:(?:the|this|each\s+of\s+the|its|точк\w+|положени\w+|равновеси\w+|points?|equilibri\w+"
+    r"|positions?|states?|of\s+(?:equilibrium|rest))[\s~]+)*(?P<where>origin|начал\w+\s+координат|§)",
+    re.IGNORECASE,
+)
+"""Where something is said to be so."""
+_COMPARED = re.compile(
+    r"\brevers\w+|\btwice\b|\b(?:times|half)\s+(?:as|the)\b|\bthan\b|обра(?:щ|т)\w+|\b(?:вдвое|чем)\b",
+    re.IGNORECASE,
+)
+"""Words that compare a system with another one."""
+_JOINED = re.compile(r"(?:[\s,;~]|\b(?:and|и)\b)*")
+_SMALL_ANGLES = re.compile(r"\bsmall\s+angles\b|\bмал\w+\s+угл\w+", re.IGNORECASE)
+_EXPONENTIAL = r"(?:e\s*\^\s*\{{\s*{0}\s*t\s*\}}|\\exp\s*\(?\s*{0}\s*t)"
+"""An exponential of the time with a factor."""
+
+
+def small_oscillation(item: SourceStatement, known: Known) -> StatementRole | None:
+    """A frequency of small oscillations, or a characteristic equation, at a point that is said."""
+    if item.formula is None or item.derives or known.varying(item.names):
+        return None
+    found = frequency(item, known) or characteristic(item, known)
+    if found and places_of(item, known):
+        kind, name, said = found
+        why = f"{said} of the linear part, by the words before it"
+        return StatementRole(CLAIM, why, kind, (name,) if kind == FREQUENCY and name else ())
+    return None
+
+
+def frequency(item: SourceStatement, known: Known) -> tuple[str, str, str] | None:
+    """The name of a frequency of small oscillations, if a statement prints one; no number of them.
+
+    With the number π it may count oscillations in a unit of time. A name that has been used is
+    not given by it.
+    """
+    if not _OF_SMALL.search(item.before) or len(item.members) not in (0, 2) or PI in item.names:
+        return None
+    match item.members[:1]:
+        case ():
+            return FREQUENCY, "", "a frequency"
+        case (Name(name),) if not known.is_known(name):
+            return FREQUENCY, name, "a frequency"
+        case (Power(Name(name), Number(2)),) if not known.is_known(name):
+            return FREQUENCY, name, "the square of a frequency"
+    return None
+
+
+def prints_square(item: SourceStatement) -> bool:
+    """Whether it is the square of a frequency that a statement prints."""
+    found = _OF_SMALL.search(item.before)
+    squares = found is not None and bool(found["squares"] or found["squares_behind"])
+    return isinstance(item.members[0], Power) if item.members else squares
+
+
+def characteristic(item: SourceStatement, known: Known) -> tuple[str, str, str] | None:
+    """The variable of a characteristic equation, if a statement prints one."""
+    variable = variable_of(item, known)
+    if not variable or len(item.members) not in (0, 2) or isinstance(item.formula, Name):
+        return None
+    said = _EQUATION.search(item.before)
+    if said and not _OF_MATRIX.search(said["rest"] or said["other"] or ""):
+        return CHARACTERISTIC, variable, "the characteristic equation"
+    own = re.compile(_EXPONENTIAL.format(re.escape(variable)))
+    beside = (one for one in known.of_sentence(item.sentence) if one.order < item.order)
+    if item.members and any(own.search(one.typed.tex) for one in beside):
+        return CHARACTERISTIC, variable, "the equation of the exponents"
+    return None
+
+
+def variable_of(item: SourceStatement, known: Known) -> str:
+    """The only letter of a statement that no law has, and nothing before: λ; else none."""
+    if isinstance(item.formula, Relation) and not item.members:
+        return ""
+    mentioned = {n for law in known.laws for name in law.mentions for n in known.below(name)}
+    fresh = [
+        name
+        for name in sorted(item.names - mentioned)
+        if not (known.is_defined(name) or known.moves(name) or name in known.times)
+    ]
+    return fresh[0] if len(fresh) == 1 else ""
+
+
+def may_be_of_squares(item: SourceStatement, known: Known) -> bool:
+    """Whether what is said of a linear part may be meant of squares, or by another time.
+
+    A characteristic equation may be one for a frequency; where accelerations are printed, the
+    eigenvalues may be those of the matrix that gives them.
+    """
+    kind = known.roles[item].kind
+    if kind == CHARACTERISTIC:
+        letter = re.sub(r"_.*", "", variable_of(item, known))
+        squares = letter in _OF_FREQUENCIES or _SECULAR.search(item.words) is not None
+    else:
+        orders = (n for law in known.laws for row in law.rows for n in row.rates.values())
+        squares = kind != FREQUENCY and max(orders, default=1) > 1
+    return squares or bool(known.clocks)
+
+
+def law_at_rest(item: SourceStatement, known: Known) -> Law | None:
+    """The only law of motion before a statement, if there is one."""
+    laws = [law for law in known.laws if law.order < item.order and not law.images]
+    return laws[0] if len(laws) == 1 and not laws[0].change else None
+
+
+def places_of(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]:
+    """The equations of the point near which a statement says something; none if it is not said.
+
+    What cites something else than the law, or stands behind equations of other deviations or
+    words of another case, is said of these.
+    """
+    law = law_at_rest(item, known)
+    if law is None or _is_of_others(item, law, known):
+        return ()
+    origin = equations_of(dict.fromkeys(law.variables, "0"), item, law, known)
+    found = [one["where"] for one in _WHERE.finditer(item.words)]
+    places = [*dict.fromkeys(_listed(item, known))]
+    if places or found:
+        places += [origin] if any(where != "§" for where in found) else []
+        return places[0] if len(places) == 1 and _gives(places[0], law) else ()
+    if _gives(last := _last(item, known), law):
+        return last
+    words = known.paper.prose.between(item.section.start, item.sentence[1])
+    return origin if _is_linear(law, known) or _SMALL_ANGLES.search(words) else ()
+
+
+def _is_of_others(item: SourceStatement, law: Law, known: Known) -> bool:
+    """Whether a statement may follow from other equations than the law."""
+    start = max(item.paragraph, item.section.start, law.items[-1].typed.end)
+    words = f"{item.words} {known.paper.prose.between(start, item.typed.start)}"
+    others = ("force", "another system", "another case")
+    if any(cue(name, words) for name in others) or _COMPARED.search(words):
+        return True
+    if any(one not in law.rows and not is_value(one, known) for one in known.cited(item)):
+        return True
+    before = (one for one in known.items if one.section is item.section and one.order < item.order)
+    rated = (name for one in before if one not in law.rows for name in one.rates)
+    return not all(map(known.varies, rated))
+
+
+def _listed(item: SourceStatement, known: Known) -> Iterator[tuple[SourceStatement, ...]]:
+    """The equations of the places that the sentence of a statement names."""
+    beside = known.of_sentence(item.sentence)
+    typed = [*dict.fromkeys(one.typed.start for one in beside)]
+    words = known.paper.prose.text[slice(*item.sentence)]
+    for found in _WHERE.finditer(words):
+        if found["where"] != "§":
+            continue
+        first = words[: found.start("where")].count("§")
+        own: list[SourceStatement] = []
+        for start in typed[first:]:
+            here = [one for one in beside if one.typed.start == start]
+            joined = not own or _JOINED.fullmatch(here[0].lead)
+            if not (joined and all(is_value(one, known) for one in here)):
+                break
+            own += here
+        yield tuple(own)
+
+
+def _last(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]:
+    """The equations of the point that was printed last before a statement in its paragraph."""
+    start = max(item.paragraph, item.section.start)
+    before = [
+        one
+        for one in known.items
+        if start <= one.typed.start and one.order < item.order and is_value(one, known)
+    ]
+    return tuple(one for one in before if one.sentence == before[-1].sentence)
+
+
+def _gives(equations: tuple[SourceStatement, ...], law: Law) -> bool:
+    """Whether equations give all that moves, each once."""
+    given = [name for one in equations for name in one.bare if name in law.variables]
+    return sorted(given) == sorted(law.variables)
+
+
+def _is_linear(law: Law, known: Known) -> bool:
+    """Whether a law is linear in what moves, without anything else."""
+    degrees = (_degrees(member, known) for row in law.rows for member in row.members)
+    return all(own <= {1} for own in degrees)
+
+
+def _degrees(formula: Formula, known: Known) -> set[int]:
+    """The degrees of the terms of a formula in what moves; 2 for what may be no polynomial."""
+    if formula == Number(0):
+        return set()
+    if not known.varying(formula.names()):
+        return {0}
+    match formula:
+        case Name(name) if known.moves(name):
+            return {1}
+        case Sum(terms):
+            return {degree for one in terms for degree in _degrees(one, known)}
+        case Negative(argument) | Derivative(argument):
+            return _degrees(argument, known)
+        case Quotient(numerator, denominator) if not known.varying(denominator.names()):
+            return _degrees(numerator, known)
+        case Product(factors):
+            return {sum(max(_degrees(one, known), default=0) for one in factors)}
+    return {2}

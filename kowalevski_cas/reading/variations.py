@@ -1,0 +1,62 @@
+r"""Variations: one name, as :math:`\delta_x` for :math:`\delta x`, where a paper derives it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from kowalevski_cas.source.displays import TypedFormula
+
+_DOTS = r"\\d{1,3}ot(?![A-Za-z])"
+_NAME = (
+    r"(?:\\(?!d{1,3}ot|d?frac|left|right|in|cdot|times|[lgn]eq?|to|,)[A-Za-z]+|[A-Za-z])"
+    r"(?:_(?:\w|\{\w+\}))?"
+)
+_GAP = r"(?:\s|\\[,;!])*"
+_RATE = (
+    r"{dots}\s*\{{\s*\\{mark}\s*{name}\s*\}}"
+    r"|\bd(?:\^\d)?{gap}\(?\s*\\{mark}\s*{name}\s*\)?\s*\}}\s*\{{\s*d"
+)
+"""The rate of a variation."""
+
+
+def with_variations(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
+    r"""The formulas, with one name in the place of each variation, if some of them derive one.
+
+    A mark that stands without a letter, as in :math:`\delta>0`, or before a rate that is printed
+    before the first of a variation, as in :math:`-\delta\dot x`, is a number: it varies nothing.
+    """
+    marks = [mark for mark in ("delta", "Delta") if _varies(mark, [one.tex for one in formulas])]
+    for formula in formulas:
+        tex = formula.tex
+        for mark in marks:
+            tex = _renamed(tex, mark)
+        yield formula if tex == formula.tex else replace(formula, tex=tex)
+
+
+def _varies(mark: str, printed: Sequence[str]) -> bool:
+    """Whether a letter makes variations of those behind it."""
+    rate = re.compile(_RATE.format(dots=_DOTS, mark=mark, name=_NAME, gap=_GAP))
+    first = next((place for place, tex in enumerate(printed) if rate.search(tex)), None)
+    if first is None:
+        return False
+    alone = re.compile(rf"\\{mark}(?![A-Za-z])(?!\s*(?:{_DOTS}\s*\{{?\s*)?{_NAME})")
+    before = re.compile(rf"\\{mark}\s*{_DOTS}")
+    return not any(map(alone.search, printed)) and not any(map(before.search, printed[:first]))
+
+
+def _renamed(tex: str, mark: str) -> str:
+    """A formula with names of variations."""
+    own = rf"(?P<name>{_NAME})"
+    for dotted in (
+        rf"(?P<dots>{_DOTS})\s*\{{\s*\\{mark}\s*{own}\s*\}}",
+        rf"\\{mark}\s*(?P<dots>{_DOTS})\s*\{{\s*{own}\s*\}}",
+        rf"\\{mark}\s*(?P<dots>{_DOTS})\s*{own}",
+    ):
+        tex = re.sub(dotted, lambda one: rf"{one['dots']}{{\{mark}}}_{{{one['name']}}}", tex)
+    behind_d = (
+        rf"(?<=[{{\s])d(?P<order>\^\d)?{_GAP}\(?\s*\\{mark}\s*{own}\s*\)?(?=\s*\}}\s*\{{\s*d)"
+    )
+    tex = re.sub(behind_d, lambda one: rf"d{one['order'] or ''}\{mark}_{{{one['name']}}}", tex)
+    return re.sub(rf"\\{mark}\s*{own}", lambda one: rf"\{mark}_{{{one['name']}}}", tex)

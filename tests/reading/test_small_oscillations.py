@@ -1,0 +1,137 @@
+"""Characteristic equations and frequencies of small oscillations, at points that are said."""
+
+from itertools import product
+
+import pytest
+
+from tests.reading.test_reading import reading, verdicts
+from tests.sample import sampled
+
+SWING = (
+    r"The equation of motion is \begin{equation}\label{s} \ddot u=-n\sin u-c\dot u .\end{equation} "
+)
+FREE = r"The equation of motion is \begin{equation}\label{s} \ddot u=-n\sin u .\end{equation} "
+WELL = r"The equations of motion are \begin{equation}\label{w} \dot q=p,\quad \dot p=aq-bq^3-cp .\end{equation} "
+TWO = r"""The equations of motion are \[ 3\ddot u+\ddot v\cos(u-v)-\dot v^2\sin(u-v)+2u-v=0,\quad
+\ddot v+\ddot u\cos(u-v)+\dot u^2\sin(u-v)+v-u=0 .\] """
+KINDS = ("characteristic", "frequency")
+
+
+def last(text):
+    """The verdict on the formula that is printed last before a place; it may be not judged."""
+    found = verdicts(text)
+    said = [f for f in reading(text).formulas if f.role.kind in KINDS]
+    return found.get(said[-1].item.printed.tex.strip(" .,")) if said else None
+
+
+def is_green(text):
+    found = last(text)
+    return found is not None and found.green
+
+
+TRUE = [
+    SWING + r"Near $u=0$ the characteristic equation is \[ \mu^2+c\mu+n=0 .\]",
+    SWING + r"Near $u=0$ the characteristic equation is \[ 2n+2\mu^2=-2c\mu .\]",
+    SWING + r"In the neighbourhood of $u=0$ we get the characteristic polynomial \[ -n-c\mu-\mu^2 .\]",
+    SWING + r"При $u$ вблизи $u=0$ характеристическое уравнение имеет вид \[ \mu^2+c\mu+n=0 .\]",
+    WELL + r"The characteristic equation at the origin is \[ s(s+c)=a .\]",
+    WELL + r"Let $a=b$. The characteristic equation at the point $q=1$, $p=0$ is \[ s^2+cs+2a=0 .\]",
+    TWO + r"For small angles, inserting $u,v\sim e^{\mu t}$ we find \[ 2\mu^4+7\mu^2+1=0 .\]",
+    FREE + r"The frequency of the small oscillations near $u=0$ is \[ \nu^2=n .\]",
+    FREE + r"The frequency of small oscillations is \[ \nu_0=\sqrt n \] near $u=0$.",
+    FREE + r"The frequency of small oscillations about $u=0$ is $\sqrt n$.",
+    FREE + r"Квадрат частоты малых колебаний около $u=0$ равен \[ \nu^2=n .\]",
+    r"The equation of motion is \[ \ddot u=-nu .\] The frequency of the small oscillations is \[ \nu^2=n .\]",
+]  # fmt: skip
+FALSE = [
+    SWING + r"Near $u=0$ the characteristic equation is \[ \mu^2-c\mu+n=0 .\]",
+    SWING + r"Near $u=0$ the characteristic equation is \[ \mu^2+c\mu-n=0 .\]",
+    SWING + r"Near $u=\pi$ the characteristic equation is \[ \mu^2+c\mu+n=0 .\]",
+    SWING + r"Near $u=1$ the characteristic equation is \[ \mu^2+c\mu+n=0 .\]",
+    SWING + r"Near $u=0$ the characteristic equation is \[ 0\mu=0 .\]",
+    SWING + r"Near $u=0$ the characteristic equation is \[ \mu(\mu^2+c\mu+n)=0 .\]",
+    SWING + r"Near $u=0$ the characteristic equation is \[ \mu+c=0 .\]",
+    SWING + r"Near $u=0$ the characteristic equation is \[ (n-n)(\mu^2+\mu)=0 .\]",
+    WELL + r"The characteristic equation at the point $q=1$, $p=0$ is \[ s^2+cs+2a=0 .\]",
+    WELL + r"The characteristic equation at the origin is \[ s^2+cs+2a=0 .\]",
+    TWO + r"For small angles, inserting $u,v\sim e^{\mu t}$ we find \[ 2\mu^4+7\mu^2-1=0 .\]",
+    FREE + r"The frequency of small oscillations near $u=0$ is \[ \nu^2=-n .\]",
+    FREE + r"The frequency of small oscillations near $u=0$ is \[ \nu=n .\]",
+    SWING + r"The frequency of small oscillations near $u=0$ is \[ \nu^2=n .\]",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("text", TRUE)
+def test_true(text):
+    assert is_green(text)
+
+
+@pytest.mark.parametrize("text", FALSE)
+def test_false(text):
+    assert not is_green(text)
+
+
+OTHERS = (
+    "With stronger friction $\\ddot u=-n\\sin u-2c\\dot u$. ",
+    "For the deviation $\\xi$ one has \\[ \\ddot\\xi=-n\\xi-2c\\dot\\xi .\\] ",
+    "The linear equation is \\[ \\ddot w=-n w-2c\\dot w .\\] ",
+)
+SAID = (
+    r"Near $u=0$ the characteristic equation is \[ POLYNOMIAL .\]",
+    r"Near $u=0$, seeking $u=e^{\mu t}$, we find \[ POLYNOMIAL .\]",
+)
+POLYNOMIALS = (r"\mu^2+c\mu+n=0", r"n+\mu^2=-c\mu")
+
+
+@pytest.mark.parametrize(
+    ("other", "said", "equation"), sampled(product(OTHERS, SAID, POLYNOMIALS), 5)
+)
+def test_the_equation_of_the_law_is_not_proved_where_another_one_is_spoken_of(
+    other, said, equation
+):
+    assert not is_green(SWING + other + said.replace("POLYNOMIAL", equation))
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"The characteristic equation of the matrix $A$ is \[ \mu^2+c\mu+n=0 .\]",
+        r"The characteristic equation is \[ \mu^2+c\mu+n=0 .\]",
+        r"Near $u=0$ and $u=\pi$ the characteristic equation is \[ \mu^2+c\mu+n=0 .\]",
+        r"Near $u=0$ the characteristic equation is not \[ \mu^2+c\mu+n=0 .\]",
+        r"Near $u=0$ the frequencies satisfy \[ \mu^2+c\mu+n=0 .\]",
+        r"Near $u=0$ the number of small oscillations is \[ \nu=\frac{\sqrt n}{2\pi} .\]",
+    ],
+)
+def test_what_is_said_of_something_else_is_no_such_claim(words):
+    kinds = [one.role.kind for one in reading(SWING + words).formulas]
+    assert not {*kinds} & {*KINDS}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        SWING + r"Without damping, near $u=0$, the characteristic equation is \[\mu^2+c\mu+n=0 .\]",
+        SWING
+        + r"With a stronger damping the characteristic equation near $u=0$ is \[\mu^2+c\mu+n=0 .\]",
+        SWING
+        + r"If the time is reversed, the characteristic equation near $u=0$ is \[\mu^2+c\mu+n=0 .\]",
+        WELL
+        + r"The characteristic equation of the reduced system at the origin is \[ s^2+cs-a=0 .\]",
+        FREE
+        + r"Near $u=0$ the frequency of small oscillations of a pendulum twice as long is $\sqrt n$.",
+        FREE + r"Let $\nu=2n$. The frequency of small oscillations near $u=0$ is \[\nu^2=n .\]",
+    ],
+)
+def test_words_of_another_case_are_not_judged_by_the_law(text):
+    assert not is_green(text)
+
+
+def test_an_equation_for_frequencies_is_never_red():
+    text = FREE + r"Near $u=0$ the characteristic equation is \[ \omega^2-n=0 .\]"
+    assert last(text).value == "undecided"
+
+
+def test_eigenvalues_of_accelerations_are_never_red():
+    text = r"The equation of motion is \[\ddot u=-nu .\] The eigenvalues at the origin are $-n$."
+    assert [one.value for one in verdicts(text).values()] == ["undecided"]
