@@ -57,5 +57,6 @@ def test_the_command_counts_and_what_is_not_noticed_is_no_success(folder, capsys
 
 
 def test_its_help_says_when_it_is_no_success(capsys):
-    run("python -m study.corrections", "study.corrections", ["--help"])
+    with pytest.raises(SystemExit):
+        run("python -m study.corrections", "study.corrections", ["--help"])
     assert "1   one is not noticed, or is proved" in capsys.readouterr().out
