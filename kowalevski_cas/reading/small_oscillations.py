@@ -124,9 +124,10 @@ def prints_square(item: SourceStatement) -> bool:
 
 
 def characteristic(item: SourceStatement, known: Known) -> tuple[str, str, str] | None:
-    """The variable of a characteristic equation, if a statement prints one."""
+    """The variable of a characteristic equation, if a statement prints one, and no root of it."""
     variable = variable_of(item, known)
-    if not variable or len(item.members) not in (0, 2) or isinstance(item.formula, Name):
+    is_root = Name(variable) in (item.formula, *item.members)
+    if not variable or len(item.members) not in (0, 2) or is_root:
         return None
     said = _EQUATION.search(item.before)
     if said and not _OF_MATRIX.search(said["rest"] or said["other"] or ""):

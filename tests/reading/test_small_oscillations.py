@@ -99,6 +99,7 @@ def test_the_equation_of_the_law_is_not_proved_where_another_one_is_spoken_of(
         r"The characteristic equation is \[ \mu^2+c\mu+n=0 .\]",
         r"Near $u=0$ and $u=\pi$ the characteristic equation is \[ \mu^2+c\mu+n=0 .\]",
         r"Near $u=0$ the characteristic equation is not \[ \mu^2+c\mu+n=0 .\]",
+        r"Near $u=0$ the characteristic equation is known, and $\mu=0$ is a root.",
         r"Near $u=0$ the frequencies satisfy \[ \mu^2+c\mu+n=0 .\]",
         r"Near $u=0$ the number of small oscillations is \[ \nu=\frac{\sqrt n}{2\pi} .\]",
     ],
