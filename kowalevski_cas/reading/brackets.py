@@ -20,6 +20,7 @@ from kowalevski_cas.notation import (
     to_latex,
     total,
 )
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.reading.known import CONVENTION, DEFINITION, Known, StatementRole
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
@@ -53,6 +54,20 @@ def brackets_by_functions(
             names = found.printed.heads.names
             yield found, StatementRole(CONVENTION, place, "", names)
         return
+
+
+def refuse_idle_brackets(item: SourceStatement, known: Known) -> None:
+    """Raise ``ValueError`` where nothing that moves stands on a side of a bracket.
+
+    It vanishes, and that says nothing of letters which may have been meant to move.
+    """
+    letters = {symbol(name).letter for law in known.laws for name in law.variables}
+    for node in item.formula.nodes() if item.formula is not None and letters else ():
+        for side in node.children() if isinstance(node, PoissonBracket) else ():
+            names = side.names()
+            if names and not any(known.varies(n) or symbol(n).letter in letters for n in names):
+                shown = to_latex(side)
+                raise ValueError(f"nothing says that ${shown}$ moves: brackets of constants vanish")
 
 
 def _pairs(item: SourceStatement) -> Pairs | None:

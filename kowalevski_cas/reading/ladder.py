@@ -30,6 +30,7 @@ from kowalevski_cas.paper.claims import (
 )
 from kowalevski_cas.paper.claims.maps import OF_MAPS
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.reading.brackets import refuse_idle_brackets
 from kowalevski_cas.reading.canonical import ENERGY, meant
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, near, normalisations
@@ -85,6 +86,7 @@ class _Ladder:
         self.supposed = stage.understood(self.known.supposed(item))
 
     def rungs(self) -> Iterator[Rung]:
+        refuse_idle_brackets(self.item, self.known)
         match self.role.kind:
             case "identity" | "constant":
                 yield from self.identities()

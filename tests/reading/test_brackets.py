@@ -58,3 +58,21 @@ def test_brackets_are_read_with_any_indices(claim, green):
     assert DEFINITION in {
         f.role.name for f in reading(text).formulas if r"\delta" in f.item.typed.tex
     }
+
+
+@pytest.mark.parametrize(
+    ("claim", "judged"),
+    [
+        (r"\{u,B\}=0 \] where \[ B=c^2+s", False),
+        (r"\{B,u\}=0 \] where \[ B=\rho", False),
+        (r"\{u,c^2\}=0", False),
+        (r"\{u,B\}=0 \] where \[ B=cv+s", True),
+        (r"\{B,u+v\}=0 \] where \[ B=a-b", True),
+    ],
+)
+def test_a_bracket_with_what_does_not_move_says_nothing(claim, judged):
+    """The letters may have been meant to move."""
+    found = verdicts(rf"{OSCILLATOR}{USUAL} Then \[ {claim} . \]")
+    tex = claim.split(r" \]")[0]
+    assert (found.get(tex) is not None) is judged
+    assert not judged or found[tex].green
