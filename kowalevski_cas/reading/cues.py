@@ -131,7 +131,8 @@ CUES: dict[str, str] = {
         frames? observers? Lorentz\w* Galile\w* систем\w+\s+отсч[её]та наблюдател\w+""",
     "approximate": r"""
         terms?\s+of\s+(?:the\s+)?(?:first|second|higher|lowest)\s+order
-        to\s+(?:the\s+)?first\s+order (?:first|linear|crude|rough)\s+approximation approximat\w+
+        (?:to|in)\s+(?:the\s+)?(?:first|lowest|leading)\s+order
+        (?:first|linear|crude|rough)\s+approximation approximat\w+
         lineari[sz]\w+
         neglect\w*\s+(?:\w+\s+){0,3}(?:terms|orders?|powers|squares|products|quantities)
         (?:terms|orders?|powers|squares|products|quantities)\s+(?:\S+\s+){0,6}?neglect\w*
@@ -225,11 +226,21 @@ CUES: dict[str, str] = {
         \bdamping\b \brelaxation\b теперь\s+рассмотр\w+
         рассмотрим\s+(?:теперь|также) друг\w+\s+(?:систем|задач|пример)\w+
         приведенн\w+ полярн\w+ добав\w+ трени(?:е|я|ем)\b""",
+    "ideal case": r"""
+        \bwithout\b \babsence\b \babsent\b \bun(?:damped|forced|driven|perturbed)\b \bconservative\b
+        \blinear\s+(?:oscillator|pendulum|system|case|problem) \bfree\s+(?:of|from)\b
+        friction(?:less|\s+is\s+absent) \blossless\b \bbetween\s+(?:the|two)\b
+        on\s+(?:the\s+)?average averag(?:ed|ing) \bideal(?:i[sz]ed|ly)?\b
+        \bбез\b отсутств\w+ консервативн\w+ незатух\w+
+        линейн\w+\s+(?:осциллятор|маятник|систем|случа)\w* \bмежду\b в\s+среднем идеальн\w+""",
     "another case": r"""
         \bcases?\b \bbecom(?:es?|ing)\b \bchang(?:es|ed)\b (?:is|are|be|been)\s+added \badding\b
         modif\w+ replac\w+ \binstead\b in\s+place\s+of perturb\w+ \bdriv(?:en|ing)\b
         \bforc(?:ed|ing)\b resist\w+ \bdrag\b \bviscous\b
         \banother\s+(?:system|law|problem|force|equation) случа\w+ становит\w+ добав\w+
+        \bunits?\b dimensionless non-?dimension\w+ \brescal\w+ \bscal(?:ed|ing)\b normali[sz]\w+
+        \brevers\w+ \bbackwards?\b averag\w+ neglect\w* \bignor\w+ \bregime\b \bframe\b
+        безразмерн\w+ единиц\w* обра[щт]\w+ усредн\w+ пренебре\w+ режим\w* масштаб\w* нормир\w+
         измен[еия]\w+ замен[яи]\w+ вместо возмущ[её]н\w+ вынужд\w+
         \bдруг\w+\s+(?:систем|задач|закон|сил|уравнени)\w+""",
     "hamiltonian": r"""

@@ -29,6 +29,10 @@ from kowalevski_cas.reading.unprinted import SOURCE
 from kowalevski_cas.reading.varied_laws import is_varied
 
 _INDEXED = re.compile(r"_\{?[ijk]\b")
+_ANOTHER = re.compile(
+    r"\b(?:an?other|other|second|third|twice|half)\b|\b(?:друг\w+|втор\w+|трет\w+|вдвое)\b",
+    re.IGNORECASE,
+)
 _NUMBERED = re.compile(r"_\{?\d")
 
 
@@ -71,12 +75,32 @@ def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
             and not item.derives
             and bool(cue("lasting", item.lead))
         )
+        or _is_of_another(item, known)
+        or _is_not_deduced(item, known)
+        or bool(cue("ideal case", item.words))
         or _is_below_other_rates(item, known)
         or _is_before_its_law(item, known)
         or _is_in_limit(item, known)
         or bool(differentials_of_images(printed))
         or is_of_maps(printed)
     )
+
+
+def _is_of_another(item: SourceStatement, known: Known) -> bool:
+    """Whether a letter is given once more, and words speak of another thing: of that it may be."""
+    first = item.members[0] if item.members else None
+    if not isinstance(first, Name) or known.definition(first.name, item) in (None, item):
+        return False
+    return bool(_ANOTHER.search(f"{item.earlier[0] if item.earlier else ''} {item.words}"))
+
+
+def _is_not_deduced(item: SourceStatement, known: Known) -> bool:
+    """Whether rates of what the law moves are printed, and no words deduce them in the sentence.
+
+    They may be those of another case, or at one place: “in the overdamped regime”.
+    """
+    said = any(cue(name, f"{item.before} ") for name in ("claim", "follows", "deduced"))
+    return is_row(item) and all(map(known.moves, item.rates)) and not said
 
 
 def _is_in_limit(item: SourceStatement, known: Known) -> bool:

@@ -1,0 +1,64 @@
+"""Rates of what the law moves, with no words that deduce them, may be of another case: never red."""
+
+import pytest
+
+from kowalevski_cas.verify.outcome import Verdict
+from tests.reading.test_reading import verdicts
+from tests.sample import sampled
+
+FLOW = r"The equations of motion are \[ \dot u=kv+uw,\qquad \dot v=-nu,\qquad \dot w=-sw . \] "
+SWING = r"The equation of motion is \[ \ddot\psi+2g\dot\psi+n^2\sin\psi=0 . \] "
+LINE = r"The equation of motion is \[ m\ddot u=-nu . \] "
+OTHERWISE = [
+    FLOW + r"Averaging over the fast motion, \[ \dot u=kv . \]",
+    FLOW + r"To leading order \[ \dot u=kv . \]",
+    FLOW + r"Backwards in time \[ \dot v=nu . \]",
+    FLOW + r"Reversing the arrow of time we obtain \[ \dot v=nu . \]",
+    FLOW + r"A beginner might think that \[ \dot v=nu . \]",
+    FLOW + r"Some books print \[ \dot v=nu . \]",
+    FLOW + r"At equilibrium \[ \dot u=0 . \]",
+    FLOW + r"In the steady state \[ \dot w=0 . \]",
+    FLOW + r"For the twin system the roles of $k$ and $n$ are exchanged: \[ \dot u=nv . \]",
+    SWING + r"In the overdamped regime \[ 2g\dot\psi=-n^2\sin\psi . \]",
+    SWING + r"Measured from the upper position the angle obeys \[ \ddot\psi=-2g\dot\psi+n^2\sin\psi . \]",
+    SWING + r"At a turning point \[ \dot\psi=0 . \]",
+    SWING + r"We neglect the first derivative: \[ \ddot\psi=-n^2\sin\psi . \]",
+    SWING + r"Для линейного осциллятора \[ \ddot\psi=-2g\dot\psi-n^2\psi . \]",
+    LINE + r"In dimensionless time it reads \[ \ddot u=-u . \]",
+    LINE + r"In suitable units we have \[ \ddot u=-u . \]",
+    LINE + r"Measuring time in units of $\sqrt{m/n}$ we obtain \[ \ddot u=-u . \]",
+    LINE + r"В безразмерных переменных получаем \[ \ddot u=-u . \]",
+]  # fmt: skip
+ENERGY = SWING + r"Put \[ E=\frac12\dot\psi^2-n^2\cos\psi . \] "
+IDEAL = [
+    ENERGY + r"Without friction $E$ is an integral.",
+    ENERGY + r"For the undamped pendulum \[ \dot E=0 . \]",
+    ENERGY + r"If friction is absent, \[ \frac{dE}{dt}=0 . \]",
+    ENERGY + r"Between the kicks the energy is constant, $E=h$.",
+    ENERGY + r"On the average \[ \dot E=-g\dot\psi^2 . \]",
+    ENERGY + r"The linear oscillator has the integral \[ \frac12\dot\psi^2+\frac12n^2\psi^2=h . \]",
+    ENERGY + r"In the absence of damping the separatrix is \[ \dot\psi^2=2n^2(1+\cos\psi) . \]",
+    ENERGY + r"В консервативном случае имеем \[ \dot E=0 . \]",
+]
+DEDUCED = [
+    SWING + r"Hence \[ \ddot\psi=-g\dot\psi-n^2\sin\psi . \]",
+    FLOW + r"It follows that \[ \dot u=kv-uw . \]",
+    ENERGY + r"Hence \[ \dot E=0 . \]",
+    FLOW + r"Отсюда получаем \[ \dot v=nu . \]",
+]
+
+
+@pytest.mark.parametrize("text", sampled([*OTHERWISE, *IDEAL], 13))
+def test_what_may_be_another_case_is_not_red(text):
+    assert [*verdicts(text).values()][-1:] in ([], [Verdict.UNDECIDED])
+
+
+@pytest.mark.parametrize("text", DEDUCED)
+def test_what_is_deduced_is(text):
+    assert [*verdicts(text).values()][-1] is Verdict.REFUTED
+
+
+def test_another_thing_may_have_the_same_letter():
+    text = r"The kinetic energy of the first rod is \[ T=\frac16ml^2\dot\psi^2 . \] "
+    text += r"The second one has twice the mass, hence \[ T=\frac13ml^2\dot\psi^2 . \]"
+    assert [*verdicts(text).values()] == [Verdict.UNDECIDED]
