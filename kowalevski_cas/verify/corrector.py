@@ -174,7 +174,7 @@ class Corrector:
             return outcome
         if not self.confirms(claim, outcome):
             message = f"what the derivation accepts at {place.place} has not been proved"
-            return outcome._replace(verdict=Verdict.ERROR, message=message)
+            return outcome._replace(verdict=Verdict.ERROR, message=message, certificate="")
         correction = outcome.correction
         if correction is None:
             return outcome

@@ -86,7 +86,7 @@ def test_what_a_hostile_source_carries_reaches_nobody(seed, tmp_path, capfd):
         text = page.read_text(encoding="utf-8")
         harmless(text)
         assert "javascript:" not in text.replace("&#", "")
-        assert not re.search(r"<script>alert|<img src=x|onerror=alert(?![^<]*&gt;)", text)
+        assert not re.search(r"<script>alert|<img src=x|<[^>]*onerror=", text)
 
 
 @pytest.mark.parametrize("harm", HARM)
