@@ -176,10 +176,8 @@ def _alone(formula: Formula) -> Iterator[Formula]:
 
 
 def _letter(node: Formula) -> Name | None:
-    match node:
-        case Name() | Power(Name(), _):
-            return node if isinstance(node, Name) else node.base  # type: ignore[return-value]
-    return None
+    base = node.base if isinstance(node, Power) else node
+    return base if isinstance(base, Name) else None
 
 
 def _with_differences(formula: Formula) -> Formula:
@@ -192,7 +190,7 @@ def _with_differences(formula: Formula) -> Formula:
         letter = _letter(factor)
         if found[-1:] == [Name(_DELTA)] and letter is not None:
             whole = Name(f"{_DELTA} {letter.name}")
-            found[-1] = whole if factor == letter else replace(factor, base=whole)  # type: ignore[call-arg]
+            found[-1] = Power(whole, factor.exponent) if isinstance(factor, Power) else whole
         else:
             found.append(factor)
     return times(*found)

@@ -30,6 +30,7 @@ def is_green(text):
 
 
 TRUE = [
+    r"The equation of motion is \[ \ddot u=0 .\] The characteristic equation is \[ \mu^2=0 .\]",
     SWING + r"Near $u=0$ the characteristic equation is \[ \mu^2+c\mu+n=0 .\]",
     SWING + r"Near $u=0$ the characteristic equation is \[ 2n+2\mu^2=-2c\mu .\]",
     SWING + r"In the neighbourhood of $u=0$ we get the characteristic polynomial \[ -n-c\mu-\mu^2 .\]",
@@ -44,6 +45,10 @@ TRUE = [
     r"The equation of motion is \[ \ddot u=-nu .\] The frequency of the small oscillations is \[ \nu^2=n .\]",
 ]  # fmt: skip
 FALSE = [
+    r"The equation of motion is \[ \ddot u=0 .\] The frequency of the small oscillations is \[ \nu^2=0 .\]",
+    r"The equation of motion is \[ \ddot u=u .\] The frequency of the small oscillations is \[ \nu^2=-1 .\]",
+    r"The equation of motion is \[ \ddot u=0 .\] The characteristic equation is \[ \frac1\mu=0 .\]",
+    r"The equation of motion is \[ \ddot u=0 .\] The characteristic equation is \[ \mu^2+\frac1\mu=0 .\]",
     SWING + r"Near $u=0$ the characteristic equation is \[ \mu^2-c\mu+n=0 .\]",
     SWING + r"Near $u=0$ the characteristic equation is \[ \mu^2+c\mu-n=0 .\]",
     SWING + r"Near $u=\pi$ the characteristic equation is \[ \mu^2+c\mu+n=0 .\]",

@@ -75,7 +75,7 @@ class Frequency(OfLinearPart):
     r"""The printed number is the frequency of small oscillations near a point of rest.
 
     With the matrix J of the linear part :math:`\det(J^2+\omega^2E)=0`: of all real J that are those
-    with the eigenvalue :math:`i\omega`. If it ``is_square``, its square is printed.
+    with the eigenvalue :math:`i\omega`. It is not zero. If it ``is_square``, its square is printed.
     """
 
     is_square: bool
@@ -86,7 +86,7 @@ class Frequency(OfLinearPart):
         square = value if self.is_square else Power(value, Number(2))
         matrix = _linear_part(space)
         matrix = _minus(_product(matrix, matrix), Negative(square))
-        yield Fails(space, (), given)
+        yield Fails(space, ((vanishes(square),),), given)
         yield Follows(space, ((vanishes(determinant(matrix)), *_rest(space)),), given)
 
 
@@ -105,16 +105,17 @@ class CharacteristicEquation(OfLinearPart):
         is_equation = isinstance(printed, Relation)
         value = minus(equation(on, space, self.own)) if is_equation else space.plain(printed)
         given, matrix = self._at_rest(on, space), _linear_part(space)
-        # the n-th derivative is n! times the leading coefficient; were λ in it, that of the
-        # product would differ from that of the polynomial
+        # the n-th derivative is n! times the leading coefficient; it is free of λ, else 1/λ would
+        # do for λ², as it is half of λ² times its second derivative
         leading = value
         for _ in matrix:
             leading = space.partial(leading, self.variable)
         below = determinant(_minus(matrix, Name(self.variable)))
         sign = (-1) ** len(matrix) * factorial(len(matrix))
         same = total((times(Number(sign), value), Negative(Product((leading, below)))))
+        free = vanishes(space.partial(leading, self.variable))
         yield Fails(space, ((vanishes(leading),),), given)
-        yield Follows(space, ((vanishes(same), *_rest(space)),), given)
+        yield Follows(space, ((vanishes(same), free, *_rest(space)),), given)
 
 
 def _linear_part(space: Elaboration) -> Rows:
