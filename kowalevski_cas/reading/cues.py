@@ -78,6 +78,14 @@ CUES: dict[str, str] = {
         более\s+того""",
     "then": r"""
         \bthen\b \bтогда\b \bто\b""",
+    "initially": r"""
+        \binitial(?:ly)?\b \breleas\w+ \bdropped\b \blet\s+go\b \bthrown\b \blaunch\w+
+        \bstart(?:s|ed|ing)?\b \bat\s+the\s+(?:beginning|outset)\b
+        \bначальн\w+ \bв\s+начале\b отпу[щс]\w+ \bброш\w+ запущен\w* начина\w+\s+движ\w+""",
+    "at rest": r"""
+        \b(?:at|from)\s+rest\b \bdropped\b \breleased\b \blet\s+go\b отпущен\w*
+        \bno\s+(?:speed|velocity)\b \bwithout\s+(?:an?\s+)?(?:initial\s+)?velocity\b
+        из\s+(?:состояния\s+)?покоя \bпокоится\b без\s+начальной\s+скорости""",
     "follows": r"""
         follow\w* therefore hence thus consequently whence \bfrom\b substitut\w+ eliminat\w+
         so\s+that because\s+of by\s+virtue using \bon\s+(?:it|this|them|these)\b there\b

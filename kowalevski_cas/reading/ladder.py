@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 from typing import Any
 
 from kowalevski_cas.notation import Name, Number, Root, Unwritten, to_latex
@@ -25,11 +26,22 @@ from kowalevski_cas.paper.claims import (
     Inequality,
     InvariantRelations,
     PreservedMeasure,
+    RelationsOfMotion,
     RestPoints,
     Solution,
 )
 from kowalevski_cas.paper.claims.maps import OF_MAPS
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.reading.beginnings import (
+    UNREAD,
+    at_start,
+    beginning_of,
+    gives_velocity,
+    is_of_all,
+    is_of_state,
+    names_of_values,
+    where_it_begins,
+)
 from kowalevski_cas.reading.brackets import refuse_idle_brackets
 from kowalevski_cas.reading.canonical import ENERGY, meant
 from kowalevski_cas.reading.cues import cue
@@ -91,6 +103,7 @@ class _Ladder:
             case "identity" | "constant":
                 yield from self.identities()
                 yield from self.along_solution()
+                yield from self.of_motion()
             case "inequality":
                 yield from self.inequalities()
             case "integral":
@@ -108,6 +121,7 @@ class _Ladder:
                 yield from self.first_order()
             case "somewhere":
                 yield from map(_stronger, (*self.values(), *self.along_solution()))
+                yield from self.of_motion()
         yield from self.of_unit_vectors()
         yield from self.elsewhere()
 
@@ -369,16 +383,63 @@ class _Ladder:
         found = solution_of(self.item, beside, law, self.known)
         still = Law((), (law or self.known.laws[-1]).names, change=found.given)
         says = "this solves its equation of motion"
-        for assumptions in self._ways():
+        for assumptions, values in product(self._ways(), self._beginnings(law, found.given)):
             on_law = [self.stage.scene([row], assumptions).scene for row in found.rows]
             claimed = () if moves else zip(found.rows, on_law, strict=True)
-            yield self.rung(
-                Solution, says, assumptions, (), (*found.given, *found.rows), still,
+            rung = self.rung(
+                Solution, says, assumptions, (), (*found.given, *found.rows, *values), still,
                 printed=self.item.printed, equations=_places(found.rows),
                 resting=tuple(
                     Identity(self.id, scene, "", printed=row.printed) for row, scene in claimed
                 ),
+                beginning=_places(values), start=_places([*at_start(values, self.known)]),
             )  # fmt: skip
+            yield replace(rung, on=(*rung.on, *values))
+
+    def _beginnings(
+        self, law: Law | None, given: Sequence[SourceStatement]
+    ) -> list[SetOfEquations]:
+        """What is said of the beginning of a solution, or nothing if it is the general one.
+
+        Raises ``ValueError`` where words say more of it than can be read.
+        """
+        if law is None:
+            return [()]
+        begins = beginning_of(self.item, law, self.known)
+        if begins.is_unread:
+            raise ValueError(UNREAD)
+        solved = {name for one in given for name in one.bare}
+        values = tuple(one for one in begins.values if {*names_of_values(one)} <= solved)
+        if any(one.begins not in ("", "0") for one in values):
+            raise ValueError("of a solution only what it is where t=0 is judged")
+        return [values, ()] if values and is_of_all(self.item) else [values]
+
+    def of_motion(self) -> Iterator[Rung]:
+        """An equation along a motion: no motion leaves the set where it holds.
+
+        It is so of what gives a velocity by the place, and of what has a constant of which nothing
+        is said but that it is one; where the motion begins the equation has to hold.
+        """
+        item, known = self.item, self.known
+        law = self.stage.law(item, [item]) if known.varying(item.names) else None
+        if law is None or law.images or "t" in item.names or item in known.paper.approximate:
+            return
+        begins = beginning_of(item, law, known)
+        if begins.is_unread or not is_of_state(item, law, known):
+            return
+        if not begins.values and not gives_velocity(item, known):
+            return
+        says = "no motion leaves the set where both sides are equal"
+        first = where_it_begins(item, begins.values, known)
+        for assumptions in self.suppositions():
+            scenes = [(self.stage.scene([one], assumptions).scene, one) for one in first]
+            rung = self.rung(
+                RelationsOfMotion, says, assumptions, relations=_places([item]),
+                beginning=tuple(
+                    Identity(self.id, scene, "", printed=one.printed) for scene, one in scenes
+                ),
+            )  # fmt: skip
+            yield replace(rung, on=(*rung.on, *begins.values), is_stronger=True)
 
     def along_solution(self) -> Iterator[Rung]:
         """An equation with the constants of a solution, where the solution before it is put in."""

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable
 
 from kowalevski_cas.notation import Name, Number, Relation
+from kowalevski_cas.reading.beginnings import beginning
 from kowalevski_cas.reading.brackets import bracket_of_functions
 from kowalevski_cas.reading.canonical import energy
 from kowalevski_cas.reading.compositions import gives_map
@@ -203,9 +204,9 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 RULES: tuple[Rule, ...] = (
-    unread, eigenvalue, of_flow, expression, named_set, law, constraint, together, unit, bracket,
-    bracket_of_functions, unjudged, inequality, repeated, change, roots, claimed_set, point,
-    solution, constant_of_solution, energy, on_place, definition, square, assumption, value,
-    approximate, rate, zero_set, level, integral, identity, other,
+    unread, beginning, eigenvalue, of_flow, expression, named_set, law, constraint, together,
+    unit, bracket, bracket_of_functions, unjudged, inequality, repeated, change, roots,
+    claimed_set, point, solution, constant_of_solution, energy, on_place, definition, square,
+    assumption, value, approximate, rate, zero_set, level, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

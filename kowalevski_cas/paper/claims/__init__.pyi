@@ -29,6 +29,7 @@ from kowalevski_cas.paper.claims.identity import Identity as Identity
 from kowalevski_cas.paper.claims.implication import Implication as Implication
 from kowalevski_cas.paper.claims.inequality import Inequality as Inequality
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations as InvariantRelations
+from kowalevski_cas.paper.claims.invariant_relations import RelationsOfMotion as RelationsOfMotion
 from kowalevski_cas.paper.claims.lax_pair import LaxPair as LaxPair
 from kowalevski_cas.paper.claims.limit import Limit as Limit
 from kowalevski_cas.paper.claims.local_dimension import LocalDimension as LocalDimension
