@@ -37,7 +37,8 @@ CUES: dict[str, str] = {
         no\s+(?:motion|trajectory|orbit|solution)\s+leaves satisfied\s+by инвариантн\w+
         удовлетворя\w+""",
     "equilibrium": r"""
-        equilibri\w+ state\w*\s+of\s+rest (?:singular|stationary|fixed|critical)\s+points?
+        equilibri\w+ (?:states?|points?)\s+of\s+rest rest\s+points? \bsteady\s+states?
+        (?:singular|stationary|fixed|critical)\s+points?
         равновеси\w+ стационарн\w+ особ\w+\s+точ\w+""",
     "suppose": r"""
         suppos\w+ assum\w+ \blet\b \btake\b \bmake\b \bif\b \bwhen\b \bgiven\s+that\b

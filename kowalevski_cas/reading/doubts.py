@@ -15,14 +15,16 @@ from kowalevski_cas.reading.compositions import is_of_maps
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import EQUATIONS
 from kowalevski_cas.reading.known import ASSUMPTION, BEGINNING, CLAIM, DEFINITION, LAW, SETS, Known
-from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.linear_parts import KIND as EIGENVALUE
+from kowalevski_cas.reading.linear_parts import MATRIX
 from kowalevski_cas.reading.measures import differentials_of_images
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.phrases import integral_words, is_conditional
+from kowalevski_cas.reading.rest_points import MARKED, POINT
 from kowalevski_cas.reading.rows import is_row
+from kowalevski_cas.reading.rung import Rung
 from kowalevski_cas.reading.small_oscillations import CHARACTERISTIC, FREQUENCY, may_be_of_squares
 from kowalevski_cas.reading.statements import SourceStatement, is_numerical
 from kowalevski_cas.reading.suppositions import FOUND
@@ -49,7 +51,11 @@ def doubt_of(
     fixed = (member for member in item.members if not known.varying(member.names()))
     if role.kind == "identity" and not item.derives and any(fixed):
         return Doubt.ALWAYS
-    if role.kind in ("solution", "energy") or role.reason == FOUND or _has_momentum(rung, known):
+    if (
+        role.kind in ("solution", "energy", MATRIX, POINT, MARKED)
+        or role.reason == FOUND
+        or _has_momentum(rung, known)
+    ):
         return Doubt.ALWAYS
     if role.kind in (CHARACTERISTIC, FREQUENCY, EIGENVALUE) and may_be_of_squares(item, known):
         return Doubt.ALWAYS

@@ -19,7 +19,9 @@ from kowalevski_cas.paper.claims.double_zero import DoubleZero as DoubleZero
 from kowalevski_cas.paper.claims.eigenvalue import CharacteristicEquation as CharacteristicEquation
 from kowalevski_cas.paper.claims.eigenvalue import Eigenvalue as Eigenvalue
 from kowalevski_cas.paper.claims.eigenvalue import Frequency as Frequency
+from kowalevski_cas.paper.claims.eigenvalue import LinearPart as LinearPart
 from kowalevski_cas.paper.claims.equilibria import Equilibria as Equilibria
+from kowalevski_cas.paper.claims.equilibria import RestPoint as RestPoint
 from kowalevski_cas.paper.claims.equilibria import RestPoints as RestPoints
 from kowalevski_cas.paper.claims.equivalence import Equivalence as Equivalence
 from kowalevski_cas.paper.claims.everywhere import EverywhereIndependent as EverywhereIndependent
