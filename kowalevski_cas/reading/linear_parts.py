@@ -46,12 +46,12 @@ _SAID = [
 """How words end behind which eigenvalues at a point are printed."""
 _THERE = re.compile(
     r"\blinear(?:i[sz]ed)?\s+(?:system|part|equations?)\s+(?:there\s+)?ha(?:s|ve)\s+(?:there\s+)?"
-    rf"the\s+eigenvalues?[\s:]*$|\b(?:its|there\s+the|the)\s+{_VALUES}\s+(?:there\s+)?{_IS}[\s~]*$",
+    rf"the\s+eigenvalues?[\s:]*$|\bthe\s+{_VALUES}\s+there\s+{_IS}[\s~]*$",
     re.IGNORECASE,
 )
 """How words end behind which they are printed for the point before."""
 _OF_MATRIX = re.compile(
-    rf"\b{_MATRIX}(?:\s+of\s+(?:the|this)\s+\w+)?(?P<place>[\s~]+{_AT})?[\s~,]*"
+    rf"\b{_MATRIX}(?:\s+of\s+(?:the|this|our)\s+(?:vector\s+)?(?:system|field|flow|equations?))?(?P<place>[\s~]+{_AT})?[\s~,]*"
     r"(?:is|has\s+the\s+form|reads?|becomes|equals?|имеет\s+вид|равна|есть|[-—–]+)?[\s:,~]*(?:§[\s~=]*)?$",
     re.IGNORECASE,
 )

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 
 from kowalevski_cas.notation import Formula, Name, Product, Vector, times
 from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.statements import SourceStatement
@@ -33,7 +34,7 @@ _IS = (
     r"(?:[\s,~]*(?:is|are|at|in|by|given|has|have|with|the|coordinates?|points?|namely|lies?|located"
     r"|occurs?|exists?|reads?|there|суть|есть|является|являются|имеет|координаты|точк\w+))*[\s:,~—-]*"
 )
-_BEFORE = re.compile(rf"\b(?:{_REST}|{_RUSSIAN}){_OF}{_IS}$", re.IGNORECASE)
+_BEFORE = re.compile(rf"\b(?:{_REST}|{_RUSSIAN}){_OF}(?:[\s~]*§)?{_IS}$", re.IGNORECASE)
 """How words end behind which points of rest are printed."""
 _BEHIND = re.compile(
     rf"[\s,~]*(?:is|are)\s+(?:then\s+|also\s+)?(?:the\s+|an?\s+)?(?:\w+\s+){{0,2}}?{_REST}\b"
@@ -41,6 +42,7 @@ _BEHIND = re.compile(
     re.IGNORECASE,
 )
 """What says of the points before it that nothing moves there."""
+_NO = re.compile(r"\b(?:no|not|never|neither|нет|не)\s+(?:\w+\s+){0,2}$", re.IGNORECASE)
 _AND = r"(?:[\s,;~]|\b(?:and|or|и|или|as\s+well\s+as)\b)*"
 _LIST_BEFORE = re.compile(rf"(?:{_AND}§)+{_AND}$")
 _LIST_BEHIND = re.compile(rf"(?:{_AND}§)*")
@@ -68,10 +70,13 @@ def law_of_points(item: SourceStatement, known: Known) -> Law | None:
 
 def _says_rest(item: SourceStatement) -> bool:
     """Whether words call the list of points, or of coordinates, in which a statement stands so."""
+    if cue("map", item.words):
+        return False
     before = _LIST_BEFORE.sub("", item.before)
+    if said := _BEFORE.search(before):
+        return not _NO.search(before, 0, said.start())
     list_behind = _LIST_BEHIND.match(item.after)
-    behind = item.after[list_behind.end() if list_behind else 0 :]
-    return bool(_BEFORE.search(before) or _BEHIND.match(behind))
+    return bool(_BEHIND.match(item.after, list_behind.end() if list_behind else 0))
 
 
 def coordinates(item: SourceStatement, law: Law, known: Known) -> tuple[Formula, ...]:
@@ -81,8 +86,23 @@ def coordinates(item: SourceStatement, law: Law, known: Known) -> tuple[Formula,
     if item.members and not isinstance(item.members[0], Name):
         return ()
     found = entries_of(item.members[-1] if item.members else item.formula)
-    fixed = not any(known.varying(one.names()) for one in found)
-    return found if fixed and len(found) == len(law.variables) else ()
+    names = {name for one in found for name in one.names()}
+    explained = all(known.is_defined(name) or not known.untied([name]) for name in names)
+    whole = len(found) == len(law.variables) and not known.varying(names)
+    return found if whole and explained and _is_in_order(law, known) else ()
+
+
+def _is_in_order(law: Law, known: Known) -> bool:
+    """Whether it is known in which order coordinates stand.
+
+    A list of what moves says so; x, y, z and the like stand in the order of the alphabet.
+    """
+    letters = tuple(map(Name, law.variables))
+    if any(entries_of(one.formula) == letters for one in known.items if one.formula is not None):
+        return True
+    return not {symbol(name).letter for name in law.variables} <= {*"xyz"} or letters == tuple(
+        sorted(letters, key=lambda one: one.name)
+    )
 
 
 def entries_of(formula: Formula) -> tuple[Formula, ...]:
