@@ -120,10 +120,11 @@ def _conjugates(names: Set[str], formulas: Iterable[TypedFormula]) -> Iterator[s
                 yield name
 
 
-def _heads(tex: str) -> Iterator[str]:
-    """The names that a display defines, if its TeX is sound."""
+def _heads(tex: str, first: bool = False) -> Iterator[str]:
+    """The names that a display defines, or the first of each statement, if its TeX is sound."""
     with suppress(NotationError):
-        yield from (name for statement in defined_names(tex) for name in statement.names)
+        for statement in defined_names(tex):
+            yield from statement.names[:1] if first else statement.names
 
 
 def _factors(formulas: Iterable[TypedFormula]) -> set[str]:
@@ -137,7 +138,7 @@ def _factors(formulas: Iterable[TypedFormula]) -> set[str]:
         tokens = tokens_of(formula.tex)
         for name, pair in _calls(tokens):
             before.setdefault(name, []).append(pair)
-        given = dict.fromkeys(_heads(formula.tex), _bold(tokens))
+        given = dict.fromkeys(_heads(formula.tex, first=True), _bold(tokens))
         own |= {name: own.get(name, set()) | bold for name, bold in given.items()}
     return {
         name
