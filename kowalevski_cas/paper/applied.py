@@ -12,6 +12,7 @@ from contextlib import suppress
 
 from kowalevski_cas.notation import NotationError, defined_names
 from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.initial_values import names_under_dots
 from kowalevski_cas.paper.names import head
 
 SPECTRAL = (r"\lambda", r"\zeta", r"\mu", r"\xi")
@@ -83,6 +84,10 @@ _DEFINED = re.compile(
     r"\s*&?\s*=(?P<body>[^=]*)"
 )
 
+_ACCENTED = re.compile(
+    rf"\\(?:d{{1,3}}ot|(?:wide)?(?:tilde|hat)|bar|overline)\s*(?:\{{\s*{_NAME}\s*\}}|{_NAME})"
+)
+"""A name with an accent: a rate, or another name."""
 _UPRIGHT = re.compile(
     r"\\(?:operatorname\*?|mathrm|text|label|ref|begin|end)\s*\{[^{}]*\}|\\(?!left|prime)[A-Za-z]+"
 )
@@ -95,13 +100,18 @@ def arguments_said_once(texts: Iterable[str]) -> dict[str, str]:
     >>> arguments_said_once([r"J(q,\dot q)=q^2+\dot q^2", r"\frac{\partial J}{\partial q}=2q"])
     {'J': 'q,\\dot q'}
 
-    Where another display has it at something, or gives it by its name alone, it is another thing.
+    Where another display has it at something, or gives it by its name alone, it is another thing;
+    but at several arguments that all move, or the time, it is what is taken along the motion.
 
     >>> arguments_said_once(["f(x)=x^2", "f=f(a)"]), arguments_said_once(["E(k)=k^2", "E=2, 3E=6"])
     ({}, {})
+    >>> arguments_said_once(["H(q,p)=qp", r"\dot q=q, \dot p=-p", r"\dot H=0", r"H(q,p)=H(a,b)"])
+    {'H': 'q,p'}
     """
     texts, found = [*texts], dict[str, str]()
     letters = [_UPRIGHT.sub(" ", tex) for tex in texts]
+    plain = [_ACCENTED.sub(" ", tex) for tex in texts]
+    moving = set[str]().union(*map(names_under_dots, texts))
     for place in (match for tex in texts for match in _DEFINED.finditer(tex)):
         name, by = place["name"], re.sub(r"\s*,\s*", ",", place["by"])
         printed = letters if name.isalpha() and len(name) == 1 else texts
@@ -111,10 +121,12 @@ def arguments_said_once(texts: Iterable[str]) -> dict[str, str]:
             return sum(len(re.findall(letter + behind, tex)) for tex in texts)
 
         calls, primed = count(r"\s*(?:\\left\s*)?\("), count(r"\s*(?:'|\^\{?\\prime)")
-        alone = count("") > 1 and not (primed or count(r"\s*&?\s*="))
+        given = any(re.search(rf"{letter}\s*&?\s*=", tex) for tex in plain)
+        alone = count("") > 1 and not (primed or given)
         listed = re.escape(by).replace(",", r"\s*,\s*")
         derived = re.compile(rf"\}}\s*\(\s*{listed}\s*\)")  # as \frac{\partial H}{\partial p}(q,p)
-        once = calls == 1 and alone and not any(map(derived.search, texts))
+        along = "," in by and {*by.split(",")} - {"t"} <= moving
+        once = (calls == 1 or along) and alone and not any(map(derived.search, texts))
         if once and re.search(re.escape(by.split(",")[0]), place["body"]):
             found[name] = by
     return found

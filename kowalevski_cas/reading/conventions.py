@@ -17,6 +17,7 @@ from kowalevski_cas.reading.canonical import momenta
 from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.known import CONVENTION, UNIT_MATRIX, Known, StatementRole
 from kowalevski_cas.reading.levels import levels_apart
+from kowalevski_cas.reading.named_values import values_in_words
 from kowalevski_cas.reading.names import AXES
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement
@@ -78,6 +79,7 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
     yield from _matrices_of_elements(known, suffix)
     yield from _components(known, suffix)
     yield from levels_apart(known, suffix)
+    yield from values_in_words(known)
     yield from brackets_by_functions(known, suffix)
     for q, p in _conjugate(known):
         tex = rf"\{{{q},{p}\}}=1"

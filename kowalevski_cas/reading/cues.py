@@ -43,10 +43,10 @@ CUES: dict[str, str] = {
         suppos\w+ assum\w+ \blet\b \btake\b \bmake\b \bif\b \bwhen\b \bgiven\s+that\b
         \bfor(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?\s*$ \bput\b(?!\s+together) \bsetting\b
         (?:we|us|and|now|^\s*)\s*set\s*$
-        provided choos\w+ choice
+        provided choos\w+ choice as\s+long\s+as
         \bunder\b in\s+the\s+case \bcase\b restrict\w+ \bconsider\b \bwith\b(?!\s+respect)
         on\s+the\s+(?:\w+\s+)?levels? пусть предполож\w+ полож\w+ полага\w+ если при\s*$ допуст\w+
-        в\s+случае будем\s+считать считая возьм\w+ выбер\w+ \bпри\b""",
+        в\s+случае \bпока\b будем\s+считать считая возьм\w+ выбер\w+ \bпри\b""",
     "ansatz": r"""
         \btr(?:y|ied|ying|ial)\b \bseek\b \bsought\b look(?:ing)?\s+for ansatz \bguess\w*
         particular\s+(?:integral|solution) ищем \bискать\b подстановк\w+ частн\w+\s+решени\w+""",

@@ -11,6 +11,7 @@ from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.kinematics import free_motion
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.momenta import find_momenta
+from kowalevski_cas.reading.named_values import named_values
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.restated import replaced_law, times_of
 from kowalevski_cas.reading.rows import highest_order, is_row, rates_given
@@ -19,7 +20,12 @@ from kowalevski_cas.reading.said_rows import (
     rows_of_differentials,
     rows_of_matrices,
 )
-from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, is_numerical
+from kowalevski_cas.reading.statements import (
+    SourcePaper,
+    SourceStatement,
+    is_dependence,
+    is_numerical,
+)
 from kowalevski_cas.reading.together import find_together
 from kowalevski_cas.reading.unprinted import implied_rows
 
@@ -63,7 +69,7 @@ class _LawFinder:
         self.momenta = find_momenta(paper.items, self.rows, names)
         self.found: list[Law] = []
         self.defining: dict[str, list[SourceStatement]] = {}
-        for item in paper.items:
+        for item in (*paper.items, *named_values(paper)):
             if self._defines(item):
                 self.defining.setdefault(item.bare[0], []).append(item)
 
@@ -86,7 +92,7 @@ class _LawFinder:
         """Whether a statement gives a name an expression, and is neither a row nor of one."""
         if not item.bare or item in self.rows or item in self.momenta:
             return False
-        if any(map(is_numerical, item.members)):
+        if any(map(is_numerical, item.members)) or is_dependence(item):
             return False
         rated = (row for row in self.rows if row.order < item.order)
         return not any(item.bare[0] in row.rates for row in rated if row.section in item.sections)
@@ -145,6 +151,8 @@ class _LawFinder:
                 return law
         since = part[0].begins or self.paper.prose.start
         moving = {name for law in part for name in law.variables}
+        if law := self.fuller(item, moving):
+            return law
         if not {*self.scalars(item)} - moving or self.is_defined(item, self.paper.prose.start):
             return None
         if times_of((part[0].first,)).isdisjoint(times_of((item,))):
@@ -161,6 +169,19 @@ class _LawFinder:
             if rated & {*self.names.scalars(law.mentions)} - moving:
                 return None  # it rests on what follows
         return law
+
+    def fuller(self, item: SourceStatement, moving: set[str]) -> Law | None:
+        r"""A closed display that words call a system, for all that moved and more: the law then.
+
+        So :math:`\ddot q=-q` is printed once more as :math:`\dot q=p, \dot p=-q`.
+        """
+        if item.typed.inline or not cue("system", item.lead):
+            return None
+        rows = [*self.beside(item, self.rows)]
+        rated = {name for row in rows for name in self.scalars(row)}
+        if not moving < rated or any(self.is_defined(row, self.paper.prose.start) for row in rows):
+            return None
+        return self.grown(item, (), rows)
 
     def other_system(self, item: SourceStatement, part: Sequence[Law]) -> Law | None:
         """A set that is closed by itself, with words for it, or in another section.

@@ -48,7 +48,8 @@ def solution(item: SourceStatement, known: Known) -> StatementRole | None:
     """
     moving = [name for name in item.bare if known.moves(name)]
     timed = item.names & {"t"} or any(isinstance(member, Constant) for member in item.members)
-    if moving and timed:
+    beside = known.varying(item.names - {*item.bare})  # a relation with the time is an identity
+    if moving and timed and not (beside and item.derives):
         return StatementRole(
             CLAIM, f"gives {plain(moving[0])} by the time", "solution", (moving[0],)
         )

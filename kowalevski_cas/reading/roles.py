@@ -50,7 +50,7 @@ from kowalevski_cas.reading.propositions import (
 )
 from kowalevski_cas.reading.small_oscillations import small_oscillation
 from kowalevski_cas.reading.solutions import constant_of_solution
-from kowalevski_cas.reading.statements import SourceStatement, is_ellipsis
+from kowalevski_cas.reading.statements import SourceStatement, is_dependence, is_ellipsis
 from kowalevski_cas.reading.suppositions import assumption, inequality, on_place, value
 
 _BELONGING = re.compile(r"\b(?:of|in|for|by|with|on)[\s~]*(?:the\s+)?(?:\w+\s+)?$")
@@ -98,6 +98,8 @@ def unread(item: SourceStatement, known: Known) -> StatementRole | None:
 
 def expression(item: SourceStatement, known: Known) -> StatementRole | None:
     """What is no relation: a name, or an expression, of which only words state something."""
+    if is_dependence(item):
+        return StatementRole(NOTATION, "says that it depends on the time")
     if isinstance(item.formula, Relation):
         return None
     if isinstance(item.formula, Name):

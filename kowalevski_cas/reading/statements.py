@@ -352,6 +352,11 @@ def is_closing(item: SourceStatement) -> bool:
     return one.head == other.head and one != other
 
 
+def is_dependence(item: SourceStatement) -> bool:
+    """Whether a statement only says that a name depends on the time, as :math:`q=q(t)`."""
+    return len(item.bare) == 2 == len(item.members) and item.bare[0] == item.bare[1]
+
+
 def derived_names(item: SourceStatement) -> set[str]:
     r"""The names of functions of which partial derivatives are printed, as the energy's."""
     nodes = item.formula.nodes() if item.formula is not None else ()

@@ -74,10 +74,12 @@ def _read(formula: TypedFormula, vocabularies: Iterable[Vocabulary]) -> tuple[in
 def guess(formulas: Iterable[TypedFormula]) -> tuple[Vocabulary, Vocabulary]:
     """The names in some formulas, and what they may be: with bold capitals as vectors, or matrices.
 
-    Other bold letters are vectors; a letter with names in brackets behind it is a function of them.
+    Other bold letters are vectors; a letter with names in brackets behind it is a function of them,
+    if its rate stands nowhere alone: what moves is none, though words may have it at another time.
     """
     names: set[str] = set()
     functions: set[str] = set()
+    rated: set[str] = set()
     formulas = [*formulas]
     for formula in formulas:
         if tokens := tokens_of(formula.tex):
@@ -86,11 +88,12 @@ def guess(formulas: Iterable[TypedFormula]) -> tuple[Vocabulary, Vocabulary]:
                 letter + index for letter, index in found if is_known(letter) or letter in FUNCTIONS
             )
             functions.update(_functions(tokens))
+            rated.update(_rated(tokens))
     functions -= _factors(formulas)
     names -= {*_conjugates(names, formulas)}
     bold = {name for name in names if symbol(name).is_bold}
     upper = {name for name in bold if symbol(name).letter.isupper()}
-    functions = functions & names | names & FUNCTIONS
+    functions = (functions - rated) & names | names & FUNCTIONS
     derived = {by for formula in formulas for by in _independent(formula.tex)}
     primed = any("'" in formula.tex or r"\prime" in formula.tex for formula in formulas)
     others = names & ({"s", "x"} if primed else derived & {"s", "x"})
@@ -99,7 +102,7 @@ def guess(formulas: Iterable[TypedFormula]) -> tuple[Vocabulary, Vocabulary]:
         vectors=frozenset(bold),
         functions=frozenset(functions),
         times=frozenset({"t"} | names & {r"\tau"} | others),
-        moving=frozenset(names - FUNCTIONS),
+        moving=frozenset(names - (FUNCTIONS - rated)),
     )
     return vectors, replace(vectors, vectors=frozenset(bold - upper), matrices=frozenset(upper))
 
@@ -185,4 +188,19 @@ def _functions(tokens: Sequence[Token]) -> Iterator[str]:
             letters = sum(t.kind == "letter" for t in inner)
             commas = sum(t.kind == "comma" for t in inner)
             if closing.text == ")" and letters > commas:
+                yield letter + index
+
+
+def _rated(tokens: Sequence[Token]) -> Iterator[str]:
+    r"""The names of which rates are printed without arguments, as q by :math:`\ddot q=-q`."""
+    for k, token in enumerate(tokens):
+        before = [one for one in tokens[max(k - 4, 0) : k] if one.kind not in ("{", "^", "number")]
+        if (
+            token.kind == "letter"
+            and before
+            and (before[-1].kind == "accent" or before[-1].text == "d")
+        ):
+            cursor = Cursor("", [*tokens[k:]], Vocabulary())
+            letter, index = next(cursor.letters())
+            if cursor.tokens[cursor.at].text != "(":
                 yield letter + index
