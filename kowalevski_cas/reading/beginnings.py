@@ -33,6 +33,13 @@ _TOLD = re.compile(
 _GENERAL = re.compile(r"\bgeneral\b|\bобще[ей]\b", re.IGNORECASE)
 
 
+_OF_ALL = re.compile(
+    r"\b(?:all|every|each|any|always|identically)\b|\b(?:все|всех|люб\w+|кажд\w+|всегда)\b",
+    re.IGNORECASE,
+)
+"""Words for what is said of all motions."""
+
+
 class Beginning(NamedTuple):
     """The values of which a text says that a motion begins with them."""
 
@@ -180,8 +187,10 @@ def gives_velocity(item: SourceStatement, known: Known) -> bool:
     """Whether an equation gives a velocity, or its square, by the place and by constants.
 
     What has this velocity has an equation of the second order. The constants are of the law, or
-    nothing is said of them but that they are constant.
+    nothing is said of them but that they are constant. Words say it of no motion at all.
     """
+    if _OF_ALL.search(item.words):
+        return False
     solved = [m for m in item.members if isinstance(_base(m), Derivative)]
     others = [m for m in item.members if m not in solved]
     rated = any(isinstance(node, Derivative) for member in others for node in member.nodes())

@@ -95,14 +95,15 @@ def coordinates(item: SourceStatement, law: Law, known: Known) -> tuple[Formula,
 def _is_in_order(law: Law, known: Known) -> bool:
     """Whether it is known in which order coordinates stand.
 
-    A list of what moves says so; x, y, z and the like stand in the order of the alphabet.
+    A list of what moves says so; x, y, z and the like, or one letter with indices, stand in the
+    order of the alphabet.
     """
-    letters = tuple(map(Name, law.variables))
-    if any(entries_of(one.formula) == letters for one in known.items if one.formula is not None):
+    names = tuple(map(Name, law.variables))
+    if any(entries_of(one.formula) == names for one in known.items if one.formula is not None):
         return True
-    return not {symbol(name).letter for name in law.variables} <= {*"xyz"} or letters == tuple(
-        sorted(letters, key=lambda one: one.name)
-    )
+    letters = {symbol(name).letter for name in law.variables}
+    usual = letters <= {*"xyz"} or letters <= {*"uvw"} or len(letters) == 1
+    return not usual or [*law.variables] == sorted(law.variables)
 
 
 def entries_of(formula: Formula) -> tuple[Formula, ...]:

@@ -95,10 +95,19 @@ def near_rest():
     plane.states(kinds.Frequency, "frequency", "", printed="4", relations=rest, is_square=True)
     about = {"relations": rest, "variable": "s"}
     plane.states(kinds.CharacteristicEquation, "characteristic", "", printed="3s^2=-12", **about)
+    matrix = r"\begin{pmatrix}0&-2\\2&0\end{pmatrix}"
+    plane.states(kinds.LinearPart, "linear-part", "", printed=matrix, relations=rest)
     return replace(derivation(plane.section), name="near-rest")
 
 
-OWN = (free_body(), rotation(), flow(), near_rest())
+def grown():
+    """A claim about a point of rest."""
+    plane = System(r"\dot x=x(1-x),\quad \dot y=y(2-y)")
+    plane.states(kinds.RestPoint, "rest-point", "", printed="(1,2)")
+    return replace(derivation(plane.section), name="grown")
+
+
+OWN = (free_body(), rotation(), flow(), near_rest(), grown())
 SESSIONS = {one.name: Session(one, ["flint"]) for one in (*map(load, available()), *OWN)}
 CLAIMS = {
     (name, claim.id): claim for name in SESSIONS for claim in SESSIONS[name].derivation.claims

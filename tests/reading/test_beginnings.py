@@ -63,6 +63,7 @@ FALSE = [
     (SWING, r"It is released at $\psi=b$. Then ", r"\[ \dot\psi^2=2n^2(\cos\psi+\cos b) . \]"),
     (SWING, r"The amplitude is $b$. Then ", r"\[ \dot\psi^2=2n^2(\cos\psi-\cos2b) . \]"),
     (SWING, r"On the separatrix ", r"\[ \dot\psi=2n\sin\frac\psi2 . \]"),
+    (SWING, r"All motions have ", r"\[ \dot\psi=2n\cos\frac\psi2 . \]"),
     (SWING, r"On the separatrix ", r"\[ \dot\psi^2=2n^2(1-\cos\psi) . \]"),
     (SWING, r"At the lowest point $\dot\psi=b$, and at the top ", r"\[ \dot\psi^2=b^2-4n^2 . \]"),
 ]  # fmt: skip
