@@ -48,6 +48,12 @@ _BEFORE = {
     )
     for name, said in _SAID.items()
 }
+_CASIMIRS = re.compile(
+    r"(?<!\bno\s)(?:casimir\w*(?:\s+(?:functions?|invariants?|elements?))?|функци\w+\s+Казимира)"
+    rf"(?:\s+of\s+(?:the|this)\s+\w+)?[\s~]*(?:is|are|есть|суть|[-—–]+)?[\s:~]*(?P<list>§{_LIST})",
+    re.IGNORECASE,
+)
+"""Casimir functions that stand behind their name."""
 _EVERYWHERE = re.compile(
     r"every(?:where)?\b|\b(?:each|any|all)\s+points?\b|\bnowhere\b|всюду|(?:кажд|люб)\w+\s+точк",
     re.IGNORECASE,
@@ -121,8 +127,10 @@ def _of_sentence(start: int, words: str, parts: Parts) -> Iterator[InWords]:
             first = start + found.start("list") + len(found["list"]) - len(found["list"].lstrip())
             span = (first, start + len(words.rstrip()))
             inside = (start + found.start("list"), start + found.end("list"))
-            if claimed := _made(name, span, inside, parts):
-                yield claimed
+            yield from _made(name, span, inside, parts)
+    if found := _CASIMIRS.search(words):
+        inside = (start + found.start("list"), start + found.end("list"))
+        yield from _made("casimir", (start + found.start(), inside[1]), inside, parts)
     if found := _COUNT.search(words):
         if claimed := _counted(found, start, parts):
             yield claimed
@@ -130,8 +138,8 @@ def _of_sentence(start: int, words: str, parts: Parts) -> Iterator[InWords]:
 
 def _made(
     name: str, span: tuple[int, int], inside: tuple[int, int], parts: Parts
-) -> InWords | None:
-    """The claim of a sentence about what a part of it lists."""
+) -> Iterator[InWords]:
+    """The claims of a sentence about what a part of it lists."""
     text = parts.paper.prose.text
     items = [one for one in parts.paper.items if inside[0] <= one.typed.start < inside[1]]
     cited = [
@@ -142,32 +150,33 @@ def _made(
     ]
     every = [*items, *cited]
     if not every:
-        return None
+        return
     known = parts.of(every[-1])
     if name == "invariant":
-        return _invariant(span, cited, known)
+        yield from filter(None, [_invariant(span, cited, known)])
+        return
     listed = [*functions_of(every, known)]
     functions = tuple(dict.fromkeys(listed))
     places = tuple(one.printed for one in functions)
     if len(listed) < len(every) or len(functions) < (1 if name == "casimir" else 2):
-        return None  # of fewer functions less would be claimed
+        return  # of fewer functions less would be claimed
     if (told := _NUMBER.search(text, *inside)) and told[0].lower() != _NUMBERS[len(functions) - 1]:
-        return None
+        return
     if name == "independence":
-        return _independent(span, functions, text[slice(*span)])
+        yield from filter(None, [_independent(span, functions, text[slice(*span)])])
+        return
     brackets = tuple(
         one for head, own in known.definitions.items() if head.startswith(BRACKET) for one in own
     )
-    if not brackets:
-        return None
-    about = (*functions, *brackets)
-    if name == "involution":
+    if brackets and name == "involution":
         says = "the brackets of these functions with each other vanish"
-        return InWords(span, Involution, about, {"functions": places}, name, says)
-    if len(functions) > 1:
-        return None
-    says = "the bracket of this function with every function vanishes"
-    return InWords(span, Casimir, about, {"printed": places[0]}, name, says)
+        about = (*functions, *brackets)
+        yield InWords(span, Involution, about, {"functions": places}, name, says)
+    elif brackets:
+        says = "the bracket of this function with every function vanishes"
+        for one in functions:
+            values: dict[str, object] = {"printed": one.printed}
+            yield InWords(span, Casimir, (one, *brackets), values, name, says)
 
 
 def functions_of(items: Sequence[SourceStatement], known: Known) -> Iterator[SourceStatement]:

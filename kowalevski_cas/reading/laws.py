@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 
-from kowalevski_cas.notation import Name, Sum, Vector
+from kowalevski_cas.notation import Name, PoissonBracket, Sum, Vector
 from kowalevski_cas.reading.changes import find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
@@ -94,6 +94,8 @@ class _LawFinder:
             return False
         if any(map(is_numerical, item.members)) or is_dependence(item):
             return False
+        if any(isinstance(member, PoissonBracket) for member in item.members):
+            return False  # it gives the bracket
         rated = (row for row in self.rows if row.order < item.order)
         return not any(item.bare[0] in row.rates for row in rated if row.section in item.sections)
 

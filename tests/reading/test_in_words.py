@@ -116,3 +116,30 @@ def test_brackets_with_names_that_nothing_explains_are_not_claimed_to_vanish():
     text = r"In other letters $B=\rho^2+\pi_\varphi^2$. The functions $S$, $W$ and $B$ are in involution."
     found = reading(BRACKETS + text)
     assert not [one for one in found.statements if one.claim]
+
+
+BRACKETS = r"The brackets are \[ \{p,q\}=r,\quad \{q,r\}=p,\quad \{r,p\}=q . \] "
+
+
+@pytest.mark.parametrize(
+    ("words", "verdicts"),
+    [
+        (r"The Casimir function is $C=p^2+q^2+r^2$.", [PROVED]),
+        (r"The only Casimir function of this bracket is \[ C=p^2+q^2+r^2 . \]", [PROVED]),
+        (r"The Casimir functions are $C=p^2+q^2+r^2$ and $D=C^2+C$.", [PROVED, PROVED]),
+        (r"Функция Казимира есть $C=p^2+q^2+r^2$.", [PROVED]),
+        (r"The Casimir function is $C=p^2+q^2-r^2$.", [Verdict.UNDECIDED]),
+        (r"The Casimir functions are $C=p^2+q^2+r^2$ and $D=p$.", [PROVED, Verdict.UNDECIDED]),
+        (r"There is no Casimir function $C=p$.", []),
+        (r"Is the Casimir function $C=p$?", []),
+        (r"If $r=0$, the Casimir function is $C=p$.", []),
+    ],
+)
+def test_casimir_functions_behind_their_name(words, verdicts):
+    assert [verdict for _, verdict in said(BRACKETS + words)] == verdicts
+
+
+def test_what_a_bracket_is_does_not_define_what_moves():
+    rows = r"The equations are \[ \dot p=-qr,\quad \dot q=2rp,\quad \dot r=-pq . \] "
+    found = reading(BRACKETS + r"With $H=p^2-r^2$ we have the equations of motion. " + rows)
+    assert [law.variables for law in found.parts.laws] == [("p", "q", "r")]
