@@ -1,16 +1,19 @@
 r"""That printed equations of motion are those of the Lagrangian, or the Hamiltonian, beside them.
 
 Where both are printed, neither is taken on trust: each equation of Lagrange, or of Hamilton, is
-claimed along the printed motion. Where a row has a constant that the energy has not, more acts.
+claimed along the printed motion; equations of the second order without momenta are claimed along
+that of the Hamiltonian. Where a row has a constant that the energy has not, more acts.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 
 from kowalevski_cas.notation import Name
 from kowalevski_cas.paper.claims import Identity
+from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.implied import (
     HAMILTONIANS,
     LAGRANGIANS,
@@ -63,12 +66,18 @@ def _claims(
     if not all(map(is_printed, law.rows)) or _has_more(item, law, known):
         return
     rows = [*_rows(name, law)]
+    span = (item.typed.start, item.typed.end)
+    if canonical := _canonical(item, law, known, parts, place):
+        for row in law.rows:
+            printed: dict[str, object] = {"printed": row.printed}
+            yield InWords(
+                span, Identity, (row,), printed, OF_ENERGY, SAYS, item, canonical, Doubt.ALWAYS
+            )
     for number, tex in enumerate(rows, 1):
         last = max(law.rows, key=lambda row: row.order)
         beside = max(last, item, key=lambda one: one.order)
         found = unprinted(known.paper, f"of-energy-{item.order}-{number}", tex, beside, SOURCE)
         parts.places[found] = place
-        span = (item.typed.start, item.typed.end)
         values: dict[str, object] = {"printed": found.printed}
         yield InWords(span, Identity, (found,), values, OF_ENERGY, SAYS, item)
 
@@ -85,6 +94,43 @@ def _rows(name: str, law: Law) -> Sequence[str]:
         if {x for pair in pairs for x in pair} == {*law.variables}:
             return [*hamilton(name, pairs)]
     return []
+
+
+_OF_MOTION = re.compile(
+    r"\bequations?\s+of\s+(?:motion|Hamilton|Lagrange|Newton)\b"
+    r"|\b(?:Hamilton|Newton|Lagrange)\S*\s+equations?\b|\bуравнени\w+\s+(?:движени|Ньютона|Гамильтона|Лагранжа)",
+    re.IGNORECASE,
+)
+_OTHERWISE = ("another case", "ideal case", "linear", "approximate", "force", "small")
+
+
+def _is_of_motion(row: SourceStatement) -> bool:
+    """Whether words call a row an equation of motion, or derive it, and speak of no other case."""
+    said = _OF_MOTION.search(row.before) or cue("deduced", row.before)
+    return bool(said) and not any(cue(name, row.words) for name in _OTHERWISE)
+
+
+def _canonical(
+    item: SourceStatement, law: Law, known: Known, parts: Parts, place: int
+) -> Law | None:
+    """The law of a Hamiltonian for which that of its coordinates is of the second order."""
+    orders = {x: order for row in law.rows for x, order in row.rates.items()}
+    name = item.bare[0]
+    if not all(_is_of_motion(row) for row in law.rows):
+        return None
+    if name not in HAMILTONIANS or {*orders.values()} != {2} or {*orders} != {*law.variables}:
+        return None
+    with suppress(ValueError):
+        pairs = conjugate_pairs(sorted(item.names))
+        if {q for q, _ in pairs} != {*law.variables} or any(known.is_defined(p) for _, p in pairs):
+            return None
+        rows = tuple(
+            unprinted(known.paper, f"canonical-{item.order}-{number}", tex, item, SOURCE)
+            for number, tex in enumerate(hamilton(name, pairs), 1)
+        )
+        parts.places |= dict.fromkeys(rows, place)
+        return Law(rows, law.names)
+    return None
 
 
 def _has_more(item: SourceStatement, law: Law, known: Known) -> bool:

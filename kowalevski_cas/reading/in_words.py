@@ -20,9 +20,11 @@ from kowalevski_cas.paper.claims import (
     InvariantRelations,
     Involution,
 )
+from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import CLAIM, SETS, Known, StatementRole
+from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement
 
@@ -92,6 +94,10 @@ class InWords(NamedTuple):
     says: str
     at: SourceStatement | None = None
     """The statement beside the words, if they are about what is printed further off."""
+    law: Law | None = None
+    """The law by which it is claimed, if that is not the one of its names."""
+    doubt: Doubt = Doubt.UNLESS_MENDED
+    """How it may have been meant otherwise."""
 
 
 def claims_in_words(parts: Parts) -> Iterator[InWords]:

@@ -181,12 +181,13 @@ class _DerivationReader:
             try:
                 at = found.at or first
                 beside = [at] if self.parts.roles[at].name == ASSUMPTION else []
-                on = self.stages[known].scene(found.about, [*beside, *known.supposed(at)])
+                supposed = [*beside, *known.supposed(at)]
+                on = self.stages[known].scene(found.about, supposed, found.law)
                 claim = found.kind(id, on.scene, words=found.says, **found.values)  # type: ignore[arg-type]
             except (ValueError, Meaningless) as error:
                 yield JudgedStatement(first, role, message=str(error), span=found.span)
                 continue
-            doubt = None if found.name == "independence" else Doubt.UNLESS_MENDED
+            doubt = None if found.name == "independence" else found.doubt
             yield JudgedStatement(
                 first, role, claim, on.assumptions, on.constants, doubt, span=found.span
             )

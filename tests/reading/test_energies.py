@@ -3,6 +3,7 @@
 import pytest
 
 from kowalevski_cas.audit.reading import ReadingSession
+from kowalevski_cas.verify.outcome import Verdict
 from tests.reading.test_reading import reading
 
 LAGRANGIAN = r"""The Lagrangian is \[ L=\frac12 M(\dot u^2+\dot v^2)-\frac12c(u-v)^2-bu . \]
@@ -51,3 +52,30 @@ def test_a_row_with_another_sign_is_blamed():
 )
 def test_where_more_may_act_nothing_is_claimed(more):
     assert not ends(more)
+
+
+SECOND_ORDER = r"""The Hamiltonian is
+\[ H=\frac1{2m}(p_u^2+p_v^2)+\frac12k(u^2+v^2)+\frac c4(u^2+v^2)^2 . \]
+%s \[ m\ddot u=%s,\qquad m\ddot v=-kv-cv(u^2+v^2) . \]"""
+FORCE = "-ku-cu(u^2+v^2)"
+
+
+@pytest.mark.parametrize("words", ["Hence", "The equations of motion are", "Отсюда"])
+def test_equations_of_the_second_order_are_those_of_the_hamiltonian(words):
+    assert [one.verdict.green for one in ends(SECOND_ORDER % (words, FORCE))] == [True, True]
+    for wrong in ("-ku+cu(u^2+v^2)", "-ku-cu(u^2-v^2)", "-kv-cu(u^2+v^2)"):
+        first, second = ends(SECOND_ORDER % (words, wrong))
+        assert first.verdict is Verdict.UNDECIDED and second.verdict.green
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "With friction the equations of motion are",
+        "In another problem we have",
+        "In the linear approximation the equations of motion are",
+        "In dimensionless time, hence,",
+    ],
+)
+def test_of_another_case_they_are_not_claimed(words):
+    assert not ends(SECOND_ORDER % (words, "-ku"))

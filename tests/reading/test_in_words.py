@@ -118,7 +118,7 @@ def test_brackets_with_names_that_nothing_explains_are_not_claimed_to_vanish():
     assert not [one for one in found.statements if one.claim]
 
 
-BRACKETS = r"The brackets are \[ \{p,q\}=r,\quad \{q,r\}=p,\quad \{r,p\}=q . \] "
+ON_A_SPHERE = r"The brackets are \[ \{p,q\}=r,\quad \{q,r\}=p,\quad \{r,p\}=q . \] "
 
 
 @pytest.mark.parametrize(
@@ -136,10 +136,10 @@ BRACKETS = r"The brackets are \[ \{p,q\}=r,\quad \{q,r\}=p,\quad \{r,p\}=q . \] 
     ],
 )
 def test_casimir_functions_behind_their_name(words, verdicts):
-    assert [verdict for _, verdict in said(BRACKETS + words)] == verdicts
+    assert [verdict for _, verdict in said(ON_A_SPHERE + words)] == verdicts
 
 
 def test_what_a_bracket_is_does_not_define_what_moves():
     rows = r"The equations are \[ \dot p=-qr,\quad \dot q=2rp,\quad \dot r=-pq . \] "
-    found = reading(BRACKETS + r"With $H=p^2-r^2$ we have the equations of motion. " + rows)
+    found = reading(ON_A_SPHERE + r"With $H=p^2-r^2$ we have the equations of motion. " + rows)
     assert [law.variables for law in found.parts.laws] == [("p", "q", "r")]
