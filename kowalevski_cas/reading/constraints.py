@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from itertools import islice
 
-from kowalevski_cas.notation import Application, Constant, Name, Product
+from kowalevski_cas.notation import Application, Constant, Name, Number, Power, Product
 from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.constraints import MULTIPLIERS, equations_on, multipliers, orders_in
@@ -41,6 +41,7 @@ def is_constraint(item: SourceStatement, law: Law, known: Known) -> bool:
     if item in law.rows or not item.members:
         return False
     first = item.members[0]
+    first = first.base if isinstance(first, Power) and first.exponent == Number(2) else first
     names = {*known.names.scalars(item.names)}
     gives = isinstance(first, Name) and not known.moves(first.name)
     gives |= isinstance(first, Application) and first.function not in FUNCTIONS

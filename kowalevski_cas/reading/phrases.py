@@ -114,6 +114,12 @@ def reach_of_constants(item: SourceStatement) -> str:
     return "of the sentence" if item.typed.inline and brief and not lasting else ""
 
 
+_SEVERAL = re.compile(
+    r"\b(?:integrals|constants\s+of\s+(?:the\s+)?motion|интегралы)\s*$", re.IGNORECASE
+)
+"""How words end behind which several integrals are listed."""
+
+
 def integral_words(item: SourceStatement) -> str:
     """The words near a statement that call it an integral, if no other words stand between."""
     if _SO.search(item.lead) and (said := cue("integral", item.before)):
@@ -128,7 +134,8 @@ def integral_words(item: SourceStatement) -> str:
     if said := cue("integral", last_clause(_own_lead(item))):
         return said
     if item.typed.inline:
-        return ""
+        listed = joined_lead(item)
+        return cue("integral", last_clause(listed)) if _SEVERAL.search(listed) else ""
     return (
         cue("integral", item.before) if item.lead.strip(" ,;") in ("", "and") else announced(item)
     )

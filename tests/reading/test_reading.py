@@ -518,3 +518,25 @@ def test_a_measure_that_is_preserved_is_no_constant_function(words, kind):
 def test_a_formula_with_nothing_in_it_is_no_ellipsis():
     found = reading(TOP + r"Nothing stands in $\quad$.")
     assert [f.role.name for f in found.formulas].count(LAW) == 3
+
+
+RING = r"The system is \[ \dot x=x(y-z),\quad \dot y=y(z-x),\quad \dot z=z(x-y) . \] "
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (r"It has the integrals $J=x+y+z$ and $K=xyz$.", [Verdict.PROVED, Verdict.PROVED]),
+        (r"It has the integrals $J=x+y+z$ and $K=xy$.", [Verdict.PROVED, Verdict.REFUTED]),
+        (r"Besides the integrals $J=x+y+z$, $K=xyz$ we use $L=xy$.", [Verdict.PROVED] * 2),
+        (r"With the integral $J=x+y+z$ and $L=xy$ we go on.", [Verdict.PROVED]),
+    ],
+)
+def test_integrals_are_listed_among_words(words, expected):
+    assert [*verdicts(RING + words).values()] == expected
+
+
+def test_what_stands_under_a_square_in_a_law_is_no_constraint():
+    law = r"The motion obeys \[ \dot x=-\frac y{s^2}+x,\qquad \dot y=\frac x{s^2}, \] "
+    found = verdicts(law + r"where $s^2=x^2+y^2$. Then $x^2+y^2$ is constant, and so is $s$.")
+    assert Verdict.PROVED not in found.values() and Verdict.CONDITIONAL not in found.values()
