@@ -48,6 +48,8 @@ def doubt_of(
     fixed = (member for member in item.members if not known.varying(member.names()))
     if role.kind == "identity" and not item.derives and any(fixed):
         return Doubt.ALWAYS
+    if rung.claim.scene.jets:
+        return Doubt.ALWAYS  # words may say which functions are meant
     if role.kind in ("solution", "energy") or role.reason == FOUND or _has_momentum(rung, known):
         return Doubt.ALWAYS
     if role.kind in (CHARACTERISTIC, FREQUENCY, EIGENVALUE) and may_be_of_squares(item, known):

@@ -34,6 +34,7 @@ from kowalevski_cas.reading.brackets import refuse_idle_brackets
 from kowalevski_cas.reading.canonical import ENERGY, meant
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, near, normalisations
+from kowalevski_cas.reading.jets import refuse_of_functions
 from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.linear_parts import point_of
@@ -429,6 +430,7 @@ class _Ladder:
             if attributes.get("given"):
                 raise ValueError("an invariant of a map on a set is not known")
             kind, attributes["images"] = OF_MAPS[kind], found.images
+        refuse_of_functions(kind, attributes, found.scene)
         claim = kind(self.id, found.scene, says, **attributes)  # type: ignore[arg-type]
         in_force = bool(on) and [*on] == self.known.sets(self.item)
         idle = None

@@ -86,7 +86,9 @@ class _LawFinder:
         if verb := self.said.verb(item):
             return verb == "law" and bool(item.rates)
         paper = self.paper
-        return is_row(item) and item not in paper.approximate | paper.maps | paper.unfinished
+        free = paper.functions_by_name.keys() & item.rates.keys()
+        left = paper.approximate | paper.maps | paper.unfinished
+        return is_row(item) and not free and item not in left
 
     def _defines(self, item: SourceStatement) -> bool:
         """Whether a statement gives a name an expression, and is neither a row nor of one."""
@@ -94,8 +96,9 @@ class _LawFinder:
             return False
         if any(map(is_numerical, item.members)) or is_dependence(item):
             return False
-        rated = (row for row in self.rows if row.order < item.order)
-        return not any(item.bare[0] in row.rates for row in rated if row.section in item.sections)
+        rated = [row for row in self.rows if row.order < item.order and item.bare[0] in row.rates]
+        timed = bool(rated) and "t" in item.names  # it is a solution
+        return not timed and not any(row.section in item.sections for row in rated)
 
     def laws(self) -> Iterator[Law]:
         found = self.found
@@ -208,7 +211,8 @@ class _LawFinder:
             return None  # it is deduced for names that stand for what moves
         old = {name for one in part for name in one.variables}
         rated, named = {*law.variables}, {*self.names.scalars(law.mentions)}
-        deduced = cue("deduced", item.before) and not said
+        met = {name for one in self.paper.items if one.typed.start < begins for name in one.names}
+        deduced = cue("deduced", item.before) and not (said or named - met)
         printed = {row.formula for one in part for row in one.rows}
         if named & old - rated or (deduced and rated <= old):
             return None

@@ -30,6 +30,7 @@ from kowalevski_cas.reading.doubts import doubt_of
 from kowalevski_cas.reading.energies import claims_of_energies
 from kowalevski_cas.reading.grammar import wrong
 from kowalevski_cas.reading.in_words import claims_in_words
+from kowalevski_cas.reading.jets import refuse_of_functions
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, UNIT_MATRIX, StatementRole
 from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.maps import enter_maps, find_maps, primed_images
@@ -182,6 +183,7 @@ class _DerivationReader:
                 at = found.at or first
                 beside = [at] if self.parts.roles[at].name == ASSUMPTION else []
                 on = self.stages[known].scene(found.about, [*beside, *known.supposed(at)])
+                refuse_of_functions(found.kind, found.values, on.scene)
                 claim = found.kind(id, on.scene, words=found.says, **found.values)  # type: ignore[arg-type]
             except (ValueError, Meaningless) as error:
                 yield JudgedStatement(first, role, message=str(error), span=found.span)
