@@ -116,7 +116,7 @@ def _given(texts: Iterable[str]) -> Iterator[str]:
         with suppress(NotationError, IndexError):
             for place in Display("given", tex, ""):
                 for name in (*place.heads.names, *place.heads.squares):
-                    own, by = head(name)
+                    own, _ = head(name)
                     left, _, right = place.tex.partition("=")
                     said = APPLIED.fullmatch(right.strip(" .,;&"))
                     if not (said and said["name"] == own and not said["primes"]):
@@ -158,7 +158,7 @@ def with_free_functions(scene: Scene, functions: Iterable[Unknown]) -> Scene:
     """A scene with some functions, of which it may define derivatives by something else.
 
     Raises:
-        ValueError: an argument does not move there, or it is not clear of what a name is a function.
+        ValueError: an argument does not move there, or a name is a function of several things.
     """
     jets: list[tuple[str, str, str]] = []
     for one in functions:

@@ -25,7 +25,7 @@ def refuse_of_functions(kind: type[Claim], claim: Mapping[str, object], scene: S
 
 
 def gives_derivative(item: SourceStatement, known: Known) -> StatementRole | None:
-    r"""What gives the derivative of a new function, as :math:`\beta'(x)=b(x)`: \beta is any such."""
+    r"""What gives the derivative of a new function, as :math:`\beta'(x)=b(x)`."""
     first = item.members[0] if len(item.members) == 2 else None
     if not isinstance(first, Name) or not first.name.endswith("'"):
         return None

@@ -173,7 +173,7 @@ class _LawFinder:
                 return None  # it rests on what follows
         return law
 
-    def fuller(self, item: SourceStatement, moving: Collection[str]) -> Law | None:
+    def fuller(self, item: SourceStatement, moving: set[str]) -> Law | None:
         r"""A closed display that words call a system, for all that moved and more: the law then.
 
         So :math:`\ddot q=-q` is printed once more as :math:`\dot q=p, \dot p=-q`.

@@ -27,8 +27,9 @@ _ENDS = re.compile(
 def named_values(paper: SourcePaper) -> Iterator[SourceStatement]:
     """What words say of names that they give to the value of a function, as equations."""
     for one, other in pairwise(paper.items):
-        named = isinstance(one.formula, Name) and isinstance(other.formula, Name)
-        beside = named and one.sentence == other.sentence and _BY.search(one.lead)
+        if not (isinstance(one.formula, Name) and isinstance(other.formula, Name)):
+            continue
+        beside = one.sentence == other.sentence and _BY.search(one.lead)
         if beside and _VALUE.fullmatch(other.lead) and _ENDS.match(other.tail):
             tex = f"{to_latex(one.formula)}={to_latex(other.formula)}"
             id = f"{other.printed.display.id}-in-words"

@@ -207,8 +207,8 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 
 RULES: tuple[Rule, ...] = (
     unread, eigenvalue, of_flow, expression, named_set, law, constraint, together, unit, bracket,
-    bracket_of_functions, unjudged, inequality, repeated, gives_derivative, change, roots, claimed_set, point,
-    solution, constant_of_solution, energy, on_place, definition, square, assumption, value,
-    approximate, rate, zero_set, level, integral, identity, other,
+    bracket_of_functions, unjudged, inequality, repeated, gives_derivative, change, roots,
+    claimed_set, point, solution, constant_of_solution, energy, on_place, definition, square,
+    assumption, value, approximate, rate, zero_set, level, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""
