@@ -19,9 +19,7 @@ from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.chains import NAME
 from kowalevski_cas.paper.initial_values import names_under_dots
 from kowalevski_cas.paper.jets import APPLIED, Unknown, arguments, with_jets, without_argument
-from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.texts import Display
 from kowalevski_cas.source.displays import TypedFormula
 
 TIME = "t"
@@ -110,18 +108,19 @@ def _may_be_any(name: str, given: Iterable[str], texts: Sequence[str]) -> bool:
     return letter and name not in known and not any(map(rated.search, texts))
 
 
+_LEFT = re.compile(
+    rf"\s*(?:\d\s*)?\{{?\s*(?P<name>{NAME})\s*\}}?\s*(?P<at>\([^()]*\))?\s*&?=(?P<right>.*)", re.S
+)
+"""A name, or a multiple of one, alone on a left side."""
+_BETWEEN = re.compile(r"[,;]|\\\\|\\q?quad(?![A-Za-z])|\\begin\s*\{[^{}]*\}|\\label\s*\{[^{}]*\}")
+
+
 def _given(texts: Iterable[str]) -> Iterator[str]:
-    """The names that a display has alone on its left, with arguments or without."""
-    for tex in texts:
-        with suppress(NotationError, IndexError):
-            for place in Display("given", tex, ""):
-                for name in (*place.heads.names, *place.heads.squares):
-                    own, _ = head(name)
-                    left, _, right = place.tex.partition("=")
-                    said = APPLIED.fullmatch(right.strip(" .,;&"))
-                    if not (said and said["name"] == own and not said["primes"]):
-                        if re.match(rf"\s*\{{?\s*{re.escape(own)}(?![A-Za-z'_])", left):
-                            yield own
+    """The names alone on a left side, but for those that are said to be functions there."""
+    for part in (part for tex in texts for part in _BETWEEN.split(tex)):
+        found = _LEFT.match(part)
+        if found is not None and not _says(part, name := found["name"].replace(" ", "")):
+            yield name
 
 
 def with_names_alone(

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from kowalevski_cas.notation import Name
 from kowalevski_cas.paper.claims import Claim, FirstIntegral, Identity
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.free_functions import names_of
 from kowalevski_cas.reading.known import DEFINITION, Known, StatementRole
 from kowalevski_cas.reading.statements import SourceStatement
@@ -27,6 +28,8 @@ def refuse_of_functions(kind: type[Claim], claim: Mapping[str, object], scene: S
 def gives_derivative(item: SourceStatement, known: Known) -> StatementRole | None:
     r"""What gives the derivative of a new function, as :math:`\beta'(x)=b(x)`."""
     first = item.members[0] if len(item.members) == 2 else None
+    if not cue("define", item.before):
+        return None
     if not isinstance(first, Name) or not first.name.endswith("'"):
         return None
     for one in known.paper.functions_by_name.get(first.name, ()):

@@ -42,6 +42,23 @@ def test_what_holds_for_all_functions_is_proved_and_nothing_else(law, true, fals
 
 
 @pytest.mark.parametrize(
+    "words",
+    [
+        r"Then $U''(x)=k$. Hence $$\frac{d}{dt}\ddot x=-k\dot x.$$",
+        r"Then $U''(x)=k$ and $$\frac{d}{dt}U'(x)=k\dot x.$$",
+        r"Let $A=\oint\dot x\,dx$, and $c=\tfrac12\dot x^2+U(x)$. Then $$\frac{dA}{dc}=2T.$$ Hence $$\frac{d}{dt}A=2Tx.$$",
+        r"Then $\tfrac12kx^2=U(x)$. Hence $$\ddot x=-kx.$$",
+        r"We obtain $2U(x)=kx^2$. Hence $$\frac{d}{dt}(\dot x^2+kx^2)=0.$$",
+        r"From this $U'(x)=kx$. Hence $$\frac{d}{dt}(\dot x^2+kx^2)=0.$$",
+        r"If $U'(x)=kx$, then $x^3$ is constant.",
+        r"Here $U(x)$ is even. Then $$\frac{d}{dt}U(x)=-U'(x)\dot x.$$",
+    ],
+)
+def test_what_is_printed_of_a_function_later_is_not_its_definition(words):
+    assert not any(one.green for one in verdicts(LINE + words).values())
+
+
+@pytest.mark.parametrize(
     "claim",
     [
         r"U(-x)=U(x)",
