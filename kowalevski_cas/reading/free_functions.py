@@ -44,7 +44,12 @@ def free_functions(formulas: Sequence[TypedFormula], text: str) -> tuple[Unknown
     texts = [_apart(one.tex) for one in formulas]
     moving = set[str]().union(*map(names_under_dots, texts)) | {TIME}
     moving |= {found["name"].replace(" ", "") for tex in texts for found in _RATE.finditer(tex)}
-    given = {*_given(texts)}
+    given = {
+        name
+        for place, tex in enumerate(texts)
+        for name in _given(tex)
+        if not _is_special(name, place, formulas, text)
+    }
     lists: dict[str, dict[int, set[tuple[str, ...]]]] = defaultdict(lambda: defaultdict(set))
     orders: dict[str, int] = defaultdict(int)
     sure: set[str] = set()
@@ -115,11 +120,40 @@ _LEFT = re.compile(
 _BETWEEN = re.compile(r"[,;]|\\\\|\\q?quad(?![A-Za-z])|\\begin\s*\{[^{}]*\}|\\label\s*\{[^{}]*\}")
 
 
-def _given(texts: Iterable[str]) -> Iterator[str]:
-    """The names alone on a left side, but for those that are said to be functions there."""
-    for part in (part for tex in texts for part in _BETWEEN.split(tex)):
+SPECIAL = re.compile(
+    r"\b(?:examples?|instance|cases?|special|particular|consider|if|when|for)\b"
+    r"|\b(?:рассмотрим|например|частн\w+|случа\w+|если|при|когда)\b",
+    re.IGNORECASE,
+)
+"""Words for one of many functions."""
+_GENERAL = 2
+"""In so many displays a function stands before it has a special value: in a law, and of any."""
+
+
+def _is_special(name: str, place: int, formulas: Sequence[TypedFormula], text: str) -> bool:
+    """Whether a function that was any in displays before is given as an example of one."""
+    formula = formulas[place]
+    sentence = re.split(r"[.;!?]\s|\n\n", text[: formula.start])[-1]
+    before = [
+        one
+        for one in formulas[:place]
+        if not one.inline and one.end <= formula.start - len(sentence)
+        if any(name == other for other, *_ in _applications(_apart(one.tex)))
+    ]
+    return len(before) >= _GENERAL and SPECIAL.search(sentence) is not None
+
+
+def _given(tex: str) -> Iterator[str]:
+    """The names alone on a left side, but for those that are said to be functions there.
+
+    At an argument that does not stand on the right an equation says where something is.
+    """
+    for part in _BETWEEN.split(tex):
         found = _LEFT.match(part)
-        if found is not None and not _says(part, name := found["name"].replace(" ", "")):
+        if found is None or _says(part, name := found["name"].replace(" ", "")):
+            continue
+        by = re.findall(NAME, found["at"] or "")
+        if not by or any(one in re.findall(NAME, _apart(found["right"])) for one in by):
             yield name
 
 

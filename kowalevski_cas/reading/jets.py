@@ -8,7 +8,7 @@ from kowalevski_cas.notation import Name
 from kowalevski_cas.paper.claims import Claim, FirstIntegral, Identity
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.free_functions import names_of
+from kowalevski_cas.reading.free_functions import SPECIAL, names_of
 from kowalevski_cas.reading.known import DEFINITION, Known, StatementRole
 from kowalevski_cas.reading.statements import SourceStatement
 
@@ -23,6 +23,17 @@ def refuse_of_functions(kind: type[Claim], claim: Mapping[str, object], scene: S
     """
     if scene.jets and (kind not in OF_FUNCTIONS or claim.get("given")):
         raise ValueError(f"it is not judged where {scene.jets[0][0]} may be any function")
+
+
+def special_function(item: SourceStatement, known: Known) -> StatementRole | None:
+    """What gives one function as an example: what is judged holds for any."""
+    first = item.members[0] if len(item.members) == 2 else None
+    if not isinstance(first, Name) or item.derives or not SPECIAL.search(item.before):
+        return None
+    for one in known.paper.functions_by_name.get(first.name, ()):
+        if first.name == one.name and {*known.varying(item.members[1].names())} <= {*one.by}:
+            return StatementRole(DEFINITION, f"one of the functions that {one.name} may be")
+    return None
 
 
 def gives_derivative(item: SourceStatement, known: Known) -> StatementRole | None:

@@ -25,7 +25,7 @@ from kowalevski_cas.reading.definitions import (
 from kowalevski_cas.reading.factors import roots
 from kowalevski_cas.reading.flows import divergence, measure
 from kowalevski_cas.reading.index_ranges import is_range
-from kowalevski_cas.reading.jets import gives_derivative
+from kowalevski_cas.reading.jets import gives_derivative, special_function
 from kowalevski_cas.reading.known import (
     CLAIM,
     DEFINITION,
@@ -207,7 +207,8 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 
 RULES: tuple[Rule, ...] = (
     unread, eigenvalue, of_flow, expression, named_set, law, constraint, together, unit, bracket,
-    bracket_of_functions, unjudged, inequality, repeated, gives_derivative, change, roots,
+    bracket_of_functions, unjudged, inequality, repeated, gives_derivative,
+    special_function, change, roots,
     claimed_set, point, solution, constant_of_solution, energy, on_place, definition, square,
     assumption, value, approximate, rate, zero_set, level, integral, identity, other,
 )  # fmt: skip

@@ -80,6 +80,36 @@ def test_what_holds_for_some_functions_is_not_proved(claim):
     assert not any(one.green for tex, one in verdicts(text).items() if tex != "U=U")
 
 
+GENERAL = (
+    LINE
+    + r"""Put $E=\tfrac12\dot x^2+U(x)$. Then $$\dot E=0,\qquad \dot x^2=2E-2U(x).$$ {}
+
+{} Then {}."""
+)
+
+
+@pytest.mark.parametrize(
+    ("words", "claim"),
+    [
+        (r"For example, let $U(x)=\tfrac12kx^2$.", r"$\ddot x=-kx$"),
+        (r"Consider the case $U=\tfrac12kx^2$.", r"$\frac{d}{dt}(\dot x^2+kx^2)=0$"),
+        (r"If $U(x)=gx$, the fall is free.", r"$\ddot x=-g$"),
+        (r"When $$U(x)=-\frac kx,$$ it falls.", r"$$\ddot x=-\frac{k}{x^2}$$"),
+        (r"В частном случае $U(x)=gx$ тело падает.", r"$\ddot x=-g$"),
+        (r"The special case $U=0$ is that of a free particle.", r"$\ddot x=0$"),
+        (r"In particular for $U(x)=a$ nothing happens.", r"$$\frac{d}{dt}\dot x=0$$"),
+        (r"For instance, when $U(x)=x^3$ it escapes.", r"$\ddot x=-3x^2$"),
+    ],
+)
+def test_what_holds_for_an_example_is_claimed_of_no_other_function(words, claim):
+    """General claims before an example hold for all functions, and what it gives is not judged."""
+    found = verdicts(GENERAL.format("", words, claim))
+    assert [one.green for one in found.values()][:2] == [True, True]
+    assert not any(one.green for one in [*found.values()][2:])
+    found = verdicts(GENERAL.format(f"Hence {claim}.", words, r"$\dot E=E$"))
+    assert not any(one.green for one in [*found.values()][2:])
+
+
 def test_a_function_that_is_given_is_not_any():
     text = rf"{LINE}Here $U(x)=\tfrac12kx^2$. Hence $$\frac{{d}}{{dt}}(\dot x^2+kx^2)=0.$$"
     assert not reading(text).paper.functions
