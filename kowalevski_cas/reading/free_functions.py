@@ -113,11 +113,12 @@ def _may_be_any(name: str, given: Iterable[str], texts: Sequence[str]) -> bool:
     return letter and name not in known and not any(map(rated.search, texts))
 
 
-_LEFT = re.compile(
-    rf"\s*(?:\d\s*)?\{{?\s*(?P<name>{NAME})\s*\}}?\s*(?P<at>\([^()]*\))?\s*&?=(?P<right>.*)", re.S
+_GIVING = re.compile(
+    r"(?:^|[,;:]|\\\\|\\q?quad(?![A-Za-z])|\\(?:begin|label)\s*\{[^{}]*\})\s*(?:\d\s*)?"
+    rf"\{{?\s*(?P<name>{NAME})\s*\}}?\s*(?:\\left\s*)?(?P<at>\([^()]*\))?\s*&?="
+    r"(?P<right>(?:(?!\\\\)[^=,;()]|\([^()]*\))*)"
 )
 """A name, or a multiple of one, alone on a left side."""
-_BETWEEN = re.compile(r"[,;]|\\\\|\\q?quad(?![A-Za-z])|\\begin\s*\{[^{}]*\}|\\label\s*\{[^{}]*\}")
 
 
 SPECIAL = re.compile(
@@ -148,12 +149,11 @@ def _given(tex: str) -> Iterator[str]:
 
     At an argument that does not stand on the right an equation says where something is.
     """
-    for part in _BETWEEN.split(tex):
-        found = _LEFT.match(part)
-        if found is None or _says(part, name := found["name"].replace(" ", "")):
-            continue
+    for found in _GIVING.finditer(tex):
+        name, right = found["name"].replace(" ", ""), found["right"]
         by = re.findall(NAME, found["at"] or "")
-        if not by or any(one in re.findall(NAME, _apart(found["right"])) for one in by):
+        at = not by or any(one in re.findall(NAME, _apart(right)) for one in by)
+        if at and not _says(f"{name}={right}", name):
             yield name
 
 

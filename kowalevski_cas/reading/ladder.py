@@ -85,6 +85,9 @@ class _Ladder:
         self.item, self.id, self.stage, self.known = item, id, stage, stage.known
         self.role = self.known.roles[item]
         self.supposed = stage.understood(self.known.supposed(item))
+        if self.role.kind == "solution":  # at one time it says nothing
+            at_time = [one for one in self.supposed if one.names <= self.known.times]
+            self.supposed = [one for one in self.supposed if one not in at_time]
 
     def rungs(self) -> Iterator[Rung]:
         refuse_idle_brackets(self.item, self.known)

@@ -123,6 +123,8 @@ class Stage:
         return [one for one in supposed if {*self.known.roles[one].names} & (below | moving)]
 
     def _is_lost(self, assumption: SourceStatement) -> bool:
+        if any(one.trouble for one in self.known.items if one.typed is assumption.typed):
+            return True  # its display cannot be read as a whole
         try:
             self._closure([assumption], None)
         except ValueError:
