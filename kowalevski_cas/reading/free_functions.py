@@ -105,11 +105,11 @@ def _may_be_any(name: str, given: Iterable[str], texts: Sequence[str]) -> bool:
     """Whether a name is a letter that nothing gives, and of which no rate is printed."""
     own = re.escape(name)
     rated = re.compile(
-        rf"\\d{{1,3}}ot\s*\{{?\s*{own}(?![A-Za-z])|d\s*{own}\s*\}}?\s*(?:\{{|/)\s*dt"
+        rf"\\d{{1,3}}ot\s*\{{?\s*{own}(?![A-Za-z])|d(?:\s*\^\s*\d)?\s*{own}\s*\}}?\s*(?:\{{|/)\s*d\s*t"
         rf"|(?<![A-Za-z\\]){own}'+(?!['\s^{{}}\d]*(?:\\left\s*)?\()"
     )
     letter = is_known(symbol(name).letter) and not symbol(name).is_bold
-    known = {*given, *FUNCTIONS, *LETTERS, "d", "e"}
+    known = {*given, *FUNCTIONS, *LETTERS, "d", "e", "i"}
     return letter and name not in known and not any(map(rated.search, texts))
 
 
