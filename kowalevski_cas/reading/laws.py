@@ -155,6 +155,7 @@ class _LawFinder:
         since = part[0].begins or self.paper.prose.start
         moving = {name for law in part for name in law.variables}
         if law := self.fuller(item, moving):
+            law.again = (*part,)
             return law
         if not {*self.scalars(item)} - moving or self.is_defined(item, self.paper.prose.start):
             return None

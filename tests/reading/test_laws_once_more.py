@@ -83,3 +83,24 @@ def test_a_relation_between_rates_and_the_time_is_no_solution(claim, green):
     text = r"""The equations of motion are $$\dot x=y-t,\qquad \dot y=-x.$$ Hence $$y={}.$$"""
     found = verdicts(text.replace("{}", claim))
     assert any(one.green for one in found.values()) is green
+
+
+@pytest.mark.parametrize(
+    "rows",
+    [
+        r"\dot x=v,\qquad \dot v=-x+b",
+        r"\dot x=v,\qquad \dot v=-x-cv",
+        r"\dot x=v,\qquad \dot v=x",
+        r"\dot x=v+x,\qquad \dot v=-x",
+        r"\dot x=v-t,\qquad \dot v=-x",
+        r"\dot x=2v,\qquad \dot v=-x",
+        r"\dot x=v,\qquad \dot v=-x^3",
+        r"\dot x=v,\qquad \dot v=-x+w,\qquad \dot w=0",
+    ],
+)
+def test_where_the_first_law_does_not_follow_nothing_is_said_of_either(rows):
+    text = rf"A bead moves by $$\ddot x=-x.$$ The equations of motion of a charged bead are $${rows}.$$"
+    claims = r"For the first bead $$\frac{d}{dt}(\dot x^2+x^2)=0,$$ and for the other $$\ddot x=\dot v.$$"
+    assert not any(one.green for one in verdicts(f"{text} {claims}").values())
+    same = text.replace(rows, r"\dot x=v,\qquad \dot v=-x")
+    assert [one.green for one in verdicts(f"{same} {claims}").values()] == [True, True]
