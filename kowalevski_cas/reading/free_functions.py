@@ -33,6 +33,11 @@ _RATE = re.compile(rf"\\[dt]?frac\s*\{{\s*d(?:\s*\^\s*\d)?\s*(?P<name>{NAME})\s*
 _WORDS = r"\\(?:begin|end|label|tag|text|mathrm|mathbf|boldsymbol|operatorname\*?)\s*\{[^{}]*\}"
 _RUN = re.compile(rf"{_WORDS}|\\[A-Za-z]+|[A-Za-z](?=[A-Za-z])")
 """A letter right before another one, which is a factor; or a macro, which is a whole."""
+_TYPES = (
+    r"\\(?:(?:wide)?(?:tilde|hat)|bar|(?:over|under)line|check|breve|vec|math[a-z]+|boldsymbol"
+    r"|cal|bf)"
+)
+"""What makes another name of a letter."""
 _SECTION = re.compile(r"\\(?:section|chapter)\s*\*?\s*(?:\[[^\]]*\])?\s*\{")
 
 
@@ -102,11 +107,11 @@ def _alone(name: str, texts: Iterable[str]) -> bool:
 
 
 def _may_be_any(name: str, given: Iterable[str], texts: Sequence[str]) -> bool:
-    """Whether a name is a letter that nothing gives, and of which no rate is printed."""
+    """Whether a name is a letter that nothing gives, in one type, and without printed rates."""
     own = re.escape(name)
     rated = re.compile(
         rf"\\d{{1,3}}ot\s*\{{?\s*{own}(?![A-Za-z])|d(?:\s*\^\s*\d)?\s*{own}\s*\}}?\s*(?:\{{|/)\s*d\s*t"
-        rf"|(?<![A-Za-z\\]){own}'+(?!['\s^{{}}\d]*(?:\\left\s*)?\()"
+        rf"|(?<![A-Za-z\\]){own}'+(?!['\s^{{}}\d]*(?:\\left\s*)?\()|{_TYPES}\s*\{{?\s*{own}(?![A-Za-z])"
     )
     letter = is_known(symbol(name).letter) and not symbol(name).is_bold
     known = {*given, *FUNCTIONS, *LETTERS, "d", "e", "i"}
@@ -152,7 +157,8 @@ def _given(tex: str) -> Iterator[str]:
     for found in _GIVING.finditer(tex):
         name, right = found["name"].replace(" ", ""), found["right"]
         by = re.findall(NAME, found["at"] or "")
-        at = not by or any(one in re.findall(NAME, _apart(right)) for one in by)
+        rest = re.findall(NAME, _apart(tex[found.start("right") :]))
+        at = not by or any(one in rest for one in by)
         if at and not _says(f"{name}={right}", name):
             yield name
 

@@ -72,6 +72,8 @@ def test_what_is_printed_of_a_function_later_is_not_its_definition(words):
         r"\frac{d}{dt}(\dot x^2+kx^2)=0",
         r"U(x)=U",
         r"\dot U=0",
+        r"\frac{d}{dt}\tilde U(x)=0",
+        r"\frac{d}{dt}\mathcal U(x)=0",
         r"U''(x)>0",
     ],
 )
