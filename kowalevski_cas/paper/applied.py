@@ -22,6 +22,7 @@ _NAME = r"(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?"
 _LISTED = re.compile(
     rf"\s*(?:\\left\s*)?\(\s*(?P<by>{_NAME}(?:\s*,\s*{_NAME})*)\s*(?:\\right\s*)?\)"
 )
+_OPENED = re.compile(r"\s*(?:\\left\s*)?\(")
 _PRIMED = re.compile(r"\s*'+\s*\(")
 
 
@@ -35,6 +36,13 @@ def printed_arguments(texts: Iterable[str], vectors: Collection[str] = ()) -> di
     >>> printed_arguments([r"H=\frac12(p_1^2+p_2^2)+V(q_1,q_2), V=q_1^2q_2"])
     {'V': 'q_1,q_2'}
 
+    What depends on a parameter may stand alone, if it is printed at nothing else.
+
+    >>> printed_arguments([r"L(\lambda)=M+\lambda A, \dot L=LN-NL"])
+    {'L': '\\lambda'}
+    >>> printed_arguments([r"L(\lambda)=M+\lambda A, \dot L=0, L(0)=M"])
+    {}
+
     What stands in brackets may be a factor, where it is not in the definition.
 
     >>> printed_arguments(["a=b+c, y=a(x)"]), printed_arguments(["V=x^2+y, y=2V(x)"])
@@ -46,7 +54,8 @@ def printed_arguments(texts: Iterable[str], vectors: Collection[str] = ()) -> di
         with suppress(NotationError, IndexError):
             for place in defined_names(tex):
                 for name, by in map(head, place.names):
-                    if by and place.matrix and symbol(by[0]).letter in SPECTRAL and len(by) == 1:
+                    spectral = len(by) == 1 and symbol(by[0]).letter in SPECTRAL
+                    if spectral and (place.matrix or _stands_alone(name, by[0], texts)):
                         found[name] = by[0]
                     elif not by and (listed := _arguments(name, texts, vectors)):
                         found[name] = listed
@@ -173,6 +182,16 @@ def _arguments(name: str, texts: Iterable[str], vectors: Collection[str]) -> str
         for argument in listed.split(",")
     )
     return listed if inside and {*listed.split(",")}.isdisjoint(vectors) else ""
+
+
+def _stands_alone(name: str, by: str, texts: Iterable[str]) -> bool:
+    """Whether a name is printed alone somewhere, at this argument elsewhere, and never derived."""
+    letter = rf"(?<![A-Za-z\\_]){re.escape(name)}(?![A-Za-z_])"
+    behind = [tex[found.end() :] for tex in texts for found in re.finditer(letter, tex)]
+    called = [_LISTED.match(rest) for rest in behind if _OPENED.match(rest)]
+    if any(_PRIMED.match(rest) for rest in behind) or len(called) == len(behind):
+        return False
+    return all(one is not None and one["by"].strip() == by for one in called)
 
 
 def without_arguments(tex: str, known: Mapping[str, str]) -> str:

@@ -8,6 +8,7 @@ parameter; where there are none, or several, the equation is refused.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from kowalevski_cas.algebra.derivation import along
 from kowalevski_cas.algebra.present import formula_in
@@ -20,7 +21,7 @@ from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.matrices import as_matrices
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.problem.space import Equation
 
@@ -64,7 +65,12 @@ def equations_of_entries(formulas: Mapping[Printed, Formula], time: str) -> Iter
     every = {name for formula in formulas.values() for name in formula.names()}
     still = tuple(sorted(every.difference(unknown, defined)))
     scene = Scene("the matrices", variables=(*unknown, *rates), constants=still, time=time)
-    space = Elaborations(Texts(vocabulary((scene.defining(*defining),))))(scene.defining(*defining))
+    space = _elaborated(scene.defining(*defining))
+    if letters := _letters(formulas, defining, unknown):
+        equal = dict(_equal(letters, space))
+        scene = replace(scene, constants=tuple(sorted({*still, *letters} - {*equal})))
+        scene = scene.defining(*(p for p in defining if not {*p.heads.names} & {*letters}))
+        space = _elaborated(replace(scene, definitions={**scene.definitions, **equal}))
     at, ring = space.finder, space.finder.ring
     moving = {name: ring.generator(rate) for name, rate in zip(unknown, rates, strict=True)}
     pairs = [pair for place in laws for pair in _equations(formulas[place], space)]
@@ -79,6 +85,33 @@ def equations_of_entries(formulas: Mapping[Printed, Formula], time: str) -> Iter
             )
         if not value.is_zero:
             yield f"{rate}={to_latex(formula_in(value))}"
+
+
+def _elaborated(scene: Scene) -> Elaboration:
+    return Elaborations(Texts(vocabulary((scene,))))(scene)
+
+
+def _letters(
+    formulas: Mapping[Printed, Formula], defining: Iterable[Printed], unknown: Iterable[str]
+) -> list[str]:
+    """The names that stand for expressions of constants: rates are printed in these letters."""
+    waiting, moving = [place for place in defining if not place.heads.matrix], {*unknown}
+    while found := [place for place in waiting if moving & formulas[place].names()]:
+        moving |= {name for place in found for name in place.heads.names}
+        waiting = [place for place in waiting if place not in found]
+    return sorted(name for place in waiting for name in place.heads.names)
+
+
+def _equal(letters: Sequence[str], space: Elaboration) -> Iterator[tuple[str, Printed]]:
+    r"""What says of names which others they are equal to, as :math:`c_{21}=c_{12}`."""
+    first: dict[str, Element] = {}
+    for name in letters:
+        value = space.finder.scalar(space.plain(Name(name)))
+        equal = next((other for other, one in first.items() if (value - one).is_zero), None)
+        if equal is None:
+            first[name] = value
+        else:
+            yield name, Display(f"{name}-{equal}", f"{name}={equal}", "")[1]
 
 
 def _constants(formula: Formula) -> Iterator[str]:

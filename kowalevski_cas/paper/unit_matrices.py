@@ -12,6 +12,7 @@ from enum import Enum
 from kowalevski_cas.notation import (
     Commutator,
     Derivative,
+    Diagonal,
     Formula,
     Name,
     Negative,
@@ -28,7 +29,7 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.notation.vocabulary import MATRIX, SCALAR
 
-LETTERS = ("E", "I", r"\mathbb{E}", r"\mathbb{I}")
+LETTERS = ("E", "I", r"\mathbb{E}", r"\mathbb{I}", r"\mathbf{E}", r"\mathbf{I}")
 
 
 class _Place(Enum):
@@ -72,12 +73,12 @@ def _unit(size: int) -> str:
 
 def _size(name: str, formulas: Collection[Formula]) -> int:
     """The number of rows of all matrices that are printed."""
-    printed = (node for formula in formulas for node in formula.nodes())
+    printed = [node for formula in formulas for node in formula.nodes()]
     sizes = {
         len(matrix.components)
         for matrix in printed
         if isinstance(matrix, Vector) and all(isinstance(row, Vector) for row in matrix.components)
-    }
+    } | {len(matrix.entries) for matrix in printed if isinstance(matrix, Diagonal)}
     if (index := symbol(name).index).isdigit():
         sizes = {int(index)}
     if len(sizes) != 1:

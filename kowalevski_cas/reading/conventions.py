@@ -26,6 +26,7 @@ from kowalevski_cas.reading.unprinted import unprinted
 SPACE = 3
 _BASIS = re.compile(r"e_\{?([123])\}?")
 _INERTIA = re.compile(r"\binerti|\bинерци", re.IGNORECASE)
+_IDENTITY = re.compile(r"\b(?:unit|identity)\b|\bединичн|\bтождествен", re.IGNORECASE)
 _CANONICAL = re.compile(r"\bcanonical|\bканоническ", re.IGNORECASE)
 
 
@@ -85,7 +86,7 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
         item = unprinted(paper, re.sub(r"\W+", "-", f"bracket-of-{q}-{p}{suffix}"), tex)
         why = "the canonical bracket, as the equations of motion are those of Hamilton"
         yield item, StatementRole(CONVENTION, why, "", item.printed.heads.names)
-    yield from _unit_matrices(scalars, known, suffix)
+    yield from _unit_matrices([*scalars, *sorted(paper.words.matrices & names)], known, suffix)
     yield from momenta(known, suffix)
     if "i" in scalars and not known.units and not known.moves("i"):
         yield (
@@ -169,7 +170,7 @@ def _unit_matrices(
     supposed = {name for one in known.assumptions for name in known.roles[one].names}
     for name in names:
         said = known.is_defined(name) or known.moves(name) or name in known.later
-        if said or name in supposed:
+        if said or name in supposed or _is_introduced(name, known):
             continue
         try:
             for tex in _unit_matrix(name, known):
@@ -180,6 +181,12 @@ def _unit_matrices(
             known.lost[name] = str(error)
 
 
+def _is_introduced(name: str, known: Known) -> bool:
+    """Whether words that print a name by itself say that it is another thing."""
+    alone = [item for item in known.items if item.formula == Name(name)]
+    return bool(alone) and not any(_IDENTITY.search(item.words) for item in alone)
+
+
 def _unit_matrix(name: str, known: Known) -> Iterator[str]:
     """What defines a name as the unit matrix, if it is one.
 
@@ -187,7 +194,7 @@ def _unit_matrix(name: str, known: Known) -> Iterator[str]:
     """
     formulas = [item.formula for item in known.items if item.formula is not None]
     for tex in unit_matrices(formulas, [name], known.paper.words):
-        if name == "I" and _INERTIA.search(known.paper.prose.text):
+        if symbol(name).without_type.name == "I" and _INERTIA.search(known.paper.prose.text):
             raise ValueError("I may be the inertia, or the unit matrix: print E or 1 for this")
         yield tex
 

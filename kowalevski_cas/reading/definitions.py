@@ -229,7 +229,7 @@ def change(item: SourceStatement, known: Known) -> StatementRole | None:
             words = f"gives it by {', '.join(map(plain, law.new))}"
             return StatementRole(DEFINITION, words, "change", item.bare[:1])
     first = item.bare[0] if item.bare and item.members[0] == Name(item.bare[0]) else ""
-    new = [name for name in item.names if not known.is_known(name)]
+    new = [name for name in item.names if name != first and not known.is_known(name)]
     said = cue("define", item.lead)
     if "t" not in item.names:  # else it is a solution
         said = said or cue("suppose", item.lead)

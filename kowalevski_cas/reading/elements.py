@@ -44,13 +44,28 @@ _AROUND = 160
 class _Elements(NamedTuple):
     name: str
     order: int
-    is_skew: bool
-    is_symmetric: bool
+    is_skew: bool = False
+    is_symmetric: bool = False
+    is_hollow: bool = False
+    """Whether there are zeros on the diagonal, and nothing else is known."""
+
+    def by_rows(self, name: str, letter: str) -> str:
+        """What gives a matrix by its rows, and the elements by a letter."""
+        every = range(1, self.order + 1)
+        rows = r"\\".join("&".join(self.entry(letter, i, j) for j in every) for i in every)
+        return rf"{name}=\begin{{pmatrix}}{rows}\end{{pmatrix}}"
+
+    def below(self, letter: str) -> str:
+        """What gives the elements of a skew matrix below the diagonal."""
+        pairs = [(i, j) for i in range(2, self.order + 1) for j in range(1, i)]
+        return "".join(rf",\quad {letter}_{{{i}{j}}}={self.entry(letter, i, j)}" for i, j in pairs)
 
     def entry(self, letter: str, i: int, j: int) -> str:
         """An element by those above the diagonal, if the matrix has a symmetry."""
-        if self.is_skew and i >= j:
-            return "0" if i == j else f"-{letter}_{{{j}{i}}}"
+        if i == j and (self.is_skew or self.is_hollow):
+            return "0"
+        if self.is_skew and i > j:
+            return f"-{letter}_{{{j}{i}}}"
         first, second = sorted((i, j)) if self.is_symmetric else (i, j)
         return f"{letter}_{{{first}{second}}}"
 
@@ -62,16 +77,52 @@ def with_elements(formulas: Sequence[TypedFormula], text: str) -> Iterator[Typed
         if found := _BY_ELEMENTS.fullmatch(formula.tex):
             if elements := _elements(found, formula, formulas, text):
                 known.setdefault(found["of"], elements)
+    multiples = {
+        one.start: tex for one in formulas if (tex := _with_multiples(one, known, formulas))
+    }
     for formula in formulas:
         found = _BY_ELEMENTS.fullmatch(formula.tex)
         if found and found["of"] in known:
             own = known[found["of"]]
-            every = range(1, own.order + 1)
-            rows = r"\\".join("&".join(own.entry(found["of"], i, j) for j in every) for i in every)
-            tex = rf"{found['name']}=\begin{{pmatrix}}{rows}\end{{pmatrix}}{found['rest']}"
-            yield replace(formula, tex=tex)
+            tex = own.by_rows(found["name"], found["of"])
+            below = own.below(found["of"]) if multiples else ""
+            yield replace(formula, tex=tex + below + found["rest"])
+        elif formula.start in multiples:
+            yield replace(formula, tex=multiples[formula.start])
         else:
             yield _above_the_diagonal(formula, known, formulas)
+
+
+_MULTIPLE = re.compile(
+    rf"(?:^|\\q?quad|[,;]|\\\\)\s*(?P<name>{_LETTER})_\s*\{{\s*(?P<i>[a-z])\s*(?P<j>[a-z])\s*\}}"
+    rf"\s*&?=\s*(?:{_LETTER}_\s*\{{\s*(?P=i)\s*(?P=j)\s*\}}\s*)?"
+    rf"(?P<of>{_LETTER})_\s*\{{\s*(?P=i)\s*(?P=j)\s*\}}\s*(?=$|[.,;]|\\q?quad|\\\\)"
+)
+r"""Elements by those of another matrix, each with a factor: :math:`\Omega_{ij}=c_{ij}M_{ij}`."""
+
+
+def _with_multiples(
+    formula: TypedFormula, known: dict[str, _Elements], formulas: Sequence[TypedFormula]
+) -> str:
+    """A formula that gives elements by those of a skew matrix, with the matrix of them.
+
+    Their letter is one where it stands in a commutator with the other. Nothing, if there is none.
+    """
+    for found in _MULTIPLE.finditer(formula.tex):
+        own, name = known.get(found["of"]), found["name"]
+        if own is None or not own.is_skew or name in known:
+            continue
+        pair = rf"{re.escape(own.name)}\s*,\s*{re.escape(name)}"
+        other = rf"{re.escape(name)}\s*,\s*{re.escape(own.name)}"
+        bracket = re.compile(rf"\[\s*(?:{pair}|{other})\s*\]")
+        if any(bracket.search(one.tex) for one in formulas):
+            every = range(1, own.order + 1)
+            values = ",".join(map(str, every))
+            ranges = rf"\quad {found['i']}={values},\quad {found['j']}={values}"
+            matrix = _Elements(name, own.order, is_hollow=True).by_rows(name, name)
+            tex = formula.tex.rstrip(" .,;\n")
+            return rf"{tex},\quad {matrix},{ranges},\quad ({found['i']}\ne {found['j']})"
+    return ""
 
 
 def _above_the_diagonal(

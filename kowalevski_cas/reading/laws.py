@@ -311,6 +311,7 @@ class _LawFinder:
         while True:
             rated = {name for row in own for name in self.scalars(row)}
             wanted = {name for row in own for name in self.names.scalars(row.names)}
+            wanted -= {*self.names.scalars(self.momenta_of(rated).values())}
             if rates_given(own, self.names) >= len(
                 rated
             ):  # else a rate stands on a right side only
@@ -322,13 +323,17 @@ class _LawFinder:
         rated_names = {name for row in own for name in self.scalars(row)}
         if rates_given(own, self.names) < len(rated_names):
             return None
-        momenta = {
-            one: moving
-            for one, moving in self.momenta.items()
-            if rated_names.issuperset(self.names.scalars(one.bare[:1]))
-        }
+        momenta = self.momenta_of(rated_names)
         own += rows_of_conjugates(self.paper, own)
         return Law(tuple(sorted(own, key=lambda row: row.order)), self.names, momenta=momenta)
+
+    def momenta_of(self, rated: Collection[str]) -> dict[SourceStatement, str]:
+        """What gives vectors by others, if the rates of the former are there."""
+        return {
+            one: moving
+            for one, moving in self.momenta.items()
+            if {*rated}.issuperset(self.names.scalars(one.bare[:1]))
+        }
 
     def beside(
         self, first: SourceStatement, rows: Sequence[SourceStatement]

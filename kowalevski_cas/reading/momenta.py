@@ -25,7 +25,8 @@ def find_momenta(
     giving = [one for one in items if _gives(one)]
     found: dict[SourceStatement, str] = {}
     for one in giving:
-        if (name := one.bare[0]) in names.vectors:
+        name = one.bare[0]
+        if name in names.vectors and name not in found.values():
             others = (
                 other
                 for other in giving
@@ -37,7 +38,8 @@ def find_momenta(
             own = own if any(not row.typed.inline for row in own) else []  # else it is claimed
             beside = [row for row in rows for at in own[:1] if at.section in row.sections]
             in_law = {names.whole(n) for row in beside for n in row.names}
-            rated = {n for row in beside for n in names.scalars(row.rates)}
+            before = [row for row in beside if row.typed.start < own[0].sentence[1]]
+            rated = {n for row in before for n in names.scalars(row.rates)}
             inner = {names.whole(n) for n in one.members[1].names()}
             unknown = inner & in_law & {*names.vectors} - given
             moving = [one for one in unknown if rated.isdisjoint(names.scalars([one]))]

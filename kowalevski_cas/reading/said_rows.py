@@ -7,7 +7,7 @@ is not printed.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from kowalevski_cas.notation import Formula, read
@@ -17,6 +17,7 @@ from kowalevski_cas.paper.differentials import differentials, rates
 from kowalevski_cas.paper.matrix_equations import equations_of_entries
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.reading.phrases import supposing
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, is_closing
 from kowalevski_cas.reading.unprinted import definitions_below
 
@@ -28,12 +29,11 @@ def rows_of_matrices(
 ) -> dict[SourceStatement, list[SourceStatement]]:
     """The rates of the entries, for each row of a matrix that is given by them.
 
-    A row whose entries move already has none: it is claimed. One by which they are not determined
+    A row whose entries move before it has none: it is claimed. One by which they are not determined
     has none, and its ``trouble`` says why.
     """
     found: dict[SourceStatement, list[SourceStatement]] = {}
     own = [row for row in rows if {*row.rates} & paper.words.matrices]
-    rated = {name for row in rows if row not in own for name in row.rates}
     for row in own:
         if row in found:
             continue
@@ -48,6 +48,9 @@ def rows_of_matrices(
             for one in about
             if one in given or by_rows.isdisjoint(one.printed.heads.names)  # it is claimed
         }
+        general = (one for one in about if one.order < row.order or not supposing(one))
+        about = dict.fromkeys(_first_of_names(general))
+        rated = {n for one in rows if one not in own and one.order < row.order for n in one.rates}
         if rated & {name for one in given for name in one.names}:
             found |= {one: [] for one in together}
             continue
@@ -58,6 +61,15 @@ def rows_of_matrices(
             row.trouble, own_rates = str(error), []
         found |= {one: own_rates if one is row else [] for one in together}
     return found
+
+
+def _first_of_names(items: Iterable[SourceStatement]) -> Iterator[SourceStatement]:
+    """The statements by which names are given first: again it is a claim, or a case."""
+    given = set[str]()
+    for one in sorted(items, key=lambda one: one.order):
+        if not (names := {*one.printed.heads.names}) or names - given:
+            yield one
+        given |= names
 
 
 def rows_of_differentials(paper: SourcePaper) -> Iterator[SourceStatement]:

@@ -179,7 +179,9 @@ class Stage:
                 continue
             names.add(name)
             waiting += self._beside(name, moving)
-            if name in moving or {*known.names.vectors.get(name, ())} & moving:
+            parts = {*known.names.vectors.get(name, ())}
+            if name in moving or parts & moving:
+                waiting += parts - moving
                 continue
             by = law.given.get(name) if law else None
             by = by or known.definition(name, at)

@@ -89,7 +89,7 @@ def guess(formulas: Iterable[TypedFormula]) -> tuple[Vocabulary, Vocabulary]:
             )
             functions.update(_functions(tokens))
             rated.update(_rated(tokens))
-            rated.update(_rated(tokens))
+    functions -= _factors(formulas)
     names -= {*_conjugates(names, formulas)}
     bold = {name for name in names if symbol(name).is_bold}
     upper = {name for name in bold if symbol(name).letter.isupper()}
@@ -123,10 +123,59 @@ def _conjugates(names: Set[str], formulas: Iterable[TypedFormula]) -> Iterator[s
                 yield name
 
 
-def _heads(tex: str) -> Iterator[str]:
-    """The names that a display defines, if its TeX is sound."""
+def _heads(tex: str, first: bool = False) -> Iterator[str]:
+    """The names that a display defines, or the first of each statement, if its TeX is sound."""
     with suppress(NotationError):
-        yield from (name for statement in defined_names(tex) for name in statement.names)
+        for statement in defined_names(tex):
+            yield from statement.names[:1] if first else statement.names
+
+
+def _factors(formulas: Iterable[TypedFormula]) -> set[str]:
+    r"""The names before scalar products, as D in :math:`D(\mathbf a,\mathbf b)` beside `D=mr^2`.
+
+    One is given by itself, by an expression without the vectors, and stands before nothing else.
+    """
+    before: dict[str, list[set[str]]] = {}
+    own: dict[str, set[str]] = {}
+    for formula in formulas:
+        tokens = tokens_of(formula.tex)
+        for name, pair in _calls(tokens):
+            before.setdefault(name, []).append(pair)
+        given = dict.fromkeys(_heads(formula.tex, first=True), _bold(tokens))
+        own |= {name: own.get(name, set()) | bold for name, bold in given.items()}
+    return {
+        name
+        for name, pairs in before.items()
+        if all(pairs)
+        and own.get(name, {name}).isdisjoint(set[str]().union(*pairs))
+        and not any(head.startswith(f"{name}(") for head in own)
+    }
+
+
+def _calls(tokens: Sequence[Token]) -> Iterator[tuple[str, set[str]]]:
+    """The names with a bracket behind them, and the bold letters of a scalar product in it."""
+    cursor = Cursor("", [*tokens], Vocabulary())
+    for letter, index in cursor.letters():
+        if cursor.tokens[cursor.at].text == "(":
+            inner = _inside(tokens, cursor.at)
+            commas = [k for k, one in enumerate(inner) if one.kind == "comma"]
+            cut = commas[0] if len(commas) == 1 else 0
+            sides = [_bold(inner[:cut]), _bold(inner[cut:])]
+            yield letter + index, sides[0] | sides[1] if all(sides) else set()
+
+
+def _inside(tokens: Sequence[Token], opening: int) -> Sequence[Token]:
+    """What stands in the bracket that is opened at a place."""
+    depth = 0
+    for k, token in enumerate(tokens[opening:], opening):
+        depth += {"open": 1, "close": -1}.get(token.kind, 0)
+        if not depth:
+            return tokens[opening + 1 : k]
+    return tokens[opening + 1 :]
+
+
+def _bold(tokens: Iterable[Token]) -> set[str]:
+    return {one.text for one in tokens if one.kind == "letter" and symbol(one.text).is_bold}
 
 
 def _functions(tokens: Sequence[Token]) -> Iterator[str]:
