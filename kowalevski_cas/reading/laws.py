@@ -213,7 +213,8 @@ class _LawFinder:
         old = {name for one in part for name in one.variables}
         rated, named = {*law.variables}, {*self.names.scalars(law.mentions)}
         met = {name for one in self.paper.items if one.typed.start < begins for name in one.names}
-        deduced = cue("deduced", item.before) and not (said or named - met)
+        anew = said or (named - met and cue("system", item.before))
+        deduced = cue("deduced", item.before) and not anew
         printed = {row.formula for one in part for row in one.rows}
         if named & old - rated or (deduced and rated <= old):
             return None

@@ -104,3 +104,16 @@ def test_where_the_first_law_does_not_follow_nothing_is_said_of_either(rows):
     assert not any(one.green for one in verdicts(f"{text} {claims}").values())
     same = text.replace(rows, r"\dot x=v,\qquad \dot v=-x")
     assert [one.green for one in verdicts(f"{same} {claims}").values()] == [True, True]
+
+
+FIELDS = r"""\section{Homogeneous} The equations of motion are $$\ddot x=a\dot y,\qquad \ddot y=-a\dot x.$$
+\section{Crossed} Let there be another field $E$. The equations of motion take the form
+$$\ddot x=a\dot y,\qquad \ddot y=-a\dot x+E.$$ Hence $$\frac{d}{dt}(\dot x^2+\dot y^2)={}.$$"""
+
+
+def test_equations_of_motion_that_take_a_form_with_new_letters_are_another_law():
+    assert verdicts(FIELDS.replace("{}", r"2E\dot y")).popitem()[1].green
+    for wrong in ("0", r"E\dot y", r"2E\dot x"):
+        assert not verdicts(FIELDS.replace("{}", wrong)).popitem()[1].green
+    claimed = FIELDS.replace("The equations of motion take", "Substituting we see that they take")
+    assert len(reading(claimed).parts.laws) == 1
