@@ -29,8 +29,9 @@ def assumptions_of(audit: Audit) -> Iterator[Assumed]:
     for formula in reading.formulas:
         if formula.role.name == ASSUMPTION:
             claims = (f.claim.id for f in claiming if f.claim and formula.item in f.on)
-            tex = formula.item.printed.tex
-            yield Assumed("assumption", f"${tex}$", formula.item.printed, tuple(claims))
+            words = f"${formula.item.printed.tex}$"
+            words = f"{words} where the motion begins" if formula.item.begins else words
+            yield Assumed("assumption", words, formula.item.printed, tuple(claims))
     for formula in reading.formulas:
         if formula.role.name == CONVENTION:
             place = formula.item.printed

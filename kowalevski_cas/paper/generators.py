@@ -266,7 +266,7 @@ def values_at_zero(given: Iterable[Equation], setting: Meaning) -> Iterator[Equa
     zero = {one for pair in given for one, other in (pair, pair[::-1]) if other == ZERO}
     for group in setting.transcendental.groups:
         values, parts = group.kind.family.zero, dict(group.monomial)
-        vanishes = not zero.isdisjoint(parts) and min(parts.values()) > 0
+        vanishes = any(parts.get(one, 0) > 0 for one in zero)
         if vanishes and values.keys() == group.kind.family.rates.keys():
             yield from ((group.values[one], template(tex)) for one, tex in values.items())
 

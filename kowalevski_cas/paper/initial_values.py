@@ -8,10 +8,44 @@ from collections.abc import Collection
 from kowalevski_cas.notation import split_display
 from kowalevski_cas.paper.chains import NAME, RATE, names_in, without
 
-_START = r"\(\s*(?:[A-Za-z]_\{?[0A-Za-z]\}?|0)\s*\)"
+_TIME = r"(?:[A-Za-z]_\{?[0A-Za-z]\}?|0)"
+_START = rf"\(\s*{_TIME}\s*\)"
 _INITIAL = re.compile(
     rf"(?P<left>{RATE}|{NAME})\s*{_START}\s*=\s*(?P<value>{RATE}|{NAME})", re.ASCII
 )
+_AT_START = re.compile(
+    rf"\s*(?P<left>{RATE}|{NAME})(?P<behind>\s*\(\s*(?P<time>{_TIME})\s*\)"
+    rf"|\s*(?:\\[bB]igg?r?\s*)?[|]\s*_\{{\s*t\s*=\s*(?P<at>{_TIME})\s*\}})\s*=",
+    re.ASCII,
+)
+"""What moves, at the time at which it begins to, on the left of its value."""
+
+
+def at_the_beginning(tex: str, moving: Collection[str]) -> tuple[str, dict[int, str]]:
+    r"""A display with initial values without their time, and where these statements begin.
+
+    It is as long as before. What moves may not stand in the values.
+
+    >>> at_the_beginning(r"x(0)=0, \dot x(t_0)=v", {"x"})
+    ('x   =0, \\dot x     =v', {0: '0', 8: 't_0'})
+    """
+    times = dict[int, str]()
+    for start, end in dict.fromkeys(split_display(tex)):
+        statement, value, time = _without_time(tex[start:end], moving)
+        if time and names_in(value).isdisjoint(moving):
+            tex = tex[:start] + statement + tex[end:]
+            times[start] = time
+    return tex, times
+
+
+def _without_time(statement: str, moving: Collection[str]) -> tuple[str, str, str]:
+    """A statement of initial values without their time, the value, and this time."""
+    at, time = 0, ""
+    while (found := _AT_START.match(statement, at)) and names_in(found["left"]) <= {*moving}:
+        start, end = found.span("behind")
+        statement = statement[:start] + " " * (end - start) + statement[end:]
+        at, time = found.end(), found["time"] or found["at"]
+    return statement, statement[at:], time
 
 
 def without_initial_values(tex: str, moving: Collection[str]) -> str:

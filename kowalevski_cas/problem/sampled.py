@@ -5,6 +5,9 @@ What has to be derived (squares of roots, the vector field) is taken from an exa
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
+
 from kowalevski_cas.algebra.derivation import Field
 from kowalevski_cas.algebra.modular import SampledPrograms
 from kowalevski_cas.algebra.programs import Program
@@ -12,23 +15,49 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.fold import Value
-from kowalevski_cas.problem.space import Step
+from kowalevski_cas.problem.prune import Reach
+from kowalevski_cas.problem.space import Equation, Step
+
+
+def solved_equations(given: Sequence[Equation], exact: Evaluation) -> dict[str, Formula] | None:
+    """The names that equations give by others, of which they give none; ``None`` if they do more.
+
+    No root stands in their values.
+    """
+    solved: dict[str, Formula] = {}
+    reached = set[str]()
+    for left, right in given:
+        first, value = (left, right) if isinstance(left, Name) else (right, left)
+        if not isinstance(first, Name) or first.name not in exact.names or first.name in solved:
+            return None
+        solved[first.name] = value
+        reach = Reach(exact.setting)
+        reach.formula(value)
+        reached |= reach.names
+        if not {*exact.scalar(value).parts} <= {0}:
+            return None
+    return None if reached & solved.keys() else solved
 
 
 class Sampled(Evaluation):
     """The space of an exact evaluation, with programs for elements.
 
     Values of subformulas are remembered, by identity, so that a formula that shares most of its
-    tree with earlier ones costs little.
+    tree with earlier ones costs little. Names that are ``given`` by others have these values, in
+    what is carried over; nothing is derived then.
     """
 
-    def __init__(self, exact: Evaluation) -> None:
+    def __init__(
+        self, exact: Evaluation, given: Mapping[str, Formula] = MappingProxyType({})
+    ) -> None:
         self.exact = exact
         self.programs = SampledPrograms(exact.ring.polynomials.generators)
         super().__init__(exact.setting, exact.polynomials, self.programs, {})  # type: ignore[arg-type] # a ring of programs
         self._memory: dict[tuple[int, bool], tuple[Formula, Value]] = {}
         for name in self.names:
             self._values[name, False] = self.programs.generator(name)
+        values = {name: exact.scalar(value) for name, value in given.items()}
+        self._values |= {(name, False): self.carry(value) for name, value in values.items()}
         ring = exact.ring
         for name, radicand, below in zip(ring.roots, ring.radicands, ring.below, strict=True):
             generator = self.programs.adjoin(name, self.carry(radicand))

@@ -13,7 +13,7 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
-from kowalevski_cas.reading.ladder import Rung
+from kowalevski_cas.reading.rung import Rung
 from kowalevski_cas.verify.corrections import fails_at_points
 from kowalevski_cas.verify.statement import Statement
 

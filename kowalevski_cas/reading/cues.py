@@ -37,7 +37,8 @@ CUES: dict[str, str] = {
         no\s+(?:motion|trajectory|orbit|solution)\s+leaves satisfied\s+by инвариантн\w+
         удовлетворя\w+""",
     "equilibrium": r"""
-        equilibri\w+ state\w*\s+of\s+rest (?:singular|stationary|fixed|critical)\s+points?
+        equilibri\w+ (?:states?|points?)\s+of\s+rest rest\s+points? \bsteady\s+states?
+        (?:singular|stationary|fixed|critical)\s+points?
         равновеси\w+ стационарн\w+ особ\w+\s+точ\w+""",
     "suppose": r"""
         suppos\w+ assum\w+ \blet\b \btake\b \bmake\b \bif\b \bwhen\b \bgiven\s+that\b
@@ -78,6 +79,14 @@ CUES: dict[str, str] = {
         более\s+того""",
     "then": r"""
         \bthen\b \bтогда\b \bто\b""",
+    "initially": r"""
+        \binitial(?:ly)?\b \breleas\w+ \bdropped\b \blet\s+go\b \bthrown\b \blaunch\w+
+        \bstart(?:s|ed|ing)?\b \bat\s+the\s+(?:beginning|outset)\b
+        \bначальн\w+ \bв\s+начале\b отпу[щс]\w+ \bброш\w+ запущен\w* начина\w+\s+движ\w+""",
+    "at rest": r"""
+        \b(?:at|from)\s+rest\b \bdropped\b \breleased\b \blet\s+go\b отпущен\w*
+        \bno\s+(?:speed|velocity)\b \bwithout\s+(?:an?\s+)?(?:initial\s+)?velocity\b
+        из\s+(?:состояния\s+)?покоя \bпокоится\b без\s+начальной\s+скорости""",
     "follows": r"""
         follow\w* therefore hence thus consequently whence \bfrom\b substitut\w+ eliminat\w+
         so\s+that because\s+of by\s+virtue using \bon\s+(?:it|this|them|these)\b there\b

@@ -9,19 +9,22 @@ from kowalevski_cas.notation import Name, Number, PoissonBracket, Power
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.reading.beginnings import gives_velocity
 from kowalevski_cas.reading.canonical import MOMENTUM
 from kowalevski_cas.reading.compositions import is_of_maps
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import EQUATIONS
-from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, SETS, Known
-from kowalevski_cas.reading.ladder import Rung
+from kowalevski_cas.reading.known import ASSUMPTION, BEGINNING, CLAIM, DEFINITION, LAW, SETS, Known
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.linear_parts import KIND as EIGENVALUE
+from kowalevski_cas.reading.linear_parts import MATRIX
 from kowalevski_cas.reading.measures import differentials_of_images
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.phrases import integral_words, is_conditional
+from kowalevski_cas.reading.rest_points import MARKED, POINT
 from kowalevski_cas.reading.rows import is_row
+from kowalevski_cas.reading.rung import Rung
 from kowalevski_cas.reading.small_oscillations import CHARACTERISTIC, FREQUENCY, may_be_of_squares
 from kowalevski_cas.reading.statements import SourceStatement, is_numerical
 from kowalevski_cas.reading.suppositions import FOUND
@@ -48,12 +51,18 @@ def doubt_of(
     fixed = (member for member in item.members if not known.varying(member.names()))
     if role.kind == "identity" and not item.derives and any(fixed):
         return Doubt.ALWAYS
-    if role.kind in ("solution", "energy") or role.reason == FOUND or _has_momentum(rung, known):
+    if (
+        role.kind in ("solution", "energy", MATRIX, POINT, MARKED)
+        or role.reason == FOUND
+        or _has_momentum(rung, known)
+    ):
         return Doubt.ALWAYS
     if role.kind in (CHARACTERISTIC, FREQUENCY, EIGENVALUE) and may_be_of_squares(item, known):
         return Doubt.ALWAYS
     if role.kind == SAID:
         return None
+    if role.kind == "identity" and _is_of_a_motion(item, known):
+        return Doubt.ALWAYS
     if is_varied(item, known):
         return Doubt.ALWAYS
     if _is_said_elsewhere(item, known) or _stands_apart(item, rung, candidates, known):
@@ -101,6 +110,15 @@ def _is_not_deduced(item: SourceStatement, known: Known) -> bool:
     """
     said = any(cue(name, f"{item.before} ") for name in ("claim", "follows", "deduced"))
     return is_row(item) and all(map(known.moves, item.rates)) and not said
+
+
+def _is_of_a_motion(item: SourceStatement, known: Known) -> bool:
+    """Whether an equation gives a velocity by the place, or stands where words begin a motion.
+
+    No law has the first for all motions that it allows.
+    """
+    begun = (one for one, role in known.roles.items() if role.kind == BEGINNING)
+    return gives_velocity(item, known) or any(one.section is item.section for one in begun)
 
 
 def _is_in_limit(item: SourceStatement, known: Known) -> bool:

@@ -41,6 +41,9 @@ LAW, DEFINITION, LEVEL, ASSUMPTION, CLAIM, NOTATION, OTHER, UNREAD, CONVENTION =
 CONSTRAINT = "constraint"
 """The kind of an assumption on which all motion is."""
 
+BEGINNING = "beginning"
+"""The kind of an assumption that holds at one time only."""
+
 TOGETHER = "together"
 """The kind of a definition that gives names with others: it is supposed where these are used."""
 
@@ -336,7 +339,7 @@ class Known:
     def reaches(self, one: SourceStatement, item: SourceStatement) -> bool:
         """Whether what is said at a statement is in force at another one."""
         kind = self.roles[one].kind
-        if kind.startswith("set") or kind == CONSTRAINT:
+        if kind.startswith("set") or kind in (CONSTRAINT, BEGINNING):
             return False
         if kind == "of the sentence":
             return one.sentence == item.sentence

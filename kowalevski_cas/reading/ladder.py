@@ -6,41 +6,29 @@ and words say “on it”. No other one is ever tried.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
-from typing import Any
+from collections.abc import Iterator
+from dataclasses import replace
 
-from kowalevski_cas.notation import Name, Number, Root, Unwritten, to_latex
+from kowalevski_cas.notation import Constant, Name, Number, Root, Unwritten, to_latex
 from kowalevski_cas.paper.claims import (
-    CharacteristicEquation,
     Claim,
     Coefficient,
-    Divergence,
-    DoubleZero,
-    Eigenvalue,
     FirstIntegral,
-    Frequency,
     Identity,
     Implication,
     Inequality,
     InvariantRelations,
-    PreservedMeasure,
     RestPoints,
-    Solution,
 )
-from kowalevski_cas.paper.claims.maps import OF_MAPS
-from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.brackets import refuse_idle_brackets
-from kowalevski_cas.reading.canonical import ENERGY, meant
+from kowalevski_cas.reading.canonical import meant
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, near, normalisations
-from kowalevski_cas.reading.kinematics import is_free
-from kowalevski_cas.reading.law import Law
-from kowalevski_cas.reading.linear_parts import point_of
+from kowalevski_cas.reading.flow_rungs import OF_FIELD, of_field
+from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, normalisations
+from kowalevski_cas.reading.motion_rungs import along_solution, first_order, of_motion, solutions
+from kowalevski_cas.reading.rung import Rung, RungMaker, places, stronger
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
-from kowalevski_cas.reading.small_oscillations import places_of, prints_square, variable_of
-from kowalevski_cas.reading.solutions import solution_of
-from kowalevski_cas.reading.stage import Stage, Supposed
+from kowalevski_cas.reading.stage import Stage
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
 
@@ -52,25 +40,6 @@ _OF_SETS: dict[str, tuple[type[Claim], str]] = {
 """The claims that are made of a set, by the kind of its role."""
 
 
-@dataclass(frozen=True)
-class Rung:
-    """A claim that a statement may make, and the statements on which it would rest."""
-
-    claim: Claim
-    on: tuple[SourceStatement, ...]
-    constants: tuple[str, ...]
-    given: tuple[SourceStatement, ...] = ()
-    """Those of them that hold on a part of the phase space only."""
-    in_force: bool = False
-    """Whether these are what is supposed there, and no more."""
-    idle: Claim | None = None
-    """That nothing moves where these hold: then what is said of rates there says nothing."""
-    is_stronger: bool = False
-    """Whether it says more than the statement: where it fails nothing is said of that."""
-    elsewhere: bool = False
-    """Whether it rests on what is supposed in other places only: it is not claimed so."""
-
-
 def rungs(item: SourceStatement, id: str, stage: Stage) -> Iterator[Rung]:
     """The claims that a statement may make, the likeliest first; none if it is not judged.
 
@@ -79,35 +48,33 @@ def rungs(item: SourceStatement, id: str, stage: Stage) -> Iterator[Rung]:
     return _Ladder(item, id, stage).rungs()
 
 
-class _Ladder:
-    def __init__(self, item: SourceStatement, id: str, stage: Stage) -> None:
-        self.item, self.id, self.stage, self.known = item, id, stage, stage.known
-        self.role = self.known.roles[item]
-        self.supposed = stage.understood(self.known.supposed(item))
-
+class _Ladder(RungMaker):
     def rungs(self) -> Iterator[Rung]:
         refuse_idle_brackets(self.item, self.known)
         match self.role.kind:
             case "identity" | "constant":
                 yield from self.identities()
-                yield from self.along_solution()
+                yield from along_solution(self)
+                yield from of_motion(self)
             case "inequality":
                 yield from self.inequalities()
             case "integral":
                 yield from self.integrals()
             case "invariant" | "rest":
                 yield from self.of_set()
-            case "eigenvalue" | "frequency" | "characteristic":
-                yield from self.of_linear_part()
+            case kind if kind in OF_FIELD:
+                yield from of_field(self)
+            case "energy":
+                yield from self.of_energy()
             case "solution":
-                yield from self.solutions()
-            case "divergence" | "measure" | "energy":
-                yield from self.of_energy() if self.role.kind == ENERGY else self.of_flow()
+                yield from self.identities() if self._is_constant else ()
+                yield from solutions(self)
             case "approximate":
-                yield from map(_stronger, self.identities())
-                yield from self.first_order()
+                yield from map(stronger, self.identities())
+                yield from first_order(self)
             case "somewhere":
-                yield from map(_stronger, (*self.values(), *self.along_solution()))
+                yield from map(stronger, (*self.values(), *along_solution(self)))
+                yield from of_motion(self)
         yield from self.of_unit_vectors()
         yield from self.elsewhere()
 
@@ -120,7 +87,7 @@ class _Ladder:
         kind: type[Claim] = Implication
         if self.role.kind == "integral" and not self._is_rate:
             kind, says = FirstIntegral, "this is constant along every motion, of unit vectors"
-        yield self.rung(kind, says, self.supposed, given, given=_places(given))
+        yield self.rung(kind, says, self.supposed, given, given=places(given))
 
     def elsewhere(self) -> Iterator[Rung]:
         """The claim with what is supposed in other places: one that then holds may be meant so."""
@@ -168,13 +135,13 @@ class _Ladder:
                 yield self.rung(Implication, chosen, assumptions, given=(), root=root)
             for given in given_there:
                 said = "both sides are equal where the cited equations hold"
-                yield self.rung(Implication, said, assumptions, given, given=_places(given))
+                yield self.rung(Implication, said, assumptions, given, given=places(given))
                 if root:
                     chosen = f"{said}, for one value of ${root}$"
                     beside = tuple(one for one in self._beside() if root in self._roots(one))
                     yield self.rung(
                         Implication, chosen, assumptions, given, (self.item, *beside),
-                        given=_places(given), root=root, together=_places(beside),
+                        given=places(given), root=root, together=places(beside),
                     )  # fmt: skip
 
     def inequalities(self) -> Iterator[Rung]:
@@ -183,13 +150,13 @@ class _Ladder:
         yield self.rung(Inequality, says, self.supposed)
         for given in hypotheses(self.item, self.known):
             said = f"{says} where the cited equations hold"
-            yield self.rung(Inequality, said, self.supposed, given, given=_places(given))
+            yield self.rung(Inequality, said, self.supposed, given, given=places(given))
 
     def values(self) -> Iterator[Rung]:
         """A value where the equations hold that its words name."""
         for given in hypotheses(self.item, self.known):
             says = "this is so where the equations before hold"
-            yield self.rung(Implication, says, self.supposed, given, given=_places(given))
+            yield self.rung(Implication, says, self.supposed, given, given=places(given))
 
     def _leaves_out(self) -> bool:
         """Whether terms are not printed."""
@@ -221,28 +188,18 @@ class _Ladder:
         items = self.known.paper.items
         return [one for one in items if one.typed is self.item.typed and one is not self.item]
 
-    def suppositions(self) -> list[list[SourceStatement]]:
-        """The assumptions with which a claim is tried: those in force, and fewer.
-
-        Where the statement itself has a constant that is specialised, it may be meant in general.
-        """
-        kept = [
-            one for one in self.supposed if not {*self.known.roles[one].names} & self.item.names
-        ]
-        return [kept, self.supposed] if len(kept) < len(self.supposed) else [self.supposed]
-
     # -- integrals -------------------------------------------------------------------
 
     def integrals(self) -> Iterator[Rung]:
         """A function that does not move: everywhere, under the assumptions, or on a set."""
         if not self.known.varying(self.item.names):
             raise ValueError("it is called an integral, and nothing says how its names move")
-        for assumptions in self._ways():
+        for assumptions in self.ways():
             yield self._integral(assumptions)
         for given in hypotheses(self.item, self.known):
             said = "this is constant along every motion on the set"
             kind = Implication if self._is_rate else FirstIntegral
-            yield self.rung(kind, said, self.supposed, given, given=_places(given))
+            yield self.rung(kind, said, self.supposed, given, given=places(given))
 
     def _integral(self, assumptions: list[SourceStatement]) -> Rung:
         """That a function does not move, under some assumptions."""
@@ -252,10 +209,11 @@ class _Ladder:
         kind = Identity if self._is_rate else FirstIntegral
         return self.rung(kind, "this is constant along every motion", assumptions)
 
-    def _ways(self) -> list[list[SourceStatement]]:
-        """Without assumptions, and with those in force; what is not zero is never left aside."""
-        kept = [one for one in self.supposed if self.known.roles[one].kind == "inequality"]
-        return [kept, self.supposed] if len(kept) < len(self.supposed) else [kept]
+    @property
+    def _is_constant(self) -> bool:
+        """Whether what moves is said to be constant."""
+        constant = any(isinstance(member, Constant) for member in self.item.members)
+        return constant and "t" not in self.item.names
 
     @property
     def _is_rate(self) -> bool:
@@ -270,7 +228,7 @@ class _Ladder:
         The set may bound the domain of which inequalities say that it is the space.
         """
         everywhere = [one for one in self.supposed if not self.known.varying(one.names)]
-        ways = self._ways()
+        ways = self.ways()
         yield from self._of_set(ways if everywhere in ways else [everywhere, *ways])
 
     def _of_set(self, ways: list[list[SourceStatement]]) -> Iterator[Rung]:
@@ -279,9 +237,9 @@ class _Ladder:
             return
         kind, says = _OF_SETS[self.role.kind]
         bound = self.known.bound
-        places = _places((*relations, *bound))
+        own = places((*relations, *bound))
         for assumptions in ways:
-            yield self.rung(kind, says, assumptions, bound, relations, relations=places)
+            yield self.rung(kind, says, assumptions, bound, relations, relations=own)
 
     def _set(self) -> SetOfEquations:
         """The equations of the set that the statement defines, with others or alone."""
@@ -303,148 +261,3 @@ class _Ladder:
         for assumptions in self.suppositions():
             says = "this is the energy in these letters"
             yield self.rung(Identity, says, assumptions, (), (self.item, by), there)
-
-    # -- the linear part -------------------------------------------------------------
-
-    def of_linear_part(self) -> Iterator[Rung]:
-        """What is said of the linear part at the point of which the words speak."""
-        item, known = self.item, self.known
-        about: dict[str, Any] = {}
-        kind: type[Claim] = Eigenvalue
-        says = "this is an eigenvalue of the linear part at this point"
-        match self.role.kind:
-            case "frequency":
-                kind, about = Frequency, {"is_square": prints_square(item)}
-                says = "this is the frequency of small oscillations near this point"
-            case "characteristic":
-                kind, about = CharacteristicEquation, {"variable": variable_of(item, known)}
-                says = "this is the characteristic equation of the linear part at this point"
-        point = point_of(item, known) if kind is Eigenvalue else places_of(item, known)
-        law = next(law for law in known.laws if not law.images)
-        for assumptions in self._ways():
-            yield self.rung(
-                kind, says, assumptions, (), (item, *law.rows, *point),
-                printed=item.printed, relations=_places(point), **about,
-            )  # fmt: skip
-
-    # -- the flow --------------------------------------------------------------------
-
-    def of_flow(self) -> Iterator[Rung]:
-        """What the divergence of the field is, or that the flow preserves a measure.
-
-        The measure is one in the variables of which the rates are printed.
-        """
-        laws = [law for law in self.known.laws if not law.change]
-        law = self.stage.law(self.item, [self.item]) or (laws[0] if len(laws) == 1 else None)
-        if law is None or is_free(law):
-            raise ValueError("of which of the equations of motion is this said?")
-        for assumptions in self._ways():
-            if self.role.kind == "divergence":
-                says = "this is the divergence of the field"
-                yield self.rung(Divergence, says, assumptions, law=law)
-                continue
-            rated = (name for row in law.rows for name in row.rates)
-            coordinates = dict.fromkeys(law.names.scalars(rated)) if law.momenta else ()
-            says = "the flow preserves the measure with this density"
-            items = (self.item, *law.momenta)
-            yield self.rung(
-                PreservedMeasure, says, assumptions, (), items, law, coordinates=(*coordinates,)
-            )
-
-    # -- solutions -------------------------------------------------------------------
-
-    def solutions(self) -> Iterator[Rung]:
-        """That a function of the time, with those beside it, solves its equations of motion.
-
-        What the law does not move solves the equations of its rate that are claimed: they are
-        claimed once more.
-        """
-        beside = [
-            one
-            for one, role in self.known.roles.items()
-            if role.kind == "solution" and one.sentence == self.item.sentence
-        ]
-        moves = any(map(self.known.moves, self.item.bare))
-        law = self.stage.law(self.item, beside) if moves else None
-        found = solution_of(self.item, beside, law, self.known)
-        still = Law((), (law or self.known.laws[-1]).names, change=found.given)
-        says = "this solves its equation of motion"
-        for assumptions in self._ways():
-            on_law = [self.stage.scene([row], assumptions).scene for row in found.rows]
-            claimed = () if moves else zip(found.rows, on_law, strict=True)
-            yield self.rung(
-                Solution, says, assumptions, (), (*found.given, *found.rows), still,
-                printed=self.item.printed, equations=_places(found.rows),
-                resting=tuple(
-                    Identity(self.id, scene, "", printed=row.printed) for row, scene in claimed
-                ),
-            )  # fmt: skip
-
-    def along_solution(self) -> Iterator[Rung]:
-        """An equation with the constants of a solution, where the solution before it is put in."""
-        before = [
-            one
-            for one, role in self.known.roles.items()
-            if role.kind == "solution" and one.order < self.item.order
-            and one.section is self.item.section and one.bare
-        ]  # fmt: skip
-        solution = [one for one in before if one.sentence == before[-1].sentence]
-        law = self.stage.law(solution[0], solution) if solution else None
-        own = {name for one in solution for name in one.names - {*one.bare[:1], "t"}}
-        if law is None or not (own - law.mentions) & self.item.names:
-            return
-        along = Law((), law.names, change=tuple(solution))
-        says = "both sides are equal along the solution before"
-        for assumptions in self.suppositions():
-            rung = self.rung(Identity, says, assumptions, (), (self.item, *solution), along)
-            yield replace(rung, on=(*rung.on, *solution), given=tuple(solution))
-
-    # -- approximations --------------------------------------------------------------
-
-    def first_order(self) -> Iterator[Rung]:
-        """That a rate is right up to what vanishes twice at the point, or on the set, before it."""
-        given = near(self.item, self.known)
-        if self.item.derives and given:
-            says = "up to small quantities of the second order both sides are equal"
-            rung = self.rung(DoubleZero, says, self.supposed, given, given=_places(given))
-            yield replace(rung, idle=None)  # it is said of what is near
-
-    # -- all -------------------------------------------------------------------------
-
-    def rung(
-        self,
-        kind: type[Claim],
-        says: str,
-        assumptions: Sequence[SourceStatement],
-        on: Sequence[SourceStatement] = (),
-        items: Sequence[SourceStatement] = (),
-        law: Law | None = None,
-        **attributes: object,
-    ) -> Rung:
-        own = [*(items or (self.item,)), *on]
-        found: Supposed = self.stage.scene(own, assumptions, law)
-        if "relations" not in attributes:
-            attributes.setdefault("printed", self.item.printed)
-        if found.images and kind in OF_MAPS:
-            if attributes.get("given"):
-                raise ValueError("an invariant of a map on a set is not known")
-            kind, attributes["images"] = OF_MAPS[kind], found.images
-        claim = kind(self.id, found.scene, says, **attributes)  # type: ignore[arg-type]
-        in_force = bool(on) and [*on] == self.known.sets(self.item)
-        idle = None
-        if (
-            not found.images
-            and {*on} - {*self.known.bound}
-            and (self.item.derives or self.role.kind == "integral")
-        ):
-            idle = RestPoints(self.id, found.scene, "", relations=_places(on))
-        return Rung(claim, (*found.assumptions, *on), found.constants, (*on,), in_force, idle)
-
-
-def _stronger(rung: Rung) -> Rung:
-    """A claim that says more than its statement."""
-    return replace(rung, is_stronger=True)
-
-
-def _places(items: Sequence[SourceStatement]) -> tuple[Printed, ...]:
-    return tuple(item.printed for item in items)

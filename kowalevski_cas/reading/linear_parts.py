@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
-from kowalevski_cas.notation import Formula, Name, Product, Vector, times, to_latex
+from kowalevski_cas.notation import Formula, Name, Vector, to_latex
 from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.rest_points import POINT, coordinates, entries_of, law_of_points
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
 
-KIND = "eigenvalue"
+KIND, MATRIX = "eigenvalue", "linear part"
 _OF = (
     r"(?:\s+of\s+(?:the\s+)?(?:linear\s+(?:part|system)|lineari[sz]\w+(?:\s+(?:system|equations?))?"
     r"|Jacobian(?:\s+matrix)?)(?:\s+of\s+(?:the\s+)?(?:system|field|equations?)?[\s~]*"
@@ -21,20 +23,39 @@ _VALUES = (
     r"(?:eigenvalues?|characteristic\s+(?:roots?|exponents?)"
     rf"|собственн\w+\s+(?:числ\w+|значени\w+)){_OF}"
 )
-_AT = r"(?:at|in|в)\s+(?:the\s+)?(?:point\s+|точке\s+)?(?P<where>origin|начале\s+координат|§)"
-_IS = r"(?:are|is|equal|суть|равны|[-—–]+)\s*:?"
-_SAID = re.compile(
-    rf"\b{_VALUES}[\s~]*{_AT}[\s~]*{_IS}[\s~]*$"
-    rf"|\b{_VALUES}.*\bthose\s+{_AT.replace('where', 'there')}[\s~]*{_IS}[\s~]*$",
-    re.IGNORECASE | re.DOTALL,
+_AT = (
+    r"(?:at|in|в)\s+(?:(?:the|this|each|точке|точек|equilibri\w+|points?|positions?|of|rest|steady|fixed"
+    r"|interior|trivial|singular|stationary|critical|state|положени\w+|равновеси\w+)\s+)*"
+    r"(?P<where>origin|начале\s+координат|§)"
 )
+_IS = r"(?:are|is|equal|суть|равны|[-—–]+)\s*:?"
+_MATRIX = (
+    r"(?:Jacobian(?:\s+matrix)?|Jacobi\s+matrix|linear\s+part|lineari[sz]ation"
+    r"|lineari[sz]ed\s+(?:system|equations?|field)|matrix\s+of\s+the\s+linear\s+part"
+    r"|матриц\w+\s+(?:Якоби|линейной\s+части)|линейн\w+\s+част\w+)"
+)
+_SAID = [
+    re.compile(said, re.IGNORECASE | re.DOTALL)
+    for said in (
+        rf"\b{_VALUES}[\s~]*{_AT}[\s~]*{_IS}[\s~]*$",
+        rf"\b{_VALUES}.*\bthose\s+{_AT}[\s~]*{_IS}[\s~]*$",
+        rf"\b{_AT}[\s~,]*(?:(?:the|its)\s+)?{_VALUES}[\s~]*{_IS}[\s~]*$",
+        rf"\b{_MATRIX}[\s~]+{_AT}[\s~,]*(?:has|have|имеет)\s+(?:the\s+)?{_VALUES}[\s:~]*$",
+    )
+]
 """How words end behind which eigenvalues at a point are printed."""
 _THERE = re.compile(
     r"\blinear(?:i[sz]ed)?\s+(?:system|part|equations?)\s+(?:there\s+)?ha(?:s|ve)\s+(?:there\s+)?"
-    r"the\s+eigenvalues?[\s:]*$",
+    rf"the\s+eigenvalues?[\s:]*$|\bthe\s+{_VALUES}\s+there\s+{_IS}[\s~]*$",
     re.IGNORECASE,
 )
 """How words end behind which they are printed for the point before."""
+_OF_MATRIX = re.compile(
+    rf"\b{_MATRIX}(?:\s+of\s+(?:the|this|our)\s+(?:vector\s+)?(?:system|field|flow|equations?))?(?P<place>[\s~]+{_AT})?[\s~,]*"
+    r"(?:is|has\s+the\s+form|reads?|becomes|equals?|имеет\s+вид|равна|есть|[-—–]+)?[\s:,~]*(?:§[\s~=]*)?$",
+    re.IGNORECASE,
+)
+"""How words end behind which the matrix of a linear part is printed."""
 _LISTED = re.compile(r"§(?:[\s,;~]|\b(?:and|или|и)\b)*$")
 _TEXT = re.compile(r"\\(?:text|mbox|textrm)\s*\{([^{}]*)\}")
 _TIMES = re.compile(
@@ -57,36 +78,82 @@ def eigenvalue(item: SourceStatement, known: Known) -> StatementRole | None:
     return None
 
 
+def linear_part(item: SourceStatement, known: Known) -> StatementRole | None:
+    """A matrix that words call the Jacobian of the law, or its linear part at a point."""
+    law, found = law_of_points(item, known), _OF_MATRIX.search(item.before)
+    matrix = item.members[-1] if item.members else item.formula
+    if law is None or found is None or not isinstance(matrix, Vector) or len(item.members) > 2:
+        return None
+    if not all(isinstance(row, Vector) for row in matrix.components):
+        return None
+    varying = known.varying(matrix.names())
+    if bool(varying) == bool(found["place"]) or not (varying or matrix_point(item, known)):
+        return None
+    why = "the matrix of the linear part, by the words before it"
+    return StatementRole(CLAIM, why, MATRIX, item.bare[:1])
+
+
+def matrix_point(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]:
+    """The equations of the point at which a matrix is said to be the linear part, if one is."""
+    law, found = law_of_points(item, known), _OF_MATRIX.search(item.before)
+    return () if law is None or found is None else _at(found, item.before, item, law, known)
+
+
 def point_of(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]:
     """The equations of the point at which words say that something is an eigenvalue."""
     words = item.before
     while (cut := _LISTED.sub("", words)) != words:
         words = cut
-    found = _SAID.search(words)
-    laws = [law for law in known.laws if law.order < item.order and not (law.images or law.base)]
-    if len(laws) != 1:
+    law = law_of_points(item, known)
+    if law is None:
         return ()
+    found = next(filter(None, (said.search(words) for said in _SAID)), None)
     if found is None:
-        return _last_named(item, laws[0], known) if _THERE.search(words) else ()
-    where = found["where"] or found["there"]
-    law = laws[0]
-    if where != "§":
-        zeros = dict.fromkeys(law.variables, "0")
-        return equations_of(zeros, item, law, known)
-    place = words[: found.start("where") if found["where"] else found.start("there")].count("§")
+        return _last_named(item, law, known) if _THERE.search(words) else ()
+    return _at(found, words, item, law, known)
+
+
+def _at(
+    found: re.Match[str], words: str, item: SourceStatement, law: Law, known: Known
+) -> tuple[SourceStatement, ...]:
+    """The equations of the point at which some words before a statement say it to be so."""
+    if found["where"] is None:
+        return ()
+    if found["where"] != "§":
+        return equations_of(dict.fromkeys(law.variables, "0"), item, law, known)
+    place = words[: found.start("where")].count("§")
     beside = [one for one in known.items if one.sentence == item.sentence]
     typed = [*dict.fromkeys(one.typed.start for one in beside)]
     if place >= len(typed):
         return ()
     own = [one for one in beside if one.typed.start == typed[place]]
-    if len(own) == 1 and isinstance(own[0].formula, Name):
-        return _named(own[0], item, law, known)
+    if point := point_at(own, item, law, known):
+        return point
     gives = {name for one in own for name in one.bare if known.moves(name)}
     return tuple(own) if gives == {*law.variables} else ()
 
 
+def point_at(
+    own: Sequence[SourceStatement], item: SourceStatement, law: Law, known: Known
+) -> tuple[SourceStatement, ...]:
+    """The equations of the point that a formula names, or of which it lists the coordinates."""
+    if len(own) != 1:
+        return ()
+    if isinstance(own[0].formula, Name):
+        return _named(own[0], item, law, known)
+    return _with_coordinates(coordinates(own[0], law, known), item, law, known)
+
+
 def _last_named(item: SourceStatement, law: Law, known: Known) -> tuple[SourceStatement, ...]:
-    """The equations of the last point with a name before a statement, in its paragraph."""
+    """The equations of the last point before a statement, in its paragraph, if it is one alone."""
+    points = [
+        one
+        for one, role in known.roles.items()
+        if role.kind == POINT and one.order < item.order and one.paragraph == item.paragraph
+    ]
+    last = [one for one in points if one.sentence == points[-1].sentence]
+    if len(last) == 1:
+        return _with_coordinates(coordinates(last[0], law, known), item, law, known)
     before = [
         one
         for one in known.items
@@ -112,21 +179,18 @@ def _named(
         gives = {name for one in named for name in one.bare if known.moves(name)}
         return tuple(named) if gives >= {*law.variables} else ()
     by = known.definition(own.formula.name, item)
-    entries = _entries(by.members[-1]) if by is not None and len(by.members) == 2 else ()
+    entries = entries_of(by.members[-1]) if by is not None and len(by.members) == 2 else ()
+    return _with_coordinates(entries, item, law, known)
+
+
+def _with_coordinates(
+    entries: Sequence[Formula], item: SourceStatement, law: Law, known: Known
+) -> tuple[SourceStatement, ...]:
+    """The equations of a point with these coordinates, if they are as many as the variables."""
     if len(entries) != len(law.variables):
         return ()
     values = dict(zip(law.variables, map(to_latex, entries), strict=True))
     return equations_of(values, item, law, known)
-
-
-def _entries(formula: Formula) -> tuple[Formula, ...]:
-    """The coordinates in a list, perhaps with a factor before it."""
-    match formula:
-        case Vector(entries):
-            return tuple(entries)
-        case Product(factors) if isinstance(factors[-1], Vector):
-            return tuple(times(*factors[:-1], one) for one in factors[-1].components)
-    return ()
 
 
 def equations_of(

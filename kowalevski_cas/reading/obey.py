@@ -39,7 +39,8 @@ from kowalevski_cas.reading.known import (
     Known,
     StatementRole,
 )
-from kowalevski_cas.reading.ladder import Rung, rungs
+from kowalevski_cas.reading.ladder import rungs
+from kowalevski_cas.reading.rung import Rung
 from kowalevski_cas.reading.stage import Stage
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import is_printed

@@ -51,7 +51,9 @@ def oddities(
     supposed = dict.fromkeys(
         (*on, *known.supposed(item), *known.sets(item), *last_place(item, known))
     )
-    yield from (Oddity(one, f"${one.printed.tex}$ is supposed") for one in supposed)
+    for one in supposed:
+        where = " where the motion begins" if one.begins else ""
+        yield Oddity(one, f"${one.printed.tex}$ is supposed{where}")
 
 
 def _idle_definitions(item: SourceStatement, known: Known) -> Iterator[Oddity]:

@@ -24,11 +24,11 @@ from kowalevski_cas.processes import each
 from kowalevski_cas.reading.choice import may_hold
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import CLAIM, UNREAD, Known
-from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.phrases import joined_lead
 from kowalevski_cas.reading.restated import orders_of, times_of
 from kowalevski_cas.reading.rows import is_row
+from kowalevski_cas.reading.rung import Rung
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.verify.interpretation import Interpretation
 

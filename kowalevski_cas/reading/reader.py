@@ -31,7 +31,6 @@ from kowalevski_cas.reading.energies import claims_of_energies
 from kowalevski_cas.reading.grammar import wrong
 from kowalevski_cas.reading.in_words import claims_in_words
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, UNIT_MATRIX, StatementRole
-from kowalevski_cas.reading.ladder import Rung
 from kowalevski_cas.reading.maps import enter_maps, find_maps, primed_images
 from kowalevski_cas.reading.maps_in_words import claims_of_maps
 from kowalevski_cas.reading.names import Names, vectors_of
@@ -40,6 +39,7 @@ from kowalevski_cas.reading.other_cases import OtherCases
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.referee import Heard, Referee
 from kowalevski_cas.reading.roles import role_of
+from kowalevski_cas.reading.rung import Rung
 from kowalevski_cas.reading.stage import Stage
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, read_statements
 from kowalevski_cas.source.text import Source

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable
 
 from kowalevski_cas.notation import Name, Number, Relation
+from kowalevski_cas.reading.beginnings import beginning
 from kowalevski_cas.reading.brackets import bracket_of_functions
 from kowalevski_cas.reading.canonical import energy
 from kowalevski_cas.reading.compositions import gives_map
@@ -35,7 +36,7 @@ from kowalevski_cas.reading.known import (
     StatementRole,
 )
 from kowalevski_cas.reading.levels import level
-from kowalevski_cas.reading.linear_parts import eigenvalue
+from kowalevski_cas.reading.linear_parts import eigenvalue, linear_part
 from kowalevski_cas.reading.obey import said_role
 from kowalevski_cas.reading.phrases import VERB, clause, joined_tail, listed_words, words_of
 from kowalevski_cas.reading.propositions import (
@@ -48,6 +49,7 @@ from kowalevski_cas.reading.propositions import (
     solution,
     zero_set,
 )
+from kowalevski_cas.reading.rest_points import rest_point
 from kowalevski_cas.reading.small_oscillations import small_oscillation
 from kowalevski_cas.reading.solutions import constant_of_solution
 from kowalevski_cas.reading.statements import SourceStatement, is_dependence, is_ellipsis
@@ -199,15 +201,16 @@ def other(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
-    """What is said of the flow, or of its linear part, unless it is denied, quoted or asked."""
-    found = divergence(item, known) or measure(item, known) or small_oscillation(item, known)
+    """What is said of the flow and of its points of rest, unless it is denied, quoted or asked."""
+    rules = (divergence, measure, small_oscillation, linear_part, rest_point)
+    found = next((role for rule in rules if (role := rule(item, known))), None)
     return (unjudged(item, known) or found) if found else None
 
 
 RULES: tuple[Rule, ...] = (
-    unread, eigenvalue, of_flow, expression, named_set, law, constraint, together, unit, bracket,
-    bracket_of_functions, unjudged, inequality, repeated, change, roots, claimed_set, point,
-    solution, constant_of_solution, energy, on_place, definition, square, assumption, value,
-    approximate, rate, zero_set, level, integral, identity, other,
+    unread, beginning, eigenvalue, of_flow, expression, named_set, law, constraint, together,
+    unit, bracket, bracket_of_functions, unjudged, inequality, repeated, change, roots,
+    claimed_set, point, solution, constant_of_solution, energy, on_place, definition, square,
+    assumption, value, approximate, rate, zero_set, level, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

@@ -26,7 +26,7 @@ from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import is_value
 from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
 from kowalevski_cas.reading.law import Law
-from kowalevski_cas.reading.linear_parts import equations_of
+from kowalevski_cas.reading.linear_parts import equations_of, point_at
 from kowalevski_cas.reading.statements import SourceStatement
 
 FREQUENCY, CHARACTERISTIC = "frequency", "characteristic"
@@ -185,7 +185,7 @@ def places_of(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...
         return ()
     origin = equations_of(dict.fromkeys(law.variables, "0"), item, law, known)
     found = [one["where"] for one in _WHERE.finditer(item.words)]
-    places = [*dict.fromkeys(_listed(item, known))]
+    places = [*dict.fromkeys(_listed(item, law, known))]
     if places or found:
         places += [origin] if any(where != "§" for where in found) else []
         return places[0] if len(places) == 1 and _gives(places[0], law) else ()
@@ -209,7 +209,7 @@ def _is_of_others(item: SourceStatement, law: Law, known: Known) -> bool:
     return not all(map(known.varies, rated))
 
 
-def _listed(item: SourceStatement, known: Known) -> Iterator[tuple[SourceStatement, ...]]:
+def _listed(item: SourceStatement, law: Law, known: Known) -> Iterator[tuple[SourceStatement, ...]]:
     """The equations of the places that the sentence of a statement names."""
     beside = known.of_sentence(item.sentence)
     typed = [*dict.fromkeys(one.typed.start for one in beside)]
@@ -221,6 +221,9 @@ def _listed(item: SourceStatement, known: Known) -> Iterator[tuple[SourceStateme
         own: list[SourceStatement] = []
         for start in typed[first:]:
             here = [one for one in beside if one.typed.start == start]
+            if not own and (point := point_at(here, item, law, known)):
+                own = [*point]
+                break
             joined = not own or _JOINED.fullmatch(here[0].lead)
             if not (joined and all(is_value(one, known) for one in here)):
                 break

@@ -26,6 +26,7 @@ from kowalevski_cas.reading.cues import cue, cues
 from kowalevski_cas.reading.elements import with_elements
 from kowalevski_cas.reading.formulas import by_names, read_formula, vocabulary_of, without_maps
 from kowalevski_cas.reading.index_ranges import period_in, with_ranges
+from kowalevski_cas.reading.initially import moving_names, time_of_value, with_initial_values
 from kowalevski_cas.reading.named_sets import without_set_names
 from kowalevski_cas.reading.numbers import numbers_of
 from kowalevski_cas.reading.text import MARK, Prose, TextSection, references
@@ -69,6 +70,8 @@ class SourceStatement:
     """The sentences before its own, the last one first."""
     implied_by: SourceStatement | None = None
     """The printed statement that says it, if it is not printed itself."""
+    begins: str = ""
+    """The time at which it says how a motion begins: then it gives no rate along it."""
 
     @property
     def words(self) -> str:
@@ -95,7 +98,7 @@ class SourceStatement:
     def rates(self) -> dict[str, int]:
         """The names that are derived by the time here, with the highest order; no other time."""
         found: dict[str, int] = {}
-        if self.other_time:
+        if self.other_time or self.begins:
             return found
         for name, order in _rates(self.formula) if self.formula is not None else ():
             found[name] = max(order, found.get(name, 0))
@@ -268,7 +271,9 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     expanded, typed = typed_formulas(source)
     typed = [*with_variations([*with_elements([*without_maps(typed)], expanded.text)])]
     named = [*without_set_names(typed)]
-    formulas = [*by_names([formula for formula, _ in named])]
+    moving = moving_names([formula for formula, _ in named])
+    begun, starts = with_initial_values([formula for formula, _ in named], moving)
+    formulas = [*by_names(begun)]
     prose = Prose(expanded.text, expanded.body, formulas)
     words = vocabulary_of(formulas)
     words = replace(words, scalars=words.scalars | primed, moving=words.moving | primed)
@@ -292,18 +297,24 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
             cites=references(around.lead),
         )
         displays.append((display, formula))
+        sentence = [
+            one.tex for one in formulas if around.sentence[0] <= one.start < around.sentence[1]
+        ]
         start = formula.start + len(formula.tex) - len(formula.tex.lstrip())
         lines[display.id] = source.line(expanded.origin(start, start + 1)[0])
         for number, (tree, trouble, (start, end)) in enumerate(
             read_formula(formula, tex, words), 1
         ):
             span = expanded.origin(formula.start + start, formula.start + end)
+            times = [time for place, time in starts[formula.start].items() if start <= place < end]
+            said = (around.before, around.after)
+            begins = times[0] if times else time_of_value(tree, moving, said, sentence)
             items.append(
                 SourceStatement(
                     Printed(display, number), formula, tree, trouble, len(items), around.sentence,
                     around.lead, around.tail, around.before, around.after, around.paragraph,
                     path, prose.theorem(formula.start), around.refs, span,
-                    prose.entry(formula.start), around.earlier,
+                    prose.entry(formula.start), around.earlier, begins=begins,
                 )
             )  # fmt: skip
     return SourcePaper(

@@ -187,7 +187,7 @@ class Blame:
             return True
         lost = {*self.lost.get(claim.id, ()), *claim.scene.undefined}
         on = self._on(claim)
-        stages: dict[object, Sampled] = {}
+        stages: dict[object, Sampled | None] = {}
         if not lost or not lost & {n for f in claim.formulas(on.texts) for n in f.names()}:
             return False
         near = claim.neighbours(on.texts)

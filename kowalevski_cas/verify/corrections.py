@@ -5,7 +5,7 @@ A correction is a proposal. It stands in for the print elsewhere only if the der
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from itertools import takewhile
 from typing import TYPE_CHECKING, TypeGuard
@@ -17,13 +17,14 @@ from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.goals import Follows, Goal
-from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.problem.space import Equation, Meaningless
 from kowalevski_cas.verify.outcome import as_recorded
 from kowalevski_cas.verify.relations import relations
 from kowalevski_cas.verify.statement import Statement
 from kowalevski_cas.verify.vacuous import says_something, unlike
 
 if TYPE_CHECKING:
+    from kowalevski_cas.algebra.tower import Element
     from kowalevski_cas.problem.sampled import Sampled
     from kowalevski_cas.search.on_hypotheses import HypothesisPoints
 
@@ -132,7 +133,7 @@ def formulas_printed_by(neighbour: Neighbour) -> tuple[Formula, ...]:
 
 def _screen_neighbours(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Neighbour]:
     """The neighbours that pass the screen."""
-    stages: dict[object, Sampled] = {}
+    stages: dict[object, Sampled | None] = {}
     points: dict[object, HypothesisPoints] = {}
     decided = 0
     for neighbour in neighbours:
@@ -146,30 +147,49 @@ def _screen_neighbours(neighbours: Iterable[Neighbour], on: Elaborations) -> Ite
             yield neighbour
 
 
-def passes(neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled]) -> bool | None:
+def passes(
+    neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled | None]
+) -> bool | None:
     """Whether all identities hold at points; ``None`` if there are other goals, or no points.
 
+    Given equations that give names by others are put in; where they say more no point is tried.
     ``stages`` are the settings that were evaluated there already.
     """
-    from kowalevski_cas.problem.sampled import Sampled  # a recorded correction is only looked up
+    # a recorded correction is only looked up
+    from kowalevski_cas.problem.sampled import Sampled, solved_equations
 
     try:
         claim = neighbour.claim
         goals = list(claim.goals(claim.settings(on.under(neighbour.texts))))
         identities = [goal for goal in goals if _is_identity(goal)]
+        told = 0
         for goal in identities:
-            if goal.space not in stages:
-                stages[goal.space] = Sampled(finder_of(goal.space))
-            at = stages[goal.space]
+            key = goal.space, goal.given
+            if key not in stages:
+                exact = finder_of(goal.space)
+                solved = solved_equations(goal.given, exact)
+                stages[key] = None if solved is None else Sampled(exact, solved)
+            if (at := stages[key]) is None:
+                continue
+            told += 1
             # One by one: most candidates fail at the first.
             equations = (equation for conclusion in goal.conclusions for equation in conclusion)
-            if not all(d.is_zero for equation in equations for d in at.differences((equation,))):
+            if not all(
+                d.is_zero for equation in equations for d in _differences(at, goal, equation)
+            ):
                 return False
     except (NotationError, Meaningless, ZeroDivisionError):
         return False
     except NoPoint:  # as modulo a prime where a printed root of a number has no residue
         return None
-    return True if len(identities) == len(goals) else None
+    return True if told == len(goals) else None
+
+
+def _differences(at: Sampled, goal: Follows, equation: Equation) -> Sequence[Element]:
+    """What has to vanish for an equation; where names are given it is derived before that."""
+    if not goal.given:
+        return at.differences((equation,))
+    return [at.carry(one) for one in at.exact.differences((equation,))]
 
 
 def fails_at_points(
@@ -191,4 +211,5 @@ def fails_at_points(
 
 
 def _is_identity(goal: Goal) -> TypeGuard[Follows]:
-    return type(goal) is Follows and not goal.given and len(goal.conclusions) == 1
+    """Whether equations are said to hold, perhaps where given ones do."""
+    return type(goal) is Follows and len(goal.conclusions) == 1

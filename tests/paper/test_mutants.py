@@ -68,14 +68,23 @@ def rotation():
 
 
 def flow():
-    """Claims about a flow, and about a solution by the time."""
+    """Claims about a flow, about a solution by the time, and about a motion that begins on a line."""
     plane = System(r"\dot x=-y+xy,\quad \dot y=x+2y^2")
     plane.states(kinds.Divergence, "divergence", "", printed="5y")
     plane.states(kinds.PreservedMeasure, "measure", "", printed=r"\frac{1}{(1-x)^5}")
-    by_time = plane.section.display("by-time", r"u=\cos2t,\quad \ddot u=-4u")
+    by_time = plane.section.display("by-time", r"u=\cos2t,\quad \ddot u=-4u,\quad u=1,\quad t=0")
     alone = Scene("the time", definitions={"u": by_time[1]})
-    solution = kinds.Solution("by-time", alone, "", printed=by_time[1], equations=(by_time[2],))
-    plane.section.claim(solution)
+    plane.section.claim(
+        kinds.Solution(
+            "by-time", alone, "", printed=by_time[1], equations=(by_time[2],),
+            beginning=(by_time[3],), start=(by_time[4],),
+        )
+    )  # fmt: skip
+    line = plane.section.display("line", r"x^2=x,\quad 1^2=1")
+    on_it = kinds.Identity("begins", Scene("numbers"), "", printed=line[2])
+    plane.section.claim(
+        kinds.RelationsOfMotion("line", plane.scene, "", relations=(line[1],), beginning=(on_it,))
+    )
     return replace(derivation(plane.section), name="flow")
 
 
@@ -86,10 +95,19 @@ def near_rest():
     plane.states(kinds.Frequency, "frequency", "", printed="4", relations=rest, is_square=True)
     about = {"relations": rest, "variable": "s"}
     plane.states(kinds.CharacteristicEquation, "characteristic", "", printed="3s^2=-12", **about)
+    matrix = r"\begin{pmatrix}0&-2\\2&0\end{pmatrix}"
+    plane.states(kinds.LinearPart, "linear-part", "", printed=matrix, relations=rest)
     return replace(derivation(plane.section), name="near-rest")
 
 
-OWN = (free_body(), rotation(), flow(), near_rest())
+def grown():
+    """A claim about a point of rest."""
+    plane = System(r"\dot x=x(1-x),\quad \dot y=y(2-y)")
+    plane.states(kinds.RestPoint, "rest-point", "", printed="(1,2)")
+    return replace(derivation(plane.section), name="grown")
+
+
+OWN = (free_body(), rotation(), flow(), near_rest(), grown())
 SESSIONS = {one.name: Session(one, ["flint"]) for one in (*map(load, available()), *OWN)}
 CLAIMS = {
     (name, claim.id): claim for name in SESSIONS for claim in SESSIONS[name].derivation.claims

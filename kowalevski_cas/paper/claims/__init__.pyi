@@ -19,7 +19,9 @@ from kowalevski_cas.paper.claims.double_zero import DoubleZero as DoubleZero
 from kowalevski_cas.paper.claims.eigenvalue import CharacteristicEquation as CharacteristicEquation
 from kowalevski_cas.paper.claims.eigenvalue import Eigenvalue as Eigenvalue
 from kowalevski_cas.paper.claims.eigenvalue import Frequency as Frequency
+from kowalevski_cas.paper.claims.eigenvalue import LinearPart as LinearPart
 from kowalevski_cas.paper.claims.equilibria import Equilibria as Equilibria
+from kowalevski_cas.paper.claims.equilibria import RestPoint as RestPoint
 from kowalevski_cas.paper.claims.equilibria import RestPoints as RestPoints
 from kowalevski_cas.paper.claims.equivalence import Equivalence as Equivalence
 from kowalevski_cas.paper.claims.everywhere import EverywhereIndependent as EverywhereIndependent
@@ -29,6 +31,7 @@ from kowalevski_cas.paper.claims.identity import Identity as Identity
 from kowalevski_cas.paper.claims.implication import Implication as Implication
 from kowalevski_cas.paper.claims.inequality import Inequality as Inequality
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations as InvariantRelations
+from kowalevski_cas.paper.claims.invariant_relations import RelationsOfMotion as RelationsOfMotion
 from kowalevski_cas.paper.claims.lax_pair import LaxPair as LaxPair
 from kowalevski_cas.paper.claims.limit import Limit as Limit
 from kowalevski_cas.paper.claims.local_dimension import LocalDimension as LocalDimension

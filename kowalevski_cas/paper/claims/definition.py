@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import chain
+from kowalevski_cas.paper.claims.forms import chain, equations
 from kowalevski_cas.paper.claims.identity import Identity
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.problem.goals import Goal, identity
+from kowalevski_cas.problem.goals import Follows, Goal, identity
 
 
 class Definition(Claim):
@@ -33,11 +33,14 @@ class Definition(Claim):
 class Solution(Claim):
     """With the printed functions of the time, on which the scene rests, ``equations`` hold.
 
-    They are those of the law, or else each of them is claimed as well: ``resting`` says so.
+    They are those of the law, or else each of them is claimed as well: ``resting`` says so. At
+    the ``start``, as where t=0, the equations of the ``beginning`` hold.
     """
 
     equations: tuple[Printed, ...]
     resting: tuple[Identity, ...] = ()
+    beginning: tuple[Printed, ...] = ()
+    start: tuple[Printed, ...] = ()
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
@@ -45,3 +48,6 @@ class Solution(Claim):
         yield identity(space, *(pair for one in places for pair in chain(on, space, one)))
         for one in self.resting:
             yield from one.goals(on)
+        if self.beginning:
+            begins = equations(on, space, self.start)
+            yield Follows(space, (equations(on, space, self.beginning),), begins)

@@ -20,6 +20,7 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import (
     ONE,
+    entries,
     equation,
     equations,
     members,
@@ -31,7 +32,7 @@ from kowalevski_cas.paper.claims.forms import (
 from kowalevski_cas.paper.components import row_components
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.matrices import Rows, determinant
+from kowalevski_cas.paper.matrices import Rows, as_matrices, determinant
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Fails, Follows, Goal
 from kowalevski_cas.problem.space import Equation, Meaningless
@@ -116,6 +117,26 @@ class CharacteristicEquation(OfLinearPart):
         free = vanishes(space.partial(leading, self.variable))
         yield Fails(space, ((vanishes(leading),),), given)
         yield Follows(space, ((vanishes(same), free, *_rest(space)),), given)
+
+
+class LinearPart(OfLinearPart):
+    """The printed matrix, or the last member of the equation, is the linear part of the field.
+
+    It has the derivatives of the rates by the variables: where ``relations`` hold, if some are
+    given, and else everywhere.
+    """
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        space = on(self.scene)
+        formula = on.texts.formula(self.own)
+        last = members(formula)[-1] if isinstance(formula, Relation) else formula
+        (printed,) = as_matrices([last], space)
+        same = tuple(entries([printed, _linear_part(space)]))
+        if not self.relations:
+            yield Follows(space, (same,))
+            return
+        given = self._at_rest(on, space)
+        yield Follows(space, ((*same, *_rest(space)),), given)
 
 
 def _linear_part(space: Elaboration) -> Rows:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kowalevski_cas.notation import Name
+from kowalevski_cas.notation import Name, Relation, Vector
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import equations, rate, vanishes
+from kowalevski_cas.paper.claims.forms import equations, members, rate, vanishes
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.generators import values_at_zero
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Count, Follows, Goal
-from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.problem.space import Equation, Meaningless
 
 
 class Equilibria(Claim):
@@ -30,6 +31,28 @@ class Equilibria(Claim):
         rest = (vanishes(rate(Name(name))) for name in space.own_variables)
         levels = equations(on, space, self.levels)
         yield Count(space, (*still, *rest, *levels), space.variables, self.count)
+
+
+class RestPoint(Claim):
+    """The printed list has the coordinates of a state of rest; of an equation its last member.
+
+    Velocities, which are variables where higher derivatives are printed, are zero there.
+    """
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        space = on(self.scene)
+        printed = on.texts.formula(self.own)
+        point = members(printed)[-1] if isinstance(printed, Relation) else printed
+        variables = space.scene.variables
+        if not isinstance(point, Vector) or len(point.components) != len(variables):
+            raise Meaningless("a list of all coordinates is expected")
+        given: list[Equation] = [
+            (Name(name), space.plain(value))
+            for name, value in zip(variables, point.components, strict=True)
+        ]
+        given += [vanishes(Name(name)) for name in space.velocities.values()]
+        rest = (vanishes(rate(Name(name))) for name in space.variables)
+        yield Follows(space, (tuple(rest),), (*given, *values_at_zero(given, space)))
 
 
 class RestPoints(Claim):

@@ -8,6 +8,7 @@ from dataclasses import replace
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import equations, matrix, minus, names_in, rate
+from kowalevski_cas.paper.claims.identity import Identity
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.matrices import Rows, matrix_times_column
 from kowalevski_cas.paper.texts import Printed
@@ -47,3 +48,17 @@ class InvariantRelations(Claim):
 
     def establishes(self) -> Iterator[Printed]:
         yield from self.relations
+
+
+class RelationsOfMotion(InvariantRelations):
+    """Invariant relations that hold where a motion begins: they hold along it.
+
+    What they say there, with the values in their places, is the ``beginning``.
+    """
+
+    beginning: tuple[Identity, ...] = ()
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        yield from super().goals(on)
+        for one in self.beginning:
+            yield from one.goals(on)

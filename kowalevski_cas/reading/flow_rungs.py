@@ -1,0 +1,117 @@
+"""What a statement may claim of the flow: its divergence, points of rest, linear parts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from kowalevski_cas.paper.claims import (
+    CharacteristicEquation,
+    Claim,
+    Divergence,
+    Eigenvalue,
+    Frequency,
+    LinearPart,
+    PreservedMeasure,
+    RestPoint,
+    RestPoints,
+)
+from kowalevski_cas.reading.kinematics import is_free
+from kowalevski_cas.reading.linear_parts import KIND, MATRIX, matrix_point, point_of
+from kowalevski_cas.reading.rest_points import (
+    MARKED,
+    POINT,
+    in_marked_letters,
+    law_of_points,
+    marked,
+)
+from kowalevski_cas.reading.rung import Rung, RungMaker, places
+from kowalevski_cas.reading.small_oscillations import (
+    CHARACTERISTIC,
+    FREQUENCY,
+    places_of,
+    prints_square,
+    variable_of,
+)
+
+_OF_LINEAR_PART = (KIND, MATRIX, FREQUENCY, CHARACTERISTIC)
+_OF_REST = (POINT, MARKED)
+OF_FIELD = (*_OF_LINEAR_PART, *_OF_REST, "divergence", "measure")
+"""The kinds of the roles of what is claimed of the field."""
+
+
+def of_field(at: RungMaker) -> Iterator[Rung]:
+    """What is said of the field: of its linear part, where it vanishes, or of its flow."""
+    if at.role.kind in _OF_LINEAR_PART:
+        yield from _of_linear_part(at)
+    elif at.role.kind in _OF_REST:
+        yield from _of_rest(at)
+    else:
+        yield from _of_flow(at)
+
+
+def _of_linear_part(at: RungMaker) -> Iterator[Rung]:
+    """What is said of the linear part at the point of which the words speak."""
+    item, known = at.item, at.known
+    about: dict[str, Any] = {}
+    kind: type[Claim]
+    place = places_of
+    if at.role.kind == FREQUENCY:
+        kind, about = Frequency, {"is_square": prints_square(item)}
+        says = "this is the frequency of small oscillations near this point"
+    elif at.role.kind == CHARACTERISTIC:
+        kind, about = CharacteristicEquation, {"variable": variable_of(item, known)}
+        says = "this is the characteristic equation of the linear part at this point"
+    elif at.role.kind == MATRIX:
+        kind, place = LinearPart, matrix_point
+        says = "this is the matrix of the linear part"
+    else:
+        kind, place = Eigenvalue, point_of
+        says = "this is an eigenvalue of the linear part at this point"
+    point = place(item, known)
+    law = next(law for law in known.laws if not law.images)
+    for assumptions in at.ways():
+        yield at.rung(
+            kind, says, assumptions, (), (item, *law.rows, *point),
+            printed=item.printed, relations=places(point), **about,
+        )  # fmt: skip
+
+
+def _of_rest(at: RungMaker) -> Iterator[Rung]:
+    """That nothing moves at a point that is printed by its coordinates, or in marked letters."""
+    item, known = at.item, at.known
+    law = law_of_points(item, known)
+    assert law is not None
+    says = "nothing moves at this point"
+    for assumptions in at.ways():
+        if at.role.kind == POINT:
+            yield at.rung(RestPoint, says, assumptions, (), (item, *law.rows))
+            continue
+        point = (*in_marked_letters(marked(item, law, known), item, known),)
+        yield at.rung(
+            RestPoints, says, assumptions, (), (*point, *law.rows),
+            printed=item.printed, relations=places(point),
+        )  # fmt: skip
+
+
+def _of_flow(at: RungMaker) -> Iterator[Rung]:
+    """What the divergence of the field is, or that the flow preserves a measure.
+
+    The measure is one in the variables of which the rates are printed.
+    """
+    laws = [law for law in at.known.laws if not law.change]
+    law = at.stage.law(at.item, [at.item]) or (laws[0] if len(laws) == 1 else None)
+    if law is None or is_free(law):
+        raise ValueError("of which of the equations of motion is this said?")
+    for assumptions in at.ways():
+        if at.role.kind == "divergence":
+            says = "this is the divergence of the field"
+            yield at.rung(Divergence, says, assumptions, law=law)
+            continue
+        rated = (name for row in law.rows for name in row.rates)
+        coordinates = dict.fromkeys(law.names.scalars(rated)) if law.momenta else ()
+        says = "the flow preserves the measure with this density"
+        items = (at.item, *law.momenta)
+        yield at.rung(
+            PreservedMeasure, says, assumptions, (), items, law, coordinates=(*coordinates,)
+        )

@@ -1,0 +1,131 @@
+"""What a statement may claim of a motion: solutions, and what holds along one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import product
+
+from kowalevski_cas.paper.claims import DoubleZero, Identity, RelationsOfMotion, Solution
+from kowalevski_cas.reading.beginnings import (
+    UNREAD,
+    at_start,
+    beginning_of,
+    gives_velocity,
+    is_of_all,
+    is_of_state,
+    names_of_values,
+    where_it_begins,
+)
+from kowalevski_cas.reading.hypotheses import near
+from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.rung import Rung, RungMaker, places
+from kowalevski_cas.reading.sets import SetOfEquations
+from kowalevski_cas.reading.solutions import solution_of
+from kowalevski_cas.reading.statements import SourceStatement
+
+
+def solutions(at: RungMaker) -> Iterator[Rung]:
+    """That a function of the time, with those beside it, solves its equations of motion.
+
+    What the law does not move solves the equations of its rate that are claimed: they are
+    claimed once more.
+    """
+    beside = [
+        one
+        for one, role in at.known.roles.items()
+        if role.kind == "solution" and one.sentence == at.item.sentence
+    ]
+    moves = any(map(at.known.moves, at.item.bare))
+    law = at.stage.law(at.item, beside) if moves else None
+    found = solution_of(at.item, beside, law, at.known)
+    still = Law((), (law or at.known.laws[-1]).names, change=found.given)
+    says = "this solves its equation of motion"
+    for assumptions, values in product(at.ways(), _beginnings(at, law, found.given)):
+        on_law = [at.stage.scene([row], assumptions).scene for row in found.rows]
+        claimed = () if moves else zip(found.rows, on_law, strict=True)
+        rung = at.rung(
+            Solution, says, assumptions, (), (*found.given, *found.rows, *values), still,
+            printed=at.item.printed, equations=places(found.rows),
+            resting=tuple(
+                Identity(at.id, scene, "", printed=row.printed) for row, scene in claimed
+            ),
+            beginning=places(values), start=places([*at_start(values, at.known)]),
+        )  # fmt: skip
+        yield replace(rung, on=(*rung.on, *values))
+
+
+def _beginnings(
+    at: RungMaker, law: Law | None, given: Sequence[SourceStatement]
+) -> list[SetOfEquations]:
+    """What is said of the beginning of a solution, or nothing if it is the general one.
+
+    Raises ``ValueError`` where words say more of it than can be read.
+    """
+    if law is None:
+        return [()]
+    begins = beginning_of(at.item, law, at.known)
+    if begins.is_unread:
+        raise ValueError(UNREAD)
+    solved = {name for one in given for name in one.bare}
+    values = tuple(one for one in begins.values if {*names_of_values(one)} <= solved)
+    if any(one.begins not in ("", "0") for one in values):
+        raise ValueError("of a solution only what it is where t=0 is judged")
+    return [values, ()] if values and is_of_all(at.item) else [values]
+
+
+def of_motion(at: RungMaker) -> Iterator[Rung]:
+    """An equation along a motion: no motion leaves the set where it holds.
+
+    It is so of what gives a velocity by the place, and of what has a constant of which nothing
+    is said but that it is one; where the motion begins the equation has to hold.
+    """
+    item, known = at.item, at.known
+    law = at.stage.law(item, [item]) if known.varying(item.names) else None
+    if law is None or law.images or "t" in item.names or item in known.paper.approximate:
+        return
+    begins = beginning_of(item, law, known)
+    if begins.is_unread or not is_of_state(item, law, known):
+        return
+    if not begins.values and not gives_velocity(item, known):
+        return
+    says = "no motion leaves the set where both sides are equal"
+    first = [*where_it_begins(item, begins.values, known)]
+    for assumptions in at.suppositions():
+        scenes = [(at.stage.scene([one], assumptions).scene, one) for one in first]
+        rung = at.rung(
+            RelationsOfMotion, says, assumptions, relations=places([item]),
+            beginning=tuple(
+                Identity(at.id, scene, "", printed=one.printed) for scene, one in scenes
+            ),
+        )  # fmt: skip
+        yield replace(rung, on=(*rung.on, *begins.values), is_stronger=True)
+
+
+def along_solution(at: RungMaker) -> Iterator[Rung]:
+    """An equation with the constants of a solution, where the solution before it is put in."""
+    before = [
+        one
+        for one, role in at.known.roles.items()
+        if role.kind == "solution" and one.order < at.item.order
+        and one.section is at.item.section and one.bare
+    ]  # fmt: skip
+    solution = [one for one in before if one.sentence == before[-1].sentence]
+    law = at.stage.law(solution[0], solution) if solution else None
+    own = {name for one in solution for name in one.names - {*one.bare[:1], "t"}}
+    if law is None or not (own - law.mentions) & at.item.names:
+        return
+    along = Law((), law.names, change=tuple(solution))
+    says = "both sides are equal along the solution before"
+    for assumptions in at.suppositions():
+        rung = at.rung(Identity, says, assumptions, (), (at.item, *solution), along)
+        yield replace(rung, on=(*rung.on, *solution), given=tuple(solution))
+
+
+def first_order(at: RungMaker) -> Iterator[Rung]:
+    """That a rate is right up to what vanishes twice at the point, or on the set, before it."""
+    given = near(at.item, at.known)
+    if at.item.derives and given:
+        says = "up to small quantities of the second order both sides are equal"
+        rung = at.rung(DoubleZero, says, at.supposed, given, given=places(given))
+        yield replace(rung, idle=None)  # it is said of what is near

@@ -1,0 +1,158 @@
+r"""Points of rest as papers print them: :math:`(1,0)`, :math:`E_1=(1,0)`, :math:`x^*=1,\\ y^*=0`.
+
+Coordinates stand in the order in which the law gives the rates of what moves. Letters with a mark
+are those of what moves at the point.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from kowalevski_cas.notation import Formula, Name, Product, Vector, times
+from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
+from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.unprinted import unprinted
+
+POINT, MARKED = "rest point", "rest in marked letters"
+"""The kinds of these claims."""
+
+_REST = (
+    r"(?:equilibri(?:um|a)(?:\s+(?:points?|positions?|states?|solutions?))?"
+    r"|(?:states?|points?|positions?)\s+of\s+(?:rest|equilibrium)"
+    r"|(?:rest|singular|stationary|fixed|critical)\s+points?|(?:steady|stationary)\s+states?)"
+)
+_RUSSIAN = (
+    r"(?:положени\w+\s+равновесия|состояни\w+\s+(?:покоя|равновесия)|равновеси\w+"
+    r"|(?:особ|неподвижн|стационарн)\w+\s+точк\w*|точк\w+\s+(?:покоя|равновесия))"
+)
+_OF = r"(?:\s+of\s+(?:the|this|our)\s+\w+|\s+(?:этой\s+)?системы)?"
+_IS = (
+    r"(?:[\s,~]*(?:is|are|at|in|by|given|has|have|with|the|coordinates?|points?|namely|lies?|located"
+    r"|occurs?|exists?|reads?|there|суть|есть|является|являются|имеет|координаты|точк\w+))*[\s:,~—-]*"
+)
+_BEFORE = re.compile(rf"\b(?:{_REST}|{_RUSSIAN}){_OF}(?:[\s~]*§)?{_IS}$", re.IGNORECASE)
+"""How words end behind which points of rest are printed."""
+_BEHIND = re.compile(
+    rf"[\s,~]*(?:is|are)\s+(?:then\s+|also\s+)?(?:the\s+|an?\s+)?(?:\w+\s+){{0,2}}?{_REST}\b"
+    rf"|[\s,~]*(?:—|-{{2,3}}|есть|явля[ею]тся)\s*(?:\w+\s+)?{_RUSSIAN}",
+    re.IGNORECASE,
+)
+"""What says of the points before it that nothing moves there."""
+_NO = re.compile(r"\b(?:no|not|never|neither|нет|не)\s+(?:\w+\s+){0,2}$", re.IGNORECASE)
+_AND = r"(?:[\s,;~]|\b(?:and|or|и|или|as\s+well\s+as)\b)*"
+_LIST_BEFORE = re.compile(rf"(?:{_AND}§)+{_AND}$")
+_LIST_BEHIND = re.compile(rf"(?:{_AND}§)*")
+
+
+def rest_point(item: SourceStatement, known: Known) -> StatementRole | None:
+    """A point where nothing moves, by words right before it or its list, or right behind."""
+    law = law_of_points(item, known)
+    if law is None or not _says_rest(item):
+        return None
+    if coordinates(item, law, known):
+        names = item.bare[:1]
+        return StatementRole(CLAIM, "the words beside it call it a point of rest", POINT, names)
+    if marked(item, law, known):
+        why = "the words before it call it a point of rest"
+        return StatementRole(CLAIM, why, MARKED, item.bare[:1])
+    return None
+
+
+def law_of_points(item: SourceStatement, known: Known) -> Law | None:
+    """The one law of which points are spoken of before a statement, that is not one of a map."""
+    laws = [law for law in known.laws if law.order < item.order and not (law.images or law.base)]
+    return laws[0] if len(laws) == 1 else None
+
+
+def _says_rest(item: SourceStatement) -> bool:
+    """Whether words call the list of points, or of coordinates, in which a statement stands so."""
+    if cue("map", item.words):
+        return False
+    before = _LIST_BEFORE.sub("", item.before)
+    if said := _BEFORE.search(before):
+        return not _NO.search(before, 0, said.start())
+    list_behind = _LIST_BEHIND.match(item.after)
+    return bool(_BEHIND.match(item.after, list_behind.end() if list_behind else 0))
+
+
+def coordinates(item: SourceStatement, law: Law, known: Known) -> tuple[Formula, ...]:
+    """The coordinates of the point that a statement is, or gives a name; none if it is no point."""
+    if item.formula is None or len(item.members) not in (0, 2):
+        return ()
+    if item.members and not isinstance(item.members[0], Name):
+        return ()
+    found = entries_of(item.members[-1] if item.members else item.formula)
+    names = {name for one in found for name in one.names()}
+    explained = all(known.is_defined(name) or not known.untied([name]) for name in names)
+    whole = len(found) == len(law.variables) and not known.varying(names)
+    return found if whole and explained and _is_in_order(law, known) else ()
+
+
+def _is_in_order(law: Law, known: Known) -> bool:
+    """Whether it is known in which order coordinates stand.
+
+    A list of what moves says so; x, y, z and the like, or one letter with indices, stand in the
+    order of the alphabet.
+    """
+    names = tuple(map(Name, law.variables))
+    if any(entries_of(one.formula) == names for one in known.items if one.formula is not None):
+        return True
+    letters = {symbol(name).letter for name in law.variables}
+    usual = letters <= {*"xyz"} or letters <= {*"uvw"} or len(letters) == 1
+    return not usual or [*law.variables] == sorted(law.variables)
+
+
+def entries_of(formula: Formula) -> tuple[Formula, ...]:
+    """The coordinates in a list, perhaps with a factor before it."""
+    match formula:
+        case Vector(entries):
+            return tuple(entries)
+        case Product(factors) if isinstance(factors[-1], Vector):
+            return tuple(times(*factors[:-1], one) for one in factors[-1].components)
+    return ()
+
+
+def marked(item: SourceStatement, law: Law, known: Known) -> dict[str, str]:
+    """What moves by law, each with the letter for it at the point that a statement gives in part.
+
+    All are given in the sentence, and marked alike.
+    """
+    found: dict[str, str] = {}
+    mark = ""
+    for one in known.paper.items:
+        if one.sentence != item.sentence or not one.members or one.derives:
+            continue
+        first = one.members[0]
+        if not isinstance(first, Name) or known.varying(one.names):
+            continue
+        for name in law.variables:
+            own = _mark(first.name, name)
+            if own and (not mark or own == mark):
+                mark = own
+                found.setdefault(name, first.name)
+    whole = {*found} == {*law.variables} and item.bare[:1] and item.bare[0] in found.values()
+    return found if whole else {}
+
+
+def _mark(name: str, variable: str) -> str:
+    """What is printed at a letter beside that of what moves: a star, an index, an accent."""
+    one, other = symbol(name), symbol(variable)
+    if (one.letter, one.font) != (other.letter, other.font) or one == other:
+        return ""
+    raised = one.raised if one.raised != other.raised else ""
+    accents = "".join(one.accents) if one.accents != other.accents else ""
+    index = one.index.removeprefix(other.index).strip(",") if one.index != other.index else ""
+    return f"{raised}|{accents}|{index}"
+
+
+def in_marked_letters(
+    found: dict[str, str], item: SourceStatement, known: Known
+) -> Iterator[SourceStatement]:
+    """The equations by which what moves is what marked letters stand for."""
+    for name, letter in found.items():
+        id = f"at-rest-{item.order}-{letter}"
+        yield unprinted(known.paper, id, f"{name}={letter}", item, "the point of which words speak")

@@ -1,0 +1,95 @@
+"""A rung of a ladder: a claim that a statement may make, and on what it would rest."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from kowalevski_cas.paper.claims import Claim, RestPoints
+from kowalevski_cas.paper.claims.maps import OF_MAPS
+from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.stage import Stage, Supposed
+from kowalevski_cas.reading.statements import SourceStatement
+
+
+@dataclass(frozen=True)
+class Rung:
+    """A claim that a statement may make, and the statements on which it would rest."""
+
+    claim: Claim
+    on: tuple[SourceStatement, ...]
+    constants: tuple[str, ...]
+    given: tuple[SourceStatement, ...] = ()
+    """Those of them that hold on a part of the phase space only."""
+    in_force: bool = False
+    """Whether these are what is supposed there, and no more."""
+    idle: Claim | None = None
+    """That nothing moves where these hold: then what is said of rates there says nothing."""
+    is_stronger: bool = False
+    """Whether it says more than the statement: where it fails nothing is said of that."""
+    elsewhere: bool = False
+    """Whether it rests on what is supposed in other places only: it is not claimed so."""
+
+
+class RungMaker:
+    """A statement of which rungs are made, on its stage."""
+
+    def __init__(self, item: SourceStatement, id: str, stage: Stage) -> None:
+        self.item, self.id, self.stage, self.known = item, id, stage, stage.known
+        self.role = self.known.roles[item]
+        self.supposed = stage.understood(self.known.supposed(item))
+
+    def ways(self) -> list[list[SourceStatement]]:
+        """Without assumptions, and with those in force; what is not zero is never left aside."""
+        kept = [one for one in self.supposed if self.known.roles[one].kind == "inequality"]
+        return [kept, self.supposed] if len(kept) < len(self.supposed) else [kept]
+
+    def suppositions(self) -> list[list[SourceStatement]]:
+        """The assumptions with which a claim is tried: those in force, and fewer.
+
+        Where the statement itself has a constant that is specialised, it may be meant in general.
+        """
+        kept = [
+            one for one in self.supposed if not {*self.known.roles[one].names} & self.item.names
+        ]
+        return [kept, self.supposed] if len(kept) < len(self.supposed) else [self.supposed]
+
+    def rung(
+        self,
+        kind: type[Claim],
+        says: str,
+        assumptions: Sequence[SourceStatement],
+        on: Sequence[SourceStatement] = (),
+        items: Sequence[SourceStatement] = (),
+        law: Law | None = None,
+        **attributes: object,
+    ) -> Rung:
+        own = [*(items or (self.item,)), *on]
+        found: Supposed = self.stage.scene(own, assumptions, law)
+        if "relations" not in attributes:
+            attributes.setdefault("printed", self.item.printed)
+        if found.images and kind in OF_MAPS:
+            if attributes.get("given"):
+                raise ValueError("an invariant of a map on a set is not known")
+            kind, attributes["images"] = OF_MAPS[kind], found.images
+        claim = kind(self.id, found.scene, says, **attributes)  # type: ignore[arg-type]
+        in_force = bool(on) and [*on] == self.known.sets(self.item)
+        idle = None
+        if (
+            not found.images
+            and {*on} - {*self.known.bound}
+            and (self.item.derives or self.role.kind == "integral")
+        ):
+            idle = RestPoints(self.id, found.scene, "", relations=places(on))
+        return Rung(claim, (*found.assumptions, *on), found.constants, (*on,), in_force, idle)
+
+
+def stronger(rung: Rung) -> Rung:
+    """A claim that says more than its statement."""
+    return replace(rung, is_stronger=True)
+
+
+def places(items: Sequence[SourceStatement]) -> tuple[Printed, ...]:
+    """Where some statements are printed."""
+    return tuple(item.printed for item in items)
