@@ -63,6 +63,7 @@ def equations_of_entries(formulas: Mapping[Printed, Formula], time: str) -> Iter
     unknown = [n for n in names if n not in defined | fixed and symbol(n).letter not in SPECTRAL]
     rates = [*map(rate_name, unknown)]
     every = {name for formula in formulas.values() for name in formula.names()}
+    every |= {n for place in formulas for other in place.display for n in other.heads.names}
     still = tuple(sorted(every.difference(unknown, defined)))
     scene = Scene("the matrices", variables=(*unknown, *rates), constants=still, time=time)
     space = _elaborated(scene.defining(*defining))

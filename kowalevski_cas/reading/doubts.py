@@ -54,6 +54,7 @@ def doubt_of(
     if (
         role.kind in ("solution", "energy", MATRIX, POINT, MARKED)
         or role.reason == FOUND
+        or rung.claim.scene.jets  # words may say which functions are meant
         or _has_momentum(rung, known)
     ):
         return Doubt.ALWAYS

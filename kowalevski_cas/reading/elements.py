@@ -6,10 +6,11 @@ Words, or the ranges of the indices, say of which order they are.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
+from kowalevski_cas.reading.brackets_of_elements import brackets_of_elements
 from kowalevski_cas.source.displays import TypedFormula
 
 _LETTER = r"(?:\\[A-Za-z]+|[A-Za-z])"
@@ -80,17 +81,52 @@ def with_elements(formulas: Sequence[TypedFormula], text: str) -> Iterator[Typed
     multiples = {
         one.start: tex for one in formulas if (tex := _with_multiples(one, known, formulas))
     }
+    moving = {
+        letter: own
+        for letter, own in known.items()
+        if own.is_skew and any(re.search(_rate_of(own.name), one.tex) for one in formulas)
+    }
+    rates = {one.start: tex for one in formulas if (tex := _rates(one.tex, moving))}
     for formula in formulas:
         found = _BY_ELEMENTS.fullmatch(formula.tex)
         if found and found["of"] in known:
             own = known[found["of"]]
             tex = own.by_rows(found["name"], found["of"])
-            below = own.below(found["of"]) if multiples else ""
+            below = own.below(found["of"]) if multiples or rates else ""
             yield replace(formula, tex=tex + below + found["rest"])
         elif formula.start in multiples:
             yield replace(formula, tex=multiples[formula.start])
+        elif tex := _brackets(formula.tex, known) or rates.get(formula.start, ""):
+            yield replace(formula, tex=tex)
         else:
             yield _above_the_diagonal(formula, known, formulas)
+
+
+def _brackets(tex: str, known: Mapping[str, _Elements]) -> str:
+    """The brackets of elements that a formula gives with four indices; empty if it gives none."""
+    own = (
+        brackets_of_elements(tex, letter, one.order, one.is_skew) for letter, one in known.items()
+    )
+    return next(filter(None, own), "")
+
+
+def _rates(tex: str, known: Mapping[str, _Elements]) -> str:
+    """The rates of the elements of a skew matrix that moves, but for those on the diagonal."""
+    for letter, own in known.items():
+        index = rf"{re.escape(letter)}_\s*\{{\s*([a-z])\s*([a-z])\s*\}}"
+        dotted = rf"\\dot\s*(?:\{{\s*{re.escape(letter)}\s*\}}|{re.escape(letter)})"
+        dotted += r"_\s*\{\s*([a-z])\s*([a-z])\s*\}"
+        found = re.match(
+            rf"\s*(?:\\d?frac\s*\{{\s*d\s*{index}\s*\}}\s*\{{\s*dt\s*\}}|{dotted})\s*&?=", tex
+        )
+        if found:
+            i, j = filter(None, found.groups())
+            values = ",".join(map(str, range(1, own.order + 1)))
+            sign = "<" if r"\{" in tex else r"\ne "  # a bracket is skew as the element is
+            return (
+                rf"{tex.rstrip(' .,;')},\quad {i}={values},\quad {j}={values},\quad ({i}{sign}{j})"
+            )
+    return ""
 
 
 _MULTIPLE = re.compile(

@@ -188,6 +188,7 @@ class Known:
             whole = self.names.whole(one)
             by = self.definitions.get(one) or self.definitions.get(whole) or self.later.get(one, [])
             waiting += [other for item in by for other in item.names]
+            waiting += [x for own in self.paper.functions_by_name.get(one, ()) for x in own.by]
         return found
 
     def is_explained(self, name: str) -> bool:

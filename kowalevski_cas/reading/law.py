@@ -21,6 +21,8 @@ class Law:
     """The law of the names on its right sides, if it is another one."""
     restates: Law | None = None
     """The law of which it is printed anew, for special constants."""
+    again: tuple[Law, ...] = ()
+    """The laws that it prints once more, in more variables."""
     begins: int | None = None
     """Where the text begins that is about it alone, if it is another system than before."""
     change: tuple[SourceStatement, ...] = ()

@@ -86,7 +86,9 @@ class _LawFinder:
         if verb := self.said.verb(item):
             return verb == "law" and bool(item.rates)
         paper = self.paper
-        return is_row(item) and item not in paper.approximate | paper.maps | paper.unfinished
+        free = paper.functions_by_name.keys() & item.rates.keys()
+        left = paper.approximate | paper.maps | paper.unfinished
+        return is_row(item) and not free and item not in left
 
     def _defines(self, item: SourceStatement) -> bool:
         """Whether a statement gives a name an expression, and is neither a row nor of one."""
@@ -96,8 +98,9 @@ class _LawFinder:
             return False
         if any(isinstance(member, PoissonBracket) for member in item.members):
             return False  # it gives the bracket
-        rated = (row for row in self.rows if row.order < item.order)
-        return not any(item.bare[0] in row.rates for row in rated if row.section in item.sections)
+        rated = [row for row in self.rows if row.order < item.order and item.bare[0] in row.rates]
+        timed = bool(rated) and "t" in item.names  # it is a solution
+        return not timed and not any(row.section in item.sections for row in rated)
 
     def laws(self) -> Iterator[Law]:
         found = self.found
@@ -154,6 +157,7 @@ class _LawFinder:
         since = part[0].begins or self.paper.prose.start
         moving = {name for law in part for name in law.variables}
         if law := self.fuller(item, moving):
+            law.again = (*part,)
             return law
         if not {*self.scalars(item)} - moving or self.is_defined(item, self.paper.prose.start):
             return None
@@ -210,7 +214,9 @@ class _LawFinder:
             return None  # it is deduced for names that stand for what moves
         old = {name for one in part for name in one.variables}
         rated, named = {*law.variables}, {*self.names.scalars(law.mentions)}
-        deduced = cue("deduced", item.before) and not said
+        met = {name for one in self.paper.items if one.typed.start < begins for name in one.names}
+        anew = said or (named - met and cue("system", item.before))
+        deduced = cue("deduced", item.before) and not anew
         printed = {row.formula for one in part for row in one.rows}
         if named & old - rated or (deduced and rated <= old):
             return None

@@ -17,10 +17,12 @@ from kowalevski_cas.reading.statements import SourceStatement
 def find_momenta(
     items: Sequence[SourceStatement], rows: Sequence[SourceStatement], names: Names
 ) -> dict[SourceStatement, str]:
-    """The statements that give a vector with a printed rate by one that has none, with this one.
+    r"""The statements that give a vector with a printed rate by one that has none, with this one.
 
     Where each of the two is given by the other, the first that is printed counts; what another
-    section says of it is a special case.
+    section says of it is a special case. A rate of the one that moves, printed behind, follows
+    where it stands in the equation of the first, as in :math:`\dot{\mathbf M}=\mathbf
+    M\times\boldsymbol\omega`; else that may be an equation in a fixed frame.
     """
     giving = [one for one in items if _gives(one)]
     found: dict[SourceStatement, str] = {}
@@ -38,11 +40,17 @@ def find_momenta(
             own = own if any(not row.typed.inline for row in own) else []  # else it is claimed
             beside = [row for row in rows for at in own[:1] if at.section in row.sections]
             in_law = {names.whole(n) for row in beside for n in row.names}
+            turning = {names.whole(n) for row in own for n in row.names}
             before = [row for row in beside if row.typed.start < own[0].sentence[1]]
-            rated = {n for row in before for n in names.scalars(row.rates)}
+            rated = {n for row in beside for n in names.scalars(row.rates)}
+            first = {n for row in before for n in names.scalars(row.rates)}
             inner = {names.whole(n) for n in one.members[1].names()}
             unknown = inner & in_law & {*names.vectors} - given
-            moving = [one for one in unknown if rated.isdisjoint(names.scalars([one]))]
+            moving = [
+                one
+                for one in unknown
+                if (first if one in turning else rated).isdisjoint(names.scalars([one]))
+            ]
             again = any(of.bare[0] == name and of.section in one.sections for of in found)
             told = {n for row in own for n in names.scalars(row.rates)}
             if {*names.vectors[name]} <= told and len(moving) == 1 and not again:

@@ -54,20 +54,28 @@ _BY_ALGEBRA = (
 
 
 class OtherCases:
-    """The rates of a paper that may be laws of other cases, and what stands behind them."""
+    """The rates of a paper that may be laws of other cases, and what stands behind them.
+
+    So are those that words set up in more variables, if the law before does not follow from them:
+    ``again`` has the claims that it does, by the first of these rates.
+    """
 
     def __init__(
         self,
         parts: Parts,
         candidates: Mapping[SourceStatement, Sequence[Rung]],
+        again: Mapping[SourceStatement, Sequence[Rung]],
         interpretation: Interpretation,
     ) -> None:
         self.parts = parts
+        candidates = {**candidates, **again}
         asked = [one for one in parts.roles if self._is_asked(one, candidates.get(one, ()))]
+        asked += again
 
         def fails(place: int) -> bool:
             rungs = [one for one in candidates.get(asked[place], ()) if not one.elsewhere]
-            return not any(may_hold(one, interpretation.on(one.claim)) for one in rungs)
+            held = (may_hold(one, interpretation.on(one.claim)) for one in rungs)
+            return not (rungs and all(held) if asked[place] in again else any(held))
 
         found = [*each(fails, range(len(asked)))]
         self.rows = [row for row, failing in zip(asked, found, strict=True) if failing]

@@ -9,6 +9,7 @@ from kowalevski_cas.notation import (
     Derivative,
     Name,
     Number,
+    Partial,
     PoissonBracket,
     Power,
     Relation,
@@ -175,6 +176,8 @@ def integral(item: SourceStatement, known: Known) -> StatementRole | None:
     if all(isinstance(member, PoissonBracket) or member == ZERO for member in item.members):
         return None  # it is said of what stands in the brackets
     assert isinstance(item.formula, Relation)
+    if any(isinstance(node, Partial) for node in item.formula.nodes()):
+        return None  # its derivatives are said to have this value
     if (said := integral_words(item)) and is_level(item, known):
         return StatementRole(CLAIM, f"“{said}” stands beside it", "integral")
     return None

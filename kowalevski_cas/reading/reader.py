@@ -5,14 +5,15 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import chain
 
 from kowalevski_cas.limits import tell
 from kowalevski_cas.notation import Application, to_latex
 from kowalevski_cas.notation.functions import FUNCTIONS
-from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.claims import Claim, Identity
 from kowalevski_cas.paper.derivation import Derivation, Doubt, Section
 from kowalevski_cas.paper.differentials import differentials
 from kowalevski_cas.paper.names import BRACKET, head, primitive
@@ -30,7 +31,9 @@ from kowalevski_cas.reading.doubts import doubt_of
 from kowalevski_cas.reading.energies import claims_of_energies
 from kowalevski_cas.reading.grammar import wrong
 from kowalevski_cas.reading.in_words import claims_in_words
+from kowalevski_cas.reading.jets import refuse_of_functions
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, UNIT_MATRIX, StatementRole
+from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.maps import enter_maps, find_maps, primed_images
 from kowalevski_cas.reading.maps_in_words import claims_of_maps
 from kowalevski_cas.reading.names import Names, vectors_of
@@ -183,6 +186,7 @@ class _DerivationReader:
                 beside = [at] if self.parts.roles[at].name == ASSUMPTION else []
                 supposed = [*beside, *known.supposed(at)]
                 on = self.stages[known].scene(found.about, supposed, found.law)
+                refuse_of_functions(found.kind, found.values, on.scene)
                 claim = found.kind(id, on.scene, words=found.says, **found.values)  # type: ignore[arg-type]
             except (ValueError, Meaningless) as error:
                 yield JudgedStatement(first, role, message=str(error), span=found.span)
@@ -214,9 +218,11 @@ class _DerivationReader:
         waiting = [item for item, found in self.candidates.items() if found]
         claims = [self.candidates[item][0].claim for item in waiting]
         first = self._derivation((*claims, *(one.claim for one in statements if one.claim)))
-        scenes = (rung.claim.scene for item in waiting for rung in self.candidates[item])
+        again = dict(self._again())
+        rungs = [rung for item in waiting for rung in self.candidates[item]]
+        scenes = (one.claim.scene for one in chain(rungs, *again.values()))
         interpretation = Interpretation(first, first.texts(None, *scenes))
-        self.cases = OtherCases(self.parts, self.candidates, interpretation)
+        self.cases = OtherCases(self.parts, self.candidates, again, interpretation)
         otherwise = {
             item: self.cases.otherwise(item, item.typed.start, self.candidates[item][0].claim)
             for item in waiting
@@ -240,6 +246,27 @@ class _DerivationReader:
             if referee is not None and outcome is not None:
                 outcomes[outcome.claim] = referee.receive(item, outcome)
             yield item, choice_of
+
+    def _again(self) -> Iterator[tuple[SourceStatement, list[Rung]]]:
+        """The laws that are printed once more, each with the claims that those before follow.
+
+        There are none where their names have no meaning together.
+        """
+        for known, stage in self.stages.items():
+            for law in known.laws:
+                rows = [row for one in law.again for row in one.items]
+                rungs: list[Rung] = []
+                with suppress(ValueError, Meaningless):
+                    rungs = [self._follows(row, law, stage) for row in rows]
+                if rows:
+                    yield law.first, rungs
+
+    def _follows(self, row: SourceStatement, law: Law, stage: Stage) -> Rung:
+        """The claim that a row of a law before holds by another law."""
+        on = stage.scene([row], (), law)
+        says = "the law before follows"
+        claim = Identity(f"{self._id(row)}-again", on.scene, says, printed=row.printed)
+        return Rung(claim, (), on.constants)
 
     def _formula(
         self, item: SourceStatement, role: StatementRole, choice: Choice | None

@@ -26,6 +26,7 @@ from kowalevski_cas.reading.definitions import (
 from kowalevski_cas.reading.factors import roots
 from kowalevski_cas.reading.flows import divergence, measure
 from kowalevski_cas.reading.index_ranges import is_range
+from kowalevski_cas.reading.jets import gives_derivative, special_function
 from kowalevski_cas.reading.known import (
     CLAIM,
     DEFINITION,
@@ -101,7 +102,7 @@ def unread(item: SourceStatement, known: Known) -> StatementRole | None:
 def expression(item: SourceStatement, known: Known) -> StatementRole | None:
     """What is no relation: a name, or an expression, of which only words state something."""
     if is_dependence(item):
-        return StatementRole(NOTATION, "says that it depends on the time")
+        return StatementRole(NOTATION, "says on what it depends")
     if isinstance(item.formula, Relation):
         return None
     if isinstance(item.formula, Name):
@@ -209,7 +210,8 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 
 RULES: tuple[Rule, ...] = (
     unread, beginning, eigenvalue, of_flow, expression, named_set, law, constraint, together,
-    unit, bracket, bracket_of_functions, unjudged, inequality, repeated, change, roots,
+    unit, bracket, bracket_of_functions, unjudged, inequality, repeated, gives_derivative,
+    special_function, change, roots,
     claimed_set, point, solution, constant_of_solution, energy, on_place, definition, square,
     assumption, value, approximate, rate, zero_set, level, integral, identity, other,
 )  # fmt: skip

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from kowalevski_cas.paper.claims import Claim, RestPoints
 from kowalevski_cas.paper.claims.maps import OF_MAPS
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.reading.jets import refuse_of_functions
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.stage import Stage, Supposed
 from kowalevski_cas.reading.statements import SourceStatement
@@ -73,6 +74,7 @@ class RungMaker:
             if attributes.get("given"):
                 raise ValueError("an invariant of a map on a set is not known")
             kind, attributes["images"] = OF_MAPS[kind], found.images
+        refuse_of_functions(kind, attributes, found.scene)
         claim = kind(self.id, found.scene, says, **attributes)  # type: ignore[arg-type]
         in_force = bool(on) and [*on] == self.known.sets(self.item)
         idle = None

@@ -10,13 +10,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-from kowalevski_cas.notation import Formula, read
+from kowalevski_cas.notation import Formula, PoissonBracket, read
 from kowalevski_cas.notation.open import OpenParser
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.amplitudes import UNIT, conjugate_equations, conjugate_name
 from kowalevski_cas.paper.differentials import differentials, rates
 from kowalevski_cas.paper.matrix_equations import equations_of_entries
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.phrases import supposing
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, is_closing
 from kowalevski_cas.reading.unprinted import definitions_below
@@ -29,8 +31,8 @@ def rows_of_matrices(
 ) -> dict[SourceStatement, list[SourceStatement]]:
     """The rates of the entries, for each row of a matrix that is given by them.
 
-    A row whose entries move before it has none: it is claimed. One by which they are not determined
-    has none, and its ``trouble`` says why.
+    A row whose entries move by themselves has none: it is claimed. One by which they are not
+    determined has none, and its ``trouble`` says why.
     """
     found: dict[SourceStatement, list[SourceStatement]] = {}
     own = [row for row in rows if {*row.rates} & paper.words.matrices]
@@ -49,9 +51,9 @@ def rows_of_matrices(
             if one in given or by_rows.isdisjoint(one.printed.heads.names)  # it is claimed
         }
         general = (one for one in about if one.order < row.order or not supposing(one))
-        about = dict.fromkeys(_first_of_names(general))
-        rated = {n for one in rows if one not in own and one.order < row.order for n in one.rates}
-        if rated & {name for one in given for name in one.names}:
+        about = dict.fromkeys(_one_of_each(general, row))
+        names = {name for one in given for name in one.names}
+        if _are_rated(names, row, [one for one in rows if one not in own]):
             found |= {one: [] for one in together}
             continue
         try:
@@ -63,11 +65,40 @@ def rows_of_matrices(
     return found
 
 
-def _first_of_names(items: Iterable[SourceStatement]) -> Iterator[SourceStatement]:
-    """The statements by which names are given first: again it is a claim, or a case."""
+def _are_rated(names: set[str], row: SourceStatement, others: Iterable[SourceStatement]) -> bool:
+    r"""Whether rates of names in matrices are printed before a row for these, or all behind it.
+
+    Behind it, :math:`\dot M_{12}=\ldots` with other elements on the right says how one moves. If
+    words call the row the equations of motion, they have to say so of what is behind it.
+    """
+    printed = [one for one in others if names & {*one.rates}]
+    if any(one.order < row.order for one in printed):
+        return True
+    of_motion = cue("system", row.before)
+    printed = [one for one in printed if cue("system", one.before) or not of_motion]
+    printed = [one for one in printed if not _has_brackets(one)]
+    rated = {name for one in printed for name in one.rates}
+    letters = {symbol(name).head for name in rated}
+    needed = {name for one in printed for name in one.names & names}
+    return bool(rated) and all(symbol(name).head not in letters for name in needed - rated)
+
+
+def _has_brackets(item: SourceStatement) -> bool:
+    nodes = item.formula.nodes() if item.formula is not None else ()
+    return any(isinstance(node, PoissonBracket) for node in nodes)
+
+
+def _one_of_each(
+    items: Iterable[SourceStatement], row: SourceStatement
+) -> Iterator[SourceStatement]:
+    """The statements that give names: the last to the end of a sentence, or the first behind it."""
+    end = row.sentence[1]
+    ordered = sorted(items, key=lambda one: one.order)
+    before = [one for one in ordered if one.typed.start < end]
     given = set[str]()
-    for one in sorted(items, key=lambda one: one.order):
-        if not (names := {*one.printed.heads.names}) or names - given:
+    for one in (*reversed(before), *(one for one in ordered if one.typed.start >= end)):
+        names = {*one.printed.heads.names}
+        if not names or names - given:
             yield one
         given |= names
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -28,6 +28,7 @@ from kowalevski_cas.paper.amplitudes import conjugate_name, with_conjugates
 from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.exponents import half_power
 from kowalevski_cas.paper.functions import without_extremes
+from kowalevski_cas.paper.jets import Unknown
 from kowalevski_cas.paper.logarithms import roots as real_roots
 from kowalevski_cas.paper.names import BRACKET, DELTA, head, primitive, summation_indices
 from kowalevski_cas.paper.relations import solve_for_constant
@@ -35,6 +36,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.forces import refuse_unsaid_forces
+from kowalevski_cas.reading.free_functions import TIME, names_of, with_free_functions
 from kowalevski_cas.reading.kinematics import is_free, refuse_dynamics
 from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, Known
 from kowalevski_cas.reading.law import Law
@@ -121,6 +123,8 @@ class Stage:
         return [one for one in supposed if {*self.known.roles[one].names} & (below | moving)]
 
     def _is_lost(self, assumption: SourceStatement) -> bool:
+        if any(one.trouble for one in self.known.items if one.typed is assumption.typed):
+            return True  # its display cannot be read as a whole
         try:
             self._closure([assumption], None)
         except ValueError:
@@ -174,6 +178,7 @@ class Stage:
             if name in names:
                 continue
             names.add(name)
+            waiting += self._beside(name, moving)
             parts = {*known.names.vectors.get(name, ())}
             if name in moving or parts & moving:
                 waiting += parts - moving
@@ -191,6 +196,13 @@ class Stage:
                 raise ValueError(f"{name} is defined by what cannot be read")
         stated = frozenset(name for item in items for name in item.names)
         return _Closure(law, frozenset(names), definitions, stated)
+
+    def _beside(self, name: str, moving: Collection[str]) -> Iterator[str]:
+        """What a value of a free function needs: the function, arguments, defined derivatives."""
+        every = self.known.paper.functions_by_name.get(name, [])
+        for one in [one for one in every if {*one.by} <= {*moving, TIME}] or every:
+            known = (other for other in names_of((one,)) if self.known.is_defined(other))
+            yield from (one.name, *one.by, *known)
 
     def _with_definitions(
         self, closure: _Closure, assumptions: Sequence[SourceStatement]
@@ -236,7 +248,8 @@ class Stage:
         named = [law for law in smallest if cited & {*law.rows, *law.printed}]
         law = next(iter((named or smallest)[::-1]), None)
         for name in known.names.scalars(name for item in items for name in item.rates):
-            if known.is_defined(name) and (law is not None or "t" in known.below(name)):
+            given = known.is_defined(name) or name in known.paper.functions_by_name
+            if given and (law is not None or "t" in known.below(name)):
                 continue
             if law is None or name not in law.variables:
                 raise ValueError(f"no equation says how ${name}$ moves")
@@ -295,6 +308,9 @@ class Stage:
         new = {name for one in about for name in one.names if not self.known.is_defined(name)}
         named = replace(closure, names=closure.names | {n for n in new if not self.known.varies(n)})
         constants = tuple(self._constants(named, places, squares, vectors))
+        functions = [*self._functions(closure)]
+        values = names_of(functions)
+        constants = tuple(name for name in constants if name not in values)
         title = closure.law.title if closure.law else "the constants"
         law = closure.law
         rows = tuple(row.printed for row in law.rows) if law and not law.images else ()
@@ -302,6 +318,7 @@ class Stage:
             title, vectors, closure.variables, constants, rows, definitions=places, powers=powers,
             matrices=tuple(name for name in places if name in self.known.paper.words.matrices),
         )  # fmt: skip
+        scene = with_free_functions(scene, functions) if functions else scene
         squared = {name for place in squares for name in place.heads.squares}
         first = [root for root in roots if squared.isdisjoint(self._below(root))]
         scene = scene.adjoining(*(root for root in first if root not in scene.definitions))
@@ -318,6 +335,17 @@ class Stage:
             scene = scene.called(f"{title} where {', '.join(one.printed.tex for one in used)}")
         unsaid = tuple(name for name in constants if name not in self.introduced)
         return Supposed(scene, tuple(used), unsaid, law.images if law else ())
+
+    def _functions(self, closure: _Closure) -> Iterator[Unknown]:
+        """The functions of which values or derivatives are needed, and nothing defines the values.
+
+        Where a letter is a function of several things, it is one of what moves there.
+        """
+        at = {*closure.variables, *closure.definitions, TIME}
+        for name in sorted(closure.names):
+            every = self.known.paper.functions_by_name.get(name, [])
+            own = [one for one in every if {*one.by} <= at] or every
+            yield from (one for one in own if one.name == name and name not in closure.definitions)
 
     def _places(self, closure: _Closure) -> tuple[dict[str, Printed], list[Printed]]:
         """The definitions by their heads, and the statements that give squares."""

@@ -19,12 +19,14 @@ from kowalevski_cas.notation import (
     Vocabulary,
 )
 from kowalevski_cas.notation.symbol import name_of_rate, symbol
+from kowalevski_cas.paper.jets import Unknown
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.times import time_change
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue, cues
 from kowalevski_cas.reading.elements import with_elements
 from kowalevski_cas.reading.formulas import by_names, read_formula, vocabulary_of, without_maps
+from kowalevski_cas.reading.free_functions import free_functions, names_of, with_names_alone
 from kowalevski_cas.reading.index_ranges import period_in, with_ranges
 from kowalevski_cas.reading.initially import moving_names, time_of_value, with_initial_values
 from kowalevski_cas.reading.named_sets import without_set_names
@@ -165,6 +167,17 @@ class SourcePaper:
     """By how much indices may be changed; 0 if they may not."""
     sets: Mapping[int, str] = field(default_factory=dict)
     """The names of sets, by the offsets of the formulas that print their equations."""
+    functions: tuple[Unknown, ...] = ()
+    """The functions of which nothing is said but their arguments."""
+
+    @cached_property
+    def functions_by_name(self) -> dict[str, list[Unknown]]:
+        """These functions, by the names of their values and derivatives."""
+        found: dict[str, list[Unknown]] = {}
+        for one in self.functions:
+            for name in names_of((one,)):
+                found.setdefault(name, []).append(one)
+        return found
 
     @cached_property
     def alike(self) -> dict[Formula | None, list[SourceStatement]]:
@@ -271,12 +284,16 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     expanded, typed = typed_formulas(source)
     typed = [*with_variations([*with_elements([*without_maps(typed)], expanded.text)])]
     named = [*without_set_names(typed)]
-    moving = moving_names([formula for formula, _ in named])
-    begun, starts = with_initial_values([formula for formula, _ in named], moving)
+    printed = [formula for formula, _ in named]
+    functions = free_functions(printed, expanded.text)
+    printed = [*with_names_alone(printed, functions)]
+    moving = moving_names(printed)
+    begun, starts = with_initial_values(printed, moving)
     formulas = [*by_names(begun)]
     prose = Prose(expanded.text, expanded.body, formulas)
     words = vocabulary_of(formulas)
-    words = replace(words, scalars=words.scalars | primed, moving=words.moving | primed)
+    others = primed | names_of(functions)
+    words = replace(words, scalars=words.scalars | others, moving=words.moving | others)
     displays: list[tuple[Display, TypedFormula]] = []
     items: list[SourceStatement] = []
     period = period_in(expanded.text[prose.start :])
@@ -319,7 +336,7 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
             )  # fmt: skip
     return SourcePaper(
         source, prose, words, tuple(displays), tuple(items), lines, expanded, primed, period,
-        {formula.start: name for formula, name in named if name},
+        {formula.start: name for formula, name in named if name}, functions,
     )  # fmt: skip
 
 
@@ -364,7 +381,7 @@ def is_closing(item: SourceStatement) -> bool:
 
 
 def is_dependence(item: SourceStatement) -> bool:
-    """Whether a statement only says that a name depends on the time, as :math:`q=q(t)`."""
+    """Whether a statement only says on what a name depends, as :math:`q=q(t)`."""
     return len(item.bare) == 2 == len(item.members) and item.bare[0] == item.bare[1]
 
 

@@ -30,7 +30,8 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
             return StatementRole(OTHER, f"“{said}” names a region by it")
         others = (one for one in known.paper.items if one.typed is item.typed)
         beside = not item.typed.inline and len([*others]) > 1
-        supposed = beside or bool(supposing(item))
+        deduced = item.derives and "=" in item.formula.signs and not cue("when", item.lead)
+        supposed = not deduced and (beside or bool(supposing(item)))
     else:
         words = item.lead[-30:] if item.typed.inline else item.before
         claimed = last_cue("claim", words) > last_cue("suppose", words)

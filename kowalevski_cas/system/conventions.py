@@ -9,6 +9,7 @@ from typing import NamedTuple
 from kowalevski_cas.paper.applied import collective_arguments, printed_arguments, without_arguments
 from kowalevski_cas.paper.chains import without_chains
 from kowalevski_cas.paper.initial_values import without_initial_values
+from kowalevski_cas.paper.jets import Unknown, without_argument
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.subscripts import derived_in_index, with_derivatives, with_rates
 from kowalevski_cas.system.beside import columns, with_columns_in_bold, with_upright_unit
@@ -29,11 +30,9 @@ from kowalevski_cas.system.partials import moving_names, with_partials
 from kowalevski_cas.system.real_parts import with_real_parts
 from kowalevski_cas.system.skew_matrices import with_skew_matrices
 from kowalevski_cas.system.unknown import (
-    Unknown,
     said_functions,
     unknown_functions,
     with_rates_of_functions,
-    without_argument,
     without_said_functions,
 )
 from kowalevski_cas.system.vectors import Vectors

@@ -8,6 +8,7 @@ from typing import Any
 
 from kowalevski_cas.notation import defined_names, read_display
 from kowalevski_cas.paper.constraints import equations_on
+from kowalevski_cas.paper.jets import with_jets
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display
@@ -26,7 +27,7 @@ from kowalevski_cas.system.refused import check_raised
 from kowalevski_cas.system.roots import with_roots
 from kowalevski_cas.system.symbols import latex_of
 from kowalevski_cas.system.units import with_unit_matrices
-from kowalevski_cas.system.unknown import TIMES, check_said, with_jets
+from kowalevski_cas.system.unknown import TIMES, check_said
 from kowalevski_cas.system.vectors import Vectors
 
 

@@ -1,69 +1,30 @@
 r"""Functions that nothing gives: :math:`V(r)`, :math:`f(t)`, :math:`\nabla U`, :math:`dU/dx`.
 
 Each of their derivatives is a name of its own, :math:`V'` for :math:`V'(r)` and :math:`U_{12}` for
-:math:`\partial^2U/\partial x\partial y`, that moves by the next ones and by the rates of the
-arguments. At a point a function may have any derivatives; so what holds of these names holds for
-all functions, and where it fails there is a function for which it does.
+:math:`\partial^2U/\partial x\partial y` (:mod:`kowalevski_cas.paper.jets`).
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import replace
-from itertools import combinations_with_replacement
-from typing import NamedTuple
+from collections.abc import Collection
 
 from kowalevski_cas.notation import Vocabulary, split_display
 from kowalevski_cas.notation.cursor import Cursor, is_known
 from kowalevski_cas.notation.functions import FUNCTIONS, LETTERS
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.chains import NAME
 from kowalevski_cas.paper.constraints import MULTIPLIERS
+from kowalevski_cas.paper.jets import APPLIED, Unknown, arguments
 from kowalevski_cas.paper.names import head
-from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display
 from kowalevski_cas.system.partials import derivatives_of_functions, gradients, moving_names
 
 TIMES, PRIME = ("t", r"\tau"), "'"
-BEYOND = {1: 4, 2: 2, 3: 2}
-"""How many derivatives are known beyond those that are printed, by the number of arguments."""
-_NAME = r"(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?"
-_BOLD = r"\\(?:mathbf|boldsymbol|vec)\s*\{?\s*\\?[A-Za-z]+\s*\}?(?:_(?:\w|\{[^{}]*\}))?"
-_APPLIED = re.compile(
-    rf"""(?<![A-Za-z\\])(?<!\\mathbf[ {{])(?<!\\boldsymbol[ {{])(?P<name>{_NAME})(?P<primes>'*)
-    (?P<power>\^(?:\d|\{{[^{{}}]*\}}))?\s*(?:\\left\s*)?\(
-    \s*(?P<by>{_BOLD}|{_NAME}(?:\s*,\s*{_NAME})*)\s*(?:\\right\s*)?\)""",
-    re.VERBOSE,
-)
 
 
-_SAID = re.compile(rf"(?P<name>{_NAME})\s*=\s*(?P=name)\s*\((?P<by>{_NAME}(?:\s*,\s*{_NAME})*)\)")
-
-
-class Unknown(NamedTuple):
-    """A function with the names of its arguments, and how often it is derived at most."""
-
-    name: str
-    by: tuple[str, ...]
-    order: int
-
-    def jets(self, vectors: Mapping[str, tuple[str, ...]]) -> Iterator[tuple[str, str, str]]:
-        """Each derivative, with the next one and the argument, if vectors have these components."""
-        by = tuple(part for one in self.by for part in vectors.get(one, (one,)))
-        beyond = self.order + BEYOND.get(len(by), 1)
-        for order in range(beyond):
-            for places in combinations_with_replacement(range(len(by)), order):
-                for k, argument in enumerate(by):
-                    next = tuple(sorted((*places, k)))
-                    yield self._derivative(places, by), self._derivative(next, by), argument
-
-    def _derivative(self, places: Sequence[int], by: Sequence[str]) -> str:
-        """The name of a derivative, by the numbers of arguments; with primes if there is one."""
-        if len(by) == 1:
-            return self.name + "'" * len(places)
-        own = symbol(self.name)
-        return replace(own, index=own.index + "".join(str(k + 1) for k in places)).name
+_SAID = re.compile(rf"(?P<name>{NAME})\s*=\s*(?P=name)\s*\((?P<by>{NAME}(?:\s*,\s*{NAME})*)\)")
 
 
 def unknown_functions(tex: str) -> list[Unknown]:
@@ -92,14 +53,14 @@ def unknown_functions(tex: str) -> list[Unknown]:
         matches, orders = applied.get(name, []), derived.get(name, {})
         if name in given or not is_known(symbol(name).letter):
             continue
-        lists = {tuple(_arguments(match["by"])) for match in matches}
+        lists = {tuple(arguments(match["by"])) for match in matches}
         everywhere = len(re.findall(rf"(?<![A-Za-z\\]){re.escape(name)}(?![A-Za-z_])", tex))
         if len(lists) > 1 or (not orders and name not in said and everywhere != len(matches)):
             continue
-        arguments = min(lists) if lists else tuple(orders)
-        if orders or all(_is_argument(one, name, tex) for one in arguments):
+        by = min(lists) if lists else tuple(orders)
+        if orders or all(_is_argument(one, name, tex) for one in by):
             most = max([len(match["primes"]) for match in matches] + [*orders.values()])
-            functions.append(Unknown(name, arguments, most))
+            functions.append(Unknown(name, by, most))
     return functions
 
 
@@ -109,7 +70,7 @@ def _bare(tex: str) -> str:
 
 
 _DOTTED = re.compile(
-    rf"\\(?P<dots>d{{0,3}})ot\s*(?:\{{\s*(?P<braced>{_NAME})\s*\}}|\s(?P<name>{_NAME}))\s*\(\s*t\s*\)"
+    rf"\\(?P<dots>d{{0,3}})ot\s*(?:\{{\s*(?P<braced>{NAME})\s*\}}|\s(?P<name>{NAME}))\s*\(\s*t\s*\)"
 )
 
 
@@ -124,7 +85,7 @@ def with_rates_of_functions(tex: str) -> str:
     '\\dot x(t)=y(t), \\dot y(t)=-x(t)'
     """
     dotted = {one["braced"] or one["name"] for one in _DOTTED.finditer(tex)}
-    bare = re.sub(rf"(?:{_DOTTED.pattern})|{_NAME}\s*\(\s*t\s*\)", " ", tex)
+    bare = re.sub(rf"(?:{_DOTTED.pattern})|{NAME}\s*\(\s*t\s*\)", " ", tex)
     if not dotted or not moving_names(bare):
         return tex
     for name in sorted(dotted):
@@ -169,7 +130,7 @@ def check_said(names: Collection[str], constants: Collection[str]) -> None:
 def _applications(tex: str) -> dict[str, list[re.Match[str]]]:
     """Where names stand before arguments in brackets."""
     applied: dict[str, list[re.Match[str]]] = {}
-    for match in _APPLIED.finditer(tex):
+    for match in APPLIED.finditer(tex):
         applied.setdefault(match["name"].replace(" ", ""), []).append(match)
     return applied
 
@@ -181,50 +142,6 @@ def _orders(tex: str, moving: Collection[str]) -> dict[str, dict[str, int]]:
         orders = derived.setdefault(name, {})
         orders[by] = max(order, orders.get(by, 0))
     return derived
-
-
-def with_jets(scene: Scene, jets: Sequence[tuple[str, str, str]]) -> Scene:
-    """A scene on which the derivatives of functions move; the last of each is any constant."""
-    names = dict.fromkeys(name for name, _, _ in jets)
-    last = tuple(dict.fromkeys(next for _, next, _ in jets if next not in names))
-    constants = tuple(name for name in scene.constants if name not in (*names, *last))
-    return replace(
-        scene,
-        variables=(*scene.variables, *names),
-        constants=constants,
-        undefined=(*scene.undefined, *last),
-        jets=(*jets,),
-    )
-
-
-def without_argument(tex: str, functions: Collection[Unknown]) -> str:
-    """A formula with these functions by their names alone.
-
-    Raises ``ValueError`` for one at another argument.
-    """
-    for one in functions:
-        listed = ", ".join(one.by)
-
-        def name_alone(match: re.Match[str], one: Unknown = one, listed: str = listed) -> str:
-            if match["name"] != one.name:
-                return match[0]
-            if (*_arguments(match["by"]),) != one.by:
-                raise ValueError(f"{one.name} is a function of {listed}; {match[0]} is not known")
-            return f"{match['name']}{match['primes']}{match['power'] or ''} "
-
-        tex = _APPLIED.sub(name_alone, tex)
-        applied = rf"(?<![A-Za-z\\]){re.escape(one.name)}'*(?:\^(?:\w|\{{[^{{}}]*\}}))?"
-        if other := re.search(rf"{applied}\s*(?:\\left\s*)?\(", tex):
-            shown = tex[other.start() : other.end() + 5]
-            raise ValueError(f"{one.name} is a function of {listed}; {shown}… is not known")
-    return tex
-
-
-def _arguments(listed: str) -> Iterator[str]:
-    """The names in a list of arguments, as the reader makes them."""
-    for one in listed.split(","):
-        ((letter, index),) = Cursor(one, scan(one), Vocabulary()).letters()
-        yield letter + index
 
 
 def _is_argument(by: str, function: str, tex: str) -> bool:
@@ -241,7 +158,7 @@ def _has_momentum(by: str, tex: str) -> bool:
 
 def _stands_elsewhere(by: str, function: str, tex: str) -> bool:
     """Whether an argument is a name of the display."""
-    rest = _APPLIED.sub(lambda match: "" if match["name"] == function else match[0], tex)
+    rest = APPLIED.sub(lambda match: "" if match["name"] == function else match[0], tex)
     names = (letter + index for letter, index in Cursor(rest, scan(rest), Vocabulary()).letters())
     known = {part for name in names for part in (name, symbol(name).without_type.name)}
     return by in known or any(symbol(one).index == by for one in known)

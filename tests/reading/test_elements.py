@@ -100,3 +100,36 @@ def test_rates_of_elements_before_the_matrix_equation_are_the_law():
     \[\dot L=NL-LN .\]"""
     assert [one.green for one in verdicts(text).values()] == [True]
     assert [one.green for one in verdicts(text.replace("NL-LN", "LN-NL")).values()] == [False]
+
+
+@pytest.mark.parametrize(
+    ("claim", "green"),
+    [
+        (r"The function $F=K_{12}^2+K_{13}^2+K_{23}^2$ is an integral.", True),
+        (r"The function $F=K_{12}^2+K_{13}^2+2K_{23}^2$ is an integral.", False),
+        (r"Then \[\dot K_{12}=0 .\]", False),
+        (r"Then \[\dot K_{12}=(a_1-a_2)K_{13}K_{23} .\]", True),
+        (r"Then \[\dot K_{12}=(a_2-a_1)K_{13}K_{23} .\]", False),
+    ],
+)
+def test_factors_may_be_said_behind_the_law(claim, green):
+    law = FACTORS.partition(r",\qquad g_{ij}")[0] + r" .\] Here $g_{ij}=a_i+a_j$. "
+    assert [one.green for one in verdicts(law + claim).values()] == [green]
+
+
+@pytest.mark.parametrize("factor", ["a_i-2a_j", "a_i", "b_{ij}"])
+def test_factors_that_are_not_symmetric_make_no_law(factor):
+    law = FACTORS.partition(r",\qquad g_{ij}")[0] + rf",\qquad g_{{ij}}={factor} .\] "
+    assert not reading(
+        law + r"The function $F=K_{12}^2+K_{13}^2+K_{23}^2$ is an integral."
+    ).parts.laws
+
+
+@pytest.mark.parametrize(
+    ("equation", "green"), [("NL-LN", True), ("LN-NL", False), ("2NL-2LN", False)]
+)
+def test_a_matrix_equation_before_the_equations_of_motion_is_claimed(equation, green):
+    text = rf"""The equation of Lax is \[\dot L={equation},\qquad L=\begin{{pmatrix}}x&y\\y&-x\end{{pmatrix}},\qquad
+    N=\frac a2\begin{{pmatrix}}0&1\\-1&0\end{{pmatrix}} .\]
+    It is equivalent to the equations of motion \[\dot x=ay,\qquad \dot y=-ax .\]"""
+    assert [one.green for one in verdicts(text).values()] == [green]

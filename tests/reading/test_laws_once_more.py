@@ -83,3 +83,37 @@ def test_a_relation_between_rates_and_the_time_is_no_solution(claim, green):
     text = r"""The equations of motion are $$\dot x=y-t,\qquad \dot y=-x.$$ Hence $$y={}.$$"""
     found = verdicts(text.replace("{}", claim))
     assert any(one.green for one in found.values()) is green
+
+
+@pytest.mark.parametrize(
+    "rows",
+    [
+        r"\dot x=v,\qquad \dot v=-x+b",
+        r"\dot x=v,\qquad \dot v=-x-cv",
+        r"\dot x=v,\qquad \dot v=x",
+        r"\dot x=v+x,\qquad \dot v=-x",
+        r"\dot x=v-t,\qquad \dot v=-x",
+        r"\dot x=2v,\qquad \dot v=-x",
+        r"\dot x=v,\qquad \dot v=-x^3",
+        r"\dot x=v,\qquad \dot v=-x+w,\qquad \dot w=0",
+    ],
+)
+def test_where_the_first_law_does_not_follow_nothing_is_said_of_either(rows):
+    text = rf"A bead moves by $$\ddot x=-x.$$ The equations of motion of a charged bead are $${rows}.$$"
+    claims = r"For the first bead $$\frac{d}{dt}(\dot x^2+x^2)=0,$$ and for the other $$\ddot x=\dot v.$$"
+    assert not any(one.green for one in verdicts(f"{text} {claims}").values())
+    same = text.replace(rows, r"\dot x=v,\qquad \dot v=-x")
+    assert [one.green for one in verdicts(f"{same} {claims}").values()] == [True, True]
+
+
+FIELDS = r"""\section{Homogeneous} The equations of motion are $$\ddot x=a\dot y,\qquad \ddot y=-a\dot x.$$
+\section{Crossed} Let there be another field $E$. The equations of motion take the form
+$$\ddot x=a\dot y,\qquad \ddot y=-a\dot x+E.$$ Hence $$\frac{d}{dt}(\dot x^2+\dot y^2)={}.$$"""
+
+
+def test_equations_of_motion_that_take_a_form_with_new_letters_are_another_law():
+    assert verdicts(FIELDS.replace("{}", r"2E\dot y")).popitem()[1].green
+    for wrong in ("0", r"E\dot y", r"2E\dot x"):
+        assert not verdicts(FIELDS.replace("{}", wrong)).popitem()[1].green
+    claimed = FIELDS.replace("The equations of motion take", "Substituting we see that they take")
+    assert len(reading(claimed).parts.laws) == 1

@@ -96,3 +96,24 @@ def test_a_letter_that_is_a_function_elsewhere_is_no_factor_of_a_scalar_product(
     claim = r"Then \[ @K=@J@w+@k(@n,@n)@w-@k(@w,@n)\,@n . \]"
     found = judged(BODY + words + claim, LETTERS[0])
     assert not any(one.verdict is Verdict.PROVED for one in found)
+
+
+FIXED = r"""The angular momentum is $@K=@J@w$, with $@J=\operatorname{diag}(B_1,B_2,B_3)$. In the fixed frame
+\[ \dot{@K}=0 .\] In the frame of the body the equations of Euler are \[ @J\dot{@w}=@J@w\times@w .\] """
+
+
+@pytest.mark.parametrize(
+    ("claim", "green"),
+    [
+        (r"The function $F=(@K,@w)$ is an integral.", True),
+        (r"The function $F=(@K,@K)$ is an integral.", True),
+        (r"The function $F=w_1$ is an integral.", False),
+        (r"The function $F=w_1^2+w_2^2$ is an integral.", False),
+        (r"The function $F=(@w,@w)$ is an integral.", False),
+        (r"Then \[ B_1\dot w_1=(B_2-B_3)w_2w_3 .\]", True),
+        (r"Then \[ \dot w_1=0 .\]", False),
+    ],
+)
+def test_what_is_said_in_a_fixed_frame_is_not_the_law_in_that_of_the_body(claim, green):
+    found = judged(FIXED + claim, LETTERS[0])
+    assert found[-1].verdict.green == green

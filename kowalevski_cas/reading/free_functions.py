@@ -1,0 +1,209 @@
+r"""Functions of which a paper says nothing but what they are functions of, as a potential V(r).
+
+They are names for any values, and so are their derivatives (:mod:`kowalevski_cas.paper.jets`): what
+is proved holds for all functions. One that is given anywhere, as by :math:`V(r)=-k/r`, is not any.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import replace
+
+from kowalevski_cas.notation import NotationError
+from kowalevski_cas.notation.cursor import is_known
+from kowalevski_cas.notation.functions import FUNCTIONS, LETTERS
+from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.chains import NAME
+from kowalevski_cas.paper.initial_values import names_under_dots
+from kowalevski_cas.paper.jets import APPLIED, Unknown, arguments, with_jets, without_argument
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.source.displays import TypedFormula
+
+TIME = "t"
+_DERIVED = re.compile(
+    rf"\\[dt]?frac\s*\{{\s*d\s*(?P<name>{NAME})\s*\}}\s*\{{\s*d\s*(?P<by>{NAME})\s*\}}"
+    rf"|(?<![A-Za-z\\])d\s*(?P<of>{NAME})\s*/\s*d\s*(?P<at>{NAME})"
+)
+"""The derivative of a name by another one."""
+_RATE = re.compile(rf"\\[dt]?frac\s*\{{\s*d(?:\s*\^\s*\d)?\s*(?P<name>{NAME})\s*\}}\s*\{{\s*d\s*t")
+"""A rate that is printed as a quotient."""
+_WORDS = r"\\(?:begin|end|label|tag|text|mathrm|mathbf|boldsymbol|operatorname\*?)\s*\{[^{}]*\}"
+_RUN = re.compile(rf"{_WORDS}|\\[A-Za-z]+|[A-Za-z](?=[A-Za-z])")
+"""A letter right before another one, which is a factor; or a macro, which is a whole."""
+_TYPES = (
+    r"\\(?:(?:wide)?(?:tilde|hat)|bar|(?:over|under)line|check|breve|vec|math[a-z]+|boldsymbol"
+    r"|cal|bf)"
+)
+"""What makes another name of a letter."""
+_SECTION = re.compile(r"\\(?:section|chapter)\s*\*?\s*(?:\[[^\]]*\])?\s*\{")
+
+
+def free_functions(formulas: Sequence[TypedFormula], text: str) -> tuple[Unknown, ...]:
+    """The functions at what moves, of which nothing gives the values, each with its arguments.
+
+    In another section a letter may be a function of something else.
+    """
+    texts = [_apart(one.tex) for one in formulas]
+    moving = set[str]().union(*map(names_under_dots, texts)) | {TIME}
+    moving |= {found["name"].replace(" ", "") for tex in texts for found in _RATE.finditer(tex)}
+    given = {
+        name
+        for place, tex in enumerate(texts)
+        for name in _given(tex)
+        if not _is_special(name, place, formulas, text)
+    }
+    lists: dict[str, dict[int, set[tuple[str, ...]]]] = defaultdict(lambda: defaultdict(set))
+    orders: dict[str, int] = defaultdict(int)
+    sure: set[str] = set()
+    for formula, tex in zip(formulas, texts, strict=True):
+        section = sum(1 for _ in _SECTION.finditer(text, 0, formula.start))
+        for name, by, order in _applications(tex):
+            if {*by} <= moving | given:
+                lists[name][section].add(by)
+                orders[name] = max(order, orders[name])
+                sure |= {name} if order or _says(tex, name) else set()
+    found = []
+    for name in lists:
+        every = dict.fromkeys(by for own in lists[name].values() for by in own)
+        several = any(len(own) > 1 for own in lists[name].values())
+        told = name in sure and (TIME,) not in every
+        if not several and _may_be_any(name, given, texts) and (told or not _alone(name, texts)):
+            found += [Unknown(name, by, orders[name]) for by in every]
+    return tuple(found)
+
+
+def _apart(tex: str) -> str:
+    """A formula with spaces between letters that are factors, as in xV(x)."""
+    return _RUN.sub(lambda found: f"{found[0]} " if len(found[0]) == 1 else found[0], tex)
+
+
+def _applications(tex: str) -> Iterator[tuple[str, tuple[str, ...], int]]:
+    """The names with arguments in brackets, and those that are derived by another name."""
+    for match in APPLIED.finditer(tex):
+        with suppress(NotationError, ValueError):
+            yield match["name"].replace(" ", ""), (*arguments(match["by"]),), len(match["primes"])
+    for match in _DERIVED.finditer(tex):
+        if (by := match["by"] or match["at"]) != TIME:
+            yield match["name"] or match["of"], (by,), 1
+
+
+def _says(tex: str, name: str) -> bool:
+    """Whether a formula is a function at its argument, or says that a name is one, as f=f(x)."""
+    left, equals, right = tex.strip(" .,;").rpartition("=")
+    return APPLIED.fullmatch(right.strip()) is not None and (not equals or left.strip() == name)
+
+
+def _alone(name: str, texts: Iterable[str]) -> bool:
+    """Whether a name stands anywhere without an argument, and nothing says there what it is."""
+    letter = rf"(?<![A-Za-z\\]){re.escape(name)}(?![A-Za-z_])"
+    return any(
+        len(re.findall(letter, tex)) > sum(one[0] == name for one in _applications(tex))
+        and not _says(tex, name)
+        for tex in texts
+    )
+
+
+def _may_be_any(name: str, given: Iterable[str], texts: Sequence[str]) -> bool:
+    """Whether a name is a letter that nothing gives, in one type, and without printed rates."""
+    own = re.escape(name)
+    rated = re.compile(
+        rf"\\d{{1,3}}ot\s*\{{?\s*{own}(?![A-Za-z])|d(?:\s*\^\s*\d)?\s*{own}\s*\}}?\s*(?:\{{|/)\s*d\s*t"
+        rf"|(?<![A-Za-z\\]){own}'+(?!['\s^{{}}\d]*(?:\\left\s*)?\()|{_TYPES}\s*\{{?\s*{own}(?![A-Za-z])"
+    )
+    letter = is_known(symbol(name).letter) and not symbol(name).is_bold
+    known = {*given, *FUNCTIONS, *LETTERS, "d", "e", "i"}
+    return letter and name not in known and not any(map(rated.search, texts))
+
+
+_GIVING = re.compile(
+    r"(?:^|[,;:]|\\\\|\\q?quad(?![A-Za-z])|\\(?:begin|label)\s*\{[^{}]*\})\s*(?:\d\s*)?"
+    rf"\{{?\s*(?P<name>{NAME})\s*\}}?\s*(?:\\left\s*)?(?P<at>\([^()]*\))?\s*&?="
+    r"(?P<right>(?:(?!\\\\)[^=,;()]|\([^()]*\))*)"
+)
+"""A name, or a multiple of one, alone on a left side."""
+
+
+SPECIAL = re.compile(
+    r"\b(?:examples?|instance|cases?|special|particular|consider|if|when|for)\b"
+    r"|\b(?:рассмотрим|например|частн\w+|случа\w+|если|при|когда)\b",
+    re.IGNORECASE,
+)
+"""Words for one of many functions."""
+_GENERAL = 2
+"""In so many displays a function stands before it has a special value: in a law, and of any."""
+
+
+def _is_special(name: str, place: int, formulas: Sequence[TypedFormula], text: str) -> bool:
+    """Whether a function that was any in displays before is given as an example of one."""
+    formula = formulas[place]
+    sentence = re.split(r"[.;!?]\s|\n\n", text[: formula.start])[-1]
+    before = [
+        one
+        for one in formulas[:place]
+        if not one.inline and one.end <= formula.start - len(sentence)
+        if any(name == other for other, *_ in _applications(_apart(one.tex)))
+    ]
+    return len(before) >= _GENERAL and SPECIAL.search(sentence) is not None
+
+
+def _given(tex: str) -> Iterator[str]:
+    """The names alone on a left side, but for those that are said to be functions there.
+
+    At an argument that does not stand on the right an equation says where something is.
+    """
+    for found in _GIVING.finditer(tex):
+        name, right = found["name"].replace(" ", ""), found["right"]
+        by = re.findall(NAME, found["at"] or "")
+        rest = re.findall(NAME, _apart(tex[found.start("right") :]))
+        at = not by or any(one in rest for one in by)
+        if at and not _says(f"{name}={right}", name):
+            yield name
+
+
+def with_names_alone(
+    formulas: Iterable[TypedFormula], functions: Sequence[Unknown]
+) -> Iterator[TypedFormula]:
+    """The formulas with these functions by their names, and derivatives by primes.
+
+    One that has a function at something else cannot be read.
+    """
+    for formula in formulas:
+        tex = _DERIVED.sub(lambda found: _primed(found, functions), _apart(formula.tex))
+        own = [one for one in functions if any(a[:2] == one[:2] for a in _applications(tex))]
+        others = [one for one in functions if one.name not in {o.name for o in own}]
+        try:
+            tex = without_argument(tex, [*own, *others])
+        except ValueError as error:
+            yield replace(formula, trouble=formula.trouble or str(error))
+            continue
+        yield formula if tex == _apart(formula.tex) else replace(formula, tex=tex)
+
+
+def _primed(found: re.Match[str], functions: Sequence[Unknown]) -> str:
+    name, by = found["name"] or found["of"], found["by"] or found["at"]
+    return f"{name}'" if any(one[:2] == (name, (by,)) for one in functions) else found[0]
+
+
+def names_of(functions: Iterable[Unknown]) -> frozenset[str]:
+    """The names of some functions, and of all their derivatives that are known."""
+    jets = (jet for one in functions for jet in one.jets({}))
+    return frozenset(name for jet, following, _ in jets for name in (jet, following))
+
+
+def with_free_functions(scene: Scene, functions: Iterable[Unknown]) -> Scene:
+    """A scene with some functions, of which it may define derivatives by something else.
+
+    Raises:
+        ValueError: an argument does not move there, or a name is a function of several things.
+    """
+    jets: list[tuple[str, str, str]] = []
+    for one in functions:
+        if any(one.name == name for name, _, _ in jets):
+            raise ValueError(f"{one.name} is a function of several things")
+        if still := [by for by in one.by if by in scene.constants]:
+            raise ValueError(f"{one.name} is a function of {still[0]}, which does not move here")
+        jets += [jet for jet in one.jets(scene.vectors) if jet[0] not in scene.definitions]
+    return with_jets(scene, jets)

@@ -1,0 +1,51 @@
+"""What is claimed, and given, of functions that may be any (:mod:`.free_functions`)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from kowalevski_cas.notation import Name
+from kowalevski_cas.paper.claims import Claim, FirstIntegral, Identity
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.free_functions import SPECIAL, names_of
+from kowalevski_cas.reading.known import DEFINITION, Known, StatementRole
+from kowalevski_cas.reading.statements import SourceStatement
+
+OF_FUNCTIONS = (Identity, FirstIntegral)
+"""What is claimed where a function may be any: no dependence of several, and no set."""
+
+
+def refuse_of_functions(kind: type[Claim], claim: Mapping[str, object], scene: Scene) -> None:
+    """Claim equations and integrals only where functions may be any.
+
+    Raises ``ValueError`` for a claim of another kind, as of a set, or of what holds on one.
+    """
+    if scene.jets and (kind not in OF_FUNCTIONS or claim.get("given")):
+        raise ValueError(f"it is not judged where {scene.jets[0][0]} may be any function")
+
+
+def special_function(item: SourceStatement, known: Known) -> StatementRole | None:
+    """What gives one function as an example: what is judged holds for any."""
+    first = item.members[0] if len(item.members) == 2 else None
+    if not isinstance(first, Name) or item.derives or not SPECIAL.search(item.before):
+        return None
+    for one in known.paper.functions_by_name.get(first.name, ()):
+        if first.name == one.name and {*known.varying(item.members[1].names())} <= {*one.by}:
+            return StatementRole(DEFINITION, f"one of the functions that {one.name} may be")
+    return None
+
+
+def gives_derivative(item: SourceStatement, known: Known) -> StatementRole | None:
+    r"""What gives the derivative of a new function, as :math:`\beta'(x)=b(x)`."""
+    first = item.members[0] if len(item.members) == 2 else None
+    if not cue("define", item.before):
+        return None
+    if not isinstance(first, Name) or not first.name.endswith("'"):
+        return None
+    for one in known.paper.functions_by_name.get(first.name, ()):
+        new = known.seen.keys().isdisjoint(names_of((one,)))
+        if new and names_of((one,)).isdisjoint(item.members[1].names()):
+            why = f"gives the derivative of the function {one.name}"
+            return StatementRole(DEFINITION, why, "", (first.name,))
+    return None

@@ -1,0 +1,140 @@
+"""Functions that a paper leaves free: what holds is claimed of all of them, and nothing else."""
+
+import pytest
+
+from kowalevski_cas.verify.outcome import Verdict
+from tests.reading.test_reading import reading, verdicts
+
+LINE = r"""A particle moves in the potential $U(x)$ by $$\ddot x=-U'(x).$$ """
+PLANE = r"""In polar coordinates, with a potential $W(r)$, $$\ddot r-r\dot\theta^2=-W'(r),\qquad
+r\ddot\theta+2\dot r\dot\theta=0 .$$ Put $h=\tfrac12(\dot r^2+r^2\dot\theta^2)+W(r)$ and $c=r^2\dot\theta$. """
+FIELD = r"""The field $f=f(x)$ depends on $x$ only, and $$\ddot x=f(x)\dot y,\qquad \ddot y=-f(x)\dot x.$$
+Let $g(x)$ be a primitive, $g'(x)=f(x)$. """
+RADIAL = r"""By $k=k(r)$ we have $$\ddot r-r\dot\varphi^2=k(r)\,r\dot\varphi,\qquad r\ddot\varphi+2\dot r\dot\varphi=-k(r)\,\dot r .$$
+Let $a'(r)=r\,k(r)$. """
+TWO = r"""With the potential $V(x,y)$ let $$\ddot x=-\frac{\partial V}{\partial x},\qquad \ddot y=-\frac{\partial V}{\partial y}.$$ """
+TIMED = r"""The stiffness $k(t)$ is given, and $$\ddot x=-k(t)x.$$ Put $E=\tfrac12\dot x^2+\tfrac12k(t)x^2$. """
+
+
+@pytest.mark.parametrize(
+    ("law", "true", "false"),
+    [
+        (LINE, r"\frac{d}{dt}\left(\tfrac12\dot x^2+U(x)\right)=0", r"\frac{d}{dt}\left(\tfrac12\dot x^2-U(x)\right)=0"),
+        (LINE, r"\frac{d}{dt}U(x)=U'(x)\dot x", r"\frac{d}{dt}U(x)=U'(x)x"),
+        (LINE, r"\frac{d^2}{dt^2}U(x)=U''(x)\dot x^2-U'(x)^2", r"\frac{d^2}{dt^2}U(x)=U''(x)\dot x^2+U'(x)^2"),
+        (LINE, r"\frac{d}{dt}(x\dot x)=\dot x^2-xU'(x)", r"\frac{d}{dt}(x\dot x)=\dot x^2-xU(x)"),
+        (LINE, r"\frac{d}{dt}\dot x^2=-2\frac{dU}{dx}\dot x", r"\frac{d}{dt}\dot x^2=-\frac{dU}{dx}\dot x"),
+        (PLANE, r"\dot h=0", r"\dot h=\dot r"),
+        (PLANE, r"\dot r^2=2h-2W(r)-\frac{c^2}{r^2}", r"\dot r^2=2h-2W(r)+\frac{c^2}{r^2}"),
+        (PLANE, r"\ddot r=\frac{c^2}{r^3}-W'(r)", r"\ddot r=\frac{c^2}{r^3}-W(r)"),
+        (FIELD, r"\frac{d}{dt}(\dot y+g(x))=0", r"\frac{d}{dt}(\dot y-g(x))=0"),
+        (FIELD, r"\frac{d}{dt}(\dot x^2+\dot y^2)=0", r"\frac{d}{dt}(\dot x^2-\dot y^2)=0"),
+        (RADIAL, r"\frac{d}{dt}(r^2\dot\varphi+a(r))=0", r"\frac{d}{dt}(r^2\dot\varphi-a(r))=0"),
+        (TWO, r"\frac{d}{dt}\left(\tfrac12(\dot x^2+\dot y^2)+V(x,y)\right)=0", r"\frac{d}{dt}(x\dot y-y\dot x)=0"),
+        (TIMED, r"\dot E=\tfrac12k'(t)x^2", r"\dot E=0"),
+    ],
+)  # fmt: skip
+def test_what_holds_for_all_functions_is_proved_and_nothing_else(law, true, false):
+    assert [one.green for one in verdicts(rf"{law}Then $${true}.$$").values()] == [True]
+    found = [*verdicts(rf"{law}Then $${false}.$$").values()]
+    assert found and not any(one.green for one in found)
+    assert Verdict.REFUTED not in found  # words may say which functions are meant
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"Then $U''(x)=k$. Hence $$\frac{d}{dt}\ddot x=-k\dot x.$$",
+        r"Then $U''(x)=k$ and $$\frac{d}{dt}U'(x)=k\dot x.$$",
+        r"Let $A=\oint\dot x\,dx$, and $c=\tfrac12\dot x^2+U(x)$. Then $$\frac{dA}{dc}=2T.$$ Hence $$\frac{d}{dt}A=2Tx.$$",
+        r"Then $\tfrac12kx^2=U(x)$. Hence $$\ddot x=-kx.$$",
+        r"We obtain $2U(x)=kx^2$. Hence $$\frac{d}{dt}(\dot x^2+kx^2)=0.$$",
+        r"From this $U'(x)=kx$. Hence $$\frac{d}{dt}(\dot x^2+kx^2)=0.$$",
+        r"If $U'(x)=kx$, then $x^3$ is constant.",
+        r"Here $U(x)$ is even. Then $$\frac{d}{dt}U(x)=-U'(x)\dot x.$$",
+    ],
+)
+def test_what_is_printed_of_a_function_later_is_not_its_definition(words):
+    assert not any(one.green for one in verdicts(LINE + words).values())
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        r"U(-x)=U(x)",
+        r"U(0)=0",
+        r"\frac{d}{dt}\left(\tfrac12\dot x^2+U(a)\right)=0",
+        r"\frac{d}{dt}\left(\tfrac12\dot x^2+U(x+a)\right)=0",
+        r"\frac{d}{dt}\left(\tfrac12\dot x^2+U(2x)\right)=0",
+        r"U'(x)=kx",
+        r"U'(x)=U(x)",
+        r"\ddot x=-kx",
+        r"\frac{d}{dt}(\dot x^2+kx^2)=0",
+        r"U(x)=U",
+        r"\dot U=0",
+        r"\frac{d}{dt}\tilde U(x)=0",
+        r"\frac{d}{dt}\mathcal U(x)=0",
+        r"U''(x)>0",
+    ],
+)
+def test_what_holds_for_some_functions_is_not_proved(claim):
+    text = rf"{LINE}Hence $${claim}.$$"
+    assert not any(one.green for tex, one in verdicts(text).items() if tex != "U=U")
+
+
+GENERAL = (
+    LINE
+    + r"""Put $E=\tfrac12\dot x^2+U(x)$. Then $$\dot E=0,\qquad \dot x^2=2E-2U(x).$$ {}
+
+{} Then {}."""
+)
+
+
+@pytest.mark.parametrize(
+    ("words", "claim"),
+    [
+        (r"For example, let $U(x)=\tfrac12kx^2$.", r"$\ddot x=-kx$"),
+        (r"Consider the case $U=\tfrac12kx^2$.", r"$\frac{d}{dt}(\dot x^2+kx^2)=0$"),
+        (r"If $U(x)=gx$, the fall is free.", r"$\ddot x=-g$"),
+        (r"When $$U(x)=-\frac kx,$$ it falls.", r"$$\ddot x=-\frac{k}{x^2}$$"),
+        (r"В частном случае $U(x)=gx$ тело падает.", r"$\ddot x=-g$"),
+        (r"The special case $U=0$ is that of a free particle.", r"$\ddot x=0$"),
+        (r"In particular for $U(x)=a$ nothing happens.", r"$$\frac{d}{dt}\dot x=0$$"),
+        (r"For instance, when $U(x)=x^3$ it escapes.", r"$\ddot x=-3x^2$"),
+    ],
+)
+def test_what_holds_for_an_example_is_claimed_of_no_other_function(words, claim):
+    """General claims before an example hold for all functions, and what it gives is not judged."""
+    found = verdicts(GENERAL.format("", words, claim))
+    assert [one.green for one in found.values()][:2] == [True, True]
+    assert not any(one.green for one in [*found.values()][2:])
+    found = verdicts(GENERAL.format(f"Hence {claim}.", words, r"$\dot E=E$"))
+    assert not any(one.green for one in [*found.values()][2:])
+
+
+def test_a_function_that_is_given_is_not_any():
+    text = rf"{LINE}Here $U(x)=\tfrac12kx^2$. Hence $$\frac{{d}}{{dt}}(\dot x^2+kx^2)=0.$$"
+    assert not reading(text).paper.functions
+    assert not reading(r"The motion is $$\ddot u=-u.$$ Here $u(t)$ is the height.").paper.functions
+    assert not reading(r"The motion is $$u''=-u.$$ Here $u(t)$ is the height.").paper.functions
+
+
+def test_a_letter_may_be_a_function_of_something_else_in_another_section():
+    text = rf"\section{{One}} {FIELD} \section{{Two}} Let $f=f(r)$. In polar coordinates the equations of motion are {{}}"
+    rows = r"$$\ddot r-r\dot\varphi^2=f(r)\,r\dot\varphi,\qquad r\ddot\varphi+2\dot r\dot\varphi=-f(r)\,\dot r.$$"
+    claim = r"The square $$\dot r^2+{}r^2\dot\varphi^2$$ is constant."
+    assert [*verdicts(text.replace("{}", rows) + claim.replace("{}", "")).values()][-1].green
+    assert not [*verdicts(text.replace("{}", rows) + claim.replace("{}", "2")).values()][-1].green
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "The set $x=0$ is invariant.",
+        r"The functions $\tfrac12\dot x^2+U(x)$ and $x$ are dependent.",
+        "The point $x=0$ is an equilibrium.",
+        r"On the set $\tfrac12\dot x^2+U(x)=0$ the function $x$ is constant.",
+    ],
+)
+def test_sets_are_not_judged_where_a_function_may_be_any(words):
+    assert not any(one.green for one in verdicts(LINE + words).values())
