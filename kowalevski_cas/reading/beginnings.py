@@ -170,9 +170,17 @@ def is_of_state(item: SourceStatement, law: Law, known: Known) -> bool:
 
     Where these stand in it themselves, no name stands for the value of an integral.
     """
-    orders = _orders([law])
     free = not (any(map(known.moves, item.names)) and known.levels & item.names)
-    return free and all(order < orders.get(name, 0) for name, order in item.rates.items())
+    return free and _has_velocities_only(item, [law])
+
+
+def _has_velocities_only(item: SourceStatement, laws: Iterable[Law]) -> bool:
+    """Whether what is derived in an equation are names, of lower orders than in some laws."""
+    orders = _orders(laws)
+    nodes = item.formula.nodes() if item.formula is not None else ()
+    derived = [node.argument for node in nodes if isinstance(node, Derivative)]
+    plain = all(isinstance(one, Name | Derivative) for one in derived)
+    return plain and all(order < orders.get(name, 0) for name, order in item.rates.items())
 
 
 def _orders(laws: Iterable[Law]) -> dict[str, int]:
@@ -196,8 +204,7 @@ def gives_velocity(item: SourceStatement, known: Known) -> bool:
     rated = any(isinstance(node, Derivative) for member in others for node in member.nodes())
     if len(solved) != 1 or len(others) != 1 or rated:
         return False
-    orders = _orders(known.laws)
-    if not all(order < orders.get(name, 0) for name, order in item.rates.items()):
+    if not _has_velocities_only(item, known.laws):
         return False
     free = {n for n in item.names if not known.varies(n) and known.untied([n])}
     spoken_of = (one for one in known.paper.items if isinstance(one.formula, Name))

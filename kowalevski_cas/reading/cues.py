@@ -240,6 +240,7 @@ CUES: dict[str, str] = {
         \blinear\s+(?:oscillator|pendulum|system|case|problem) \bfree\s+(?:of|from)\b
         friction(?:less|\s+is\s+absent) \blossless\b \bbetween\s+(?:the|two)\b
         on\s+(?:the\s+)?average averag(?:ed|ing) \bideal(?:i[sz]ed|ly)?\b
+        \b(?:fixed|inertial|space|absolute)\s+frame\b неподвижн\w+\s+(?:систем|осях)\w*
         \bбез\b отсутств\w+ консервативн\w+ незатух\w+
         линейн\w+\s+(?:осциллятор|маятник|систем|случа)\w* \bмежду\b в\s+среднем идеальн\w+""",
     "another case": r"""

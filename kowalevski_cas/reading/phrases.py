@@ -301,9 +301,14 @@ def is_level(item: SourceStatement, known: Known) -> bool:
 
 
 def set_beside(item: SourceStatement, known: Known) -> bool:
-    """Whether a statement stands beside another one that vanishes, in the same display."""
+    """Whether a statement stands beside one of what vanishes, and is no rate, in its display.
+
+    Where all are rates, words have to speak of a set.
+    """
     beside = [one for one in known.paper.items if one.typed is item.typed and one is not item]
-    return any(ZERO in one.members for one in beside)
+    zeros = [one for one in beside if ZERO in one.members]
+    said = cue("invariant", item.words) or cue("equilibrium", item.words)
+    return bool(zeros and said) or not all(one.derives for one in zeros)
 
 
 def plain(name: str) -> str:

@@ -62,3 +62,16 @@ def test_another_thing_may_have_the_same_letter():
     text = r"The kinetic energy of the first rod is \[ T=\frac16ml^2\dot\psi^2 . \] "
     text += r"The second one has twice the mass, hence \[ T=\frac13ml^2\dot\psi^2 . \]"
     assert [*verdicts(text).values()] == [Verdict.UNDECIDED]
+
+
+TURN = r"The equations of motion are \[ \dot x=y-z,\quad \dot y=z-x,\quad \dot z=x-y . \] "
+
+
+@pytest.mark.parametrize(
+    ("words", "verdict"),
+    [("Then", None), ("Hence", Verdict.REFUTED), ("All is at rest:", None), ("At rest", None)],
+)
+def test_rates_that_vanish_side_by_side_are_no_set(words, verdict):
+    found = verdicts(TURN + words + r"\[ \dot x=0,\quad \dot y=0,\quad \dot z=0 . \]")
+    assert not any(one.green for one in found.values())
+    assert verdict is None or verdict in found.values()
