@@ -254,6 +254,9 @@ class Stage:
             if law is None or name not in law.variables:
                 raise ValueError(f"no equation says how ${name}$ moves")
         if law is None:
+            timed = "t" in below or any("t" in item.names for item in items)
+            if not timed and any(item.derives and not item.begins for item in items):
+                raise ValueError("no equation says how what is derived moves")
             return None
         if is_free(law):
             refuse_dynamics(law, at, known)

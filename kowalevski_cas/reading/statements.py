@@ -24,6 +24,7 @@ from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.times import time_change
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue, cues
+from kowalevski_cas.reading.derivations import with_derivations
 from kowalevski_cas.reading.elements import with_elements
 from kowalevski_cas.reading.formulas import by_names, read_formula, vocabulary_of, without_maps
 from kowalevski_cas.reading.free_functions import free_functions, names_of, with_names_alone
@@ -283,6 +284,7 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     """The statements of a source, read in the names that it uses, some of which are ``primed``."""
     expanded, typed = typed_formulas(source)
     typed = [*with_variations([*with_elements([*without_maps(typed)], expanded.text)])]
+    typed = [*with_derivations(typed, expanded.text)]
     named = [*without_set_names(typed)]
     printed = [formula for formula, _ in named]
     functions = free_functions(printed, expanded.text)
