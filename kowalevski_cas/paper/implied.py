@@ -151,22 +151,26 @@ def _coordinates(formulas: Sequence[Formula]) -> Iterator[str]:
     """The coordinates of which brackets are printed, without those beyond the end of a chain."""
     found: dict[str, None] = {}
     same: dict[str, str] = {}
+    names = set[str]().union(*(formula.names() for formula in formulas))
     for formula in formulas:
         match formula:
             case Relation((PoissonBracket(Name(x), Name(y)), _), _):
-                each = [point for name in (x, y) for point in _indexed(name)]
+                each = [point for name in (x, y) for point in _indexed(name, names)]
                 found.update(dict.fromkeys(each))
             case Relation((Name(x), Name(y)), _):
                 same[x] = y
     yield from (name for name in found if same.get(name) not in found)
 
 
-def _indexed(name: str) -> list[str]:
-    """A coordinate, for each value of its index."""
+def _indexed(name: str, names: Iterable[str]) -> list[str]:
+    """A coordinate, for each value of its index that is printed; of three if none is."""
     parts = symbol(name)
-    if parts.index in ("i", "j"):
-        return [replace(parts, index=str(k)).name for k in (1, 2, 3)]
-    return [name]
+    if parts.index not in ("i", "j"):
+        return [name]
+    others = (symbol(one) for one in names)
+    printed = {one.index for one in others if one.head == parts.head and one.index.isdecimal()}
+    values = sorted(printed, key=int) or ["1", "2", "3"]
+    return [replace(parts, index=value).name for value in values]
 
 
 def _is_rate(formula: Formula) -> bool:

@@ -7,7 +7,6 @@ that of the Hamiltonian. Where a row has a constant that the energy has not, mor
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 
@@ -25,7 +24,9 @@ from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.in_words import InWords
 from kowalevski_cas.reading.known import DEFINITION, Known
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.laws import is_of_second_order
 from kowalevski_cas.reading.parts import Parts
+from kowalevski_cas.reading.rows import is_of_motion
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import is_printed, unprinted
 
@@ -63,12 +64,13 @@ def _claims(
 ) -> Iterator[InWords]:
     """The claims that a law is that of one energy."""
     name = item.bare[0]
-    if not all(map(is_printed, law.rows)) or _has_more(item, law, known):
+    printed_law = law.again[0] if law.again else law
+    if not all(map(is_printed, printed_law.rows)) or _has_more(item, printed_law, known):
         return
-    rows = [*_rows(name, law)]
+    rows = [] if law.again else [*_rows(name, law)]
     span = (item.typed.start, item.typed.end)
-    if canonical := _canonical(item, law, known, parts, place):
-        for row in law.rows:
+    if canonical := law if law.again else _canonical(item, law, known, parts, place):
+        for row in printed_law.rows:
             printed: dict[str, object] = {"printed": row.printed}
             yield InWords(
                 span, Identity, (row,), printed, OF_ENERGY, SAYS, item, canonical, Doubt.ALWAYS
@@ -96,29 +98,14 @@ def _rows(name: str, law: Law) -> Sequence[str]:
     return []
 
 
-_OF_MOTION = re.compile(
-    r"\bequations?\s+of\s+(?:motion|Hamilton|Lagrange|Newton)\b"
-    r"|\b(?:Hamilton|Newton|Lagrange)\S*\s+equations?\b|\bуравнени\w+\s+(?:движени|Ньютона|Гамильтона|Лагранжа)",
-    re.IGNORECASE,
-)
-_OTHERWISE = ("another case", "ideal case", "linear", "approximate", "force", "small")
-
-
-def _is_of_motion(row: SourceStatement) -> bool:
-    """Whether words call a row an equation of motion, or derive it, and speak of no other case."""
-    said = _OF_MOTION.search(row.before) or cue("deduced", row.before)
-    return bool(said) and not any(cue(name, row.words) for name in _OTHERWISE)
-
-
 def _canonical(
     item: SourceStatement, law: Law, known: Known, parts: Parts, place: int
 ) -> Law | None:
     """The law of a Hamiltonian for which that of its coordinates is of the second order."""
-    orders = {x: order for row in law.rows for x, order in row.rates.items()}
     name = item.bare[0]
-    if not all(_is_of_motion(row) for row in law.rows):
+    if not all(map(is_of_motion, law.rows)):
         return None
-    if name not in HAMILTONIANS or {*orders.values()} != {2} or {*orders} != {*law.variables}:
+    if name not in HAMILTONIANS or not is_of_second_order(law):
         return None
     with suppress(ValueError):
         pairs = conjugate_pairs(sorted(item.names))

@@ -51,7 +51,7 @@ _BRACKET = re.compile(
 )
 _TENSOR_INDEX = re.compile(r"\\(?:var)?(?:epsilon|delta)_\{\s*([a-z])\s*([a-z])\s*([a-z]?)\s*\}")
 _INDEX = re.compile(r"_(?:\{[a-z\s]+\}|[a-z])")
-_TENSOR = re.compile(r"\\(?:var)?epsilon\s*_|\\delta\s*_")
+_TENSOR = re.compile(r"\\(?:var)?epsilon\s*_")
 
 
 _ALONE = re.compile(rf"\s*\(?\s*{_RANGE.pattern}\s*\)?[\s.,;]*")
@@ -110,12 +110,18 @@ def with_ranges(formulas: Sequence[TypedFormula], text: str, period: int = 0) ->
             if one in every:
                 every.setdefault(other, every[one])
         own = {} if _TENSOR.search(formula.tex) else {n: every[n] for n in every.keys() - shifted}
+        tex = with_usual_indices(formula.tex)
+        letters = index_letters(tokens_of(formula.tex))
+        if tex != formula.tex:  # other letters have the values, if they are the same for all
+            values = {own[letter] for letter in letters & {*own}}
+            letters = index_letters(tokens_of(tex))
+            own = dict.fromkeys(letters, values.pop()) if len(values) == 1 else {}
         behind = [
             rf"\quad {letter}={','.join(map(str, own[letter]))}"
-            for letter in sorted(index_letters(tokens_of(formula.tex)) & {*own} - {*said[place]})
+            for letter in sorted(letters & {*own} - {*said[place]})
         ]
         behind += _conditions_beside(formulas, place, text)
-        yield with_usual_indices(formula.tex) + "".join(f",{one}" for one in behind)
+        yield tex + "".join(f",{one}" for one in behind)
 
 
 def with_usual_indices(tex: str) -> str:

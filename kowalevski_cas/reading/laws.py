@@ -14,7 +14,7 @@ from kowalevski_cas.reading.momenta import find_momenta
 from kowalevski_cas.reading.named_values import named_values
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.restated import replaced_law, times_of
-from kowalevski_cas.reading.rows import highest_order, is_row, rates_given
+from kowalevski_cas.reading.rows import highest_order, is_of_motion, is_row, rates_given
 from kowalevski_cas.reading.said_rows import (
     rows_of_conjugates,
     rows_of_differentials,
@@ -23,6 +23,7 @@ from kowalevski_cas.reading.said_rows import (
 from kowalevski_cas.reading.statements import (
     SourcePaper,
     SourceStatement,
+    derived_names,
     is_dependence,
     is_numerical,
 )
@@ -42,11 +43,39 @@ def find_laws(paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] 
     if maps:
         return found
     whole = bool(found) and not any(one.rates for one in paper.unfinished)
-    rows = () if whole else tuple(implied_rows(paper))
-    if rows:
+    second = len(found) == 1 and is_of_second_order(found[0])
+    rows = tuple(implied_rows(paper)) if second or not whole else ()
+    if rows and not whole:
         return [Law(rows, names)]
+    if rows and _needs_momenta(rows, found[0], paper):
+        return [Law(rows, names, again=(found[0],))]
     found = found or [*_LawFinder(paper, names, said, inline=True).laws()]
     return found or free_motion(paper, names)
+
+
+def is_of_second_order(law: Law) -> bool:
+    """Whether a law has the second derivatives of all that moves, and no higher ones."""
+    orders = {x: order for row in law.rows for x, order in row.rates.items()}
+    return {*orders} == {*law.variables} and {*orders.values()} == {2}
+
+
+def _needs_momenta(rows: Sequence[SourceStatement], law: Law, paper: SourcePaper) -> bool:
+    """Whether a paper speaks of the momenta of a Hamiltonian, and prints equations without them.
+
+    Words call these equations of motion, or deduce them; nothing else gives the momenta.
+    """
+    rated = {name for row in rows for name in row.rates}
+    momenta = rated - {*law.variables}
+    energies = {name for row in rows for name in derived_names(row)}
+    given = {one.bare[0] for one in paper.items if one.bare and one.members[0] == Name(one.bare[0])}
+    used = (one for one in paper.items if one.members and not {*one.bare[:1]} & energies)
+    return (
+        {*law.variables} < rated
+        and len(momenta) == len(law.variables)
+        and not momenta & given
+        and any(momenta & one.names for one in used)
+        and all(map(is_of_motion, law.rows))
+    )
 
 
 class _LawFinder:

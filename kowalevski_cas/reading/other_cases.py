@@ -104,6 +104,8 @@ class OtherCases:
     def otherwise(self, item: SourceStatement, start: int, claim: Claim) -> str:
         """Why a claim at a place of the text may be meant of another law; empty if it is not."""
         known = self.parts.of(item)
+        if any(item in one.items for law in known.laws for one in law.again):
+            return ""
         defining = (
             one
             for name in item.names

@@ -28,7 +28,7 @@ from kowalevski_cas.reading.conventions import enter_conventions
 from kowalevski_cas.reading.cyclic import enter_cyclic_names
 from kowalevski_cas.reading.dimensions import Misscaled, misscaled
 from kowalevski_cas.reading.doubts import doubt_of
-from kowalevski_cas.reading.energies import claims_of_energies
+from kowalevski_cas.reading.energies import OF_ENERGY, claims_of_energies
 from kowalevski_cas.reading.grammar import wrong
 from kowalevski_cas.reading.in_words import claims_in_words
 from kowalevski_cas.reading.jets import refuse_of_functions
@@ -288,7 +288,7 @@ class _DerivationReader:
 
     def _of_this_law(self, said: JudgedStatement) -> JudgedStatement:
         """What words claim, unless that may be meant of another law."""
-        if said.claim is None or said.span is None or said.role.kind == SAID:
+        if said.claim is None or said.span is None or said.role.kind in (SAID, OF_ENERGY):
             return said
         why = self.cases.otherwise(said.item, said.span[0], said.claim)
         return replace(said, claim=None, message=why) if why else said

@@ -15,6 +15,7 @@ from kowalevski_cas.notation import (
     Product,
     Relation,
 )
+from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import SourceStatement
 
@@ -74,3 +75,17 @@ def _left(row: SourceStatement) -> str:
             if isinstance(node, Derivative):
                 return next(iter(node.argument.names()), "")
     return ""
+
+
+_OF_MOTION = re.compile(
+    r"\bequations?\s+of\s+(?:motion|Hamilton|Lagrange|Newton)\b"
+    r"|\b(?:Hamilton|Newton|Lagrange)\S*\s+equations?\b|\bуравнени\w+\s+(?:движени|Ньютона|Гамильтона|Лагранжа)",
+    re.IGNORECASE,
+)
+_OTHERWISE = ("another case", "ideal case", "linear", "approximate", "force", "small")
+
+
+def is_of_motion(row: SourceStatement) -> bool:
+    """Whether words call a row an equation of motion, or derive it, and speak of no other case."""
+    said = _OF_MOTION.search(row.before) or cue("deduced", row.before)
+    return bool(said) and not any(cue(name, row.words) for name in _OTHERWISE)

@@ -4,7 +4,7 @@ import pytest
 
 from kowalevski_cas.audit.reading import ReadingSession
 from kowalevski_cas.verify.outcome import Verdict
-from tests.reading.test_reading import reading
+from tests.reading.test_reading import reading, verdicts
 
 LAGRANGIAN = r"""The Lagrangian is \[ L=\frac12 M(\dot u^2+\dot v^2)-\frac12c(u-v)^2-bu . \]
 The equations of motion are \[ M\ddot u=%s,\qquad M\ddot v=-c(v-u) . \]"""
@@ -79,3 +79,30 @@ def test_equations_of_the_second_order_are_those_of_the_hamiltonian(words):
 )
 def test_of_another_case_they_are_not_claimed(words):
     assert not ends(SECOND_ORDER % (words, "-ku"))
+
+
+IN_MOMENTA = r"""The system has the Hamiltonian
+\[ H=\frac12(p_1^2+p_2^2)+\frac12(aq_1^2+bq_2^2)+\frac12(q_1^2+q_2^2)^2 \] BRACKETS.
+We write $r^2=q_1^2+q_2^2$ and $l=q_1p_2-q_2p_1$. The equations of motion read
+\[ \ddot q_1=-aq_1-2r^2q_1,\qquad \ddot q_2=-bq_2-2r^2q_2 . \] One has \[ \dot l=(a-b)q_1q_2 . \]
+The function \[ F=p_1^2+aq_1^2+q_1^2r^2-\frac{l^2}{a-b} \] is an integral."""
+BRACKETS = ["", r"with $\{q_i,p_j\}=\delta_{ij}$", r"with $\{q_1,p_1\}=\{q_2,p_2\}=1$"]
+
+
+@pytest.mark.parametrize("brackets", BRACKETS)
+def test_momenta_move_by_the_hamiltonian_where_equations_of_the_second_order_are_printed(brackets):
+    text = IN_MOMENTA.replace("BRACKETS", brackets)
+    found = verdicts(text)
+    assert all(one.green for one in found.values()) and len(found) >= 4
+    assert all(one.verdict.green for one in ends(text))
+    for printed, wrong in [
+        (r"\dot l=(a-b)", r"\dot l=(a+b)"),
+        (r"-\frac{l^2}{a-b}", r"+\frac{l^2}{a-b}"),
+        ("F=p_1^2", "F=p_2^2"),
+    ]:
+        assert not all(one.green for one in verdicts(text.replace(printed, wrong)).values())
+
+
+def test_where_the_equations_are_not_those_of_the_hamiltonian_only_they_are_judged():
+    found = verdicts(IN_MOMENTA.replace("BRACKETS", "").replace("=-aq_1-2r", "=-aq_1+2r"))
+    assert [*found.values()] == [Verdict.UNDECIDED, Verdict.PROVED]
