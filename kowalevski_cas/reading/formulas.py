@@ -114,12 +114,19 @@ _LIST = re.compile(
     r"(?:\s*,\s*(?:[A-Za-z]|\\[A-Za-z]+)(?:_\{?\w\}?)?)+)\s*\)\s*[.,;]?\s*"
 )
 r"""A letter that is a list of names, as :math:`x=(x_1,x_2,x_3)`: it is a vector."""
+_SLOT = r"(?:[A-Z](?:\^(?:\w|\{[^{}]*\}))?\s*)?(?P<%s>[a-zA-Z]|\\[A-Za-z]+)\s*"
+_ANGULAR = re.compile(rf"\\langle\s*{_SLOT % 'first'},\s*{_SLOT % 'second'}\\rangle")
+r"""A scalar product of letters, the first or the second perhaps behind a matrix."""
 _PRODUCT = re.compile(r"\(\s*([A-Za-z]|\\[A-Za-z]+)\s*,\s*([A-Za-z]|\\[A-Za-z]+)\s*\)")
 
 
 def _lists(formulas: Sequence[TypedFormula]) -> frozenset[str]:
-    """The letters that are lists of names, and those of which the product with one is printed."""
+    r"""The letters that are lists of names, and those of which the product with one is printed.
+
+    Those in :math:`\langle A^{-1}x,y\rangle` are vectors as well.
+    """
     texts = [formula.tex for formula in formulas]
+    angular = {letter for tex in texts for pair in _ANGULAR.findall(tex) for letter in pair}
     found = {match["name"] for tex in texts for match in _LIST.finditer(tex)}
     pairs = {pair.groups() for tex in texts for pair in _PRODUCT.finditer(tex)}
     beside = {other for pair in pairs for other in pair if {*pair} & found}
@@ -127,7 +134,7 @@ def _lists(formulas: Sequence[TypedFormula]) -> frozenset[str]:
         name
         for name in found | beside
         if any(re.search(rf"{re.escape(name)}_\{{?\w", t) for t in texts)
-    )
+    ) | frozenset(angular)
 
 
 def _matrices(formulas: Sequence[TypedFormula]) -> frozenset[str]:
