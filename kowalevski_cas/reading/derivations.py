@@ -26,31 +26,54 @@ _NAME = (
     r"(?:_(?:\w|\{[^{}]*\}))?"
 )
 """A function on which a field acts."""
-_AROUND = 60
+_OF_LAW = re.compile(
+    r"[\s~]*(?:(?:of|for|on)[\s~]+(?:the|this|our|these)[\s~]+(?:system|equations?|flow)\b(?![\s~]+(?:of|for|with)\b)"
+    r"|(?:of|given\s+by|defined\s+by)[\s~]+\(?\\(?:eq)?ref|(?:этой\s+)?системы\b(?![\s~]+(?!и\b|где\b)[^\W\d])|\W*$|[,.;:]"
+    r"|acts\b|and\b|и\b)",
+    re.IGNORECASE,
+)
+"""How words go on behind a field that is the one of the law."""
+_AROUND = 80
+
+OTHER = "a vector field acts here, and no words say that it is the one of the equations of motion"
 
 
 def with_derivations(formulas: Sequence[TypedFormula], text: str) -> Iterator[TypedFormula]:
     r"""The formulas, with derivatives by the time where a vector field acts that has a letter.
 
-    Words have to say that the letter is a field, as “we denote by X the vector field of (1)”.
+    Words have to say that the letter is the field of the law, as “we denote by X the vector field
+    of this system”; where another field acts a formula cannot be read.
     """
-    letters = {letter for one in formulas if (letter := _field(one, text))}
+    letters: dict[str, bool] = {}
+    for letter, of_law in (found for one in formulas if (found := _field(one, text))):
+        letters[letter] = letters.get(letter, True) and of_law
+    defined = {letter for letter in letters if any(_defines(one.tex, letter) for one in formulas)}
     for formula in formulas:
-        tex = formula.tex
-        for letter in letters:
-            tex = _derived(tex, letter)
-        yield formula if tex == formula.tex else replace(formula, tex=tex)
+        tex, trouble = formula.tex, formula.trouble
+        for letter, of_law in letters.items():
+            changed = _derived(tex, letter)
+            if changed != tex and (letter in defined or not of_law):
+                trouble = trouble or OTHER
+            tex = changed
+        yield formula if tex == formula.tex else replace(formula, tex=tex, trouble=trouble)
 
 
-def _field(formula: TypedFormula, text: str) -> str:
-    """The letter of a vector field, if words beside a formula say that it is one."""
+def _defines(tex: str, letter: str) -> bool:
+    """Whether a formula says what field a letter is."""
+    return re.match(rf"\s*{re.escape(letter)}\s*:?=", tex) is not None
+
+
+def _field(formula: TypedFormula, text: str) -> tuple[str, bool] | None:
+    """The letter of a vector field, if words beside a formula say that it is one; of the law?"""
     found = _ONE_LETTER.fullmatch(formula.tex) if formula.inline else None
     if found is None:
-        return ""
+        return None
     before = " ".join(text[max(0, formula.start - _AROUND) : formula.start].rstrip("$( \\").split())
     behind = " ".join(text[formula.end : formula.end + _AROUND].lstrip("$) \\").split())
-    said = _BEFORE.search(before) or _BEHIND.match(behind)
-    return found["letter"] if said else ""
+    said, behind_it = _BEFORE.search(before), _BEHIND.match(behind)
+    if behind_it is not None:
+        return found["letter"], _OF_LAW.match(behind, behind_it.end()) is not None
+    return (found["letter"], _OF_LAW.match(behind) is not None) if said else None
 
 
 def _derived(tex: str, letter: str) -> str:

@@ -64,13 +64,12 @@ def _claims(
 ) -> Iterator[InWords]:
     """The claims that a law is that of one energy."""
     name = item.bare[0]
-    printed_law = law.again[0] if law.again else law
-    if not all(map(is_printed, printed_law.rows)) or _has_more(item, printed_law, known):
+    if not all(map(is_printed, law.rows)) or _has_more(item, law, known):
         return
-    rows = [] if law.again else [*_rows(name, law)]
+    rows = [*_rows(name, law)]
     span = (item.typed.start, item.typed.end)
-    if canonical := law if law.again else _canonical(item, law, known, parts, place):
-        for row in printed_law.rows:
+    if canonical := _canonical(item, law, known, parts, place):
+        for row in law.rows:
             printed: dict[str, object] = {"printed": row.printed}
             yield InWords(
                 span, Identity, (row,), printed, OF_ENERGY, SAYS, item, canonical, Doubt.ALWAYS

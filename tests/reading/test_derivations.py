@@ -42,5 +42,19 @@ def test_other_letters_are_factors(words):
     assert [*verdicts(FLOW + words + r" Then \[ Xs=xyz(x+y) . \]").values()] == [Verdict.PROVED]
 
 
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"Let $V$ be the vector field of the adjoint system. Then \[ V x=-x(1-x-ay-bz) . \]",
+        r"We denote by $V$ the vector field $x\partial_y$. Then \[ V y=y(1-bx-y-az) . \]",
+        r"The vector field $V$ of the linear system is simpler. Then \[ V x=x(1-x-ay-bz) . \]",
+        r"The vector field $V$ is $V=x\partial_x$. Then \[ V x=x(1-x-ay-bz) . \]",
+        r"Let $V$ be the vector field of the system of the next section. Then \[ V x=x . \]",
+    ],
+)
+def test_of_other_fields_nothing_is_judged(words):
+    assert not verdicts(FLOW + words)
+
+
 def test_the_derivative_of_constants_is_not_judged():
     assert not verdicts(FLOW + r"We find that \[ \frac{d}{dt}(l^2)=0,\quad\frac d{dt}(l+m)=0 . \]")
