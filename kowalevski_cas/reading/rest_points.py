@@ -43,6 +43,10 @@ _BEHIND = re.compile(
 )
 """What says of the points before it that nothing moves there."""
 _NO = re.compile(r"\b(?:no|not|never|neither|нет|не)\s+(?:\w+\s+){0,2}$", re.IGNORECASE)
+_ORDERS = (
+    ("x", "y", "z"), ("u", "v", "w"), (r"\alpha", r"\beta", r"\gamma"), (r"\xi", r"\eta", r"\zeta"),
+)  # fmt: skip
+"""Letters of coordinates in their usual order."""
 _AND = r"(?:[\s,;~]|\b(?:and|or|и|или|as\s+well\s+as)\b)*"
 _LIST_BEFORE = re.compile(rf"(?:{_AND}§)+{_AND}$")
 _LIST_BEHIND = re.compile(rf"(?:{_AND}§)*")
@@ -95,15 +99,17 @@ def coordinates(item: SourceStatement, law: Law, known: Known) -> tuple[Formula,
 def _is_in_order(law: Law, known: Known) -> bool:
     """Whether it is known in which order coordinates stand.
 
-    A list of what moves says so; x, y, z and the like, or one letter with indices, stand in the
-    order of the alphabet.
+    A list of what moves says so; x, y, z and the like stand in this order, one letter with indices
+    in theirs.
     """
     names = tuple(map(Name, law.variables))
     if any(entries_of(one.formula) == names for one in known.items if one.formula is not None):
         return True
-    letters = {symbol(name).letter for name in law.variables}
-    usual = letters <= {*"xyz"} or letters <= {*"uvw"} or len(letters) == 1
-    return not usual or [*law.variables] == sorted(law.variables)
+    letters = [symbol(name).letter for name in law.variables]
+    for usual in _ORDERS:
+        if {*letters} <= {*usual} and len({*letters}) == len(letters):
+            return letters == sorted(letters, key=usual.index)
+    return len({*letters}) > 1 or [*law.variables] == sorted(law.variables)
 
 
 def entries_of(formula: Formula) -> tuple[Formula, ...]:

@@ -58,6 +58,8 @@ OTHERS = [
     RIVALS + r"The Jacobian of the change at $(c,0)$ is $\begin{pmatrix}1&0\\0&2\end{pmatrix}$.",
     RIVALS + r"The eigenvalues at $(c,0)$ of the matrix of rivalry are $5$ and $6$.",
     r"The system is \[ \dot y=-x,\quad\dot x=y-1 . \] Its equilibrium is $(0,1)$.",
+    r"The system is \[ \dot\beta=1-\alpha,\quad\dot\alpha=\beta . \] Its equilibrium is $(0,1)$.",
+    r"The system is \[ \dot\eta=1-\xi,\quad\dot\xi=\eta . \] Its equilibrium is $(0,1)$.",
 ]
 
 

@@ -13,13 +13,21 @@ from kowalevski_cas.paper.claims import (
     Identity,
     Implication,
     InvariantRelations,
+    Neighbour,
+    RestPoint,
+    RestPoints,
 )
 from kowalevski_cas.paper.derivation import Derivation, Scene, Section
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.verify import corrections
 from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.certificate import Stored
-from kowalevski_cas.verify.corrections import formulas_printed_by, recorded_correction, true_ones
+from kowalevski_cas.verify.corrections import (
+    formulas_printed_by,
+    passes,
+    recorded_correction,
+    true_ones,
+)
 from kowalevski_cas.verify.outcome import in_latex
 from kowalevski_cas.verify.record import describe
 from kowalevski_cas.verify.run import Session
@@ -327,3 +335,23 @@ def test_what_is_recorded_of_a_correction_finds_it_again(false):
     on = Elaborations(derivation(claim.section).texts())
     found = recorded_correction(claim.claim, on, describe(outcome)["correction"])
     assert found[1].digest == outcome.correction.digest
+
+
+@pytest.mark.parametrize(
+    ("kind", "about", "passing"),
+    [
+        (RestPoint, {"printed": "(1,2)"}, True),
+        (RestPoint, {"printed": "(1,1)"}, False),
+        (RestPoint, {"printed": "(0,a)"}, False),
+        (RestPoints, {"relations": ("x=1", "y=2")}, True),
+        (RestPoints, {"relations": ("x=1", "y=x+2")}, None),  # a given name gives another
+        (RestPoints, {"relations": ("x^2=x", "y=2")}, None),  # it gives no name
+    ],
+)
+def test_points_are_tried_where_given_equations_give_names(kind, about, passing):
+    plane = System(r"\dot x=x(1-x),\quad \dot y=y(2-y)")
+    plane.states(kind, "rest", "", **about)
+    session = Session(derivation(plane.section), ["flint"])
+    (claim,) = session.derivation.claims
+    on = session.on(claim)
+    assert passes(Neighbour("", claim, on.texts), on, {}) is passing
