@@ -6,12 +6,19 @@ is printed as their rates follows, and is claimed.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from itertools import groupby
 
 from kowalevski_cas.notation import Name, Number
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.statements import SourceStatement
+
+_NEAR = re.compile(
+    r"\b(?:about|around|near|neighbou?rhood\s+of|вблизи|около|возле|окрестност\w+)\b[^.;:]*$",
+    re.IGNORECASE,
+)
+"""Words behind which a place is printed from which what is given by new names deviates."""
 
 
 def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
@@ -34,7 +41,8 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
             for one in sentence
             if _gives(one, law, seen) and given_by_old.isdisjoint(one.members[1].names())
         ]
-        other = {name for one in sentence if one not in giving for name in one.bare}
+        values = (one for one in sentence if one not in giving and not _NEAR.search(one.before))
+        other = {name for one in values for name in one.bare}
         giving = [one for one in giving if other.isdisjoint(one.bare)]  # else these are values
         given = {name for one in giving for name in _names(one, law)}
         new = dict.fromkeys(

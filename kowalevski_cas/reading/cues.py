@@ -159,6 +159,8 @@ CUES: dict[str, str] = {
         small\s+(?:angle|deviation|oscillation|motion|displacement|vibration)\w* infinitesimal\w*
         перв\w+\s+(?:порядк|приближени)\w+ линеариз\w+ линейн\w+\s+(?:уравнени|систем)\w+
         мал\w+\s+(?:колебани|отклонени)\w+""",
+    "linear part": r"""
+        \blinear\s+(?:parts?|terms?) линейн\w+\s+(?:част|член)\w*""",
     "small": r"""
         small\s+(?:angle|oscillation|vibration|deviation|displacement)\w*
         (?:angles?|deviations?|displacements?)[\s,]*(?:is|are|being|remains?)\s+small\b

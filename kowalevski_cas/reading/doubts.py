@@ -79,6 +79,7 @@ def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
     return (
         _is_unread_summary(item, known)
         or item in known.paper.approximate
+        or known.roles[item].kind == "approximate"
         or ({"dot", "prime"} <= item.marks and not known.clocks)  # the prime of another frame
         or (
             known.roles[item].kind == "identity"
@@ -157,6 +158,7 @@ def _is_sure(item: SourceStatement, rung: Rung, candidates: Sequence[Rung], part
         given
         or further_off
         or rung.constants
+        or (role.kind == "inequality" and rung.claim.scene.constants)
         or cue("on it", item.words)
         or _has_level(item, rung, known)
         or _has_constant(item, rung, known)

@@ -8,6 +8,7 @@ from collections.abc import Collection
 from kowalevski_cas.notation import Modulus, Name, Number, Power, ScalarProduct, Sum
 from kowalevski_cas.notation.symbol import rate_name, symbol
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.deviations import at_no_deviation
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, SETS, Known
 from kowalevski_cas.reading.phrases import right_behind
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
@@ -136,6 +137,8 @@ def near(item: SourceStatement, known: Known) -> SetOfEquations:
     last = last_place(item, known)
     if not all(is_value(one, known) for one in last):
         return ()
+    if deviating := at_no_deviation(item, last, known):
+        return deviating
     moving = [name for law in known.laws for row in law.rows for name in row.rates]
     names = {name for one in last for name in one.bare} & {*moving}
     if not last and cue("small", known.paper.prose.between(item.section.start, item.sentence[1])):

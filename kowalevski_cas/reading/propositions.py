@@ -16,6 +16,7 @@ from kowalevski_cas.notation import (
     Vector,
 )
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.deviations import is_linear_in_deviations
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, Known, StatementRole
 from kowalevski_cas.reading.phrases import (
     integral_words,
@@ -35,7 +36,8 @@ ZERO = Number(0)
 
 def approximate(item: SourceStatement, known: Known) -> StatementRole | None:
     """What holds approximately: it is not judged."""
-    if item not in known.paper.approximate_here or not item.members:
+    said = item in known.paper.approximate_here or is_linear_in_deviations(item, known)
+    if not said or not item.members:
         return None
     if ZERO in item.members and all(m == ZERO or isinstance(m, Name) for m in item.members):
         return None  # it says where, and not what is small there
