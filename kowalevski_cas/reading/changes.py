@@ -44,6 +44,8 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
         values = (one for one in sentence if one not in giving and not _NEAR.search(one.before))
         other = {name for one in values for name in one.bare}
         giving = [one for one in giving if other.isdisjoint(one.bare)]  # else these are values
+        if giving:  # beside these a new letter may stand for a variable as it is
+            giving += [one for one in sentence if _renames(one, law, seen, rated)]
         given = {name for one in giving for name in _names(one, law)}
         new = dict.fromkeys(
             name for one in giving for name in sorted(one.names) if name not in seen | {"t"}
@@ -70,6 +72,14 @@ def _resting(items: Sequence[SourceStatement], moving: set[str]) -> set[str]:
 def _names(item: SourceStatement, law: Law) -> tuple[str, ...]:
     """The variables that stand alone on the left of a statement."""
     return law.names.scalars(item.bare[:1])
+
+
+def _renames(item: SourceStatement, law: Law, seen: set[str], rated: set[str]) -> bool:
+    """Whether a statement has a new letter for a variable of a law, of which a rate is printed."""
+    match item.members:
+        case (Name(), Name(new)):
+            return bool(_names(item, law)) and new in rated - seen and item.bare[0] in law.variables
+    return False
 
 
 def _gives(item: SourceStatement, law: Law, seen: set[str]) -> bool:

@@ -38,7 +38,7 @@ CUES: dict[str, str] = {
         удовлетворя\w+""",
     "equilibrium": r"""
         equilibri\w+ (?:states?|points?)\s+of\s+rest rest\s+points? \bsteady\s+states?
-        (?:singular|stationary|fixed|critical)\s+points?
+        (?:singular|stationary|fixed|critical)\s+points? stationary\s+(?:states?|solutions?)
         равновеси\w+ стационарн\w+ особ\w+\s+точ\w+""",
     "suppose": r"""
         suppos\w+ assum\w+ \blet\b \btake\b \bmake\b \bif\b \bwhen\b \bgiven\s+that\b

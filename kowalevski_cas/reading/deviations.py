@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 
-from kowalevski_cas.notation import Name, Negative, Sum
 from kowalevski_cas.notation.symbol import rate_name
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.degrees import degrees
@@ -18,7 +17,9 @@ _FURTHER = re.compile(
     r"\b(?:second|third|higher|quadratic|cubic)\b|\b(?:втор|трет|высш|квадратичн|кубическ)\w*",
     re.IGNORECASE,
 )
-_LEFT_OUT = re.compile(r"\b(?:neglect|omit|drop|ignor|discard)\w*|\b(?:пренебре|отбр)\w*", re.IGNORECASE)
+_LEFT_OUT = re.compile(
+    r"\b(?:neglect|omit|drop|ignor|discard)\w*|\b(?:пренебре|отбр)\w*", re.IGNORECASE
+)
 """Words for orders beyond the first, and for what is left out."""
 
 
@@ -30,9 +31,7 @@ def is_linear_in_deviations(item: SourceStatement, known: Known) -> bool:
     return bool(said) and _law(item, known) is not None
 
 
-def at_no_deviation(
-    item: SourceStatement, last: SetOfEquations, known: Known
-) -> SetOfEquations:
+def at_no_deviation(item: SourceStatement, last: SetOfEquations, known: Known) -> SetOfEquations:
     """The equations of the point from which what a statement derives deviates.
 
     Of what has no deviation, what was said ``last`` gives the value; there are none if a value is
@@ -41,9 +40,12 @@ def at_no_deviation(
     law = _law(item, known)
     if law is None or law.base is None:
         return ()
-    own = tuple(one for one in last if {*one.bare} & {*law.variables})
+    elsewhere = (one for one in last if one.sentence != law.change[0].sentence)
+    if any(one.bare[:1] == row.bare[:1] for one in elsewhere for row in law.change):
+        return ()  # it is said of another place
     others = {*law.variables} - {*law.new}
-    if {name for one in own for name in one.bare} & {*law.variables} != others:
+    own = tuple(one for one in last if {*one.bare} & others)
+    if {name for one in own for name in one.bare} & others != others:
         return ()
     orders = {name: n for row in law.base.rows for name, n in row.rates.items()}
     given = {name: one for one in law.change for name in one.bare[:1]}
@@ -62,22 +64,24 @@ def at_no_deviation(
 
 
 def _law(item: SourceStatement, known: Known) -> Law | None:
-    """The law of the deviations of which a statement gives a rate, linear in them."""
+    """The law of the deviations in which a statement gives a rate, linear in them."""
     words = known.paper.prose.between(item.section.start, item.sentence[1])
-    if _FURTHER.search(words) and not _LEFT_OUT.search(words):
+    if not (item.rates and item.members) or (
+        _FURTHER.search(words) and not _LEFT_OUT.search(words)
+    ):
         return None
     for law in known.laws:
-        mine = {*item.rates} <= {*law.variables} and {*item.rates} & {*law.new}
+        mine = {*item.rates} <= {*law.variables} and (item.names | {*item.rates}) & {*law.new}
         if mine and law.change and all(_deviates(one, law, known) for one in law.change):
             linear = all(degrees(member, known) <= {1} for member in item.members)
-            return law if linear and item.members else None
+            return law if linear else None
     return None
 
 
 def _deviates(item: SourceStatement, law: Law, known: Known) -> bool:
-    """Whether a statement gives what moves as a constant and one new name."""
-    terms = item.members[1].terms if isinstance(item.members[1], Sum) else (item.members[1],)
-    alone = [one.argument if isinstance(one, Negative) else one for one in terms]
-    new = [one for one in alone if isinstance(one, Name) and one.name in law.new]
-    rest = [one for one in alone if one not in new]
-    return len(new) == 1 and not any(known.varying(one.names()) for one in rest)
+    """Whether a statement gives what moves by constants and one new name, of the first degree."""
+    given = item.members[1]
+    new = given.names() & {*law.new}
+    return (
+        known.varying(given.names()) == [*new] and len(new) == 1 and degrees(given, known) <= {0, 1}
+    )

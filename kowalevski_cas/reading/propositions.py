@@ -24,6 +24,7 @@ from kowalevski_cas.reading.phrases import (
     is_value,
     plain,
     reach,
+    resting,
     set_beside,
     solved_by,
     words_of,
@@ -122,6 +123,8 @@ def claimed_set(item: SourceStatement, known: Known) -> StatementRole | None:
     for words, kind in (("invariant", "invariant"), ("equilibrium", "rest")):
         if said := words_of(item, words):
             return StatementRole(CLAIM, f"“{said}” is said of the set", kind)
+    if said := resting(item):
+        return StatementRole(CLAIM, f"“{said}” is said of the points", "rest")
     if cycle := _CYCLE.search(item.lead):
         return StatementRole(CLAIM, f"“{cycle[0].strip()}” is invariant", "invariant")
     if said := solved_by(item, "equilibrium"):

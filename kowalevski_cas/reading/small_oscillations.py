@@ -16,7 +16,7 @@ from kowalevski_cas.reading.degrees import is_linear
 from kowalevski_cas.reading.hypotheses import is_value
 from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
 from kowalevski_cas.reading.law import Law
-from kowalevski_cas.reading.linear_parts import equations_of, point_at
+from kowalevski_cas.reading.linear_parts import equations_of, gives_all, last_values, point_at
 from kowalevski_cas.reading.statements import SourceStatement
 
 FREQUENCY, CHARACTERISTIC = "frequency", "characteristic"
@@ -178,8 +178,8 @@ def places_of(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...
     places = [*dict.fromkeys(_listed(item, law, known))]
     if places or found:
         places += [origin] if any(where != "§" for where in found) else []
-        return places[0] if len(places) == 1 and _gives(places[0], law) else ()
-    if _gives(last := _last(item, known), law):
+        return places[0] if len(places) == 1 and gives_all(places[0], law) else ()
+    if gives_all(last := last_values(item, known), law):
         return last
     words = known.paper.prose.between(item.section.start, item.sentence[1])
     return origin if is_linear(law, known) or _SMALL_ANGLES.search(words) else ()
@@ -219,20 +219,3 @@ def _listed(item: SourceStatement, law: Law, known: Known) -> Iterator[tuple[Sou
                 break
             own += here
         yield tuple(own)
-
-
-def _last(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]:
-    """The equations of the point that was printed last before a statement in its paragraph."""
-    start = max(item.paragraph, item.section.start)
-    before = [
-        one
-        for one in known.items
-        if start <= one.typed.start and one.order < item.order and is_value(one, known)
-    ]
-    return tuple(one for one in before if one.sentence == before[-1].sentence)
-
-
-def _gives(equations: tuple[SourceStatement, ...], law: Law) -> bool:
-    """Whether equations give all that moves, each once."""
-    given = [name for one in equations for name in one.bare if name in law.variables]
-    return sorted(given) == sorted(law.variables)
