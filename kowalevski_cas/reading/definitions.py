@@ -279,7 +279,13 @@ def _square_of_constants(
 
 
 def _constant(item: SourceStatement, known: Known, fresh: list[str]) -> StatementRole | None:
-    """What is said to be the constant of which something has been claimed: that it is one."""
+    """What is said to be the constant of which something has been claimed: that it is one.
+
+    So does “const” at the end of what names it.
+    """
+    if any(isinstance(m, Constant) for m in item.members) and known.varying(item.names - {*fresh}):
+        why = f"“const” stands at its end; it names {plain(fresh[0])}"
+        return StatementRole(CLAIM, why, "integral", (*fresh,))
     first = known.seen.get(fresh[0])
     used = first is not None and known.roles[first].name == CLAIM
     if used and is_called_constant(fresh[0], item, known) and known.varying(item.names - {*fresh}):

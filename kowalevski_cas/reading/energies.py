@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 
-from kowalevski_cas.notation import Name
+from kowalevski_cas.notation import Derivative, Formula, Name
 from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.implied import (
@@ -28,7 +28,7 @@ from kowalevski_cas.reading.laws import is_of_second_order
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.rows import is_of_motion
 from kowalevski_cas.reading.statements import SourceStatement
-from kowalevski_cas.reading.unprinted import is_printed, unprinted
+from kowalevski_cas.reading.unprinted import is_of_momenta, is_printed, unprinted
 
 SAYS = "the equations of motion are those of this function"
 OF_ENERGY = "energy"
@@ -43,19 +43,20 @@ def claims_of_energies(parts: Parts) -> Iterator[InWords]:
         if len(laws) != 1 or known.laws != laws or known.restated or known.clocks:
             continue
         for item in known.items:
-            if _gives_energy(item, known) and cue("hamiltonian", item.words):
+            said = cue("hamiltonian", item.words) or is_of_momenta(item, known.paper)
+            if said and _gives_energy(item, known):
                 yield from _claims(item, laws[0], known, parts, place)
 
 
 def _gives_energy(item: SourceStatement, known: Known) -> bool:
-    """Whether a display gives a Lagrangian or a Hamiltonian by its usual letter."""
+    """Whether a display, or words right before, give one of these by its usual letter."""
     letters = (*LAGRANGIANS, *HAMILTONIANS)
     first = item.members[0] if item.members else None
     return (
         known.roles[item].name == DEFINITION
         and isinstance(first, Name)
         and first.name in letters
-        and not item.typed.inline
+        and not (item.typed.inline and not cue("hamiltonian", item.lead))
     )
 
 
@@ -63,10 +64,9 @@ def _claims(
     item: SourceStatement, law: Law, known: Known, parts: Parts, place: int
 ) -> Iterator[InWords]:
     """The claims that a law is that of one energy."""
-    name = item.bare[0]
     if not all(map(is_printed, law.rows)) or _has_more(item, law, known):
         return
-    rows = [*_rows(name, law)]
+    rows = [*_rows(item, law)]
     span = (item.typed.start, item.typed.end)
     if canonical := _canonical(item, law, known, parts, place):
         for row in law.rows:
@@ -83,18 +83,28 @@ def _claims(
         yield InWords(span, Identity, (found,), values, OF_ENERGY, SAYS, item)
 
 
-def _rows(name: str, law: Law) -> Sequence[str]:
+def _rows(item: SourceStatement, law: Law) -> Sequence[str]:
     """The equations of Lagrange or Hamilton for what moves; none if that is not all of it."""
-    orders = {x: order for row in law.rows for x, order in row.rates.items()}
+    name = item.bare[0]
+    members = [member for row in law.rows for member in row.members]
+    orders = {
+        x: max(_order(member, x) for member in members) for row in law.rows for x in row.rates
+    }
     first = {*orders.values()} == {1}
     if name in LAGRANGIANS:
-        whole = {*orders} == {*law.variables} and {*orders.values()} == {2}
+        whole = {*orders} == {*law.variables} >= {*item.rates} and {*orders.values()} == {2}
         return [lagrange(name, x) for x in law.variables] if whole else []
     with suppress(ValueError):
         pairs = conjugate_pairs(law.variables) if first else []
         if {x for pair in pairs for x in pair} == {*law.variables}:
             return [*hamilton(name, pairs)]
     return []
+
+
+def _order(formula: Formula, name: str) -> int:
+    """The highest order of a derivative of what has a name in it."""
+    below = max((_order(child, name) for child in formula.children()), default=0)
+    return below + (isinstance(formula, Derivative) and name in formula.names())
 
 
 def _canonical(
@@ -122,6 +132,8 @@ def _canonical(
 def _has_more(item: SourceStatement, law: Law, known: Known) -> bool:
     """Whether words tell another force, or a row has a constant that the energy has not."""
     own = {inner for name in item.names for inner in known.below(name)}
+    functions = known.paper.functions_by_name
+    own |= {jet for jet, of in functions.items() if own & {one.name for one in of}}
     acting = {inner for name in law.mentions for inner in known.below(name)}
     end = max(one.typed.end for one in (*law.rows, item))
     words = known.paper.prose.between(item.section.start, end)

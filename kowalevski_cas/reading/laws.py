@@ -44,11 +44,13 @@ def find_laws(paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] 
         return found
     whole = bool(found) and not any(one.rates for one in paper.unfinished)
     second = len(found) == 1 and is_of_second_order(found[0])
-    rows = tuple(implied_rows(paper)) if second or not whole else ()
+    rows = tuple(implied_rows(paper)) if len(found) < 2 or not whole else ()
     if rows and not whole:
         return [Law(rows, names)]
-    if rows and _needs_momenta(rows, found[0], paper):
+    if rows and second and _needs_momenta(rows, found[0], paper):
         return [Law(rows, names, again=(found[0],))]
+    if rows and _leaves_out(rows, found[0], paper):
+        return [Law(rows, names)]
     found = found or [*_LawFinder(paper, names, said, inline=True).laws()]
     return found or free_motion(paper, names)
 
@@ -78,6 +80,19 @@ def _needs_momenta(rows: Sequence[SourceStatement], law: Law, paper: SourcePaper
     )
 
 
+def _leaves_out(rows: Sequence[SourceStatement], law: Law, paper: SourcePaper) -> bool:
+    """Whether a law beside a Lagrangian, or a Hamiltonian, moves some of its coordinates only.
+
+    It has momenta that are constant, or names that the other coordinates give: so what is printed
+    follows from all equations.
+    """
+    moving = {name: order for row in rows for name, order in row.rates.items()}
+    alike = {order for row in law.rows for order in row.rates.values()} == {*moving.values()}
+    left = {*moving} - {*law.variables}
+    given = {one.bare[0] for one in paper.items if one.bare and left & one.names}
+    return alike and {*law.variables} < {*moving} and bool(law.mentions & (left | given))
+
+
 class _LawFinder:
     """The equations with rates of a paper, and which of them belong together."""
 
@@ -88,8 +103,9 @@ class _LawFinder:
         items = sorted((*paper.items, *said.rows), key=lambda item: item.order)
         rows = [item for item in items if self._may_be_row(item)]
         rated = {name for row in rows for name in row.rates}
+        given = rated | paper.functions_by_name.keys()
         rows = [
-            row for row in rows if not {*row.bare[:1]} - rated or self._told(row) or _is_driven(row)
+            row for row in rows if not {*row.bare[:1]} - given or self._told(row) or _is_driven(row)
         ]
         entries = rows_of_matrices(paper, rows)
         rows = [one for row in rows for one in entries.get(row, [row])]

@@ -95,7 +95,7 @@ class Stage:
         closure = self._with_definitions(closure, about)
         roots = self._in_order(
             root
-            for item in (*items, *about, *closure.definitions.values())
+            for item in (*items, *about, *closure.definitions.values(), *(law.rows if law else ()))
             for root in self._roots(item.formula)
         )
         powers = tuple(

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from contextlib import suppress
 
-from kowalevski_cas.notation import Name, NotationError, PoissonBracket, read
+from kowalevski_cas.notation import Name, NotationError, Number, PoissonBracket, Power, read
 from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.implied import (
@@ -50,11 +51,14 @@ def is_printed(item: SourceStatement) -> bool:
 def implied_rows(paper: SourcePaper) -> Iterator[SourceStatement]:
     """The equations of motion of the Hamiltonian, or the Lagrangian, that words call so.
 
-    There are none where it is not known what belongs together.
+    There are none where it is not known what belongs together. Where a paper prints no rates the
+    letters of coordinates and momenta say so.
     """
+    still = not any(one.rates for one in paper.items)
     for item in paper.items:
         named = item.bare[:1] and item.members[0].names() & {*HAMILTONIANS, *LAGRANGIANS}
-        if not named or not cue("hamiltonian", item.words):
+        moves = cue("hamiltonian", item.words) or (still and is_of_momenta(item, paper))
+        if not named or not moves:
             continue
         about = [
             item,
@@ -73,6 +77,34 @@ def implied_rows(paper: SourcePaper) -> Iterator[SourceStatement]:
             continue
         if found:
             return
+
+
+def is_of_momenta(item: SourceStatement, paper: SourcePaper) -> bool:
+    """Whether a statement gives the letter of a Hamiltonian by squares of momenta with indices.
+
+    Each has its coordinate by its index, in the formula if that is a number. No words of the paper
+    tell of forces, constraints or fields, nor deny anything of it.
+    """
+    if not item.bare or item.bare[0] not in HAMILTONIANS or len(item.members) != 2:
+        return False
+    more = any(cue(name, paper.prose.text) for name in ("force", "constraint", "rolling"))
+    if more or cue("denied", item.words) or _FIELD.search(paper.prose.text):
+        return False
+    nodes, names = [*item.members[1].nodes()], _canonical(item)
+    found = [
+        Power(Name(p), Number(2)) in nodes
+        and bool(symbol(p).index)
+        and (q in item.names or not symbol(p).index.isdecimal())
+        for q, p in zip(names[::2], names[1::2], strict=True)
+    ]
+    return bool(found) and all(found)
+
+
+_FIELD = re.compile(
+    r"\b(?:magnet|gyroscop|gyrostat|nonholonom|non-holonom|rotat|магнит|гироскоп|неголоном|враща)",
+    re.IGNORECASE,
+)
+"""Words for what acts, and may be no part of a Hamiltonian in these letters."""
 
 
 def definitions_below(item: SourceStatement, paper: SourcePaper) -> Iterator[SourceStatement]:

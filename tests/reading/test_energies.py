@@ -106,3 +106,82 @@ def test_momenta_move_by_the_hamiltonian_where_equations_of_the_second_order_are
 def test_where_the_equations_are_not_those_of_the_hamiltonian_only_they_are_judged():
     found = verdicts(IN_MOMENTA.replace("BRACKETS", "").replace("=-aq_1-2r", "=-aq_1+2r"))
     assert [*found.values()] == [Verdict.UNDECIDED, Verdict.PROVED]
+
+
+ORBIT = r"The Lagrangian is \[ L=\frac12m(\dot r^2+r^2\dot\varphi^2)-U(r) . \] "
+
+
+@pytest.mark.parametrize(
+    ("row", "is_green"),
+    [
+        (r"m(\ddot r-r\dot\varphi^2)=-\frac{dU}{dr}", True),
+        (r"m(\ddot r+r\dot\varphi^2)=-\frac{dU}{dr}", False),
+        (r"m(\ddot r-r\dot\varphi^2)=\frac{dU}{dr}", False),
+    ],
+)
+def test_rows_with_a_potential_of_which_nothing_is_said(row, is_green):
+    text = (
+        rf"{ORBIT}The equations of motion are \[ {row},\qquad\frac d{{dt}}(mr^2\dot\varphi)=0 . \]"
+    )
+    assert all(one.verdict.green for one in ends(text)) is is_green and ends(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "row", "wrong"),
+    [
+        (ORBIT + r"The momentum $l=mr^2\dot\varphi$ is conserved, and \[ ROW . \]",
+         r"m\ddot r=\frac{l^2}{mr^3}-U'(r)", r"m\ddot r=\frac{l^2}{mr^2}-U'(r)"),
+        (r"The Hamiltonian is \[ H=\frac{p_r^2}{2m}+\frac{p_\varphi^2}{2mr^2}+U(r) . \] Hence"
+         r"\[ \dot r=\frac{p_r}m,\quad\dot\varphi=\frac{p_\varphi}{mr^2},\quad ROW . \]",
+         r"\dot p_r=\frac{p_\varphi^2}{mr^3}-U'(r)", r"\dot p_r=\frac{p_\varphi^2}{2mr^3}-U'(r)"),
+    ],
+)  # fmt: skip
+def test_equations_for_some_of_the_coordinates_follow(text, row, wrong):
+    right, other = ([*verdicts(text.replace("ROW", one)).values()] for one in (row, wrong))
+    assert right and all(one.green for one in right)
+    assert not all(one.green for one in other)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        ORBIT
+        + r"Consider now a spring, \[ m\ddot r=-kr . \] Then $m\dot r^2+kr^2$ is an integral.",
+        r"The first system has the Lagrangian \[ L=\frac12(\dot x^2+\dot y^2)-\frac12(x^2+y^2) . \]"
+        r" The second one is \[ \ddot x=-x^3 . \] It has the integral $\dot x^2+\frac12x^4$.",
+    ],
+)
+def test_equations_for_one_coordinate_that_need_no_other_are_a_law(text):
+    assert [one.green for one in verdicts(text).values()] == [True]
+
+
+def test_a_row_of_special_motions_is_not_claimed_of_all():
+    found = ends(ORBIT + r"For circular orbits \[ m\ddot r=0 . \]")
+    assert all(one.verdict is not Verdict.REFUTED for one in found)
+
+
+LATTICE = r"The lattice is given by \[ H=\frac12(p_1^2+p_2^2)+e^{q_1-q_2} . \] Then $p_1+p_2$ is an integral."
+
+
+def test_coordinates_and_momenta_say_that_it_is_a_hamiltonian():
+    assert [one.green for one in verdicts(LATTICE).values()] == [True]
+    found = verdicts(LATTICE.replace("p_1+p_2$", "p_1-p_2$"))
+    assert [one.value for one in found.values()] == ["refuted"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        LATTICE.replace("lattice", "ball that rolls without sliding"),
+        LATTICE.replace("lattice", "charge in a magnetic field"),
+        LATTICE + " There is friction.",
+        LATTICE.replace("e^{q_1-q_2}", "V"),
+        LATTICE.replace("p", "M"),
+        LATTICE.replace("^2", ""),
+        LATTICE.replace("The lattice", "It is not true that the lattice"),
+        r"For a top \[ H=\frac12(Ap^2+Bq^2+Cr^2) . \] Then $r$ is an integral.",
+        r"In a fluid \[ H=\frac12(aM_1^2+bM_2^2)+\frac12(cp_1^2+dp_2^2) . \] Then $p_1$ is an integral.",
+    ],
+)
+def test_other_energies_move_nothing(text):
+    assert not any(one.green for one in verdicts(text).values())

@@ -540,3 +540,20 @@ def test_what_stands_under_a_square_in_a_law_is_no_constraint():
     law = r"The motion obeys \[ \dot x=-\frac y{s^2}+x,\qquad \dot y=\frac x{s^2}, \] "
     found = verdicts(law + r"where $s^2=x^2+y^2$. Then $x^2+y^2$ is constant, and so is $s$.")
     assert Verdict.PROVED not in found.values() and Verdict.CONDITIONAL not in found.values()
+
+
+PLANET = r"""The planet moves by \[ \ddot x=-\frac{\mu x}{(x^2+y^2)^{3/2}},\qquad
+\ddot y=-\frac{\mu y}{(x^2+y^2)^{3/2}} .\] """
+
+
+@pytest.mark.parametrize(
+    ("claim", "wrong"),
+    [
+        (r"x\dot y-y\dot x=\mathrm{const}", r"x\dot y+y\dot x=\mathrm{const}"),
+        (r"c=x\dot y-y\dot x=\mathrm{const}", r"c=x\dot y+y\dot x=\mathrm{const}"),
+    ],
+)
+def test_roots_in_the_law_and_const_behind_a_new_name(claim, wrong):
+    assert verdicts(PLANET + rf"Hence \[ {claim} .\]")[claim].green
+    assert verdicts(PLANET + rf"Hence \[ {wrong} .\]")[wrong].value == "refuted"
+    assert not verdicts(PLANET + rf"It is not true that \[ {claim} .\]")
