@@ -81,6 +81,7 @@ def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
         _is_unread_summary(item, known)
         or item in known.paper.approximate
         or known.roles[item].kind == "approximate"
+        or item.typed.start in known.paper.orbits
         or ({"dot", "prime"} <= item.marks and not known.clocks)  # the prime of another frame
         or (
             known.roles[item].kind == "identity"

@@ -133,7 +133,8 @@ class _LawFinder:
         paper = self.paper
         free = paper.functions_by_name.keys() & item.rates.keys()
         left = paper.approximate | paper.maps | paper.unfinished
-        return is_row(item) and not free and item not in left
+        along = item.typed.start in paper.orbits
+        return is_row(item) and not (free or along) and item not in left
 
     def _defines(self, item: SourceStatement) -> bool:
         """Whether a statement gives a name an expression, and is neither a row nor of one."""

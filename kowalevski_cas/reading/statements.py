@@ -32,6 +32,7 @@ from kowalevski_cas.reading.index_ranges import period_in, with_ranges
 from kowalevski_cas.reading.initially import moving_names, time_of_value, with_initial_values
 from kowalevski_cas.reading.named_sets import without_set_names
 from kowalevski_cas.reading.numbers import numbers_of
+from kowalevski_cas.reading.orbits import with_orbits
 from kowalevski_cas.reading.text import MARK, Prose, TextSection, references
 from kowalevski_cas.reading.variations import with_variations
 from kowalevski_cas.source.displays import TypedFormula
@@ -170,6 +171,8 @@ class SourcePaper:
     """The names of sets, by the offsets of the formulas that print their equations."""
     functions: tuple[Unknown, ...] = ()
     """The functions of which nothing is said but their arguments."""
+    orbits: frozenset[int] = frozenset()
+    """The offsets of the formulas that print derivatives along orbits."""
 
     @cached_property
     def functions_by_name(self) -> dict[str, list[Unknown]]:
@@ -290,7 +293,9 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     functions = free_functions(printed, expanded.text)
     printed = [*with_names_alone(printed, functions)]
     moving = moving_names(printed)
-    begun, starts = with_initial_values(printed, moving)
+    along = [*with_orbits(printed, moving)]
+    orbits = frozenset(formula.start for formula, is_along in along if is_along)
+    begun, starts = with_initial_values([formula for formula, _ in along], moving)
     formulas = [*by_names(begun)]
     prose = Prose(expanded.text, expanded.body, formulas)
     words = vocabulary_of(formulas)
@@ -338,7 +343,7 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
             )  # fmt: skip
     return SourcePaper(
         source, prose, words, tuple(displays), tuple(items), lines, expanded, primed, period,
-        {formula.start: name for formula, name in named if name}, functions,
+        {formula.start: name for formula, name in named if name}, functions, orbits,
     )  # fmt: skip
 
 
