@@ -14,6 +14,12 @@ _ANEW = re.compile(
 )
 """How words end that begin another clause with a condition."""
 
+_SAYS_MORE = re.compile(
+    r"\b(?:and|but|while|whereas|и|а|но)[\s~]+(?!(?:for|if|when|also|again|even|only|likewise|in|at|where"
+    r"|with|remains?|stays?|still|keeps?|(?:is|are)\s+(?:one|so)|при|если|когда|также|в|с|оста\w+)\b)\w+[\s~]+(?:\w+[\s~]+){0,4}\w+[\s~]*$"
+)
+"""How words end that say something else of what was spoken of, under another condition."""
+
 _GOES_ON = re.compile(r"[\s,~]*(?!(?:and|but|while|whereas|и|а|но)\b)[\w§]")
 """How words begin that go on with what holds under a condition."""
 
@@ -67,7 +73,10 @@ class Clauses:
         goes_on = MARK in statement.after and _GOES_ON.match(statement.tail)
         goes_on = goes_on or _SAYS.match(statement.tail)
         listed = self._before in self.behind and _is_joined(statement)
-        if self._claims and (listed or not (anew and goes_on)):
+        before = (one for claim in self._claims for one in self.of[claim])
+        other = any(one.names == statement.names for one in before)
+        said = other and _SAYS_MORE.search(statement.lead) and not cue("integral", statement.lead)
+        if self._claims and (listed or not (anew and (goes_on or said))):
             self.behind.add(statement)
             for claim in self._claims:
                 self.of[claim].append(statement)

@@ -269,9 +269,11 @@ CUES: dict[str, str] = {
         \b(?:independent\s+of|without)\s*$ не\s+(?:завис\w+\s+от|содерж\w+)\s*$""",
     "except": r"""
         \b(?:except(?:ing)?|unless)(?:\s+(?:for|when|if|where|at|in\s+the\s+cases?(?:\s+of)?|that))*\s*$
+        \bnot\s+(?:for|when|if|where|in\s+the\s+cases?(?:\s+of)?)\s*$ \bне\s+(?:при|когда|если)\s*$
         \b(?:кроме|за\s+исключением)\s+(?:случа\w+(?:,?\s+когда)?|того,?\s+когда)\s*$""",
     "excepted": r"""
         \b(?:except(?:ing)?|unless)(?:\s+(?:for|when|if|where|at|in\s+the\s+cases?(?:\s+of)?|that))*\s*§
+        \bnot\s+(?:for|when|if|where|in\s+the\s+cases?(?:\s+of)?)\s*§ \bне\s+(?:при|когда|если)\s*§
         \b(?:кроме|за\s+исключением)\s+(?:случа\w+(?:,?\s+когда)?|того,?\s+когда)\s*§""",
     "region": r"""
         \b(?:region|domain|interval|strip|half-?plane|half-?space|quadrant|where)\s*$

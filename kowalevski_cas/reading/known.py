@@ -263,10 +263,20 @@ class Known:
     def _is_over(self, one: SourceStatement, item: SourceStatement) -> bool:
         """Whether a later paragraph gives a constant of the case another number: it is over.
 
-        What a sentence supposes together is one case.
+        What a sentence supposes together is one case. It is over as well where a sentence says that
+        such a constant is arbitrary.
         """
         case = [o for o in self.assumptions if o.sentence == one.sentence]
         values = {name: value for o in case for name, value in _numbers(o)}
+        if any(
+            isinstance(o.formula, Name)
+            and o.formula.name in values
+            and one.order < o.order < item.order
+            and o.sentence != one.sentence
+            and _FREED.match(o.tail)
+            for o in self.items
+        ):
+            return True
         return any(
             values.get(name, value) != value
             for other in self.assumptions
@@ -365,6 +375,11 @@ class Known:
         return [name for name in names if self.varies(name)]
 
 
+_FREED = re.compile(
+    r"[\s,~]*(?:is|are|be|remains?|[-—–]+)?\s*(?:(?:again|now|once|more)\s+)*(?:arbitrary|произвольн\w+)",
+    re.IGNORECASE,
+)
+"""How words begin behind a constant of which no value is supposed any more."""
 _STEP = re.compile(r"([a-z])(?:[+-]\d+)?")
 
 

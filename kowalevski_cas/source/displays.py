@@ -1,6 +1,7 @@
 r"""The formulas of a source: displays with their labels and rows, and inline formulas.
 
-Numbered rows of ``eqnarray``, ``align`` and their like are formulas of their own.
+Numbered rows of ``eqnarray``, ``align`` and their like are formulas of their own, unless one runs
+on in the next.
 """
 
 from __future__ import annotations
@@ -124,13 +125,45 @@ def _rows(text: str, start: int, end: int, kind: str) -> Iterator[TypedFormula]:
         yield TypedFormula(tex, start, end, kind, _labels(tex), kind in _INLINE)
         return
     first = 0
-    for last, following in row_ends(tex):
+    ends = [*row_ends(tex)]
+    for (last, following), (after, _) in zip(ends, [*ends[1:], ends[-1]], strict=True):
         row = tex[first:last]
-        if _UNNUMBERED.search(row) and following < len(tex):
+        if following < len(tex) and (
+            _UNNUMBERED.search(row) or _runs_on(row, tex[following:after])
+        ):
             continue
         if row.strip(" \t\r\n&"):
             yield TypedFormula(row, start + first, start + last, kind, _labels(row))
         first = following
+
+
+_RELATION = re.compile(r"=|<|>|\\(?:[lg]eq?|equiv|approx|simeq|sim|neq?)(?![A-Za-z])")
+_SIGN = r"(?P<sign>[-+])|/|\\(?:pm|mp|times|cdot|wedge)(?![A-Za-z])"
+_SPACES = (
+    r"(?:[\s&~]|\{\}|\\(?:q?quad(?![A-Za-z])|left\s*\.|[,;:!\s]"
+    r"|(?:hspace|phantom|label)\*?\s*\{[^{}]*\}))*"
+)
+_JOINS = re.compile(rf"{_SPACES}(?:{_SIGN}|{_RELATION.pattern})")
+_OPEN = re.compile(rf"(?:{_SIGN}|{_RELATION.pattern}|\()\s*$")
+_SCRIPT = re.compile(r"[_^]\s*\{[^{}]*\}")
+
+
+def _runs_on(row: str, following: str) -> bool:
+    """Whether the formula of a row runs on in the next one: a sign stands at the break.
+
+    A row that begins with a plus or a minus, and states a relation, is a formula of its own; so is
+    one behind a row that states none, or ends with a mark.
+    """
+    before, behind = (
+        _SCRIPT.sub("", _LABEL.sub("", one)).strip(" \t\r\n&") for one in (row, following)
+    )
+    if _OPEN.search(before):
+        return True
+    joins = _JOINS.match(behind)
+    if joins is None or not before or before.endswith((",", ".", ";")):
+        return False
+    states, anew = (_RELATION.search(one) is not None for one in (before, behind))
+    return joins["sign"] is None or (states and not anew)
 
 
 def row_ends(tex: str) -> Iterator[tuple[int, int]]:

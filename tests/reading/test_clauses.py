@@ -90,3 +90,30 @@ def test_what_is_said_with_exceptions_is_neither_green_nor_red(sentence):
 )
 def test_an_inequality_of_what_moves_is_claimed_unless_words_suppose_it(sentence, expected):
     assert [v for v, _ in verdicts(sentence)] == expected
+
+
+@pytest.mark.parametrize(
+    ("sentences", "expected"),
+    [
+        (
+            "The function $z$ is an integral for $c=0$ and decreases for $c<0$.",
+            [("proved", ["c=0"])],
+        ),
+        ("The function $z$ is constant if $c=0$, and grows if $c>0$.", [("proved", ["c=0"])]),
+        ("$z$ is an integral for $c=0$ and for $c=2$.", [("refuted", ["c=2"])]),
+        ("$z$ is constant for $c=0$ and is constant for $c=2$.", [("refuted", ["c=2"])]),
+        ("$z$ is an integral for $c=0$ and remains one for $c=2$.", [("refuted", ["c=2"])]),
+        ("$z$ is an integral when $c=0$ but not when $c=1$.", []),
+        ("When $c=1$, and not when $c=0$, the function $z$ is an integral.", []),
+    ],
+)
+def test_a_condition_of_what_else_is_said_is_not_one_of_the_claim(sentences, expected):
+    assert verdicts(sentences) == expected
+
+
+@pytest.mark.parametrize("words", ["is arbitrary", "is now arbitrary", "is again arbitrary"])
+def test_a_value_is_no_more_supposed_of_what_is_arbitrary(words):
+    text = "Suppose $c=0$ for a moment. In what follows $c$ WORDS. The function $z$ is an integral."
+    [(found, on)] = verdicts(text.replace("WORDS", words))
+    assert found != "proved" and not on
+    assert verdicts(text.replace("In what follows $c$ WORDS. ", "")) == [("proved", ["c=0"])]

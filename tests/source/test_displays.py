@@ -36,6 +36,25 @@ def test_a_row_with_a_number_is_a_formula():
     ]
 
 
+@pytest.mark.parametrize(
+    ("rows", "number"),
+    [
+        (r"a&=b\\&\quad+c", 1),
+        (r"a&=b\\&\quad{}-c_{i=1}", 1),
+        (r"a&=b+\\&\quad c", 1),
+        (r"a\label{x}\\&=b\\&=c", 1),
+        (r"a&=b(c\\&\quad+d)\\e&=f", 2),
+        (r"a&=b\\-c&=d", 2),
+        (r"a&=b,\\&-c", 2),
+        (r"a\\-b", 2),
+        (r"a&=b\\c&=d\\&\times e", 2),
+    ],
+)
+def test_a_row_that_runs_on_is_one_with_the_next(rows, number):
+    for name in ("align", "eqnarray", "gather"):
+        assert len(found(rf"\begin{{{name}}}{rows}\end{{{name}}}")) == number
+
+
 def test_rows_of_inner_environments_are_no_rows():
     text = r"\begin{align}x&=\begin{cases}a\\b\end{cases}\\y&=1\end{align}"
     assert len(found(text)) == 2
