@@ -14,6 +14,7 @@ from kowalevski_cas.reading.canonical import MOMENTUM
 from kowalevski_cas.reading.compositions import is_of_maps
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import EQUATIONS
+from kowalevski_cas.reading.inertia import INERTIA
 from kowalevski_cas.reading.known import ASSUMPTION, BEGINNING, CLAIM, DEFINITION, LAW, SETS, Known
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.linear_parts import DETERMINANT, MATRIX, TRACE
@@ -193,8 +194,9 @@ def _has_momentum(rung: Rung, known: Known) -> bool:
 
 
 def _has_basis(rung: Rung, known: Known) -> bool:
-    """Whether a claim stands on vectors of a basis of which the paper does not say so."""
-    basis = {one.printed for one, role in known.roles.items() if role.kind == "basis"}
+    """Whether it stands on vectors of a basis, or tensors, of which the paper does not say so."""
+    kinds = ("basis", INERTIA)
+    basis = {one.printed for one, role in known.roles.items() if role.kind in kinds}
     return not basis.isdisjoint(rung.claim.scene.definitions.values())
 
 

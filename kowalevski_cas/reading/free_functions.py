@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -72,7 +72,23 @@ def free_functions(formulas: Sequence[TypedFormula], text: str) -> tuple[Unknown
         told = name in sure and (TIME,) not in every
         if not several and _may_be_any(name, given, texts) and (told or not _alone(name, texts)):
             found += [Unknown(name, by, orders[name]) for by in every]
-    return tuple(found)
+    return (*found, *_with_gradients(texts, {*given, *lists}))
+
+
+_BOLD = r"\\(?:mathbf|boldsymbol|bm|vec)\s*(?:\{\s*\\?[A-Za-z]+\s*\}|\s\\?[A-Za-z]+|\\[A-Za-z]+)"
+_GRADIENT = re.compile(
+    rf"\\[dt]?frac\s*\{{\s*\\partial\s*(?P<name>{NAME})\s*\}}\s*\{{\s*\\partial\s*(?P<by>{_BOLD})\s*\}}"
+)
+
+
+def _with_gradients(texts: Sequence[str], given: Collection[str]) -> Iterator[Unknown]:
+    """The functions that nothing gives, with the vectors by which they are derived."""
+    by: dict[str, dict[str, None]] = defaultdict(dict)
+    for found in (one for tex in texts for one in _GRADIENT.finditer(tex)):
+        by[found["name"].replace(" ", "")] |= dict.fromkeys(arguments(found["by"]))
+    for name, vectors in by.items():
+        if _may_be_any(name, given, texts):
+            yield Unknown(name, (*vectors,), 1)
 
 
 def _apart(tex: str) -> str:
