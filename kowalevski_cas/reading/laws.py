@@ -45,14 +45,22 @@ def find_laws(paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] 
     whole = bool(found) and not any(one.rates for one in paper.unfinished)
     second = len(found) == 1 and is_of_second_order(found[0])
     rows = tuple(implied_rows(paper)) if len(found) < 2 or not whole else ()
+    implied = _with_changes(Law(rows, names), paper, said) if rows else []
     if rows and not whole:
-        return [Law(rows, names)]
+        return implied
     if rows and second and _needs_momenta(rows, found[0], paper):
         return [Law(rows, names, again=(found[0],))]
-    if rows and _leaves_out(rows, found[0], paper):
-        return [Law(rows, names)]
+    if rows and (_leaves_out(rows, found[0], paper) or _is_changed(found[0], implied)):
+        return implied
     found = found or [*_LawFinder(paper, names, said, inline=True).laws()]
     return found or free_motion(paper, names)
+
+
+def _with_changes(law: Law, paper: SourcePaper, said: Said) -> list[Law]:
+    """A law that is implied, and the same in the new variables that the paper gives."""
+    finder = _LawFinder(paper, law.names, said)
+    finder.found = [law]
+    return [law, *finder.changes([law], None)]
 
 
 def is_of_second_order(law: Law) -> bool:
@@ -91,6 +99,11 @@ def _leaves_out(rows: Sequence[SourceStatement], law: Law, paper: SourcePaper) -
     left = {*moving} - {*law.variables}
     given = {one.bare[0] for one in paper.items if one.bare and left & one.names}
     return alike and {*law.variables} < {*moving} and bool(law.mentions & (left | given))
+
+
+def _is_changed(law: Law, implied: Sequence[Law]) -> bool:
+    """Whether what a law moves are new variables of one that is implied: it follows."""
+    return any({*law.variables} <= {*one.new} for one in implied)
 
 
 class _LawFinder:

@@ -6,6 +6,7 @@ from kowalevski_cas.audit.reading import ReadingSession
 from kowalevski_cas.reading import CLAIM, DEFINITION, read
 from kowalevski_cas.source.files import decode
 from kowalevski_cas.verify.outcome import Verdict
+from tests.reading.test_reading import verdicts
 from tests.sample import sampled
 
 PLANE = r"""
@@ -112,3 +113,21 @@ def test_a_force_with_a_potential_is_carried_over_to_polar_coordinates(claim, ve
         rf"\[{claim} .\]"
     )
     assert [*judged(text).values()][-1][1].value == verdict
+
+
+ROTATOR = r"The Hamiltonian is \[ H=\frac{p^2}{2m}+\frac{mk^2q^2}2 . \] "
+
+
+@pytest.mark.parametrize(
+    ("words", "claim", "wrong"),
+    [
+        (r"With $q=\sqrt{\frac{2I}{mk}}\sin\varphi$, $p=\sqrt{2Imk}\cos\varphi$ we have",
+         "H=kI", "H=2kI"),
+        (r"In the variables \[ q=\sqrt{\frac{2I}{mk}}\sin\varphi,\qquad p=\sqrt{2Imk}\cos\varphi \]",
+         r"\dot I=0", r"\dot I=I"),
+    ],
+)  # fmt: skip
+def test_new_variables_of_a_hamiltonian(words, claim, wrong):
+    assert verdicts(rf"{ROTATOR}{words} \[ {claim} . \]")[claim].green
+    found = verdicts(rf"{ROTATOR}{words} \[ {wrong} . \]").get(wrong)
+    assert found is None or not found.green
