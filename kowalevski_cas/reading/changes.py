@@ -28,7 +28,7 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
     """
     seen = {*law.mentions}
     for item in items:
-        if item.order < law.order:
+        if item.order <= law.order:  # what implies it stands beside it
             seen |= item.names
     later = [one for one in items if one.order > law.order]
     rated = {name for one in later for name in one.rates}
