@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from kowalevski_cas.notation import Constant, Name, Number, Root, Unwritten, to_latex
+from kowalevski_cas.notation.edits import substitute
 from kowalevski_cas.paper.claims import (
     Claim,
     Coefficient,
@@ -18,9 +19,10 @@ from kowalevski_cas.paper.claims import (
     Implication,
     Inequality,
     InvariantRelations,
+    OfAllFunctions,
     RestPoints,
 )
-from kowalevski_cas.reading.brackets import refuse_idle_brackets
+from kowalevski_cas.reading.brackets import any_function, refuse_idle_brackets
 from kowalevski_cas.reading.canonical import meant
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.flow_rungs import OF_FIELD, of_field
@@ -50,6 +52,9 @@ def rungs(item: SourceStatement, id: str, stage: Stage) -> Iterator[Rung]:
 
 class _Ladder(RungMaker):
     def rungs(self) -> Iterator[Rung]:
+        if name := any_function(self.item, self.known):
+            yield self._of_all_functions(name)
+            return
         refuse_idle_brackets(self.item, self.known)
         match self.role.kind:
             case "identity" | "constant":
@@ -77,6 +82,15 @@ class _Ladder(RungMaker):
                 yield from of_motion(self)
         yield from self.of_unit_vectors()
         yield from self.elsewhere()
+
+    def _of_all_functions(self, name: str) -> Rung:
+        """What is printed of any function, whose name stands for every variable."""
+        law = next(law for law in self.known.laws if not law.images)
+        assert self.item.formula is not None
+        tex = to_latex(substitute(self.item.formula, {name: Name(law.variables[0])}))
+        one = unprinted(self.known.paper, f"{self.id}-of-one", tex, self.item, "for one variable")
+        says = "this is so for all functions"
+        return self.rung(OfAllFunctions, says, self.supposed, items=(one,), law=law, of=name)
 
     def of_unit_vectors(self) -> Iterator[Rung]:
         """The claim where vectors have the length that is printed of them: one."""

@@ -71,7 +71,9 @@ def test_what_a_law_without_multiplier_is_said_to_keep_is_no_constraint(words):
 
 @pytest.mark.parametrize("of", [r"x,y\in\mathbb R^3", r"x,y\in R^3", r"x, y \in \mathbb{R}^{3}"])
 def test_points_of_a_space_are_vectors(of):
-    found = reading(rf"$$\dot x=y,\qquad\dot y=-x,$$ where ${of}$. The function $(x,x)+(y,y)$ is an integral.")
+    found = reading(
+        rf"$$\dot x=y,\qquad\dot y=-x,$$ where ${of}$. The function $(x,x)+(y,y)$ is an integral."
+    )
     assert found.parts.paper.words.vectors == {"x", "y"}
 
 
@@ -80,7 +82,13 @@ $$\dot x_i=y_i,\qquad \dot y_i=-a_ix_i+\lambda x_i\qquad(i=1,2,3),\qquad \lambda
 
 
 def test_of_velocities_the_constraint_gives_one_equation_more():
-    found = judged(FIRST_ORDER + r"They keep $\sum x_iy_i=0$. The function $\sum_k(y_k^2+a_kx_k^2)$ is an integral.")
+    found = judged(
+        FIRST_ORDER
+        + r"They keep $\sum x_iy_i=0$. The function $\sum_k(y_k^2+a_kx_k^2)$ is an integral."
+    )
     assert found == ([True, True], [True])
-    found = judged(FIRST_ORDER + r"They keep $\sum x_iy_i=1$. The function $\sum_k(y_k^2-a_kx_k^2)$ is an integral.")
+    found = judged(
+        FIRST_ORDER
+        + r"They keep $\sum x_iy_i=1$. The function $\sum_k(y_k^2-a_kx_k^2)$ is an integral."
+    )
     assert found == ([False, False], [True])
