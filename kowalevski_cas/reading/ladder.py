@@ -47,14 +47,13 @@ def rungs(item: SourceStatement, id: str, stage: Stage) -> Iterator[Rung]:
 
     Raises ``ValueError`` where names have no meaning together.
     """
-    return _Ladder(item, id, stage).rungs()
+    ladder = _Ladder(item, id, stage)
+    name = any_function(item, stage.known)
+    return iter([ladder.of_all_functions(name)]) if name else ladder.rungs()
 
 
 class _Ladder(RungMaker):
     def rungs(self) -> Iterator[Rung]:
-        if name := any_function(self.item, self.known):
-            yield self._of_all_functions(name)
-            return
         refuse_idle_brackets(self.item, self.known)
         match self.role.kind:
             case "identity" | "constant":
@@ -83,7 +82,7 @@ class _Ladder(RungMaker):
         yield from self.of_unit_vectors()
         yield from self.elsewhere()
 
-    def _of_all_functions(self, name: str) -> Rung:
+    def of_all_functions(self, name: str) -> Rung:
         """What is printed of any function, whose name stands for every variable."""
         law = next(law for law in self.known.laws if not law.images)
         assert self.item.formula is not None

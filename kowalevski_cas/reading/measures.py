@@ -1,7 +1,7 @@
 r"""Measures that maps and flows preserve, as they are printed.
 
-Those of a map, as :math:`dx'\,dy'/(x'y')=dx\,dy/(xy)`, by a Jacobian; the divergence of a field that
-is named and given by nothing, as :math:`\operatorname{div}\mathcal X`, by that of the motion.
+Those of a map, as :math:`dx'\,dy'/(x'y')=dx\,dy/(xy)`, by a Jacobian; the divergence of a field
+that is named and given by nothing, as :math:`\operatorname{div}\mathcal X`, by that of the motion.
 """
 
 from __future__ import annotations
@@ -44,7 +44,8 @@ def with_jacobian(tex: str) -> str:
     return f"{before}{one}{after}"
 
 
-_FIELD = r"(?:\\(?:mathcal|mathbf|boldsymbol|bm|vec|mathfrak)\s*(?:\{\s*(?:\\?[A-Za-z]+)\s*\}|[A-Za-z])|[A-Za-z])"
+_TYPE = r"\\(?:mathcal|mathbf|boldsymbol|bm|vec|mathfrak)"
+_FIELD = rf"(?:{_TYPE}\s*(?:\{{\s*(?:\\?[A-Za-z]+)\s*\}}|[A-Za-z])|[A-Za-z])"
 _DIVERGENCE = re.compile(
     rf"^\s*(?:\\(?:operatorname|mathrm|text)\s*\{{\s*[Dd]iv\s*\}}|\\(?:nabla|partial)\s*\\cdot)\s*"
     rf"(?:\\[,;! ]\s*)?(?P<open>\()?\s*(?P<field>{_FIELD})\s*(?(open)\))\s*(?=&?\s*=)"
