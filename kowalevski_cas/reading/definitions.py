@@ -22,6 +22,7 @@ from kowalevski_cas.reading.brackets import OF_FUNCTIONS
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.fresh import (
     is_called_constant,
+    is_constant_behind,
     is_fresh,
     is_given_behind,
     without_factor,
@@ -136,7 +137,9 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
         why = "gives a number for a name"
         return StatementRole(ASSUMPTION, why, reach_of_constants(item), tuple(fresh))
     if cue("if", item.lead):
-        return StatementRole(ASSUMPTION, "supposed in its sentence", "set", tuple(fresh))
+        moving = known.varying(item.names - {*fresh})
+        lasts = "set" if moving else reach_of_constants(item)
+        return StatementRole(ASSUMPTION, "supposed in its sentence", lasts, tuple(fresh))
     if said := _specialising(item, known, fresh):
         why = f"“{said}” gives what was general before"
         return StatementRole(ASSUMPTION, why, reach_of_constants(item), tuple(fresh))
@@ -247,6 +250,7 @@ def square(item: SourceStatement, known: Known) -> StatementRole | None:
     first = item.members[0] == Power(Name(fresh[0]), Number(2))
     claimed = _integral_further_off(item, known) if first else integral_words(item)
     claimed = claimed or words_behind(item, "integral")
+    claimed = claimed or ("constant" if is_constant_behind(fresh[0], item, known) else "")
     if claimed:
         return StatementRole(
             CLAIM,
