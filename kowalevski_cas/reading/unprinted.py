@@ -101,7 +101,8 @@ def is_of_momenta(item: SourceStatement, paper: SourcePaper) -> bool:
 
 
 _FIELD = re.compile(
-    r"\b(?:magnet|gyroscop|gyrostat|nonholonom|non-holonom|rotat|магнит|гироскоп|неголоном|враща)",
+    r"\b(?:magnet|gyroscop|gyrostat|non-?(?:holonom|canonic)|rotat|not\s+canonical"
+    r"|магнит|гироскоп|неголоном|враща)",
     re.IGNORECASE,
 )
 """Words for what acts, and may be no part of a Hamiltonian in these letters."""
