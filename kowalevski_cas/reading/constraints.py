@@ -16,7 +16,14 @@ from kowalevski_cas.paper.constraints import MULTIPLIERS, equations_on, multipli
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.in_words import InWords
-from kowalevski_cas.reading.known import ASSUMPTION, CONSTRAINT, DEFINITION, Known, StatementRole
+from kowalevski_cas.reading.known import (
+    ASSUMPTION,
+    CLAIM,
+    CONSTRAINT,
+    DEFINITION,
+    Known,
+    StatementRole,
+)
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.stage import Stage
@@ -165,12 +172,26 @@ def enter_constraints(parts: Parts) -> None:
                 continue
             try:
                 found = [*_implied(law, bound, known, suffix)]
+                if not [*_multipliers(law, known)] and not _keeps(
+                    law, [*bound, *dict(found)], known
+                ):
+                    for one in bound:  # words that come before a law say what nothing makes true
+                        known.assumptions.remove(one)
+                        parts.enter(one, StatementRole(CLAIM, KEPT, "identity"))
+                    continue
             except (ValueError, Meaningless) as error:
                 known.lost |= dict.fromkeys(_multipliers(law, known), str(error))
                 continue
             for item, role in found:
                 parts.places[item] = place
                 parts.enter(item, role)
+
+
+def _keeps(law: Law, bound: list[SourceStatement], known: Known) -> bool:
+    """Whether a law without multipliers keeps constraints, with their derivatives."""
+    places = [one.printed for one in bound]
+    found = equations_on(Stage(known).scene([*bound, *law.items], law=law).scene, places)
+    return len([*islice(found, len(places) + 1)]) <= len(places)
 
 
 def claims_of_constraints(parts: Parts) -> Iterator[InWords]:
