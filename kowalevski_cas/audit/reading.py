@@ -171,7 +171,7 @@ class ReadingSession:
 
     @property
     def _searched(self) -> set[str]:
-        """The claims for which a repair is sought as for what is refuted: if none is, none is there."""
+        """The claims for which a repair is sought as for what is refuted: no other one is there."""
         doubts = self.interpretation.derivation.doubts
         certain = {id for id, doubt in doubts.items() if doubt is Doubt.UNLESS_MENDED}
         return certain.difference(self._in_words)

@@ -58,8 +58,10 @@ class Sampled(Evaluation):
             self._values[name, False] = self.programs.generator(name)
         values = {name: exact.scalar(value) for name, value in given.items()}
         self._values |= {(name, False): self.carry(value) for name, value in values.items()}
-        for name in exact.ring.roots:
-            self._values[name, False] = self.programs.adjoin(name, self._square(name))
+        for name, below in zip(exact.ring.roots, exact.ring.below, strict=True):
+            square, divisor = self._square(name), self.carry(below or exact.ring.one)
+            generator = self.programs.adjoin(name, square * divisor**2)
+            self._values[name, False] = generator * divisor.inverse()
         self.roots = {name: self._square(name) for name in exact.roots}
 
     def _square(self, name: str) -> Program:

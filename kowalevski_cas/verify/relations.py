@@ -86,9 +86,7 @@ def relations(statement: Statement) -> Iterator[ConstantRelation]:
                 yield from _solve(space, factor, statement.claim.scene)
 
 
-def common_factors(
-    statement: Statement, constants: Collection[str]
-) -> Iterator[fmpq_mpoly]:
+def common_factors(statement: Statement, constants: Collection[str]) -> Iterator[fmpq_mpoly]:
     """The irreducible polynomials in these constants where all identities of a statement hold.
 
     They have several terms, and are of the ring of the scene of its claim.
