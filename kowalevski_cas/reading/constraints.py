@@ -8,20 +8,23 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from itertools import islice
 
-from kowalevski_cas.notation import Application, Constant, Name, Number, Power, Product
+from kowalevski_cas.notation import Application, Constant, Name, Number, Power, Product, Vector
 from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.claims import InvariantRelations
 from kowalevski_cas.paper.constraints import MULTIPLIERS, equations_on, multipliers, orders_in
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.in_words import InWords
 from kowalevski_cas.reading.known import ASSUMPTION, CONSTRAINT, DEFINITION, Known, StatementRole
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.stage import Stage
 from kowalevski_cas.reading.statements import SourceStatement
-from kowalevski_cas.reading.unprinted import unprinted
+from kowalevski_cas.reading.unprinted import is_printed, unprinted
 
 SAYS = "the constraints give it"
+KEPT = "the motion stays on its constraints"
 UNBOUND = "${}$ may be a multiplier: print the constraint beside, or say that it is constant"
 
 
@@ -36,7 +39,7 @@ def constraint(item: SourceStatement, known: Known) -> StatementRole | None:
 def is_constraint(item: SourceStatement, law: Law, known: Known) -> bool:
     """Whether a statement is one for a law: of lower order, where words or the display say so.
 
-    Where no multiplier stands in the law, its own sentence says so behind “where”.
+    Where no multiplier stands in the law, its own sentence says so, or says it behind “where”.
     """
     if item in law.rows or not item.members:
         return False
@@ -45,16 +48,26 @@ def is_constraint(item: SourceStatement, law: Law, known: Known) -> bool:
     names = {*known.names.scalars(item.names)}
     gives = isinstance(first, Name) and not known.moves(first.name)
     gives |= isinstance(first, Application) and first.function not in FUNCTIONS
-    if gives or not names & {*law.variables}:
+    gives |= any(isinstance(member, Vector) for member in item.members)
+    if gives or not _moving(item, law, known):
         return False
     orders = orders_in(row.formula for row in law.rows if row.formula is not None)
     if item.formula is None or any(o >= orders.get(n, 0) for n, o in _derived(item)):
         return False
-    if not [*_multipliers(law, known)]:
-        same = any(row.sentence == item.sentence and row.order < item.order for row in law.rows)
-        return same and bool(cue("where", item.lead)) and names <= {*law.variables, *law.mentions}
-    beside = any(row.typed is item.typed for row in law.rows)
-    return beside or _says_constraint(item)
+    rows = [row for row in law.rows if row.sentence == item.sentence]
+    before = [row.typed.end for row in rows if row.order < item.order]
+    if [*_multipliers(law, known)]:
+        beside = any(row.typed is item.typed for row in law.rows)
+        words = known.paper.prose.between(max(before), item.typed.start) if before else ""
+        return beside or _says_constraint(item) or bool(cue("where", words))
+    if before:
+        return bool(cue("where", item.lead)) and names <= {*law.variables, *law.mentions}
+    return bool(rows) and _says_constraint(item)
+
+
+def _moving(item: SourceStatement, law: Law, known: Known) -> set[str]:
+    """The variables of a law in a statement."""
+    return {*known.names.scalars(item.names)} & {*law.variables}
 
 
 def _says_constraint(item: SourceStatement) -> bool:
@@ -66,7 +79,7 @@ def _orders_below(item: SourceStatement, law: Law) -> int:
     """Of how many orders a constraint and its derivatives are that are below those of its law."""
     orders = orders_in(row.formula for row in law.rows if row.formula is not None)
     own = dict(_derived(item))
-    names = [name for name in law.variables if name in item.names]
+    names = orders.keys() & item.names
     return max((orders.get(n, 0) - own.get(n, 0) for n in names), default=1)
 
 
@@ -76,11 +89,15 @@ def _derived(item: SourceStatement) -> Iterator[tuple[str, int]]:
 
 
 def _multipliers(law: Law, known: Known) -> Iterator[str]:
-    """The names in a law that may be multipliers: nothing moves them, or gives them.
+    """The names in a law that may be multipliers: nothing gives them, or by what moves.
 
     Words may call another letter one, if only this stands in several equations of motion.
     """
-    free = [n for n in sorted(law.mentions) if n not in (*law.variables, *known.later)]
+    free = [
+        name
+        for name in sorted(law.mentions)
+        if name not in law.variables and (name not in known.later or known.varies(name))
+    ]
     found = [name for name in free if symbol(name).letter in MULTIPLIERS]
     if not found and any(cue("multiplier", row.words) for row in law.rows):
         shared = [name for name in free if sum(name in row.names for row in law.rows) > 1]
@@ -148,11 +165,26 @@ def enter_constraints(parts: Parts) -> None:
                 parts.enter(item, role)
 
 
+def claims_of_constraints(parts: Parts) -> Iterator[InWords]:
+    """That a law keeps its constraints, where its multipliers are printed and not derived."""
+    for known in parts.known:
+        for law in known.laws:
+            bound = tuple(one for one in known.bound if _moving(one, law, known))
+            given = [known.definitions.get(name, ()) for name in _multipliers(law, known)]
+            if bound and all(one and all(map(is_printed, one)) for one in given):
+                relations: dict[str, object] = {"relations": tuple(one.printed for one in bound)}
+                span = (bound[0].typed.start, bound[0].typed.end)
+                last = max((*law.rows, *bound), key=lambda one: one.order)
+                yield InWords(
+                    span, InvariantRelations, bound, relations, CONSTRAINT, KEPT, last, law
+                )
+
+
 def _implied(
     law: Law, bound: list[SourceStatement], known: Known, suffix: str
 ) -> Iterator[tuple[SourceStatement, StatementRole]]:
     """What gives the multipliers of a law, and the derivatives of its constraints."""
-    names = [*_multipliers(law, known)]
+    names = [name for name in _multipliers(law, known) if not known.is_defined(name)]
     if not bound:
         raise ValueError(f"{', '.join(names)}: a multiplier, and no constraint is read")
     stage, places = Stage(known), [one.printed for one in bound]

@@ -85,9 +85,7 @@ def unit(item: SourceStatement, known: Known) -> StatementRole | None:
     match item.members:
         case (Power(Name("i"), Number(2)), Number() | Negative(Number())):
             return StatementRole(NOTATION, "says what the imaginary unit is", "unit", ("i",))
-        case (Name(name), Vector(entries)) if known.names.vectors.get(name) == tuple(
-            getattr(entry, "name", "") for entry in entries
-        ):
+        case (Name(name), Vector()) if known.names.are_components(item.members):
             return StatementRole(DEFINITION, f"names the components of {plain(name)}", "vector")
     if item.other_time in known.times:
         return StatementRole(DEFINITION, f"gives another time {item.other_time}", "clock")

@@ -117,15 +117,21 @@ r"""A letter that is a list of names, as :math:`x=(x_1,x_2,x_3)`: it is a vector
 _SLOT = r"(?:[A-Z](?:\^(?:\w|\{[^{}]*\}))?\s*)?(?P<%s>[a-zA-Z]|\\[A-Za-z]+)\s*"
 _ANGULAR = re.compile(rf"\\langle\s*{_SLOT % 'first'},\s*{_SLOT % 'second'}\\rangle")
 r"""A scalar product of letters, the first or the second perhaps behind a matrix."""
+_MEMBERS = re.compile(
+    r"(?P<names>(?:[A-Za-z]|\\[A-Za-z]+)(?:\s*,\s*(?:[A-Za-z]|\\[A-Za-z]+))*)\s*\\in\s*"
+    r"(?:\\(?:mathbb|mathbf|mathrm|bf|Bbb)\b\s*)?\{?\s*(?:\\bf\s+)?R\s*\}?\s*\^\s*\{?\s*(?P<size>[2-9])\s*\}?"
+)
+r"""Letters that are points of a space of so many dimensions: :math:`x,y\in\mathbb R^3`."""
 _PRODUCT = re.compile(r"\(\s*([A-Za-z]|\\[A-Za-z]+)\s*,\s*([A-Za-z]|\\[A-Za-z]+)\s*\)")
 
 
 def _lists(formulas: Sequence[TypedFormula]) -> frozenset[str]:
     r"""The letters that are lists of names, and those of which the product with one is printed.
 
-    Those in :math:`\langle A^{-1}x,y\rangle` are vectors as well.
+    Those in :math:`\langle A^{-1}x,y\rangle`, and points of a space, are vectors as well.
     """
     texts = [formula.tex for formula in formulas]
+    members = {name for tex in texts for name in members_of_spaces(tex)}
     angular = {letter for tex in texts for pair in _ANGULAR.findall(tex) for letter in pair}
     found = {match["name"] for tex in texts for match in _LIST.finditer(tex)}
     pairs = {pair.groups() for tex in texts for pair in _PRODUCT.finditer(tex)}
@@ -134,7 +140,14 @@ def _lists(formulas: Sequence[TypedFormula]) -> frozenset[str]:
         name
         for name in found | beside
         if any(re.search(rf"{re.escape(name)}_\{{?\w", t) for t in texts)
-    ) | frozenset(angular)
+    ) | frozenset(angular | members)
+
+
+def members_of_spaces(tex: str) -> dict[str, int]:
+    """The letters that a formula says to be vectors, with the numbers of their components."""
+    found = _MEMBERS.fullmatch(tex.strip().rstrip(".,;"))
+    names = found["names"].split(",") if found else []
+    return {name.strip(): int(found["size"]) for name in names if found}
 
 
 def _matrices(formulas: Sequence[TypedFormula]) -> frozenset[str]:

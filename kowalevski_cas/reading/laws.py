@@ -125,6 +125,8 @@ class _LawFinder:
             return False
         if any(map(is_numerical, item.members)) or is_dependence(item):
             return False
+        if self.names.are_components(item.members):
+            return False
         if any(isinstance(member, PoissonBracket) for member in item.members):
             return False  # it gives the bracket
         rated = [row for row in self.rows if row.order < item.order and item.bare[0] in row.rates]

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
-from kowalevski_cas.notation import CrossProduct, Name, Vector
+from kowalevski_cas.notation import CrossProduct, Formula, Name, Vector
 from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.reading.formulas import members_of_spaces
 from kowalevski_cas.reading.statements import SourcePaper
 
 AXES = ("x", "y", "z")
@@ -22,6 +23,8 @@ def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
     """
     found: dict[str, tuple[str, ...]] = {}
     lengths: dict[str, int] = {}
+    for item in paper.items:
+        lengths |= members_of_spaces(item.typed.tex)
     nodes = [n for item in paper.items if item.formula is not None for n in item.formula.nodes()]
     names = {node.name for node in nodes if isinstance(node, Name)}
     for item in paper.items:
@@ -35,7 +38,7 @@ def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
     size = 3 if any(isinstance(node, CrossProduct) for node in nodes) else 0
     rated = {name for item in paper.items for name in item.rates}
     for name in sorted(paper.words.vectors - found.keys()):
-        if along := _along_axes(name, names, name not in rated, size == 3):
+        if along := _along_axes(name, names - paper.words.vectors, name not in rated, size == 3):
             found[name] = along
     for name in paper.words.vectors:
         printed = (k for k in indices if symbol(name).component(k).name in names)
@@ -75,6 +78,13 @@ class Names:
         """The names with vectors by their components, each once."""
         parts = (part for name in names for part in self.vectors.get(name, (name,)))
         return tuple(dict.fromkeys(parts))
+
+    def are_components(self, members: Sequence[Formula]) -> bool:
+        r"""Whether an equation names the components of a vector: :math:`x=(x_1,x_2,x_3)`."""
+        match members:
+            case (Name(name), Vector(entries)):
+                return self.vectors.get(name) == tuple(getattr(e, "name", "") for e in entries)
+        return False
 
     def whole(self, name: str) -> str:
         """The vector of which a name is a component, or the name itself."""

@@ -23,7 +23,12 @@ from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.processes import each
 from kowalevski_cas.reading.choice import OVERDUE, Choice, Choices, choose_once
 from kowalevski_cas.reading.comments import read_comments
-from kowalevski_cas.reading.constraints import UNBOUND, enter_constraints, unbound_multiplier
+from kowalevski_cas.reading.constraints import (
+    UNBOUND,
+    claims_of_constraints,
+    enter_constraints,
+    unbound_multiplier,
+)
 from kowalevski_cas.reading.conventions import enter_conventions
 from kowalevski_cas.reading.cyclic import enter_cyclic_names
 from kowalevski_cas.reading.dimensions import Misscaled, misscaled
@@ -175,7 +180,12 @@ class _DerivationReader:
     def _in_words(self) -> Iterator[JudgedStatement]:
         """The claims that sentences make; one that has no meaning is told with its reason."""
         parts = self.parts
-        claimed = (*claims_in_words(parts), *claims_of_maps(parts), *claims_of_energies(parts))
+        claimed = (
+            *claims_in_words(parts),
+            *claims_of_maps(parts),
+            *claims_of_energies(parts),
+            *claims_of_constraints(parts),
+        )
         for number, found in enumerate(claimed, 1):
             first = found.about[0]
             known = self.parts.of(first)

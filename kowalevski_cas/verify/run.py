@@ -51,17 +51,18 @@ def decide_together(
     tasks = [(session, claim) for session, claims in chosen for claim in claims]
     begun, first = count(), 0
 
-    def decide_one(number: int) -> Outcome:
+    def decide_one(number: int) -> tuple[int, Outcome]:
         session, claim = tasks[number]
         tell(claim.id)
-        return session.decide(claim)
+        return number, session.decide(claim)
 
     def hear(claim: str, _: int) -> None:
         progress(claim, next(begun), len(tasks))
 
     while numbers := range(first, first := len(tasks)):
-        outcomes = each(received(decide_one), numbers, heard=hear)
-        for (session, claim), outcome in zip(tasks[numbers.start :], outcomes, strict=True):
+        # each is checked as soon as it is there, while others are decided
+        for number, outcome in each(received(decide_one), numbers, heard=hear, ordered=False):
+            session, claim = tasks[number]
             session.decided[claim.id] = receive(outcome, session.decider.timeout)
         behind = (pair for k in numbers for pair in tasks[k][0].behind(tasks[k][1]))
         tasks += dict.fromkeys(pair for pair in behind if pair[1].id not in pair[0].decided)

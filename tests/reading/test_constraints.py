@@ -1,0 +1,75 @@
+r"""Constraints with a printed multiplier: the motion is on them, and the printed law has to keep them."""
+
+import pytest
+
+from kowalevski_cas.audit.reading import ReadingSession
+from tests.reading.test_reading import reading, verdicts
+
+SUM = r"""The point moves on the sphere $$x_1^2+x_2^2+x_3^2=1.$$ The equations of motion are
+$$\ddot x_i=-a_ix_i+\lambda x_i,\quad i=1,2,3,$$ with the multiplier $$\lambda=\sum_{i=1}^3(a_ix_i^2-\dot x_i^2).$$ """
+VECTORS = r"""The equations of motion are
+$$\dot x=y,\qquad\dot y=-Ax+\lambda x,\qquad\lambda=(Ax,x)-(y,y),$$ where $x,y\in\mathbb R^3$,
+$A=\operatorname{diag}(a_1,a_2,a_3)$ and $(x,x)=1$, $(x,y)=0$. """
+LENGTH = r"""A point $q\in R^3$ moves on the unit sphere $|q|=1$. The equations of motion are
+$$\ddot q=-Aq+\mu q,\qquad\mu=(Aq,q)-(\dot q,\dot q),$$ where $A=\operatorname{diag}(a_1,a_2,a_3)$. """
+LISTED = r"""A point $q=(q_1,q_2)$ moves on the circle $|q|^2=1$. The equations of motion are
+$$\ddot q=-Aq+\mu q,\qquad\mu=(Aq,q)-(\dot q,\dot q),$$ where $A=\operatorname{diag}(a,b)$. """
+FREE = r"""A point moves freely on the sphere $$x^2+y^2+z^2=1,$$ so that
+$$\ddot x=-v^2x,\quad\ddot y=-v^2y,\quad\ddot z=-v^2z,$$ where $v^2=\dot x^2+\dot y^2+\dot z^2$. """
+
+
+def judged(text):
+    """Whether what formulas claim is green, and whether the motion is found to keep its constraints."""
+    found = reading(text)
+    outcomes = ReadingSession(found, timeout=5).outcomes
+    return tuple(
+        [outcomes[one.claim.id].verdict.green for one in every if one.claim is not None]
+        for every in (found.formulas, found.statements)
+    )
+
+
+@pytest.mark.parametrize(
+    ("law", "true", "false"),
+    [
+        (SUM, r"$\sum_{i=1}^3(\dot x_i^2+a_ix_i^2)$", r"$\sum_{i=1}^3(\dot x_i^2-a_ix_i^2)$"),
+        (VECTORS, r"$H=\frac12(y,y)+\frac12(Ax,x)$", r"$H=\frac12(y,y)-\frac12(Ax,x)$"),
+        (LENGTH, r"$H=\frac12(\dot q,\dot q)+\frac12(Aq,q)$", r"$H=\frac12(\dot q,\dot q)+(Aq,q)$"),
+        (LISTED, r"$H=(\dot q,\dot q)+(Aq,q)$", r"$H=(\dot q,\dot q)+(q,q)(Aq,q)^2$"),
+        (FREE, r"$v$", r"$x\dot y+y\dot x$"),
+    ],
+)  # fmt: skip
+def test_integrals_are_claimed_on_the_constraint_and_the_law_keeps_it(law, true, false):
+    assert judged(rf"{law}The function {true} is an integral.") == ([True], [True])
+    assert judged(rf"{law}The function {false} is an integral.") == ([False], [True])
+
+
+@pytest.mark.parametrize(
+    ("law", "printed", "misprinted"),
+    [
+        (SUM, r"(a_ix_i^2-\dot x_i^2)", r"(a_ix_i^2+\dot x_i^2)"),
+        (VECTORS, "(Ax,x)-(y,y)", "(x,x)-(y,y)"),
+        (LENGTH, r"-(\dot q,\dot q)", r"-2(\dot q,\dot q)"),
+        (LISTED, "(Aq,q)-", "(q,q)-"),
+        (FREE, r"\ddot y=-v^2y", r"\ddot y=-2v^2y"),
+    ],
+)
+def test_a_misprinted_multiplier_does_not_keep_the_constraint(law, printed, misprinted):
+    assert printed in law
+    assert judged(law.replace(printed, misprinted)) == ([], [False])
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"Consider $$\ddot x=-x,\quad\ddot y=-2y.$$ The point stays on the circle $x^2+y^2=1$. Hence $x\dot x+y\dot y$ is an integral.",
+        r"If it starts on the circle $x^2+y^2=1$, then by $$\ddot x=-x,\quad\ddot y=-2y$$ the function $x\dot x+y\dot y$ is an integral.",
+    ],
+)  # fmt: skip
+def test_what_a_law_without_multiplier_is_said_to_keep_is_no_constraint(words):
+    assert not any(one.green for one in verdicts(words).values())
+
+
+@pytest.mark.parametrize("of", [r"x,y\in\mathbb R^3", r"x,y\in R^3", r"x, y \in \mathbb{R}^{3}"])
+def test_points_of_a_space_are_vectors(of):
+    found = reading(rf"$$\dot x=y,\qquad\dot y=-x,$$ where ${of}$. The function $(x,x)+(y,y)$ is an integral.")
+    assert found.parts.paper.words.vectors == {"x", "y"}
