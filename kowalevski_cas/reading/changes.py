@@ -6,12 +6,19 @@ is printed as their rates follows, and is claimed.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from itertools import groupby
 
 from kowalevski_cas.notation import Name, Number
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.statements import SourceStatement
+
+_NEAR = re.compile(
+    r"\b(?:about|around|near|neighbou?rhood\s+of|вблизи|около|возле|окрестност\w+)\b[^.;:]*$",
+    re.IGNORECASE,
+)
+"""Words behind which a place is printed from which what is given by new names deviates."""
 
 
 def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
@@ -34,8 +41,11 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
             for one in sentence
             if _gives(one, law, seen) and given_by_old.isdisjoint(one.members[1].names())
         ]
-        other = {name for one in sentence if one not in giving for name in one.bare}
+        values = (one for one in sentence if one not in giving and not _NEAR.search(one.before))
+        other = {name for one in values for name in one.bare}
         giving = [one for one in giving if other.isdisjoint(one.bare)]  # else these are values
+        if giving:  # beside these a new letter may stand for a variable as it is
+            giving += [one for one in sentence if _renames(one, law, seen, rated)]
         given = {name for one in giving for name in _names(one, law)}
         new = dict.fromkeys(
             name for one in giving for name in sorted(one.names) if name not in seen | {"t"}
@@ -62,6 +72,14 @@ def _resting(items: Sequence[SourceStatement], moving: set[str]) -> set[str]:
 def _names(item: SourceStatement, law: Law) -> tuple[str, ...]:
     """The variables that stand alone on the left of a statement."""
     return law.names.scalars(item.bare[:1])
+
+
+def _renames(item: SourceStatement, law: Law, seen: set[str], rated: set[str]) -> bool:
+    """Whether a statement has a new letter for a variable of a law, of which a rate is printed."""
+    match item.members:
+        case (Name(), Name(new)):
+            return bool(_names(item, law)) and new in rated - seen and item.bare[0] in law.variables
+    return False
 
 
 def _gives(item: SourceStatement, law: Law, seen: set[str]) -> bool:

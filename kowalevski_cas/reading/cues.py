@@ -38,7 +38,7 @@ CUES: dict[str, str] = {
         удовлетворя\w+""",
     "equilibrium": r"""
         equilibri\w+ (?:states?|points?)\s+of\s+rest rest\s+points? \bsteady\s+states?
-        (?:singular|stationary|fixed|critical)\s+points?
+        (?:singular|stationary|fixed|critical)\s+points? stationary\s+(?:states?|solutions?)
         равновеси\w+ стационарн\w+ особ\w+\s+точ\w+""",
     "suppose": r"""
         suppos\w+ assum\w+ \blet\b \btake\b \bmake\b \bif\b \bwhen\b \bgiven\s+that\b
@@ -159,6 +159,8 @@ CUES: dict[str, str] = {
         small\s+(?:angle|deviation|oscillation|motion|displacement|vibration)\w* infinitesimal\w*
         перв\w+\s+(?:порядк|приближени)\w+ линеариз\w+ линейн\w+\s+(?:уравнени|систем)\w+
         мал\w+\s+(?:колебани|отклонени)\w+""",
+    "linear part": r"""
+        \blinear\s+(?:parts?|terms?) линейн\w+\s+(?:част|член)\w*""",
     "small": r"""
         small\s+(?:angle|oscillation|vibration|deviation|displacement)\w*
         (?:angles?|deviations?|displacements?)[\s,]*(?:is|are|being|remains?)\s+small\b

@@ -16,8 +16,8 @@ from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import EQUATIONS
 from kowalevski_cas.reading.known import ASSUMPTION, BEGINNING, CLAIM, DEFINITION, LAW, SETS, Known
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.linear_parts import DETERMINANT, MATRIX, TRACE
 from kowalevski_cas.reading.linear_parts import KIND as EIGENVALUE
-from kowalevski_cas.reading.linear_parts import MATRIX
 from kowalevski_cas.reading.measures import differentials_of_images
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
@@ -58,7 +58,8 @@ def doubt_of(
         or _has_momentum(rung, known)
     ):
         return Doubt.ALWAYS
-    if role.kind in (CHARACTERISTIC, FREQUENCY, EIGENVALUE) and may_be_of_squares(item, known):
+    linear = (CHARACTERISTIC, FREQUENCY, EIGENVALUE, TRACE, DETERMINANT)
+    if role.kind in linear and may_be_of_squares(item, known):
         return Doubt.ALWAYS
     if role.kind == SAID:
         return None
@@ -79,6 +80,7 @@ def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
     return (
         _is_unread_summary(item, known)
         or item in known.paper.approximate
+        or known.roles[item].kind == "approximate"
         or ({"dot", "prime"} <= item.marks and not known.clocks)  # the prime of another frame
         or (
             known.roles[item].kind == "identity"
@@ -157,6 +159,7 @@ def _is_sure(item: SourceStatement, rung: Rung, candidates: Sequence[Rung], part
         given
         or further_off
         or rung.constants
+        or (role.kind == "inequality" and rung.claim.scene.constants)
         or cue("on it", item.words)
         or _has_level(item, rung, known)
         or _has_constant(item, rung, known)

@@ -15,9 +15,18 @@ from kowalevski_cas.paper.claims import (
     PreservedMeasure,
     RestPoint,
     RestPoints,
+    TraceOrDeterminant,
 )
 from kowalevski_cas.reading.kinematics import is_free
-from kowalevski_cas.reading.linear_parts import KIND, MATRIX, matrix_point, point_of
+from kowalevski_cas.reading.linear_parts import (
+    DETERMINANT,
+    KIND,
+    MATRIX,
+    TRACE,
+    matrix_point,
+    point_of,
+    point_of_number,
+)
 from kowalevski_cas.reading.rest_points import (
     MARKED,
     POINT,
@@ -34,7 +43,7 @@ from kowalevski_cas.reading.small_oscillations import (
     variable_of,
 )
 
-_OF_LINEAR_PART = (KIND, MATRIX, FREQUENCY, CHARACTERISTIC)
+_OF_LINEAR_PART = (KIND, MATRIX, TRACE, DETERMINANT, FREQUENCY, CHARACTERISTIC)
 _OF_REST = (POINT, MARKED)
 OF_FIELD = (*_OF_LINEAR_PART, *_OF_REST, "divergence", "measure")
 """The kinds of the roles of what is claimed of the field."""
@@ -62,6 +71,10 @@ def _of_linear_part(at: RungMaker) -> Iterator[Rung]:
     elif at.role.kind == CHARACTERISTIC:
         kind, about = CharacteristicEquation, {"variable": variable_of(item, known)}
         says = "this is the characteristic equation of the linear part at this point"
+    elif at.role.kind in (TRACE, DETERMINANT):
+        kind, place = TraceOrDeterminant, point_of_number
+        about = {"is_trace": at.role.kind == TRACE}
+        says = f"this is the {at.role.kind} of the linear part at this point"
     elif at.role.kind == MATRIX:
         kind, place = LinearPart, matrix_point
         says = "this is the matrix of the linear part"

@@ -8,6 +8,7 @@ from collections.abc import Collection
 from kowalevski_cas.notation import Modulus, Name, Number, Power, ScalarProduct, Sum
 from kowalevski_cas.notation.symbol import rate_name, symbol
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.deviations import at_no_deviation
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, SETS, Known
 from kowalevski_cas.reading.phrases import right_behind
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
@@ -131,14 +132,19 @@ def near(item: SourceStatement, known: Known) -> SetOfEquations:
     """The point, or the set, near which what is linear holds: where all is given by constants.
 
     What has an equation of the second order is at rest there. Where small angles are spoken of, and
-    no point, they are zero.
+    no point, they are zero; near the origin all is.
     """
+    if deviating := at_no_deviation(item, _last_place(item, known), known):
+        return deviating
     last = last_place(item, known)
     if not all(is_value(one, known) for one in last):
         return ()
     moving = [name for law in known.laws for row in law.rows for name in row.rates]
     names = {name for one in last for name in one.bare} & {*moving}
-    if not last and cue("small", known.paper.prose.between(item.section.start, item.sentence[1])):
+    words = known.paper.prose.between(item.section.start, item.sentence[1])
+    if not last and _ORIGIN.search(item.before):
+        names = {*moving}
+    elif not last and (_small(item, known) or cue("small", words)):
         names = {*moving} & {*known.names.scalars(item.names | {*item.rates})}
     orders = {name: n for law in known.laws for row in law.rows for name, n in row.rates.items()}
     zero = [] if last else sorted(names)
@@ -149,14 +155,31 @@ def near(item: SourceStatement, known: Known) -> SetOfEquations:
     return (*last, *about)
 
 
+def _small(item: SourceStatement, known: Known) -> bool:
+    """Whether words call what moves in a statement small, and that is all that they call so."""
+    before = [one for one in known.items if one.section is item.section and one.order < item.order]
+    small = [one.formula for one in before if _SMALL.search(one.lead)]
+    moving = {Name(name) for name in item.names if known.moves(name)}
+    return bool(small) and {*small} == moving
+
+
+_ORIGIN = re.compile(r"\b(?:near|about|around|at)\s+the\s+origin\b", re.IGNORECASE)
+_SMALL = re.compile(r"\b(?:small|мал\w+)[\s~]*$", re.IGNORECASE)
+
+
 def last_place(item: SourceStatement, known: Known) -> SetOfEquations:
     """What the last sentence says that gives what moves, near which what is linear holds.
 
     It is that of the statement, or one before it in the paragraph.
     """
     start = max(item.paragraph, item.section.start)
-    if not cue("linear", known.paper.prose.between(start, item.sentence[1])):
-        return ()
+    linear = cue("linear", known.paper.prose.between(start, item.sentence[1]))
+    return _last_place(item, known) if linear else ()
+
+
+def _last_place(item: SourceStatement, known: Known) -> SetOfEquations:
+    """What gives what moves, or a set, in the sentence of a statement, or last before it."""
+    start = max(item.paragraph, item.section.start)
     before = [
         one
         for one in known.items

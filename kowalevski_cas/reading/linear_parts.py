@@ -5,14 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from kowalevski_cas.notation import Formula, Name, Vector, to_latex
+from kowalevski_cas.notation import Formula, Name, Relation, Vector, to_latex
+from kowalevski_cas.reading.hypotheses import is_value
 from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.rest_points import POINT, coordinates, entries_of, law_of_points
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
 
-KIND, MATRIX = "eigenvalue", "linear part"
+KIND, MATRIX, TRACE, DETERMINANT = "eigenvalue", "linear part", "trace", "determinant"
 _OF = (
     r"(?:\s+of\s+(?:the\s+)?(?:linear\s+(?:part|system)|lineari[sz]\w+(?:\s+(?:system|equations?))?"
     r"|Jacobian(?:\s+matrix)?)(?:\s+of\s+(?:the\s+)?(?:system|field|equations?)?[\s~]*"
@@ -28,12 +29,14 @@ _AT = (
     r"|interior|trivial|singular|stationary|critical|state|положени\w+|равновеси\w+)\s+)*"
     r"(?P<where>origin|начале\s+координат|§)"
 )
-_IS = r"(?:are|is|equal|суть|равны|[-—–]+)\s*:?"
+_IS = r"(?:are|is|equals?|суть|равны|[-—–]+)\s*:?"
 _MATRIX = (
     r"(?:Jacobian(?:\s+matrix)?|Jacobi\s+matrix|linear\s+part|lineari[sz]ation"
     r"|lineari[sz]ed\s+(?:system|equations?|field)|matrix\s+of\s+the\s+linear\s+part"
     r"|матриц\w+\s+(?:Якоби|линейной\s+части)|линейн\w+\s+част\w+)"
 )
+_FIELD = r"(?:\s+of\s+(?:the|this|our)\s+(?:vector\s+)?(?:system|field|flow|equations?))?"
+_POINT = r"(?:saddle|node|focus|cent(?:er|re)|spiral|sink|source|equilibrium)(?:\s+point)?"
 _SAID = [
     re.compile(said, re.IGNORECASE | re.DOTALL)
     for said in (
@@ -41,6 +44,8 @@ _SAID = [
         rf"\b{_VALUES}.*\bthose\s+{_AT}[\s~]*{_IS}[\s~]*$",
         rf"\b{_AT}[\s~,]*(?:(?:the|its)\s+)?{_VALUES}[\s~]*{_IS}[\s~]*$",
         rf"\b{_MATRIX}[\s~]+{_AT}[\s~,]*(?:has|have|имеет)\s+(?:the\s+)?{_VALUES}[\s:~]*$",
+        rf"(?P<where>\borigin|§)[\s~,]+(?:is|are)\s+(?:then\s+)?an?\s+(?:\w+\s+){{0,3}}?{_POINT}"
+        rf"[\s~,]+with\s+(?:the\s+)?{_VALUES}[\s:~]*$",
     )
 ]
 """How words end behind which eigenvalues at a point are printed."""
@@ -49,13 +54,26 @@ _THERE = re.compile(
     rf"the\s+eigenvalues?[\s:]*$|\bthe\s+{_VALUES}\s+there\s+{_IS}[\s~]*$",
     re.IGNORECASE,
 )
+_ITS = re.compile(rf"^\s*its\s+{_VALUES}\s+{_IS}[\s~]*$", re.IGNORECASE)
+_OF_POINT = re.compile(
+    r"\W*(?:\w+,?\s+){0,2}?(?:the\s+)?(?:(?P<origin>origin)|(?:\w+\s+)?(?:point|state|equilibrium)\s+§)"
+    r"\s+is\b[^§]*$",
+    re.IGNORECASE,
+)
+"""How words end that say “its” of a point, and the sentence before them that speaks of it."""
 """How words end behind which they are printed for the point before."""
 _OF_MATRIX = re.compile(
-    rf"\b{_MATRIX}(?:\s+of\s+(?:the|this|our)\s+(?:vector\s+)?(?:system|field|flow|equations?))?(?P<place>[\s~]+{_AT})?[\s~,]*"
+    rf"\b{_MATRIX}{_FIELD}(?P<place>[\s~]+(?:{_AT}|there))?[\s~,]*"
     r"(?:is|has\s+the\s+form|reads?|becomes|equals?|имеет\s+вид|равна|есть|[-—–]+)?[\s:,~]*(?:§[\s~=]*)?$",
     re.IGNORECASE,
 )
 """How words end behind which the matrix of a linear part is printed."""
+_NUMBER_OF_MATRIX = re.compile(
+    rf"\b(?:(?P<trace>trace|след)|determinant|определител\w+)(?:(?:\s+of\s+(?:the|this|its))?\s+{_MATRIX}{_FIELD})?"
+    rf"(?:[\s~]+{_AT})?[\s~]*(?:{_IS})?[\s:~]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which the trace of a matrix is printed, or its determinant."""
 _LISTED = re.compile(r"§(?:[\s,;~]|\b(?:and|или|и)\b)*$")
 _TEXT = re.compile(r"\\(?:text|mbox|textrm)\s*\{([^{}]*)\}")
 _TIMES = re.compile(
@@ -99,6 +117,29 @@ def matrix_point(item: SourceStatement, known: Known) -> tuple[SourceStatement, 
     return () if law is None or found is None else _at(found, item.before, item, law, known)
 
 
+def trace_or_determinant(item: SourceStatement, known: Known) -> StatementRole | None:
+    """The trace, or the determinant, of a linear part at a point, by the words before it."""
+    found = _NUMBER_OF_MATRIX.search(item.before)
+    if found is None or item.formula is None or item.derives:
+        return None
+    if isinstance(item.formula, Relation) and len(item.members) != 2:
+        return None
+    if known.varying(item.names) or not point_of_number(item, known):
+        return None
+    kind = TRACE if found["trace"] else DETERMINANT
+    why = f"the {kind} of the linear part, by the words before it"
+    return StatementRole(CLAIM, why, kind, item.bare[:1])
+
+
+def point_of_number(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]:
+    """The equations of the one point at which the sentence of a number speaks of a linear part."""
+    law, words = law_of_points(item, known), f"{item.before} § {item.after}"
+    places = [*re.finditer(_AT, words, re.IGNORECASE)]
+    if law is None or not re.search(rf"\b{_MATRIX}", words, re.IGNORECASE) or len(places) != 1:
+        return ()
+    return _at(places[0], words, item, law, known)
+
+
 def point_of(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]:
     """The equations of the point at which words say that something is an eigenvalue."""
     words = item.before
@@ -108,6 +149,11 @@ def point_of(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]
     if law is None:
         return ()
     found = next(filter(None, (said.search(words) for said in _SAID)), None)
+    if _ITS.search(words):
+        of = _OF_POINT.match(item.earlier[0]) if item.earlier else None
+        if of and of["origin"]:
+            return equations_of(dict.fromkeys(law.variables, "0"), item, law, known)
+        return _last_named(item, law, known) if of else ()
     if found is None:
         return _last_named(item, law, known) if _THERE.search(words) else ()
     return _at(found, words, item, law, known)
@@ -118,7 +164,7 @@ def _at(
 ) -> tuple[SourceStatement, ...]:
     """The equations of the point at which some words before a statement say it to be so."""
     if found["where"] is None:
-        return ()
+        return _last_named(item, law, known)
     if found["where"] != "§":
         return equations_of(dict.fromkeys(law.variables, "0"), item, law, known)
     place = words[: found.start("where")].count("§")
@@ -162,7 +208,26 @@ def _last_named(item: SourceStatement, law: Law, known: Known) -> tuple[SourceSt
     ]  # fmt: skip
     own = tuple(one for one in before if one.typed.start == before[-1].typed.start)
     gives = {name for one in own for name in one.bare if known.moves(name)}
-    return own if gives >= {*law.variables} else ()
+    if gives >= {*law.variables}:
+        return own
+    return own if gives_all(own := last_values(item, known), law) else ()
+
+
+def last_values(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]:
+    """The equations of the point that was printed last before a statement in its paragraph."""
+    start = max(item.paragraph, item.section.start)
+    before = [
+        one
+        for one in known.items
+        if start <= one.typed.start and one.order < item.order and is_value(one, known)
+    ]
+    return tuple(one for one in before if one.sentence == before[-1].sentence)
+
+
+def gives_all(equations: tuple[SourceStatement, ...], law: Law) -> bool:
+    """Whether equations give all that moves, each once."""
+    given = [name for one in equations for name in one.bare if name in law.variables]
+    return sorted(given) == sorted(law.variables)
 
 
 def _named(

@@ -240,6 +240,23 @@ def words_of(item: SourceStatement, name: str) -> str:
     return cue(name, lead[end:]) if len(lead[end:].split()) <= 5 else ""
 
 
+_RESTING = re.compile(
+    r"[\s,~]*(?:is|are)\s+(?:(?:all|both|also|again|then|always)\s+)?(?:at\s+rest|stationary|fixed)\b"
+    r"(?!\s+\w)|[\s,~]*неподвижн\w+",
+    re.IGNORECASE,
+)
+_OF_POINTS = re.compile(
+    r"\b(?:points?|positions?|states?|solutions?|(?:точк|положени|состояни|решени)\w+)[\s~]*$",
+    re.IGNORECASE,
+)
+
+
+def resting(item: SourceStatement) -> str:
+    """The words behind the equations of some points that say that these do not move."""
+    found = _RESTING.match(joined_tail(item))
+    return found[0].strip() if found and _OF_POINTS.search(joined_lead(item)) else ""
+
+
 def listed_words(item: SourceStatement, name: str) -> str:
     """The words before a display that lists what is something, as “has the integrals”."""
     if item.typed.inline or not _LISTS.search(joined_lead(item)):

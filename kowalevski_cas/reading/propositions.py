@@ -16,6 +16,7 @@ from kowalevski_cas.notation import (
     Vector,
 )
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.deviations import is_linear_in_deviations
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, Known, StatementRole
 from kowalevski_cas.reading.phrases import (
     integral_words,
@@ -23,6 +24,7 @@ from kowalevski_cas.reading.phrases import (
     is_value,
     plain,
     reach,
+    resting,
     set_beside,
     solved_by,
     words_of,
@@ -35,7 +37,8 @@ ZERO = Number(0)
 
 def approximate(item: SourceStatement, known: Known) -> StatementRole | None:
     """What holds approximately: it is not judged."""
-    if item not in known.paper.approximate_here or not item.members:
+    said = item in known.paper.approximate_here or is_linear_in_deviations(item, known)
+    if not said or not item.members:
         return None
     if ZERO in item.members and all(m == ZERO or isinstance(m, Name) for m in item.members):
         return None  # it says where, and not what is small there
@@ -120,6 +123,8 @@ def claimed_set(item: SourceStatement, known: Known) -> StatementRole | None:
     for words, kind in (("invariant", "invariant"), ("equilibrium", "rest")):
         if said := words_of(item, words):
             return StatementRole(CLAIM, f"“{said}” is said of the set", kind)
+    if said := resting(item):
+        return StatementRole(CLAIM, f"“{said}” is said of the points", "rest")
     if cycle := _CYCLE.search(item.lead):
         return StatementRole(CLAIM, f"“{cycle[0].strip()}” is invariant", "invariant")
     if said := solved_by(item, "equilibrium"):

@@ -43,6 +43,7 @@ from kowalevski_cas.reading.maps import enter_maps, find_maps, primed_images
 from kowalevski_cas.reading.maps_in_words import claims_of_maps
 from kowalevski_cas.reading.names import Names, vectors_of
 from kowalevski_cas.reading.obey import SAID, about, claim_id, said_rung, said_rungs
+from kowalevski_cas.reading.origins import claims_of_origins
 from kowalevski_cas.reading.other_cases import OtherCases
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.referee import Heard, Referee
@@ -184,6 +185,7 @@ class _DerivationReader:
             *claims_in_words(parts),
             *claims_of_maps(parts),
             *claims_of_energies(parts),
+            *claims_of_origins(parts),
             *claims_of_constraints(parts),
         )
         for number, found in enumerate(claimed, 1):

@@ -37,7 +37,7 @@ from kowalevski_cas.reading.known import (
     StatementRole,
 )
 from kowalevski_cas.reading.levels import level
-from kowalevski_cas.reading.linear_parts import eigenvalue, linear_part
+from kowalevski_cas.reading.linear_parts import eigenvalue, linear_part, trace_or_determinant
 from kowalevski_cas.reading.obey import said_role
 from kowalevski_cas.reading.phrases import VERB, clause, joined_tail, listed_words, words_of
 from kowalevski_cas.reading.propositions import (
@@ -203,7 +203,7 @@ def other(item: SourceStatement, known: Known) -> StatementRole | None:
 
 def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
     """What is said of the flow and of its points of rest, unless it is denied, quoted or asked."""
-    rules = (divergence, measure, small_oscillation, linear_part, rest_point)
+    rules = (divergence, measure, small_oscillation, trace_or_determinant, linear_part, rest_point)
     found = next((role for rule in rules if (role := rule(item, known))), None)
     return (unjudged(item, known) or found) if found else None
 

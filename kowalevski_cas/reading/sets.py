@@ -2,7 +2,7 @@
 
 What a comma joins is one set; “or” begins another one, and so does “and” between lists, or
 where a name would have two values. Where the words are of planes each is one, and where they are
-of points those with the same left side are.
+of points those with the same left side are. Upper signs go together, and lower ones.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _JOINED = re.compile(r"(?:[\s,;~]|\b(?:and|or|as\s+well\s+as|и|или|либо|
 
 def sets_of(equations: Iterable[SourceStatement], text: str) -> list[SetOfEquations]:
     """The sets that some equations of a source with this text define, in its order."""
-    return [one for run in _runs(equations) for one in _apart(run, text)]
+    return [one for run in _runs(equations) for one in _by_signs(run, text)]
 
 
 def _runs(equations: Iterable[SourceStatement]) -> Iterator[list[SourceStatement]]:
@@ -45,6 +45,19 @@ def _beside(one: SourceStatement, other: SourceStatement) -> bool:
     inline = one.typed.inline and other.typed.inline and one.sentence == other.sentence
     near = inline and other.order == one.order + 1
     return near and _JOINED.fullmatch(other.lead) is not None
+
+
+def _by_signs(run: Sequence[SourceStatement], text: str) -> Iterator[SetOfEquations]:
+    r"""The sets of a run, in which upper signs of :math:`\\pm` go together, and lower ones."""
+    pairs = [pair for pair in pairwise(run) if pair[0].span == pair[1].span]
+    if not pairs:
+        yield from _apart(run, text)
+        return
+    upper, lower = ({*signs} for signs in zip(*pairs, strict=True))
+    for signed, others in ((upper, lower), (lower, upper)):
+        for part in _apart([one for one in run if one not in others], text):
+            if signed is upper or signed & {*part}:
+                yield tuple(sorted(part, key=lambda one: one not in signed))
 
 
 def _apart(run: Sequence[SourceStatement], text: str) -> Iterator[SetOfEquations]:

@@ -9,24 +9,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from kowalevski_cas.notation import (
-    Derivative,
-    Formula,
-    Name,
-    Negative,
-    Number,
-    Power,
-    Product,
-    Quotient,
-    Relation,
-    Sum,
-)
+from kowalevski_cas.notation import Name, Number, Power, Relation
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.degrees import is_linear
 from kowalevski_cas.reading.hypotheses import is_value
 from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
 from kowalevski_cas.reading.law import Law
-from kowalevski_cas.reading.linear_parts import equations_of, point_at
+from kowalevski_cas.reading.linear_parts import equations_of, gives_all, last_values, point_at
 from kowalevski_cas.reading.statements import SourceStatement
 
 FREQUENCY, CHARACTERISTIC = "frequency", "characteristic"
@@ -188,11 +178,11 @@ def places_of(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...
     places = [*dict.fromkeys(_listed(item, law, known))]
     if places or found:
         places += [origin] if any(where != "§" for where in found) else []
-        return places[0] if len(places) == 1 and _gives(places[0], law) else ()
-    if _gives(last := _last(item, known), law):
+        return places[0] if len(places) == 1 and gives_all(places[0], law) else ()
+    if gives_all(last := last_values(item, known), law):
         return last
     words = known.paper.prose.between(item.section.start, item.sentence[1])
-    return origin if _is_linear(law, known) or _SMALL_ANGLES.search(words) else ()
+    return origin if is_linear(law, known) or _SMALL_ANGLES.search(words) else ()
 
 
 def _is_of_others(item: SourceStatement, law: Law, known: Known) -> bool:
@@ -229,46 +219,3 @@ def _listed(item: SourceStatement, law: Law, known: Known) -> Iterator[tuple[Sou
                 break
             own += here
         yield tuple(own)
-
-
-def _last(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]:
-    """The equations of the point that was printed last before a statement in its paragraph."""
-    start = max(item.paragraph, item.section.start)
-    before = [
-        one
-        for one in known.items
-        if start <= one.typed.start and one.order < item.order and is_value(one, known)
-    ]
-    return tuple(one for one in before if one.sentence == before[-1].sentence)
-
-
-def _gives(equations: tuple[SourceStatement, ...], law: Law) -> bool:
-    """Whether equations give all that moves, each once."""
-    given = [name for one in equations for name in one.bare if name in law.variables]
-    return sorted(given) == sorted(law.variables)
-
-
-def _is_linear(law: Law, known: Known) -> bool:
-    """Whether a law is linear in what moves, without anything else."""
-    degrees = (_degrees(member, known) for row in law.rows for member in row.members)
-    return all(own <= {1} for own in degrees)
-
-
-def _degrees(formula: Formula, known: Known) -> set[int]:
-    """The degrees of the terms of a formula in what moves; 2 for what may be no polynomial."""
-    if formula == Number(0):
-        return set()
-    if not known.varying(formula.names()):
-        return {0}
-    match formula:
-        case Name(name) if known.moves(name):
-            return {1}
-        case Sum(terms):
-            return {degree for one in terms for degree in _degrees(one, known)}
-        case Negative(argument) | Derivative(argument):
-            return _degrees(argument, known)
-        case Quotient(numerator, denominator) if not known.varying(denominator.names()):
-            return _degrees(numerator, known)
-        case Product(factors):
-            return {sum(max(_degrees(one, known), default=0) for one in factors)}
-    return {2}

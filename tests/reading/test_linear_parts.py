@@ -70,3 +70,40 @@ def test_what_is_said_of_something_else_is_no_such_claim(words):
 def test_where_nothing_rests_there_is_no_linear_part():
     text = r"The equations of motion are \[\dot u=1+v,\qquad \dot v=-u .\] The eigenvalues at the origin are $0$."
     assert not any(one.green for one in verdicts(text).values())
+
+
+CUBIC = r"The system is \[ \dot u=v,\qquad\dot v=u-u^3-kv .\] "
+NUMBERS = [
+    (r"The Jacobian at $(1,0)$ has trace $NUMBER$ and determinant $2$.", "-k", "k"),
+    (r"At $(1,0)$ the trace of the Jacobian is $-k$, and its determinant is $NUMBER$.", "2", "-1"),
+    (r"The trace of the linearization at the origin equals $NUMBER$.", "-k", "-2k"),
+    (r"The determinant of the Jacobian matrix at the origin is $NUMBER$.", "-1", "1"),
+    (r"The origin is a saddle with the eigenvalues $NUMBER$.", r"\frac{-k\pm\sqrt{k^2+4}}2",
+     r"\frac{-k\pm\sqrt{k^2+2}}2"),
+    (r"The point $(0,0)$ is a saddle with eigenvalues $NUMBER$.", r"\frac{-k\pm\sqrt{k^2+4}}2",
+     r"\frac{k\pm\sqrt{k^2+4}}2"),
+    (r"The origin is an equilibrium. Its eigenvalues are $NUMBER$.", r"\frac{-k\pm\sqrt{k^2+4}}2",
+     r"\frac{-k\pm\sqrt{k^2-4}}2"),
+    (r"A stationary point is $u=1$, $v=0$, and the Jacobian there is \[ NUMBER .\]",
+     r"\begin{pmatrix}0&1\\-2&-k\end{pmatrix}", r"\begin{pmatrix}0&1\\1&-k\end{pmatrix}"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("words, true, false", NUMBERS)
+def test_numbers_of_the_linear_part(words, true, false):
+    printed, wrong = (verdicts(CUBIC + words.replace("NUMBER", one))[one] for one in (true, false))
+    assert printed.green and not wrong.green
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"At $(1,0)$ the trace of the Jacobian of the reversed flow is $k$.",
+        r"The trace of the Jacobian is $-k$ at the origin, and its determinant is $2$ at $(1,0)$.",
+        r"At $(1,0)$ the trace of the inertia matrix is $-k$; the Jacobian is known.",
+        r"The trace of the Jacobian at $(1,0)$ is not $-k$.",
+        r"The origin is studied. The matrix at $(1,0)$ is known. Its eigenvalues are $-k$, $0$.",
+    ],
+)
+def test_numbers_of_other_matrices_are_not_judged(words):
+    assert not any(verdict for tex, verdict in verdicts(CUBIC + words).items() if "k" in tex)

@@ -192,3 +192,13 @@ def test_other_words_that_are_emphasised_are_none(words):
     text = r"\begin{document} Let $a=1$." + gap + words + r" $b=2$. \end{document}"
     source = decode("paper.tex", text.encode())
     assert not read(source).formulas[-1].item.section.title
+
+
+@pytest.mark.parametrize(
+    "rate, found",
+    [(r"-c\dot x^2", "undecided"), (r"c\dot x^2", "undecided"), (r"-2\dot x^4", "refuted")],
+)
+def test_what_is_below_zero_for_some_constants_only_is_not_red(rate, found):
+    text = r"The equation of motion is \[ m\ddot x+c\dot x+kx=0 .\] Put $E=\frac12m\dot x^2+\frac12kx^2$. "
+    verdict = verdicts(text + rf"Hence \[ \dot E={rate}\le0 .\]")[rf"\dot E={rate}\le0"]
+    assert verdict.value in (found, "undecided") and not verdict.green

@@ -2,8 +2,9 @@
 
 import pytest
 
+from kowalevski_cas.audit.reading import ReadingSession
 from kowalevski_cas.verify.outcome import Verdict
-from tests.reading.test_reading import verdicts
+from tests.reading.test_reading import reading, verdicts
 from tests.sample import sampled
 
 GREEN = (Verdict.PROVED, Verdict.CONDITIONAL)
@@ -86,3 +87,66 @@ def test_of_other_things_nothing_is_claimed(text):
 def test_a_point_after_a_point_of_rest_has_eigenvalues_of_its_own():
     text = RIVALS + r"The point $(c,0)$ is an equilibrium. Let $A=2$. Its eigenvalues are $7$."
     assert [*verdicts(text).values()] == [Verdict.PROVED]
+
+
+SYSTEM = r"The system is \[ \dot x=y,\qquad\dot y=x-x^3 .\] "
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"The points $x=\pm VALUE$, $y=0$ are equilibria.",
+        r"The equilibria are $x=\pm VALUE$, $y=0$ and $x=0$, $y=0$.",
+        r"The points $y=0$, $x=\pm VALUE$ are at rest.",
+        r"The states $x=\pm VALUE$, $y=0$ are stationary.",
+        r"The points \[ x=\pm VALUE,\qquad y=0 \] are fixed points.",
+        r"Точки $x=\pm VALUE$, $y=0$ неподвижны.",
+    ],
+)
+def test_upper_signs_go_together_and_lower_ones(words):
+    found, wrong = (
+        [v for tex, v in listed(SYSTEM + words.replace("VALUE", one)) if "pm" in tex]
+        for one in "12"
+    )
+    assert len(found) == len(wrong) == 2
+    assert all(one.green for one in found) and not any(one.green for one in wrong)
+
+
+def listed(text):
+    """The verdicts on what a text claims, with what it prints, in its order."""
+    found = reading(text)
+    outcomes = ReadingSession(found, timeout=5).outcomes
+    judged = (*found.formulas, *found.statements)
+    return [(f.item.printed.tex, outcomes[f.claim.id].verdict) for f in judged if f.claim]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"The particle at $x=2$ is at rest when it starts.",
+        r"The points $x=\pm1$, $y=1$ are at rest.",
+        r"The point $x=1$ is at rest.",
+        r"The signs in $x=\pm1$, $y=0$ are fixed by the beginning.",
+    ],
+)
+def test_what_is_not_at_rest_is_not_green(words):
+    assert not any(one.green for _, one in listed(SYSTEM + words))
+
+
+ORIGIN = [
+    r"The origin is WORDan equilibrium.",
+    r"The origin is WORDa fixed point.",
+    r"Начало координат — положение равновесия.",
+]
+
+
+@pytest.mark.parametrize("words", ORIGIN)
+def test_nothing_moves_at_the_origin(words):
+    [(_, found)] = listed(SYSTEM + words.replace("WORD", ""))
+    [(_, wrong)] = listed(SYSTEM.replace("x-x^3", "1-x^3") + words.replace("WORD", ""))
+    assert found.green and wrong.value == "undecided"
+
+
+@pytest.mark.parametrize("word", ["not ", "the only state that is ", "if $a=1$ ", "perhaps "])
+def test_what_says_more_of_the_origin_is_not_judged(word):
+    assert not listed(SYSTEM + ORIGIN[0].replace("WORD", word))

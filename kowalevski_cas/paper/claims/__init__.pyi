@@ -20,6 +20,7 @@ from kowalevski_cas.paper.claims.eigenvalue import CharacteristicEquation as Cha
 from kowalevski_cas.paper.claims.eigenvalue import Eigenvalue as Eigenvalue
 from kowalevski_cas.paper.claims.eigenvalue import Frequency as Frequency
 from kowalevski_cas.paper.claims.eigenvalue import LinearPart as LinearPart
+from kowalevski_cas.paper.claims.eigenvalue import TraceOrDeterminant as TraceOrDeterminant
 from kowalevski_cas.paper.claims.equilibria import Equilibria as Equilibria
 from kowalevski_cas.paper.claims.equilibria import RestPoint as RestPoint
 from kowalevski_cas.paper.claims.equilibria import RestPoints as RestPoints

@@ -1,4 +1,4 @@
-"""The linear part of a vector field at a point of rest: eigenvalues, characteristic equation."""
+"""The linear part of a vector field at a point of rest: eigenvalues, trace, determinant."""
 
 from __future__ import annotations
 
@@ -117,6 +117,20 @@ class CharacteristicEquation(OfLinearPart):
         free = vanishes(space.partial(leading, self.variable))
         yield Fails(space, ((vanishes(leading),),), given)
         yield Follows(space, ((vanishes(same), free, *_rest(space)),), given)
+
+
+class TraceOrDeterminant(OfLinearPart):
+    """The printed number is the trace of the linear part at a point of rest, or its determinant."""
+
+    is_trace: bool
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        space = on(self.scene)
+        given, matrix = self._at_rest(on, space), _linear_part(space)
+        trace = total(row[k] for k, row in enumerate(matrix))
+        own = trace if self.is_trace else determinant(matrix)
+        same = vanishes(total((self._value(on, space), Negative(own))))
+        yield Follows(space, ((same, *_rest(space)),), given)
 
 
 class LinearPart(OfLinearPart):

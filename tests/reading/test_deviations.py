@@ -1,0 +1,62 @@
+"""Deviations from a point, and what is linear in them."""
+
+import re
+
+import pytest
+
+from tests.reading.test_reading import verdicts
+from tests.sample import sampled
+
+PREY = r"The model is \[ \dot x=x(a-by),\qquad\dot y=y(-c+dx) .\] "
+WELL = r"The system is \[ \dot u=v,\qquad\dot v=u-u^3-kv .\] "
+ROD = r"The equation of motion is \[ \ddot s=s-s^3 .\] "
+TRUE = [
+    (PREY + r"Near the equilibrium put $x=\frac cd+p$, $y=\frac ab+q$. In the linear approximation",
+     r"\dot p=-\frac{bc}dq", r"\dot p=-\frac{bc}dp"),
+    (PREY + r"Put $x=\frac cd(1+p)$, $y=\frac ab(1+q)$. The linear terms are", r"\dot q=cp", r"\dot q=ap"),
+    (PREY + r"Let $x=x_0+\xi$, $y=y_0+\eta$ with $x_0=\frac cd$, $y_0=\frac ab$. Linearising, we get",
+     r"\dot\eta=dy_0\xi", r"\dot\eta=dx_0\xi"),
+    (WELL + r"Setting $u=1+w$ and neglecting terms of the second order we find near $v=0$",
+     r"\dot v=-2w-kv", r"\dot v=-3w-kv"),
+    (WELL + r"In the neighbourhood of $u=-1$, $v=0$ put $u=-1+w$. Then",
+     r"\dot v=-2w-kv", r"\dot v=w-kv"),
+    (WELL + r"Near $(1,0)$ let $u=1+\xi$, $v=\eta$. The linearised system is",
+     r"\dot\eta=-2\xi-k\eta", r"\dot\eta=-2\xi-\eta"),
+    (WELL + r"The linearised equations near the origin are", r"\dot v=u-kv", r"\dot v=-u-kv"),
+    (WELL + r"Подставим $u=-1+\xi$, $v=\eta$; линейная часть имеет вид",
+     r"\dot\eta=-2\xi-k\eta", r"\dot\eta=2\xi-k\eta"),
+    (ROD + r"With $s=1+\eta$ we get in the first approximation", r"\ddot\eta=-2\eta", r"\ddot\eta=2\eta"),
+    (ROD + r"For small $s$ we have", r"\ddot s=s", r"\ddot s=-s"),
+]  # fmt: skip
+
+
+def last(text):
+    """The verdict on the formula that is printed last; it may be not judged."""
+    printed = re.findall(r"\\\[ (.*?)(?: \.)?\\\]", text)[-1]
+    return verdicts(text).get(printed)
+
+
+@pytest.mark.parametrize("words, true, false", sampled(TRUE, 6))
+def test_what_is_linear_holds_to_the_first_order(words, true, false):
+    assert last(rf"{words} \[ {true} .\]").green
+    found = last(rf"{words} \[ {false} .\]")
+    assert found is not None and found.value == "undecided"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        PREY + r"Put $x=x_0+p$, $y=y_0+q$. In the linear approximation \[ \dot p=-bx_0q .\]",
+        PREY + r"Put $x=\frac cd+p$, $y=\frac ab+q$. To the second order \[ \dot p=-\frac{bc}dq .\]",
+        PREY + r"Near the equilibrium put $x=\frac cd+p$, $y=\frac ab+q$. Then \[ \dot p=-\frac{bc}dq+pq .\]",
+        PREY + r"Put $x=\frac cd+p$, $y=\frac ab+q$. Then \[ \dot p=-\frac{bc}dq .\]",
+        WELL + r"Put $u=1+w$. The linear part at $u=0$, $v=0$ is \[ \dot v=-2w-kv .\]",
+        WELL + r"Put $u=1+w$. The linear part is \[ \dot v=-2w-kv .\]",
+        WELL + r"Put $u=1+w$. Near $v=1$ the linear part is \[ \dot w=v-1 .\]",
+        WELL + r"With $u=1+w$ the linear part at $v=0$ is not \[ \dot v=-2w-kv .\]",
+        ROD + r"For small $\varepsilon$ we have \[ \ddot s=s .\]",
+    ],
+)  # fmt: skip
+def test_what_is_not_known_to_be_linear_there_is_not_green(text):
+    found = last(text)
+    assert found is None or not found.green
