@@ -12,14 +12,15 @@ from kowalevski_cas.verify.outcome import FALSE_AS_READ, Correction, Verdict
 
 FROM_BEFORE = "from what stands before it this would follow:"
 """The words for repairs."""
+FOLLOWS = "it seems to follow from what stands before it, and is not proved"
 
 
 def tell_steps(
     found: Sequence[Audited], repairs: Mapping[str, Correction], reading: Reading
 ) -> None:
-    """Doubt what follows with one change only, unless it is decided, or mended otherwise."""
+    """Doubt what follows with one change only, unless it is decided; not what follows as it is."""
     from kowalevski_cas.reading.definite_integrals import with_integrals  # they load FLINT
-    from kowalevski_cas.reading.following import unfollowing
+    from kowalevski_cas.reading.following import steps
 
     by_place = {audited.place: audited for audited in found if audited.place is not None}
     unread = {audited.id: audited for audited in found if audited.place is None}
@@ -29,10 +30,15 @@ def tell_steps(
             for item in known.items
             if (audited := by_place.get(item.printed) or unread.get(item.printed.display.id))
         }
-        open_ones = {one for one, audited in at.items() if _may_be_wrong(audited, repairs)}
+        open_ones = {one for one, audited in at.items() if _may_be_wrong(audited)}
         wrong = {one for one, audited in at.items() if _is_doubted(audited)}
-        for one in unfollowing(known, frozenset(open_ones), frozenset(wrong)):
+        for one in steps(known, frozenset(open_ones), frozenset(wrong)):
             audited = at[one.item]
+            if one.follows:
+                mended = AS_THE_REST in audited.message or {*audited.claims} & repairs.keys()
+                if FALSE_AS_READ in audited.message and not mended:
+                    audited.verdict, audited.message, audited.causes = OPEN, FOLLOWS, ()
+                continue
             shown = " or ".join(f"${to_latex(with_integrals(formula))}$" for formula in one.repairs)
             said = [audited.message] if FALSE_AS_READ in audited.message else [FALSE_AS_READ]
             if audited.message not in said and audited.role != "unread":
@@ -42,10 +48,9 @@ def tell_steps(
             audited.causes = (audited.name,)
 
 
-def _may_be_wrong(audited: Audited, repairs: Mapping[str, Correction]) -> bool:
-    """Whether nothing is decided of a formula, and nothing else mends it."""
-    mended = AS_THE_REST in audited.message or any(id in repairs for id in audited.claims)
-    return audited.verdict in (GIVEN, OPEN, Verdict.UNDECIDED) and not mended
+def _may_be_wrong(audited: Audited) -> bool:
+    """Whether nothing is decided of a formula."""
+    return audited.verdict in (GIVEN, OPEN, Verdict.UNDECIDED)
 
 
 def _is_doubted(audited: Audited) -> bool:

@@ -232,9 +232,17 @@ def _coefficients(place: _NodePlace) -> Iterator[Misprint]:
     elif _term(place) and not isinstance(node, Sum | Number):
         factors = factors_of(node)
         if not isinstance(factors[0], Number) and not _is_fraction(factors[0]):
-            for number in (TWO, HALF):
-                words = f"insert ${to_latex(number)}$ before ${to_latex(node)}$"
-                yield "coefficient", place.path, times(number, *factors), words
+            yield from _new_coefficients(place.path, node)
+
+
+def _new_coefficients(path: Path, node: Formula) -> Iterator[Misprint]:
+    """Twice a term that has no coefficient, and half of it, also with the number below."""
+    for number in (TWO, HALF):
+        words = f"insert ${to_latex(number)}$ before ${to_latex(node)}$"
+        yield "coefficient", path, times(number, *factors_of(node)), words
+    if isinstance(node, Quotient) and not isinstance(node.denominator, Number):
+        below = Quotient(node.numerator, times(TWO, *factors_of(node.denominator)))
+        yield "coefficient", path, below, _read(node, below)
 
 
 def _is_fraction(node: Formula | None) -> TypeGuard[Quotient]:
@@ -280,10 +288,9 @@ def _additions(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> I
     if not _prints(node) or isinstance(node, Negative | Quotient):
         return
     factors = factors_of(node)
-    if all(isinstance(factor, Name | Number | Power) for factor in factors):
-        first = len(factors)
-    else:
-        first = int(isinstance(factors[0], Number) or _is_fraction(factors[0]))
+    letters = [k for k, one in enumerate(factors, 1) if isinstance(one, Name | Number | Power)]
+    number = int(isinstance(factors[0], Number) or _is_fraction(factors[0]))
+    first = max(letters, default=number)
     tex = to_latex(node)
     for name in names:
         words = f"insert the factor ${name}$ in ${tex}$"

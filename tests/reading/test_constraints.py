@@ -71,5 +71,7 @@ def test_what_a_law_without_multiplier_is_said_to_keep_is_no_constraint(words):
 
 @pytest.mark.parametrize("of", [r"x,y\in\mathbb R^3", r"x,y\in R^3", r"x, y \in \mathbb{R}^{3}"])
 def test_points_of_a_space_are_vectors(of):
-    found = reading(rf"$$\dot x=y,\qquad\dot y=-x,$$ where ${of}$. The function $(x,x)+(y,y)$ is an integral.")
+    found = reading(
+        rf"$$\dot x=y,\qquad\dot y=-x,$$ where ${of}$. The function $(x,x)+(y,y)$ is an integral."
+    )
     assert found.parts.paper.words.vectors == {"x", "y"}

@@ -4,7 +4,7 @@ import pytest
 
 from kowalevski_cas.audit.followed import FROM_BEFORE
 from kowalevski_cas.reading import read
-from kowalevski_cas.reading.following import unfollowing
+from kowalevski_cas.reading.following import steps
 from kowalevski_cas.source.text import Source
 from tests.audit.test_doubted import audited
 from tests.sample import sampled
@@ -122,7 +122,7 @@ def page(body):
 def found(body):
     reading = read(page(body))
     (known,) = reading.parts.known
-    return [*unfollowing(known, frozenset(known.items), frozenset())]
+    return [*steps(known, frozenset(known.items), frozenset())]
 
 
 @pytest.mark.parametrize(("body", "right", "wrong"), sampled(CASES, 5))
