@@ -137,12 +137,13 @@ class Derivatives(Atoms):
         token = self.tokens[self.at]
         if token.text not in _DIFFERENTIALS:
             return super().factor()
-        if token.text in self.names or (self.lone_d and token.text == "d"):
+        indexed = self.tokens[self.at + 1].kind == "_"
+        if token.text in self.names or (token.text == "d" and (self.lone_d or indexed)):
             if not self.slash_derivative_begins():
                 return super().factor()
             if token.text in self.names:
                 raise self.error("a derivative, or the name d? print a fraction, or a dot", token)
-        if token.text != "d" and self.tokens[self.at + 1].kind == "_":
+        if indexed:
             return self.subscripted()
         if self.differential_begins():
             self.at += 1

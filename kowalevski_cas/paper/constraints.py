@@ -12,6 +12,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from kowalevski_cas.algebra.derivation import along
+from kowalevski_cas.algebra.ideals import vanish_on
 from kowalevski_cas.algebra.linear import Singular, solve
 from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element
@@ -106,13 +107,17 @@ def multipliers(
         yield f"{name}={to_latex(formula_of(value, words))}"
 
 
-def equations_on(scene: Scene, places: Iterable[Printed]) -> Iterator[str]:
-    """The constraints, and those of their derivatives that do not vanish by themselves."""
+def equations_on(
+    scene: Scene, places: Iterable[Printed], beside: Iterable[Printed] = ()
+) -> Iterator[str]:
+    """The constraints, and those of their derivatives that do not follow, with others ``beside``."""
     space, words = _space(scene), vocabulary((scene,))
+    known = [function for place in beside for function in _functions(place, space)]
     for place in places:
         for function in _functions(place, space):
-            while not function.is_zero:
+            while not all(vanish_on([function], known)):
                 yield f"{to_latex(formula_of(function, words))}=0"
+                known.append(function)
                 function = space.finder.derivative(function)
 
 

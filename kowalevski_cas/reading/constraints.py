@@ -75,12 +75,20 @@ def _says_constraint(item: SourceStatement) -> bool:
     return bool(cue("constraint", item.lead) or cue("constraint", item.tail[:40]))
 
 
-def _orders_below(item: SourceStatement, law: Law) -> int:
-    """Of how many orders a constraint and its derivatives are that are below those of its law."""
-    orders = orders_in(row.formula for row in law.rows if row.formula is not None)
+def _orders_below(item: SourceStatement, law: Law, known: Known) -> int:
+    """Of how many orders a constraint and its derivatives are that are below those of its law.
+
+    Where equations of the first order say what velocities are, there is one more.
+    """
+    pulling = {*_multipliers(law, known)}
+    orders: dict[str, int] = {}
+    for row in sorted(law.rows, key=lambda row: row.names.isdisjoint(pulling)):
+        pulls = pulling and row.names.isdisjoint(pulling)
+        behind = max((orders.get(name, 0) for name in row.names), default=0) if pulls else 0
+        orders |= {name: order + behind for name, order in row.rates.items()}
     own = dict(_derived(item))
     names = orders.keys() & item.names
-    return max((orders.get(n, 0) - own.get(n, 0) for n in names), default=1)
+    return max((orders[n] - own.get(n, 0) for n in names), default=1)
 
 
 def _derived(item: SourceStatement) -> Iterator[tuple[str, int]]:
@@ -196,7 +204,9 @@ def _implied(
         yield item, role
     scene = Stage(known).scene([*bound, *law.items], law=law).scene
     for one in bound:
-        derived = islice(equations_on(scene, (one.printed,)), _orders_below(one, law))
+        others = [other.printed for other in bound if other is not one]
+        found = equations_on(scene, (one.printed,), others)
+        derived = islice(found, _orders_below(one, law, known))
         for number, tex in enumerate([*derived][1:], 1):
             id = f"derivative-{number}-of-{one.printed.display.id}{one.printed.number}{suffix}"
             item = unprinted(known.paper, id, tex, one, "the derivative of a constraint")

@@ -167,7 +167,10 @@ def _said(tex: str) -> dict[str, Values]:
 
 
 def _by_numbers(texts: Sequence[str]) -> dict[str, Values]:
-    """The values of indices that are not said, by the numbers in their place."""
+    """The values of indices that are not said, by the numbers in their place.
+
+    What is said of one index, and the same everywhere, are numbers of all letters that have it.
+    """
     if any(map(_UNKNOWN.search, texts)):
         return {}
     numbers: dict[str, set[int]] = defaultdict(set)
@@ -178,6 +181,12 @@ def _by_numbers(texts: Sequence[str]) -> dict[str, Values]:
             numbers[base].add(int(index))
         elif index in _USUAL:
             letters[index].add(base)
+    said: dict[str, set[Values]] = defaultdict(set)
+    for letter, values in (pair for tex in texts for pair in _said(tex).items()):
+        said[letter].add(values)
+    for letter, every in said.items():
+        for base in letters[letter] if len(every) == 1 else ():
+            numbers[base].update(*every)
     sums = (match.groups() for tex in texts for match in _SUM.finditer(tex))
     found = {letter: (*range(1, int(last) + 1),) for letter, last in sums}
     for letter, bases in letters.items():

@@ -75,3 +75,14 @@ def test_points_of_a_space_are_vectors(of):
         rf"$$\dot x=y,\qquad\dot y=-x,$$ where ${of}$. The function $(x,x)+(y,y)$ is an integral."
     )
     assert found.parts.paper.words.vectors == {"x", "y"}
+
+
+FIRST_ORDER = r"""On the sphere $x_1^2+x_2^2+x_3^2=1$ there moves a point. With a multiplier $\lambda$ the equations are
+$$\dot x_i=y_i,\qquad \dot y_i=-a_ix_i+\lambda x_i\qquad(i=1,2,3),\qquad \lambda=\sum_{k}(a_kx_k^2-y_k^2).$$ """
+
+
+def test_of_velocities_the_constraint_gives_one_equation_more():
+    found = judged(FIRST_ORDER + r"They keep $\sum x_iy_i=0$. The function $\sum_k(y_k^2+a_kx_k^2)$ is an integral.")
+    assert found == ([True, True], [True])
+    found = judged(FIRST_ORDER + r"They keep $\sum x_iy_i=1$. The function $\sum_k(y_k^2-a_kx_k^2)$ is an integral.")
+    assert found == ([False, False], [True])
