@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from kowalevski_cas.audit.audited import GIVEN, OPEN, Audited
+from kowalevski_cas.audit.doubted import AS_FREE
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.reading import CLAIM, Reading
 from kowalevski_cas.reading.dimensions import AS_THE_REST
@@ -31,7 +32,7 @@ def tell_steps(
             if (audited := by_place.get(item.printed) or unread.get(item.printed.display.id))
         }
         open_ones = {one for one, audited in at.items() if _may_be_wrong(audited)}
-        wrong = {one for one, audited in at.items() if _is_doubted(audited)}
+        wrong = {one for one, audited in at.items() if _is_doubted(audited, repairs)}
         for one in steps(known, frozenset(open_ones), frozenset(wrong)):
             audited = at[one.item]
             if one.follows:
@@ -53,7 +54,9 @@ def _may_be_wrong(audited: Audited) -> bool:
     return audited.verdict in (GIVEN, OPEN, Verdict.UNDECIDED)
 
 
-def _is_doubted(audited: Audited) -> bool:
-    """Whether nothing is to be built on a formula."""
+def _is_doubted(audited: Audited, repairs: Mapping[str, Correction]) -> bool:
+    """Whether nothing is to be built on a formula; but it may well be what gives its letters."""
+    if AS_FREE in audited.message and repairs.keys().isdisjoint(audited.claims):
+        return AS_THE_REST in audited.message
     doubted = audited.verdict == Verdict.UNDECIDED and bool(audited.message)
     return audited.wrong or (audited.role == CLAIM and doubted) or AS_THE_REST in audited.message

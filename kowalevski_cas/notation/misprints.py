@@ -42,7 +42,7 @@ HALF = Quotient(ONE, TWO)
 _WHOLE = (Relation, Sum, Negative, Quotient, Root, RealPart, ImaginaryPart, Conjugate)
 
 
-_SQUARED = (Name, Derivative, Modulus)
+_SQUARED = (Name, Derivative, Modulus, Application)
 """Of what the square may be meant."""
 
 Misprint = tuple[str, Path, Formula, str]
@@ -138,6 +138,8 @@ def _signs(place: _NodePlace) -> Iterator[Misprint]:
     node = place.node
     if isinstance(node, Negative):
         yield "sign", place.path, node.argument, _sign_of(node.argument)
+    elif isinstance(place.parent, Application) and place.parent.function == r"\exp":
+        yield "sign", place.path, Negative(node), _sign_of(node)
     elif _term(place) and not isinstance(place.parent, Negative):
         if isinstance(place.parent, Sum) or not isinstance(node, Sum):
             yield "sign", place.path, Negative(node), _sign_of(node)

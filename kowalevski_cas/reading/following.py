@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from kowalevski_cas.algebra.quadrature import INFINITE
 from kowalevski_cas.algebra.samples import precisely
 from kowalevski_cas.notation import (
     Derivative,
@@ -23,6 +24,7 @@ from kowalevski_cas.notation import (
     to_latex,
 )
 from kowalevski_cas.notation.edits import replace
+from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.free_formulas import free_formulas
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, NOTATION, OTHER, Known
@@ -179,16 +181,27 @@ class _Section:
             own = formula.names()
             offered = {name for name in own | before.names if not before.is_unit(name)}
             offered &= self.words.scalars
-            for place, slip in enumerate(slips(step, self.words, offered) if step.fails() else ()):
+            lost = frozenset() if step.fails() else self._lost(formula, before)
+            tried = slips(step, self.words, offered) if lost or step.fails() else ()
+            for place, slip in enumerate(tried):
                 kind, path, new, _ = slip
                 edited = replace(formula, path, new)
                 if edited in found or edited in before.formulas or is_integrated(formula, path):
                     continue
-                possible = may_be(formula, slip) and not is_trivial(edited)
+                if lost and not lost.isdisjoint(edited.names()):
+                    continue
+                possible = may_be(formula, slip, lost) and not is_trivial(edited)
                 if possible and DerivationStep(edited, before).follows():
                     order = not new.names() <= own, path[:1] == (0,), KINDS.index(kind), place
                     found[edited] = order
         return tuple(sorted(found, key=lambda edited: found[edited])[:MOST])
+
+    def _lost(self, formula: Formula, before: PrintedBefore) -> frozenset[str]:
+        """A letter on the right of a step that stands nowhere else, if there is one alone."""
+        left = pairs_of(formula)[0][0].names()
+        others = (one.names for one in self.known.items if one.formula != formula)
+        lost = formula.names() - left - before.known - set[str]().union(*others) - {PI, INFINITE}
+        return frozenset(lost if len(lost) == 1 and before.known else ())
 
 
 def _says(item: SourceStatement, formula: Formula, known: Known) -> bool:

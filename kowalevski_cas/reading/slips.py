@@ -117,15 +117,18 @@ def is_integrated(formula: Formula, path: tuple[int, ...]) -> bool:
     return inner or ends
 
 
-def may_be(formula: Formula, slip: Misprint) -> bool:
-    """Whether a slip is one: no name of another kind, no name by itself, no term twice."""
+def may_be(formula: Formula, slip: Misprint, lost: frozenset[str] = frozenset()) -> bool:
+    """Whether a slip is one: no name of another kind, no name by itself, no term twice.
+
+    In the place of a name that is ``lost`` any other one may be meant.
+    """
     kind, path, new, _ = slip
     old = subtree(formula, path)
     members = formula.members if isinstance(formula, Relation) else (formula,)
     if kind == "end":
         return True
     if isinstance(old, Name) and isinstance(new, Name):
-        return path != (0,) and closeness(old.name, new.name) >= ALIKE
+        return path != (0,) and (old.name in lost or closeness(old.name, new.name) >= ALIKE)
     alone = {one.name for one in members if isinstance(one, Name)}
     if path[:1] == (0,) and alone & members[0].names():
         return kind == "coefficient"

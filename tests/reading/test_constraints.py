@@ -82,7 +82,13 @@ $$\dot x_i=y_i,\qquad \dot y_i=-a_ix_i+\lambda x_i\qquad(i=1,2,3),\qquad \lambda
 
 
 def test_of_velocities_the_constraint_gives_one_equation_more():
-    found = judged(FIRST_ORDER + r"They keep $\sum x_iy_i=0$. The function $\sum_k(y_k^2+a_kx_k^2)$ is an integral.")
+    found = judged(
+        FIRST_ORDER
+        + r"They keep $\sum x_iy_i=0$. The function $\sum_k(y_k^2+a_kx_k^2)$ is an integral."
+    )
     assert found == ([True, True], [True])
-    found = judged(FIRST_ORDER + r"They keep $\sum x_iy_i=1$. The function $\sum_k(y_k^2-a_kx_k^2)$ is an integral.")
+    found = judged(
+        FIRST_ORDER
+        + r"They keep $\sum x_iy_i=1$. The function $\sum_k(y_k^2-a_kx_k^2)$ is an integral."
+    )
     assert found == ([False, False], [True])
