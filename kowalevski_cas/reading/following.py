@@ -14,11 +14,13 @@ from typing import NamedTuple
 from kowalevski_cas.algebra.quadrature import INFINITE
 from kowalevski_cas.algebra.samples import precisely
 from kowalevski_cas.notation import (
+    Application,
     Derivative,
     Formula,
     Name,
     Number,
     Partial,
+    Relation,
     Sum,
     Vocabulary,
     to_latex,
@@ -26,7 +28,7 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.notation.edits import replace
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.free_formulas import free_formulas
+from kowalevski_cas.reading.free_formulas import free_formulas, single_functions
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, NOTATION, OTHER, Known
 from kowalevski_cas.reading.premises import pairs_of
 from kowalevski_cas.reading.slips import KINDS, is_integrated, may_be, slips
@@ -36,7 +38,7 @@ from kowalevski_cas.reading.variational import rates_behind, says_rates
 from kowalevski_cas.verify.vacuous import is_trivial
 
 _ANOTHER = re.compile(
-    r"\b(?:instead|replac\w+|without|twice|double\w*|half|other|another|new)\b"
+    r"\b(?:instead|replac\w+|without|twice|double\w*|half(?![\s-]ax)|(?<!each\s)other|another|new)\b"
     r"|\b(?:вместо|замен\w+|друг\w+|нов\w+|вдвое)\b",
     re.IGNORECASE,
 )
@@ -56,6 +58,7 @@ OF_SENTENCE = "of the sentence"
 _STEP = re.compile(
     r"\bor\W*$|\bi\.\s*e\b|\bthat\s+is\b|\bnamely\b|\bsol(?:ved?|utions?|ving)\b|\bsubstitut\w*"
     r"|\badding\s+(?:both|them|these|the\s+(?:two\s+)?equations|up)\b|\bsubtracting\b|\beliminat\w+"
+    r"|\b(?:this|which|it|that)\s+(?:reads|says|means)\b|\bthe\s+equation\s+reads\b"
     r"|\binsert\w*|\binto\b|\bmultipl\w+|\bdivid\w+|\bintegrat\w+|\bdifferentiat\w+|\bor\b"
     r"|\bили\b|\bто\s+есть\b|\bреш\w+|\bподстав\w*|\bумнож\w*|\bделя\w*|\bразделив\w*"
     r"|\bскладывая\b|\bвычитая\b|\bисключ\w+",
@@ -116,6 +119,7 @@ class _Section:
             sure = [one for one in self._before(item) if one in mended or one not in doubted]
             premises = [mended.get(one, self.formulas[one]) for one in sure]
             premises += rates_behind(item, sure, self.formulas, self.known)
+            premises += self._at_arguments([formula, *premises])
             before = PrintedBefore(formula, premises, self._terms(item))
             if repairs := self._repairs(formula, before):
                 if all(one.order < item.order for one in sure):
@@ -125,6 +129,14 @@ class _Section:
                 with precisely():
                     if DerivationStep(formula, before).follows():
                         yield Step(item, (), follows=True)
+
+    def _at_arguments(self, formulas: Sequence[Formula]) -> Iterator[Formula]:
+        """What unknown functions without an argument are, beside others at one, as F and F(1/u)."""
+        nodes = (node for formula in formulas for node in formula.nodes())
+        applied = {node.function for node in nodes if isinstance(node, Application)}
+        for name, by in single_functions(self.known.paper).items():
+            if name in applied:
+                yield Relation((Name(name), Application(name, (Name(by),))), ("=",))
 
     def _is_step(self, item: SourceStatement) -> bool:
         """Whether a statement is a chain, derives what is given, or words let it follow.

@@ -61,6 +61,7 @@ def slips(step: DerivationStep, words: Vocabulary, offered: set[str]) -> Iterato
         if _is_ratio(node):
             yield from (("coefficient", path, number, "") for number in RATIOS if number != node)
         yield from (*_of_two(path, node), *_roots(path, node, parent), *_ends(path, node, offered))
+        yield from _squares(path, node, offered)
         if isinstance(parent, Sum | Negative | Relation) and isinstance(node, Name):
             for rate in sorted(step.before.rates, key=to_latex):
                 yield "missing", path, times(node, rate), ""
@@ -97,6 +98,15 @@ def _roots(path: tuple[int, ...], node: Formula, parent: Formula | None) -> Iter
     elif isinstance(parent, Relation | Product) and isinstance(node, Quotient | Name | Sum):
         if not isinstance(parent, Relation) or path != (0,):
             yield "root", path, Root(node), ""
+
+
+def _squares(path: tuple[int, ...], node: Formula, offered: set[str]) -> Iterator[Misprint]:
+    """The square of a name that is missing above or below a line."""
+    if isinstance(node, Quotient) and not _is_ratio(node):
+        above, below = factors_of(node.numerator), factors_of(node.denominator)
+        for square in (Power(Name(name), Number(2)) for name in sorted(offered)):
+            yield "missing", path, Quotient(node.numerator, times(*below, square)), ""
+            yield "missing", path, Quotient(times(*above, square), node.denominator), ""
 
 
 def _ends(path: tuple[int, ...], node: Formula, offered: set[str]) -> Iterator[Misprint]:

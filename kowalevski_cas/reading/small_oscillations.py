@@ -110,7 +110,9 @@ def frequency(item: SourceStatement, known: Known) -> tuple[str, str, str] | Non
 def prints_square(item: SourceStatement) -> bool:
     """Whether it is the square of a frequency that a statement prints."""
     found = _OF_SMALL.search(item.before)
-    squares = found is not None and bool(found["squares"] or found["squares_behind"] or found["squares_normal"])
+    squares = found is not None and bool(
+        found["squares"] or found["squares_behind"] or found["squares_normal"]
+    )
     return isinstance(item.members[0], Power) if item.members else squares
 
 
