@@ -32,8 +32,9 @@ def tell_steps(
             if (audited := by_place.get(item.printed) or unread.get(item.printed.display.id))
         }
         open_ones = {one for one, audited in at.items() if _may_be_wrong(audited)}
-        wrong = {one for one, audited in at.items() if _is_doubted(audited, repairs)}
-        for one in steps(known, frozenset(open_ones), frozenset(wrong)):
+        doubted = {one for one, audited in at.items() if _is_doubted(audited)}
+        left = {one for one in doubted if not _is_free(at[one], repairs)}
+        for one in steps(known, *map(frozenset, (open_ones, doubted, left))):
             audited = at[one.item]
             if one.follows:
                 mended = AS_THE_REST in audited.message or {*audited.claims} & repairs.keys()
@@ -54,9 +55,14 @@ def _may_be_wrong(audited: Audited) -> bool:
     return audited.verdict in (GIVEN, OPEN, Verdict.UNDECIDED)
 
 
-def _is_doubted(audited: Audited, repairs: Mapping[str, Correction]) -> bool:
-    """Whether nothing is to be built on a formula; but it may well be what gives its letters."""
-    if AS_FREE in audited.message and repairs.keys().isdisjoint(audited.claims):
-        return AS_THE_REST in audited.message
+def _is_doubted(audited: Audited) -> bool:
+    """Whether a formula may be wrong by what is said of it."""
     doubted = audited.verdict == Verdict.UNDECIDED and bool(audited.message)
     return audited.wrong or (audited.role == CLAIM and doubted) or AS_THE_REST in audited.message
+
+
+def _is_free(audited: Audited, repairs: Mapping[str, Correction]) -> bool:
+    """Whether a doubted formula may well be what gives its letters, of which nothing is known."""
+    found = [repairs[id] for id in audited.claims if id in repairs]
+    mended = AS_THE_REST in audited.message or any(one.edit is not None for one in found)
+    return AS_FREE in audited.message and not mended

@@ -290,13 +290,18 @@ def _additions(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> I
     if not _prints(node) or isinstance(node, Negative | Quotient):
         return
     factors = factors_of(node)
-    letters = [k for k, one in enumerate(factors, 1) if isinstance(one, Name | Number | Power)]
+    letters = [k for k, one in enumerate(factors, 1) if _is_letter(one)]
     number = int(isinstance(factors[0], Number) or _is_fraction(factors[0]))
     first = max(letters, default=number)
     tex = to_latex(node)
     for name in names:
         words = f"insert the factor ${name}$ in ${tex}$"
         yield "missing", place.path, times(*factors[:first], Name(name), *factors[first:]), words
+
+
+def _is_letter(factor: Formula) -> bool:
+    """Whether a factor is a name, a power of one, or a number: other letters stand behind it."""
+    return isinstance(factor.base if isinstance(factor, Power) else factor, Name | Number)
 
 
 def _partials(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:

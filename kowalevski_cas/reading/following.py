@@ -76,18 +76,21 @@ class Step(NamedTuple):
 
 
 def steps(
-    known: Known, asked: frozenset[SourceStatement], doubted: frozenset[SourceStatement]
+    known: Known,
+    asked: frozenset[SourceStatement],
+    doubted: frozenset[SourceStatement],
+    left: frozenset[SourceStatement],
 ) -> Iterator[Step]:
     """The steps among those ``asked`` that follow with one change only, or follow though doubted.
 
-    Nothing is built on what is ``doubted``.
+    What is doubted is looked at whatever the words are; nothing is built on what is ``left``.
     """
     formulas = free_formulas(known.paper, known.items)
     sections: dict[int, list[SourceStatement]] = {}
     for one in known.items:
         sections.setdefault(id(one.section), []).append(one)
     for items in sections.values():
-        yield from _Section(items, formulas, known).steps(asked, doubted)
+        yield from _Section(items, formulas, known).steps(asked, doubted, left)
 
 
 class _Section:
@@ -105,7 +108,10 @@ class _Section:
         self.words: Vocabulary = known.paper.words
 
     def steps(
-        self, asked: frozenset[SourceStatement], doubted: frozenset[SourceStatement]
+        self,
+        asked: frozenset[SourceStatement],
+        doubted: frozenset[SourceStatement],
+        left: frozenset[SourceStatement],
     ) -> Iterator[Step]:
         """The steps that follow with one change only; what rests on one is read with it.
 
@@ -116,7 +122,7 @@ class _Section:
             formula = self.formulas[item]
             if item not in asked or not (item in doubted or self._is_step(item)):
                 continue
-            sure = [one for one in self._before(item) if one in mended or one not in doubted]
+            sure = [one for one in self._before(item) if one in mended or one not in left]
             premises = [mended.get(one, self.formulas[one]) for one in sure]
             premises += rates_behind(item, sure, self.formulas, self.known)
             premises += self._at_arguments([formula, *premises])
@@ -193,7 +199,7 @@ class _Section:
             own = formula.names()
             offered = {name for name in own | before.names if not before.is_unit(name)}
             offered &= self.words.scalars
-            lost = frozenset() if step.fails() else self._lost(formula, before)
+            lost = frozenset() if step.fails() else self._lost(step)
             tried = slips(step, self.words, offered) if lost or step.fails() else ()
             for place, slip in enumerate(tried):
                 kind, path, new, _ = slip
@@ -208,12 +214,13 @@ class _Section:
                     found[edited] = order
         return tuple(sorted(found, key=lambda edited: found[edited])[:MOST])
 
-    def _lost(self, formula: Formula, before: PrintedBefore) -> frozenset[str]:
+    def _lost(self, step: DerivationStep) -> frozenset[str]:
         """A letter on the right of a step that stands nowhere else, if there is one alone."""
-        left = pairs_of(formula)[0][0].names()
-        others = (one.names for one in self.known.items if one.formula != formula)
-        lost = formula.names() - left - before.known - set[str]().union(*others) - {PI, INFINITE}
-        return frozenset(lost if len(lost) == 1 and before.known else ())
+        own = set[str]().union(*(right.names() for _, right in step.pairs))
+        left = set[str]().union(*(one.names() for one, _ in step.pairs[:1]))
+        others = (one.names for one in self.known.items if one.formula != step.formula)
+        lost = own - left - step.before.known - set[str]().union(*others) - {PI, INFINITE}
+        return frozenset(lost if len(lost) == 1 and step.before.known else ())
 
 
 def _says(item: SourceStatement, formula: Formula, known: Known) -> bool:

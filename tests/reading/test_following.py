@@ -122,7 +122,7 @@ def page(body):
 def found(body):
     reading = read(page(body))
     (known,) = reading.parts.known
-    return [*steps(known, frozenset(known.items), frozenset())]
+    return [*steps(known, frozenset(known.items), frozenset(), frozenset())]
 
 
 @pytest.mark.parametrize(("body", "right", "wrong"), sampled(CASES, 5))
