@@ -110,7 +110,7 @@ def multipliers(
 def equations_on(
     scene: Scene, places: Iterable[Printed], beside: Iterable[Printed] = ()
 ) -> Iterator[str]:
-    """The constraints, and those of their derivatives that do not follow, with others ``beside``."""
+    """The constraints, and those of their derivatives that do not follow, with some ``beside``."""
     space, words = _space(scene), vocabulary((scene,))
     known = [function for place in beside for function in _functions(place, space)]
     for place in places:

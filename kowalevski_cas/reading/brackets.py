@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kowalevski_cas.notation import (
+    Derivative,
     Formula,
     Name,
     Negative,
@@ -54,6 +55,25 @@ def brackets_by_functions(
             names = found.printed.heads.names
             yield found, StatementRole(CONVENTION, place, "", names)
         return
+
+
+def any_function(item: SourceStatement, known: Known) -> str:
+    r"""The letter that stands for any function in :math:`\dot f=\{f,H\}`; empty if there is none.
+
+    Nothing defines it or moves it, and in every member it is derived, or a side of a bracket.
+    """
+    inner = [m.argument if isinstance(m, Negative) else m for m in item.members]
+    brackets = [one for one in inner if isinstance(one, PoissonBracket)]
+    sides = [{s.name for s in one.children() if isinstance(s, Name)} for one in brackets]
+    found = {n for n in set[str]().union(*sides) if not (known.varies(n) or known.is_defined(n))}
+    if len(found) != 1 or len(inner) < 2 or all(law.images for law in known.laws):
+        return ""
+    (name,) = found
+    linear = all(sum(name in s.names() for s in one.children()) == 1 for one in brackets)
+    others = [one for one in inner if one not in brackets]
+    rates = [one for one in others if one != Number(0)]
+    derived = all(isinstance(one, Derivative) and one.argument == Name(name) for one in rates)
+    return name if linear and derived and all(name in side for side in sides) else ""
 
 
 def refuse_idle_brackets(item: SourceStatement, known: Known) -> None:

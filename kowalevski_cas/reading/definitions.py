@@ -136,7 +136,9 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
         why = "gives a number for a name"
         return StatementRole(ASSUMPTION, why, reach_of_constants(item), tuple(fresh))
     if cue("if", item.lead):
-        return StatementRole(ASSUMPTION, "supposed in its sentence", "set", tuple(fresh))
+        moving = known.varying(item.names - {*fresh})
+        lasts = "set" if moving else reach_of_constants(item)
+        return StatementRole(ASSUMPTION, "supposed in its sentence", lasts, tuple(fresh))
     if said := _specialising(item, known, fresh):
         why = f"“{said}” gives what was general before"
         return StatementRole(ASSUMPTION, why, reach_of_constants(item), tuple(fresh))

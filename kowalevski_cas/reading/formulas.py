@@ -22,7 +22,7 @@ from kowalevski_cas.paper.summation import without_sums
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.reading.antiderivatives import without_integral
 from kowalevski_cas.reading.compositions import functions_in, maps_in, written_out
-from kowalevski_cas.reading.measures import with_jacobian
+from kowalevski_cas.reading.measures import with_divergence, with_jacobian
 from kowalevski_cas.reading.ranks import with_ranks
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.listing import guess
@@ -43,7 +43,7 @@ def by_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
         with suppress(NotationError):  # who reads it says so
             tex = without_initial_values(tex, moving)
         tex = with_jacobian(with_partials(with_derivatives(tex, by), fields))
-        tex = without_integral(tex)
+        tex = with_divergence(without_integral(tex), texts)
         with suppress(ValueError):  # at other arguments it cannot be read
             tex = without_arguments(tex, known)
         yield formula if tex == formula.tex else replace(formula, tex=tex)

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from kowalevski_cas.notation import Constant, Name, Number, Root, Unwritten, to_latex
+from kowalevski_cas.notation.edits import substitute
 from kowalevski_cas.paper.claims import (
     Claim,
     Coefficient,
@@ -18,9 +19,10 @@ from kowalevski_cas.paper.claims import (
     Implication,
     Inequality,
     InvariantRelations,
+    OfAllFunctions,
     RestPoints,
 )
-from kowalevski_cas.reading.brackets import refuse_idle_brackets
+from kowalevski_cas.reading.brackets import any_function, refuse_idle_brackets
 from kowalevski_cas.reading.canonical import meant
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.flow_rungs import OF_FIELD, of_field
@@ -45,7 +47,9 @@ def rungs(item: SourceStatement, id: str, stage: Stage) -> Iterator[Rung]:
 
     Raises ``ValueError`` where names have no meaning together.
     """
-    return _Ladder(item, id, stage).rungs()
+    ladder = _Ladder(item, id, stage)
+    name = any_function(item, stage.known)
+    return iter([ladder.of_all_functions(name)]) if name else ladder.rungs()
 
 
 class _Ladder(RungMaker):
@@ -77,6 +81,15 @@ class _Ladder(RungMaker):
                 yield from of_motion(self)
         yield from self.of_unit_vectors()
         yield from self.elsewhere()
+
+    def of_all_functions(self, name: str) -> Rung:
+        """What is printed of any function, whose name stands for every variable."""
+        law = next(law for law in self.known.laws if not law.images)
+        assert self.item.formula is not None
+        tex = to_latex(substitute(self.item.formula, {name: Name(law.variables[0])}))
+        one = unprinted(self.known.paper, f"{self.id}-of-one", tex, self.item, "for one variable")
+        says = "this is so for all functions"
+        return self.rung(OfAllFunctions, says, self.supposed, items=(one,), law=law, of=name)
 
     def of_unit_vectors(self) -> Iterator[Rung]:
         """The claim where vectors have the length that is printed of them: one."""

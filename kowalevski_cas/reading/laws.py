@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Sequence
 
-from kowalevski_cas.notation import Name, PoissonBracket, Sum, Vector
+from kowalevski_cas.notation import Name, Number, PoissonBracket, Sum, Vector
 from kowalevski_cas.reading.changes import find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
@@ -15,7 +15,13 @@ from kowalevski_cas.reading.momenta import find_momenta
 from kowalevski_cas.reading.named_values import named_values
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.restated import replaced_law, times_of
-from kowalevski_cas.reading.rows import highest_order, is_of_motion, is_row, rates_given
+from kowalevski_cas.reading.rows import (
+    highest_order,
+    is_by_own_bracket,
+    is_of_motion,
+    is_row,
+    rates_given,
+)
 from kowalevski_cas.reading.said_rows import (
     rows_of_conjugates,
     rows_of_differentials,
@@ -95,7 +101,14 @@ class _LawFinder:
         """Whether any words may have a law among them."""
         items = sorted((*paper.items, *said.rows), key=lambda item: item.order)
         rows = [item for item in items if self._may_be_row(item)]
-        rated = {name for row in rows for name in row.rates}
+        others = {name for row in rows if not is_by_own_bracket(row) for name in row.names}
+        rows = [
+            row
+            for row in rows
+            if not others or not is_by_own_bracket(row) or others & row.rates.keys()
+        ]
+        # what only has a rate of zero, as J in \dot J=0, may be an integral with its definition
+        rated = {name for row in rows if Number(0) not in row.members for name in row.rates}
         rows = [
             row
             for row in rows

@@ -1,8 +1,13 @@
-r"""Measures that a map preserves, printed as :math:`dx'\,dy'/(x'y')=dx\,dy/(xy)`: by a Jacobian."""
+r"""Measures that maps and flows preserve, as they are printed.
+
+Those of a map, as :math:`dx'\,dy'/(x'y')=dx\,dy/(xy)`, by a Jacobian; the divergence of a field
+that is named and given by nothing, as :math:`\operatorname{div}\mathcal X`, by that of the motion.
+"""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 _LETTER = r"(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\{[^{}]*\}|\w))?"
 _GAP = r"(?:\\[,;:! ]|\\wedge(?![A-Za-z])|~|\s)*"
@@ -37,3 +42,30 @@ def with_jacobian(tex: str) -> str:
     before, after = re.split(own, tex)
     one = "1" if before.rstrip()[-1:] in ("", *"{=(-+") else r"\cdot1"
     return f"{before}{one}{after}"
+
+
+_TYPE = r"\\(?:mathcal|mathbf|boldsymbol|bm|vec|mathfrak)"
+_FIELD = rf"(?:{_TYPE}\s*(?:\{{\s*(?:\\?[A-Za-z]+)\s*\}}|[A-Za-z])|[A-Za-z])"
+_DIVERGENCE = re.compile(
+    rf"^\s*(?:\\(?:operatorname|mathrm|text)\s*\{{\s*[Dd]iv\s*\}}|\\(?:nabla|partial)\s*\\cdot)\s*"
+    rf"(?:\\[,;! ]\s*)?(?P<open>\()?\s*(?P<field>{_FIELD})\s*(?(open)\))\s*(?=&?\s*=)"
+)
+
+
+def with_divergence(tex: str, texts: Sequence[str]) -> str:
+    r"""What says the divergence of a field that none of the texts defines, of no field by name.
+
+    >>> with_divergence(r"\operatorname{div}\mathcal X=-a", [r"\dot x=-ax"])
+    '\\mathrm{div}=-a'
+    >>> with_divergence(r"\operatorname{div}\mathbf B=0", [r"\mathbf B=(0,0,1)"])
+    '\\operatorname{div}\\mathbf B=0'
+    """
+    found = _DIVERGENCE.match(tex)
+    if found is None or any(_gives(found["field"], text) for text in texts):
+        return tex
+    return rf"\mathrm{{div}}{tex[found.end() :]}"
+
+
+def _gives(field: str, text: str) -> bool:
+    """Whether a field stands alone on the left, or has components, in a text."""
+    return re.search(rf"(?:^|[,&])\s*{re.escape(field)}\s*(?:=|_)", text) is not None

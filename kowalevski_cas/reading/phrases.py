@@ -107,10 +107,17 @@ _AT = re.compile(r"\b(?:at|в\s+точке)[\s~]*$", re.IGNORECASE)
 """How words end behind which something is said of one place only."""
 
 
+_CASE_IN_TITLE = re.compile(
+    r"\\(?:(?:sub)*section|paragraph)\*?\s*\{[^{}]*(?:\bcases?\b|\bслуча)", re.IGNORECASE
+)
+"""A heading that names a case: with what it begins is supposed in all of it."""
+
+
 def reach_of_constants(item: SourceStatement) -> str:
     """How far it reaches what is supposed of constants; to the end of the section, if empty."""
     brief = cue("for", f"{item.before} ") or cue("if", item.lead) or _AT.search(item.lead)
-    lasting = cue("lasting", item.before)
+    titled = item.earlier and _CASE_IN_TITLE.match(item.earlier[0])
+    lasting = cue("lasting", item.before) or (titled and item.before == item.lead)
     return "of the sentence" if item.typed.inline and brief and not lasting else ""
 
 

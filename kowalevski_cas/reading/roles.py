@@ -25,6 +25,7 @@ from kowalevski_cas.reading.definitions import (
 )
 from kowalevski_cas.reading.factors import roots
 from kowalevski_cas.reading.flows import divergence, measure
+from kowalevski_cas.reading.formulas import members_of_spaces
 from kowalevski_cas.reading.index_ranges import is_range
 from kowalevski_cas.reading.jets import gives_derivative, special_function
 from kowalevski_cas.reading.known import (
@@ -69,6 +70,7 @@ _MAPSTO = re.compile(r"\([^()]*\)\s*\\mapsto\s*\([^()]*'\s*\)\s*(?:,|\.|$)")
 _SYMBOL = re.compile(r"\s*(?:\\operatorname\s*\{\w+\}|\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)[\s.,;]*")
 """A name alone, as of a function without its argument."""
 _TO_INFINITY = re.compile(r"[^=<>]*\\(?:to|rightarrow)\s*[+-]?\s*\\infty[\s.,;]*")
+_NUMBERED = re.compile(r"\s*\d+\s*\^\s*(?:\\circ|\{\s*\\circ\s*\})[\s.]*")
 _END_OF_PROOF = re.compile(r"\s*\\(?:(?:black)?square|Box|qed)\s*")
 
 Rule = Callable[[SourceStatement, Known], StatementRole | None]
@@ -87,6 +89,10 @@ def unread(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(NOTATION, "says over what an index runs")
     if _END_OF_PROOF.fullmatch(item.typed.tex):
         return StatementRole(NOTATION, "marks the end of a proof")
+    if _NUMBERED.fullmatch(item.typed.tex):
+        return StatementRole(NOTATION, "numbers what follows, or gives an angle")
+    if item.trouble and members_of_spaces(item.typed.tex):
+        return StatementRole(NOTATION, "says in which space it is")
     told = _MAPSTO.match(item.typed.tex[item.typed.tex.find("(") :]) or gives_map(item.typed.tex)
     if told and item.trouble:
         return StatementRole(DEFINITION, "says what a map takes to what")

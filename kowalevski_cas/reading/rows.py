@@ -11,6 +11,7 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Partial,
+    PoissonBracket,
     Power,
     Product,
     Relation,
@@ -41,6 +42,18 @@ def is_row(item: SourceStatement) -> bool:
     if isinstance(first, Partial) and not any(isinstance(m, Derivative) for m in rates):
         return False  # it is a gradient that is computed
     return not isinstance(first, Name) or _is_multiple(others[0])
+
+
+def is_by_own_bracket(item: SourceStatement) -> bool:
+    r"""Whether a rate is given by a bracket of the same letter, as in :math:`\dot f=\{f,H\}`.
+
+    So any function moves: beside equations of motion it is none.
+    """
+    match item.members:
+        case (Derivative(Name(name)), right):
+            inner = right.argument if isinstance(right, Negative) else right
+            return isinstance(inner, PoissonBracket) and Name(name) in inner.children()
+    return False
 
 
 def _is_chain(members: Sequence[Formula]) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from kowalevski_cas.notation import Name, Number, Relation, Vector
+from kowalevski_cas.notation import Name, Number, Power, Relation, Vector
 from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.reading.cues import cue, last_cue
 from kowalevski_cas.reading.hypotheses import set_right_before
@@ -99,7 +99,9 @@ def _says_first(item: SourceStatement, known: Known) -> bool:
     assert isinstance(item.formula, Relation)
     said = {name for one in known.assumptions for name in one.names}
     free = not any(name in said or known.is_defined(name) for name in item.names)
-    free = free and not (cue("deduced", item.lead) or cue("then", item.lead))
+    behind = any(one.typed is item.typed and one.order < item.order for one in known.paper.items)
+    apart = behind and not item.typed.inline  # the words before the display are about its first
+    free = free and (apart or not (cue("deduced", item.lead) or cue("then", item.lead)))
     return free and all(isinstance(one, Name | Number) for one in item.formula.members)
 
 
@@ -115,6 +117,7 @@ def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
     names_of = {name for member in others for name in member.names()}
     below = {inner for name in names_of for inner in known.below(name)}
     names = [name for name in item.bare if not known.varies(name) and name not in below]
+    names += _squares_of_new(item, known)
     given = isinstance(others[0], Vector) if others else False
     given = given and not any(map(known.varies, names_of - known.levels))
     if moving and said and (is_number(others) or (given and is_value(others[0]))):
@@ -134,6 +137,20 @@ def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
         gives = tuple(names) or tuple(sorted(item.names))
         return StatementRole(ASSUMPTION, why, reach_of_constants(item), gives)
     return None
+
+
+def _squares_of_new(item: SourceStatement, known: Known) -> list[str]:
+    r"""The constant of which the square comes first, by one that nothing has said before.
+
+    So :math:`k^2=g/l` says what k is, wherever it stands.
+    """
+    squares = [
+        n for n in item.printed.heads.squares if item.members[0] == Power(Name(n), Number(2))
+    ]
+    others = item.names - {*squares}
+    deduced = cue("deduced", item.lead) or cue("then", item.lead) or cue("claim", item.lead)
+    given = any(map(known.is_defined, squares)) or known.varying(item.names)
+    return [] if deduced or given or all(map(known.is_known, others)) else squares
 
 
 _ON_PLACE = re.compile(

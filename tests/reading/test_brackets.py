@@ -76,3 +76,29 @@ def test_a_bracket_with_what_does_not_move_says_nothing(claim, judged):
     tex = claim.split(r" \]")[0]
     assert (found.get(tex) is not None) is judged
     assert not judged or found[tex].green
+
+
+LINEAR = r"""The equations are $$\dot x=yz,\qquad \dot y=-2xz,\qquad \dot z=xy.$$ Let $\{x,y\}=z$, $\{y,z\}=x$,
+$\{z,x\}=y$ and $H=\tfrac12(x^2-z^2)$. """
+
+
+@pytest.mark.parametrize(
+    ("words", "green"),
+    [
+        (r"Then the equations are $\dot f=\{f,H\}$.", True),
+        (r"Then the equations are $$\dot F=-\{H,F\}$$ for every function $F$.", True),
+        (r"Then the equations are $\dot f=\{H,f\}$.", False),
+        (r"Then the equations are $\dot f=\{f,H+x\}$.", False),
+        (r"Then $\{x^2+y^2+z^2,f\}=0$ for all $f$.", True),
+        (r"Then $\{f,x^2+y^2+z^2\}=\{f,1\}=0$ for all $f$.", True),
+        (r"Then $\{x^2+y^2-z^2,f\}=0$ for all $f$.", False),
+        (r"Then $\{f,x^2+y^2+z^2\}=\{H,f\}=0$ for all $f$.", False),
+    ],
+)
+def test_what_is_said_of_any_function_holds_for_every_variable(words, green):
+    assert [one.green for one in verdicts(LINEAR + words).values()] == [green]
+
+
+@pytest.mark.parametrize("words", [r"\dot f=\{f,f\}", r"\dot f=f\{f,H\}", r"\dot g=\{f,H\}"])
+def test_what_derives_no_function_or_two_is_said_of_none(words):
+    assert not any(one.green for one in verdicts(rf"{LINEAR}Then ${words}$.").values())

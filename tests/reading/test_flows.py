@@ -56,3 +56,26 @@ def test_what_a_flow_does_to_volumes(words, green):
 def test_what_is_denied_or_said_of_something_else_is_no_density(words):
     made = {f.role.kind for f in reading(BATH + words).formulas if f.role.name == CLAIM}
     assert made.isdisjoint({"measure", "divergence"})
+
+
+PUMP = r"The equations are $$\dot x=hy-ax+yz,\quad\dot y=hx-by-xz,\quad\dot z=-cz+xy.$$ "
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"The right-hand side is a vector field $\mathcal X$, with $$\operatorname{div}\mathcal X={}.$$",
+        r"The phase flow contracts volumes: $\nabla\cdot\mathbf f={}$.",
+        r"Here $\mathrm{div}\,(X)={}$.",
+    ],
+)
+def test_the_divergence_of_a_field_that_is_only_named_is_that_of_the_motion(words):
+    for value, green in (("-(a+b+c)", True), ("-(a-b+c)", False)):
+        assert [one.green for one in verdicts(PUMP + words.replace("{}", value)).values()] == [
+            green
+        ]
+
+
+def test_the_divergence_of_another_field_is_not_that_of_the_motion():
+    words = r"In the field $\mathbf B=(x,y,-2z)$ we have $\operatorname{div}\mathbf B=-(a+b+c)$."
+    assert not any(one.green for one in verdicts(PUMP + words).values())

@@ -7,7 +7,7 @@ from kowalevski_cas.reading import ASSUMPTION, CLAIM
 from kowalevski_cas.verify.outcome import Verdict
 from tests.sample import sampled
 
-from .test_reading import TOP, reading, verdicts
+from .test_reading import TOP, reading, roles, verdicts
 
 OSCILLATOR = r"""
 \section{A point} It moves by
@@ -129,3 +129,43 @@ Let $k=4$. Then $E=v^2+4u^2$ is an integral.
 def test_a_case_is_over_where_a_later_paragraph_has_another_one(between, claim, green):
     found = verdicts(CASE + between + rf" \[ {claim} . \]")[claim]
     assert found.green is green and (green or found is Verdict.UNDECIDED)
+
+
+DAMPED = r"The equations are $$\dot x=hy-ax+yz,\quad\dot y=hx-by-xz,\quad\dot z=-cz+xy.$$ "
+
+
+@pytest.mark.parametrize(
+    ("words", "green"),
+    [
+        (r"\section{The case of equal damping} If $a=b=c=\nu$, then the waves are alike. Let $f=x^2-y^2-2z^2$. We find $$\dot f=-2\nu f.$$", True),
+        (r"\section{On the waves} If $a=b=c=\nu$, then the waves are alike. Let $f=x^2-y^2-2z^2$. We find $$\dot f=-2\nu f.$$", False),
+        (r"$1^\circ$. If $a=b=c=\nu$, then $f=x^2-y^2-2z^2$ satisfies $$\dot f=-2\nu f.$$", True),
+        (r"\section{The case of equal damping} If $a=b=c=\nu$, then the waves are alike. Let $f=x^2-y^2-2z^2$. We find $$\dot f=-3\nu f.$$", False),
+    ],
+)  # fmt: skip
+def test_a_case_that_a_heading_names_is_supposed_in_its_section(words, green):
+    assert [one.green for one in verdicts(DAMPED + words).values()] == [green]
+
+
+SWING = r"One obtains $$\ddot x=-k^2\sin x"
+
+
+@pytest.mark.parametrize(
+    ("words", "green"),
+    [
+        (rf"A pendulum has the length $l$. We measure $x$ from the vertical, and $k^2=g/l$. {SWING}.$$", True),
+        (rf"{SWING},$$ $k^2=g/l$.", True),
+        (rf"{SWING}.$$ Let $g=2l$. Hence $k^2=g/l$.", False),
+    ],
+)  # fmt: skip
+def test_the_square_of_a_constant_is_given_by_what_is_new(words, green):
+    claim = r" The energy $h=\frac12\dot x^2-\frac gl\cos x$ is an integral."
+    assert [*verdicts(words + claim).values()][-1].green is green
+
+
+def test_constants_behind_a_formula_have_the_sign_that_is_printed():
+    found = roles(
+        r"If the body is symmetric, then the energy is $$H=\frac12\sum_{i=1}^2a_ix_i^2,\qquad a_i>0.$$"
+        r"The equations are $$\dot x_1=a_2x_2,\qquad\dot x_2=-a_1x_1.$$"
+    )
+    assert found["a_i>0"] == ASSUMPTION

@@ -50,6 +50,7 @@ from kowalevski_cas.paper.claims.poisson import Casimir as Casimir
 from kowalevski_cas.paper.claims.poisson import Involution as Involution
 from kowalevski_cas.paper.claims.poisson import Jacobi as Jacobi
 from kowalevski_cas.paper.claims.poisson import LiouvilleIntegrable as LiouvilleIntegrable
+from kowalevski_cas.paper.claims.poisson import OfAllFunctions as OfAllFunctions
 from kowalevski_cas.paper.claims.reality import Reality as Reality
 from kowalevski_cas.paper.claims.scaling import Scaling as Scaling
 from kowalevski_cas.paper.claims.solutions import EqualSolutions as EqualSolutions

@@ -6,7 +6,7 @@ The bracket is the one that the scene prints for its variables.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import combinations
+from itertools import combinations, pairwise
 
 from kowalevski_cas.notation import (
     Formula,
@@ -18,9 +18,11 @@ from kowalevski_cas.notation import (
     times,
     total,
 )
+from kowalevski_cas.notation.edits import substitute
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.first_integral import FirstIntegral
 from kowalevski_cas.paper.claims.forms import function, rate, vanishes
+from kowalevski_cas.paper.components import sides
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.names import BRACKET, head
@@ -74,6 +76,21 @@ class Involution(Claim):
 
     def establishes(self) -> Iterator[Printed]:
         yield from self.functions
+
+
+class OfAllFunctions(Claim):
+    r"""What is printed of any function, its rate or its brackets, holds for every variable.
+
+    Both derive: so :math:`\dot f=\{f,H\}` holds for all functions f, whose name is ``of``.
+    """
+
+    of: str
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        space = on(self.scene)
+        members = on.texts.relation(self.own).members
+        chains = ([substitute(m, {self.of: Name(x)}) for m in members] for x in space.variables)
+        yield identity(space, *(pair for one in chains for pair in pairwise(sides(one, space))))
 
 
 class LiouvilleIntegrable(Claim):
