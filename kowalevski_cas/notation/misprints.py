@@ -290,18 +290,21 @@ def _additions(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> I
     if not _prints(node) or isinstance(node, Negative | Quotient):
         return
     factors = factors_of(node)
-    letters = [k for k, one in enumerate(factors, 1) if _is_letter(one)]
-    number = int(isinstance(factors[0], Number) or _is_fraction(factors[0]))
-    first = max(letters, default=number)
+    if all(isinstance(factor, Name | Number | Power) for factor in factors):
+        first = len(factors)
+    else:
+        first = int(isinstance(factors[0], Number) or _is_fraction(factors[0]))
     tex = to_latex(node)
     for name in names:
+        alike = [k for k, one in enumerate(factors, 1) if _has_letter(one, symbol(name).head)]
+        at = max(alike, default=first)
         words = f"insert the factor ${name}$ in ${tex}$"
-        yield "missing", place.path, times(*factors[:first], Name(name), *factors[first:]), words
+        yield "missing", place.path, times(*factors[:at], Name(name), *factors[at:]), words
 
 
-def _is_letter(factor: Formula) -> bool:
-    """Whether a factor is a name, a power of one, or a number: other letters stand behind it."""
-    return isinstance(factor.base if isinstance(factor, Power) else factor, Name | Number)
+def _has_letter(factor: Formula, letter: str) -> bool:
+    """Whether a factor is a name with a letter, perhaps with another index."""
+    return isinstance(factor, Name) and symbol(factor.name).head == letter
 
 
 def _partials(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:

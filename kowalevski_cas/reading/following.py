@@ -21,11 +21,12 @@ from kowalevski_cas.notation import (
     Number,
     Partial,
     Relation,
+    Root,
     Sum,
     Vocabulary,
     to_latex,
 )
-from kowalevski_cas.notation.edits import replace
+from kowalevski_cas.notation.edits import replace, subtree
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.free_formulas import free_formulas, single_functions
@@ -38,7 +39,9 @@ from kowalevski_cas.reading.variational import rates_behind, says_rates
 from kowalevski_cas.verify.vacuous import is_trivial
 
 _ANOTHER = re.compile(
-    r"\b(?:instead|replac\w+|without|twice|double\w*|half(?![\s-]ax)|(?<!each\s)other|another|new)\b"
+    r"\b(?:instead|replac\w+|without|twice|double\w*|half(?![\s-]ax)|(?<!each\s)other|another|new"
+    r"|inverted|upside|opposite|revers\w+"
+    r"|(?:second|third)\s+(?:spring|mass|bod(?:y|ies)|force|particle|charge|case))\b"
     r"|\b(?:вместо|замен\w+|друг\w+|нов\w+|вдвое)\b",
     re.IGNORECASE,
 )
@@ -208,6 +211,8 @@ class _Section:
                     continue
                 if lost and not lost.isdisjoint(edited.names()):
                     continue
+                if kind == "sign" and before.squared and _has_root(subtree(formula, path)):
+                    continue  # of a square the root may be either
                 possible = may_be(formula, slip, lost) and not is_trivial(edited)
                 if possible and DerivationStep(edited, before).follows():
                     order = not new.names() <= own, path[:1] == (0,), KINDS.index(kind), place
@@ -221,6 +226,10 @@ class _Section:
         others = (one.names for one in self.known.items if one.formula != step.formula)
         lost = own - left - step.before.known - set[str]().union(*others) - {PI, INFINITE}
         return frozenset(lost if len(lost) == 1 and step.before.known else ())
+
+
+def _has_root(node: Formula) -> bool:
+    return any(isinstance(one, Root) for one in node.nodes())
 
 
 def _says(item: SourceStatement, formula: Formula, known: Known) -> bool:
