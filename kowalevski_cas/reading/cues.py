@@ -45,7 +45,8 @@ CUES: dict[str, str] = {
         \bfor(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?\s*$ \bput\b(?!\s+together) \bsetting\b
         (?:we|us|and|now|^\s*)\s*set\s*$
         provided choos\w+ choice as\s+long\s+as
-        \bunder\b in\s+the\s+case \bcase\b restrict\w+ \bconsider\b \bwith\b(?!\s+respect)
+        \bunder\b in\s+the\s+case \bcase\b restrict\w+ \bconsider\b
+        (?<!involution\s)(?<!commutes\s)(?<!coincides\s)(?<!agrees\s)(?<!identical\s)\bwith\b(?!\s+respect)
         on\s+the\s+(?:\w+\s+)?levels? пусть предполож\w+ полож\w+ полага\w+ если при\s*$ допуст\w+
         в\s+случае \bпока\b будем\s+считать считая возьм\w+ выбер\w+ \bпри\b""",
     "ansatz": r"""

@@ -22,6 +22,7 @@ from kowalevski_cas.reading.brackets import OF_FUNCTIONS
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.fresh import (
     is_called_constant,
+    is_constant_behind,
     is_fresh,
     is_given_behind,
     without_factor,
@@ -249,6 +250,7 @@ def square(item: SourceStatement, known: Known) -> StatementRole | None:
     first = item.members[0] == Power(Name(fresh[0]), Number(2))
     claimed = _integral_further_off(item, known) if first else integral_words(item)
     claimed = claimed or words_behind(item, "integral")
+    claimed = claimed or ("constant" if is_constant_behind(fresh[0], item, known) else "")
     if claimed:
         return StatementRole(
             CLAIM,

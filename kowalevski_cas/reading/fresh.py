@@ -106,6 +106,21 @@ def is_called_constant(name: str, item: SourceStatement, known: Known) -> bool:
     return any(cue("a constant", lead[-40:]) for lead in leads)
 
 
+_WITH_CONSTANT = re.compile(
+    r"\s*,?\s*(?:with|where|for)\s+(?:an?|some)\s+(?:\w+\s+)?constant\s*$"
+    r"|\s*,?\s*(?:с|где)\s+(?:\w+\s+)?постоянн\w+\s*$",
+    re.IGNORECASE,
+)
+"""The words between a value and its name that call it constant: “with a constant c”."""
+
+
+def is_constant_behind(name: str, item: SourceStatement, known: Known) -> bool:
+    """Whether the words right behind a statement call a name in it a constant."""
+    behind = (one for one in known.of_sentence(item.sentence) if one.order > item.order)
+    first = next(behind, None)
+    return first is not None and name in first.names and bool(_WITH_CONSTANT.match(first.lead))
+
+
 def is_given_behind(name: str, item: SourceStatement, known: Known) -> bool:
     """Whether a function on a right side is what its sentence gives behind, at its argument."""
     function, arguments = head(name)

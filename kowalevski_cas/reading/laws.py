@@ -60,6 +60,18 @@ def find_laws(paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] 
     return found or free_motion(paper, names)
 
 
+def _names_integral(row: SourceStatement, rows: Sequence[SourceStatement]) -> bool:
+    r"""Whether a row names what has a rate of zero, as J in :math:`J=r^2\dot\varphi, \dot J=0`.
+
+    Other rows say how what is derived there moves.
+    """
+    if not isinstance(row.members[0], Name):
+        return False
+    own = [one for one in rows if row.bare[0] in one.rates]
+    others = {name for one in rows if one is not row and one not in own for name in one.rates}
+    return all(Number(0) in one.members for one in own) and {*row.rates} <= others
+
+
 def is_of_second_order(law: Law) -> bool:
     """Whether a law has the second derivatives of all that moves, and no higher ones."""
     orders = {x: order for row in law.rows for x, order in row.rates.items()}
@@ -107,8 +119,7 @@ class _LawFinder:
             for row in rows
             if not others or not is_by_own_bracket(row) or others & row.rates.keys()
         ]
-        # what only has a rate of zero, as J in \dot J=0, may be an integral with its definition
-        rated = {name for row in rows if Number(0) not in row.members for name in row.rates}
+        rated = {name for row in rows for name in row.rates}
         rows = [
             row
             for row in rows
@@ -117,6 +128,7 @@ class _LawFinder:
             or _is_driven(row)
             or _is_pushed(row, rows)
         ]
+        rows = [row for row in rows if not _names_integral(row, rows)]
         entries = rows_of_matrices(paper, rows)
         rows = [one for row in rows for one in entries.get(row, [row])]
         self.rows = [*rows, *rows_of_differentials(paper)]

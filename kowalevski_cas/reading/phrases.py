@@ -100,7 +100,7 @@ def reach(item: SourceStatement) -> str:
     """How far it reaches what is supposed of what moves."""
     if cue("here", f"{item.before} ") or (is_conditional(item) and cue("then", item.tail[:12])):
         return "set of the sentence"
-    return "set in force" if cue("suppose", item.lead) else "set"
+    return "set in force" if cue("suppose", f"{joined_lead(item)} ") else "set"
 
 
 _AT = re.compile(r"\b(?:at|в\s+точке)[\s~]*$", re.IGNORECASE)
@@ -125,6 +125,10 @@ _SEVERAL = re.compile(
     r"\b(?:integrals|constants\s+of\s+(?:the\s+)?motion|интегралы)\s*$", re.IGNORECASE
 )
 """How words end behind which several integrals are listed."""
+_LISTED = re.compile(
+    r"\b(?:integrals|интегралы)\s*(?:are|:|[-—–]+)?\s*(?:§[\s,;]*)+(?:and|и)\s*$", re.IGNORECASE
+)
+"""How words end behind which the last of several integrals stands."""
 
 
 def integral_words(item: SourceStatement) -> str:
@@ -142,7 +146,9 @@ def integral_words(item: SourceStatement) -> str:
         return said
     if item.typed.inline:
         listed = joined_lead(item)
-        return cue("integral", last_clause(listed)) if _SEVERAL.search(listed) else ""
+        if _SEVERAL.search(listed):
+            return cue("integral", last_clause(listed))
+        return cue("integral", item.before) if _LISTED.search(item.before) else ""
     return (
         cue("integral", item.before) if item.lead.strip(" ,;") in ("", "and") else announced(item)
     )

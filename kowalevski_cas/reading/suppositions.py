@@ -109,10 +109,13 @@ def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
     """What is supposed of constants, in force to the end of the section."""
     if not item.members or item.derives:
         return None
-    if known.varying(item.names - {*item.bare} - known.levels):
-        return None
     moving = [name for name in item.bare if known.moves(name)]
     said = supposing(item)
+    if moving and said and item.typed.inline and all(map(known.moves, item.names)):
+        words = f"“{said}” supposes it of what moves"  # as x=-y, between variables alone
+        return StatementRole(ASSUMPTION, words, reach(item), tuple(moving))
+    if known.varying(item.names - {*item.bare} - known.levels):
+        return None
     others = [member for member in item.members if not isinstance(member, Name)]
     names_of = {name for member in others for name in member.names()}
     below = {inner for name in names_of for inner in known.below(name)}

@@ -95,6 +95,9 @@ def near_rest():
     plane.states(kinds.Frequency, "frequency", "", printed="4", relations=rest, is_square=True)
     about = {"relations": rest, "variable": "s"}
     plane.states(kinds.CharacteristicEquation, "characteristic", "", printed="3s^2=-12", **about)
+    plane.states(
+        kinds.TraceOrDeterminant, "determinant", "", printed="4", relations=rest, is_trace=False
+    )
     matrix = r"\begin{pmatrix}0&-2\\2&0\end{pmatrix}"
     plane.states(kinds.LinearPart, "linear-part", "", printed=matrix, relations=rest)
     return replace(derivation(plane.section), name="near-rest")
@@ -107,7 +110,15 @@ def grown():
     return replace(derivation(plane.section), name="grown")
 
 
-OWN = (free_body(), rotation(), flow(), near_rest(), grown())
+def canonical():
+    """A claim about any function."""
+    pair = System(r"\dot q=p,\quad \dot p=-2q").having("f")
+    pair.define(r"\{q,p\}=1,\quad H=\frac{1}{2}p^2+q^2")
+    pair.states(kinds.OfAllFunctions, "form", "", printed=r"\dot f=\{f,H\}", of="f")
+    return replace(derivation(pair.section), name="canonical")
+
+
+OWN = (canonical(), free_body(), rotation(), flow(), near_rest(), grown())
 SESSIONS = {one.name: Session(one, ["flint"]) for one in (*map(load, available()), *OWN)}
 CLAIMS = {
     (name, claim.id): claim for name in SESSIONS for claim in SESSIONS[name].derivation.claims

@@ -169,3 +169,34 @@ def test_constants_behind_a_formula_have_the_sign_that_is_printed():
         r"The equations are $$\dot x_1=a_2x_2,\qquad\dot x_2=-a_1x_1.$$"
     )
     assert found["a_i>0"] == ASSUMPTION
+
+
+PAIR = r"Consider $$a_1'=a_1(b_2-b_1),\quad a_2'=a_2(b_1-b_2),\quad b_1'=2(a_1^2-a_2^2),\quad b_2'=2(a_2^2-a_1^2).$$ "
+
+
+@pytest.mark.parametrize(
+    ("words", "green"),
+    [
+        (r"In the motions with $b_2=-b_1$, $a_2=0$ we have $b_1^2+a_1^2=c^2$ with a constant $c>0$.", True),
+        (r"In the motions with $b_2=-b_1$, $a_2=0$ we have $b_1^2-a_1^2=c^2$ with a constant $c>0$.", False),
+        (r"In the motions with $b_2=-b_1$ we have $b_1^2+a_1^2=c^2$ with a constant $c$.", False),
+        (r"If $a_1=a_2$, then $b_1'=0$.", True),
+        (r"If $a_1=-a_2$, then $b_1'=a_1$.", False),
+    ],
+)  # fmt: skip
+def test_equations_between_variables_are_supposed_and_a_constant_is_called_so_behind(words, green):
+    assert [one.green for one in verdicts(PAIR + words).values()] == [green]
+
+
+def test_what_commutes_with_the_energy_is_claimed():
+    brackets = r"Let $\{q,p\}=1$, $H=\frac12p^2+\frac12q^2$. "
+    law = r"The equations are $$\dot q=p,\qquad\dot p=-q.$$ "
+    for given, green in (("H^2", True), ("qp", False)):
+        text = rf"{law}{brackets}The function $I={given}$ is in involution with the energy: $\{{H,I\}}=0$."
+        assert [one.green for one in verdicts(text).values()] == [green]
+
+
+def test_the_last_of_several_integrals_may_stand_among_words():
+    law = r"Consider $$\dot x=y z,\quad\dot y=-2x z,\quad\dot z=xy.$$ The integrals are $$2x^2+y^2=h,$$ and ${}$."
+    for printed, green in ((r"x^2-z^2=1", True), (r"x^2+z^2=1", False)):
+        assert [one.green for one in verdicts(law.replace("{}", printed)).values()] == [True, green]
