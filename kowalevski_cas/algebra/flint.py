@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import copyreg
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -43,6 +43,12 @@ def coefficients(
         others = tuple(0 if k in places else e for k, e in enumerate(exponents))
         groups.setdefault(key, {})[others] = value
     return {key: polynomial.context().from_dict(terms) for key, terms in groups.items()}
+
+
+def with_values(polynomial: fmpq_mpoly, values: Mapping[int, int]) -> fmpq_mpoly:
+    """A polynomial with numbers for the variables at some places."""
+    names = polynomial.context().names()
+    return polynomial.subs({names[place]: value for place, value in values.items()})
 
 
 class Arithmetic(Polynomials):

@@ -13,6 +13,9 @@ from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.outcome import FALSE_AS_READ, Correction, Outcome, Verdict, in_latex
 from kowalevski_cas.verify.run import Session, correct_together
 
+AS_FREE = "taken as free"
+"""The words for letters of which nothing is known."""
+
 SECONDS = 2.0
 """For the search of what would mend a claim."""
 
@@ -51,7 +54,7 @@ def how_read(formula: JudgedStatement, known: Known) -> str:
     names = " and ".join(filter(None, [", ".join(f"${n}$" for n in free[:-1]), f"${free[-1]}$"]))
     was, them = ("was", "it") if len(free) == 1 else ("were", "them")
     ties = f" or ties {them} to the motion" if known.laws else ""
-    return f"{FALSE_AS_READ}: {names} {was} taken as free, since no equation defines {them}{ties}"
+    return f"{FALSE_AS_READ}: {names} {was} {AS_FREE}, since no equation defines {them}{ties}"
 
 
 def is_false_as_read(outcome: Outcome) -> bool:

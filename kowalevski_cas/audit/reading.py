@@ -94,7 +94,8 @@ class ReadingSession:
         found = {outcome.claim: self._blaming(outcome) for outcome in run.outcomes}
         self._mend(found)
         self._doubt(found)
-        self.repairs = repairs_of_doubted(self._session, found, self.causes.places)
+        explained = {*self.causes.places, *self._searched}
+        self.repairs = repairs_of_doubted(self._session, found, explained)
         return {id: self._told(outcome) for id, outcome in found.items()}
 
     def _told(self, outcome: Outcome) -> Outcome:
@@ -167,6 +168,13 @@ class ReadingSession:
         apart = (SAID, OF_ENERGY)
         in_words = (f for f in self.reading.statements if f.role.kind not in apart)
         return [f.claim.id for f in in_words if f.claim is not None]
+
+    @property
+    def _searched(self) -> set[str]:
+        """The claims for which a repair is sought as for what is refuted: no other one is there."""
+        doubts = self.interpretation.derivation.doubts
+        certain = {id for id, doubt in doubts.items() if doubt is Doubt.UNLESS_MENDED}
+        return certain.difference(self._in_words)
 
     @property
     def _lost(self) -> dict[str, frozenset[str]]:

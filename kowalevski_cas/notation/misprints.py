@@ -42,7 +42,7 @@ HALF = Quotient(ONE, TWO)
 _WHOLE = (Relation, Sum, Negative, Quotient, Root, RealPart, ImaginaryPart, Conjugate)
 
 
-_SQUARED = (Name, Derivative, Modulus)
+_SQUARED = (Name, Derivative, Modulus, Application)
 """Of what the square may be meant."""
 
 Misprint = tuple[str, Path, Formula, str]
@@ -138,6 +138,8 @@ def _signs(place: _NodePlace) -> Iterator[Misprint]:
     node = place.node
     if isinstance(node, Negative):
         yield "sign", place.path, node.argument, _sign_of(node.argument)
+    elif isinstance(place.parent, Application) and place.parent.function == r"\exp":
+        yield "sign", place.path, Negative(node), _sign_of(node)
     elif _term(place) and not isinstance(place.parent, Negative):
         if isinstance(place.parent, Sum) or not isinstance(node, Sum):
             yield "sign", place.path, Negative(node), _sign_of(node)
@@ -232,9 +234,17 @@ def _coefficients(place: _NodePlace) -> Iterator[Misprint]:
     elif _term(place) and not isinstance(node, Sum | Number):
         factors = factors_of(node)
         if not isinstance(factors[0], Number) and not _is_fraction(factors[0]):
-            for number in (TWO, HALF):
-                words = f"insert ${to_latex(number)}$ before ${to_latex(node)}$"
-                yield "coefficient", place.path, times(number, *factors), words
+            yield from _new_coefficients(place.path, node)
+
+
+def _new_coefficients(path: Path, node: Formula) -> Iterator[Misprint]:
+    """Twice a term that has no coefficient, and half of it, also with the number below."""
+    for number in (TWO, HALF):
+        words = f"insert ${to_latex(number)}$ before ${to_latex(node)}$"
+        yield "coefficient", path, times(number, *factors_of(node)), words
+    if isinstance(node, Quotient) and not isinstance(node.denominator, Number):
+        below = Quotient(node.numerator, times(TWO, *factors_of(node.denominator)))
+        yield "coefficient", path, below, _read(node, below)
 
 
 def _is_fraction(node: Formula | None) -> TypeGuard[Quotient]:
@@ -286,8 +296,15 @@ def _additions(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> I
         first = int(isinstance(factors[0], Number) or _is_fraction(factors[0]))
     tex = to_latex(node)
     for name in names:
+        alike = [k for k, one in enumerate(factors, 1) if _has_letter(one, symbol(name).head)]
+        at = max(alike, default=first)
         words = f"insert the factor ${name}$ in ${tex}$"
-        yield "missing", place.path, times(*factors[:first], Name(name), *factors[first:]), words
+        yield "missing", place.path, times(*factors[:at], Name(name), *factors[at:]), words
+
+
+def _has_letter(factor: Formula, letter: str) -> bool:
+    """Whether a factor is a name with a letter, perhaps with another index."""
+    return isinstance(factor, Name) and symbol(factor.name).head == letter
 
 
 def _partials(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:

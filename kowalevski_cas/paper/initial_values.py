@@ -19,6 +19,8 @@ _AT_START = re.compile(
     re.ASCII,
 )
 """What moves, at the time at which it begins to, on the left of its value."""
+_ANY = re.compile(rf"(?P<left>{RATE}|{NAME})(?P<behind>\s*\(\s*t\s*\))", re.ASCII)
+"""A name at the time t."""
 
 
 def at_the_beginning(tex: str, moving: Collection[str]) -> tuple[str, dict[int, str]]:
@@ -36,6 +38,19 @@ def at_the_beginning(tex: str, moving: Collection[str]) -> tuple[str, dict[int, 
             tex = tex[:start] + statement + tex[end:]
             times[start] = time
     return tex, times
+
+
+def at_any_time(tex: str, moving: Collection[str]) -> str:
+    r"""A display in which what moves stands without its time; it is as long as before.
+
+    >>> at_any_time(r"x(t) = x_0 + f(t)", {"x"})
+    'x    = x_0 + f(t)'
+    """
+    for found in _ANY.finditer(tex):
+        if names_in(found["left"]) <= {*moving}:
+            start, end = found.span("behind")
+            tex = tex[:start] + " " * (end - start) + tex[end:]
+    return tex
 
 
 def _without_time(statement: str, moving: Collection[str]) -> tuple[str, str, str]:

@@ -17,6 +17,9 @@ from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Adjoined, Contradictory, Meaningless, Space
 
+POSITIVE_AT = (1, -2)
+"""The first coordinates of points at which it is looked whether something is positive."""
+
 
 def validate(setting: Meaning) -> None:
     """Raise :class:`Meaningless` for a setting in which anything or nothing could be shown."""
@@ -96,10 +99,26 @@ def _roots(setting: Meaning) -> None:
         # a real root of what is negative leaves no real point, and of none everything is true
         if name == "i" or name in paired:
             continue
-        parts = _in_real_names(setting, -radicand).terms()
-        if parts.keys() == {0} and sum_of_squares(parts[0]) is not None:
+        square = _in_real_names(setting, radicand)
+        if _is_nowhere_positive(square):
             what = f"{name} is real, and its square is nowhere positive"
             raise _refuse(setting, what, "print it with $i$, or mend the radicand", name)
+
+
+def _is_nowhere_positive(square: Element) -> bool:
+    """Whether what a root is taken of is a sum of squares with another sign.
+
+    It is none if it is positive somewhere, which a few points tell sooner.
+    """
+    if square.parts.keys() != {0}:
+        return False
+    polynomials = square.ring.polynomials
+    for first in POSITIVE_AT:
+        numbers = [polynomials.constant(first + k) for k, _ in enumerate(polynomials.generators)]
+        value = polynomials.substitution(numbers, polynomials)(square.parts[0])
+        if any(number > 0 for number in polynomials.terms(value).values()):
+            return False
+    return sum_of_squares((-square).terms()[0]) is not None
 
 
 def _values(setting: Meaning) -> None:

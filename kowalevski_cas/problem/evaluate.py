@@ -169,7 +169,8 @@ class Evaluation(Fold):
     def _roots_of(self, value: Element, argument: Formula) -> list[str]:
         # A printed root is not negative; a name with the same square may be.
         names = sorted(self.roots, key=lambda name: not name.startswith(r"\sqrt"))
-        if found := [name for name in names if (self.roots[name] - value).is_zero]:
+        squares = ((name, self.roots[name]) for name in names)
+        if found := [name for name, of in squares if of is value or (of - value).is_zero]:
             return found
         raise Meaningless(f"no root of {to_latex(argument)} is declared here")
 

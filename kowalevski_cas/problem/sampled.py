@@ -16,7 +16,7 @@ from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.fold import Value
 from kowalevski_cas.problem.prune import Reach
-from kowalevski_cas.problem.space import Equation, Step
+from kowalevski_cas.problem.space import Adjoined, Equation, Step
 
 
 def solved_equations(given: Sequence[Equation], exact: Evaluation) -> dict[str, Formula] | None:
@@ -58,12 +58,23 @@ class Sampled(Evaluation):
             self._values[name, False] = self.programs.generator(name)
         values = {name: exact.scalar(value) for name, value in given.items()}
         self._values |= {(name, False): self.carry(value) for name, value in values.items()}
-        ring = exact.ring
-        for name, radicand, below in zip(ring.roots, ring.radicands, ring.below, strict=True):
-            generator = self.programs.adjoin(name, self.carry(radicand))
-            value = generator if below is None else generator * self.carry(below).inverse()
-            self._values[name, False] = value
-        self.roots = {name: self.carry(square) for name, square in exact.roots.items()}
+        for name, below in zip(exact.ring.roots, exact.ring.below, strict=True):
+            square, divisor = self._square(name), self.carry(below or exact.ring.one)
+            generator = self.programs.adjoin(name, square * divisor**2)
+            self._values[name, False] = generator * divisor.inverse()
+        self.roots = {name: self._square(name) for name in exact.roots}
+
+    def _square(self, name: str) -> Program:
+        """What a root is taken of, as it is written, which is short where its value is not."""
+        step = self.exact.setting.step(name)
+        assert isinstance(step, Adjoined)
+        square = self.scalar(step.square)
+        assert isinstance(square, Program)
+        return square
+
+    def _roots_of(self, value: Element, argument: Formula) -> list[str]:
+        """Which roots these are tell points as soon as all roots are there."""
+        return super()._roots_of(value, argument) if self.roots else self.exact.root_names(argument)
 
     def __call__(self, formula: Formula, conjugated: bool = False) -> Value:
         key = (id(formula), conjugated)
@@ -89,10 +100,18 @@ class Sampled(Evaluation):
 
     @property
     def rates(self) -> Field:
-        """The vector field, as the exact evaluation derives it."""
+        """The vector field; after a change, and of roots, as the exact evaluation derives it."""
+        if self._is_printed:
+            return super().rates
         if self._rates is None:
             self._rates = {name: self.carry(rate) for name, rate in self.exact.rates.items()}
         return self._rates
+
+    @property
+    def _is_printed(self) -> bool:
+        """Whether equations of motion give all rates, and none of a root."""
+        moving = {name for row in self.setting.field for name in row.names}
+        return self.setting.change is None and moving == {*self.setting.variables}
 
     @property
     def time_sign(self) -> int:

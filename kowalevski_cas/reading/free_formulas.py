@@ -8,7 +8,7 @@ behind a letter are arguments, and so is what always stands in brackets behind a
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -77,12 +77,28 @@ def free_formulas(
             found[one] = one.formula
             if tex == one.printed.display.tex and "d" not in one.names:
                 continue
-        for own in (words, _with_one_component(words)):
+        for own in (
+            words,
+            _with_one_component(words),
+            _with_functions(words, single_functions(paper)),
+        ):
             with suppress(NotationError, RecursionError, IndexError):
                 found[one] = _read(tex, one.printed.number, own)
                 break
     alone = any(Name(_DELTA) in _alone(tree) for tree in found.values())
     return found if alone else {one: _with_differences(tree) for one, tree in found.items()}
+
+
+def single_functions(paper: SourcePaper) -> dict[str, str]:
+    """The unknown functions of one argument, by their names, with what they are functions of."""
+    every = {name: {one.by for one in own} for name, own in paper.functions_by_name.items()}
+    return {name: by[0] for name, own in every.items() for by in own if len(own) == len(by) == 1}
+
+
+def _with_functions(words: Vocabulary, functions: Collection[str]) -> Vocabulary:
+    """The names, with functions that stand at other arguments as well, as F(1/u)."""
+    names = frozenset(functions)
+    return replace(words, functions=words.functions | names, scalars=words.scalars - names)
 
 
 def _with_one_component(words: Vocabulary) -> Vocabulary:

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from kowalevski_cas.notation import Derivative, Formula, Name, NotationError, Relation
 from kowalevski_cas.paper.chains import NAME, names_in
-from kowalevski_cas.paper.initial_values import at_the_beginning, names_under_dots
+from kowalevski_cas.paper.initial_values import at_any_time, at_the_beginning, names_under_dots
 from kowalevski_cas.reading.cues import cue, last_cue
 from kowalevski_cas.source.displays import TypedFormula
 
@@ -27,7 +27,10 @@ def moving_names(formulas: Sequence[TypedFormula]) -> frozenset[str]:
 def with_initial_values(
     formulas: Sequence[TypedFormula], moving: Collection[str]
 ) -> tuple[list[TypedFormula], Mapping[int, Mapping[int, str]]]:
-    """The formulas, with initial values without their time, and where these stand in each."""
+    """The formulas, with initial values without their time, and where these stand in each.
+
+    Beside them x(t) is no function that has values for arguments only.
+    """
     found, places = [], dict[int, dict[int, str]]()
     for formula in formulas:
         tex, times = formula.tex, dict[int, str]()
@@ -35,6 +38,8 @@ def with_initial_values(
             tex, times = at_the_beginning(tex, moving)
         found.append(replace(formula, tex=tex) if times else formula)
         places[formula.start] = times
+    if any(places.values()):
+        found = [replace(formula, tex=at_any_time(formula.tex, moving)) for formula in found]
     return found, places
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Sequence
 
 from kowalevski_cas.notation import Name, Number, PoissonBracket, Sum, Vector
@@ -124,6 +125,13 @@ def _is_changed(law: Law, implied: Sequence[Law]) -> bool:
     return any({*law.variables} <= {*one.new} for one in implied)
 
 
+_MOVES = re.compile(
+    r"\b(?:falls?|moves?|obeys?|equations?\s+of\s+motion|пада[ею]т|движ[еу]тся|уравнени\w+\s+движения)\b",
+    re.IGNORECASE,
+)
+"""Words for how a body moves."""
+
+
 class _LawFinder:
     """The equations with rates of a paper, and which of them belong together."""
 
@@ -142,7 +150,12 @@ class _LawFinder:
         rated = {name for row in rows for name in row.rates}
         given = rated | paper.functions_by_name.keys()
         rows = [
-            row for row in rows if not {*row.bare[:1]} - given or self._told(row) or _is_driven(row)
+            row
+            for row in rows
+            if not {*row.bare[:1]} - given
+            or self._told(row)
+            or _is_driven(row)
+            or _is_pushed(row, rows)
         ]
         rows = [row for row in rows if not _names_integral(row, rows)]
         entries = rows_of_matrices(paper, rows)
@@ -486,6 +499,22 @@ def _is_driven(row: SourceStatement) -> bool:
         node for term in driven for node in (term, *term.children()) if not highest_order(node)
     )
     return bool(driven) and not any(node.names() & {*row.rates} for node in outside)
+
+
+def _is_pushed(row: SourceStatement, rows: Sequence[SourceStatement]) -> bool:
+    r"""Whether an acceleration alone is that by a force, as in :math:`m\ddot x=F`, and no name.
+
+    The force acts back on another body beside it, or words say that the body falls, or moves so,
+    and nothing else says how.
+    """
+    if len(row.rates) != 1 or len(row.members) != 2 or highest_order(row.members[0]) != 2:
+        return False
+    others = [one for one in rows if one is not row]
+    reacting = (one for one in others if one.typed is row.typed and {*row.bare} & one.names)
+    if any(one.rates.keys().isdisjoint(row.rates) for one in reacting):
+        return True
+    alone = all(one.rates.keys().isdisjoint(row.rates) for one in others)
+    return alone and bool(_MOVES.search(row.lead)) and not cue("integral", row.words)
 
 
 def _is_joined(one: SourceStatement, other: SourceStatement) -> bool:

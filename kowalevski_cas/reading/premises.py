@@ -6,6 +6,8 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from itertools import pairwise
 
+from flint import acb
+
 from kowalevski_cas.algebra.keys import Key
 from kowalevski_cas.algebra.quadrature import INTEGRAL
 from kowalevski_cas.algebra.samples import Sample, Valueless, is_zero
@@ -32,8 +34,10 @@ Pair = tuple[Formula, Formula]
 class SolvedSample:
     """A sample at which what stands before a step holds, as far as it can be solved."""
 
-    def __init__(self, sample: Sample, premises: Sequence[Pair]) -> None:
-        self.sample, self.fixed = sample, set[Key]()
+    def __init__(
+        self, sample: Sample, premises: Sequence[Pair], squared: frozenset[str] = frozenset()
+    ) -> None:
+        self.sample, self.fixed, self.squared = sample, set[Key](), squared
         self.given: dict[Key, Formula] = {}
         sample.given = self.given
         rest: list[Pair] = []
@@ -54,9 +58,8 @@ class SolvedSample:
             key = sample.key(left)
             sample.touched = set()
             holds = sample.holds(left, right)
-            fresh = (
-                key is not None and key not in self.determined and not self._derived(key, fields)
-            )
+            bound = self.determined | self.fixed
+            fresh = key is not None and key not in bound and not self._derived(key, fields)
             if fresh:
                 continue
             said, true = True, true and holds
@@ -89,7 +92,10 @@ class SolvedSample:
         return True
 
     def _solve(self, pair: Pair) -> None:
-        """Give what stands linearly in an equation the value by which it holds."""
+        """Give what stands linearly in an equation the value by which it holds.
+
+        Of what is ``squared`` wherever it stands the square is given, and any root of it.
+        """
         sample, (left, right) = self.sample, pair
         sample.touched = set()
         start = sample.value(left) - sample.value(right)
@@ -97,21 +103,40 @@ class SolvedSample:
         if is_zero(start):
             self.fixed |= touched
             return
+        zero: tuple[Key, acb] | None = None
         for key in sorted(touched - self.fixed, key=_solved_first):
-            value, ends = sample.values[key], []
-            for step in (1, 2):
-                sample.values[key] = value + step
-                with suppress(Valueless):
-                    ends.append(sample.value(left) - sample.value(right))
-            sample.values[key] = value
-            if len(ends) < 2 or not is_zero(ends[1] - 2 * ends[0] + start):
+            if (value := self._root(key, pair, start)) is None:
                 continue
-            slope = ends[0] - start
-            if not is_zero(slope):
-                sample.values[key] = value - start / slope
-                self.determined.add(key)
-                self.fixed |= touched
+            if is_zero(value):  # of an equation in which it is a factor something else is meant
+                zero = zero or (key, value)
+                continue
+            sample.values[key] = value
+            break
+        else:
+            if zero is None:
                 return
+            key, value = zero
+            sample.values[key] = value
+        self.determined.add(key)
+        self.fixed |= touched
+
+    def _root(self, key: Key, pair: Pair, start: acb) -> acb | None:
+        """The value of what stands linearly in an equation, whose sides differ by ``start``."""
+        sample, (left, right) = self.sample, pair
+        value, ends = sample.values[key], []
+        even = len(key) == 1 and key[0] in self.squared
+        for step in (1, 2):
+            sample.values[key] = (value * value + step).sqrt() if even else value + step
+            with suppress(Valueless):
+                ends.append(sample.value(left) - sample.value(right))
+        sample.values[key] = value
+        if len(ends) < 2 or not is_zero(ends[1] - 2 * ends[0] + start):
+            return None
+        slope = ends[0] - start
+        if is_zero(slope):
+            return None
+        solved = (value * value if even else value) - start / slope
+        return solved.sqrt() if even else solved
 
 
 def _solved_first(key: Key) -> tuple[object, ...]:

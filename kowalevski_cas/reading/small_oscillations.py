@@ -23,7 +23,7 @@ FREQUENCY, CHARACTERISTIC = "frequency", "characteristic"
 """The kinds of these claims."""
 
 _SMALL = (
-    r"(?:small|infinitesimal)\s+(?:\w+\s+)?(?:oscillations?|vibrations?|motions|ones)"
+    r"(?:small|infinitesimal|normal)\s+(?:\w+\s+)?(?:oscillations?|vibrations?|modes?|motions|ones)"
     r"|мал\w+\s+колебани\w+"
 )
 _FREQUENCY = (
@@ -36,6 +36,7 @@ _PLACE = (
 _IS = r"(?:is|are|equals?|(?:is|are)\s+given\s+by|равн\w+|есть|суть|[-—–]+)?[\s:,~]*$"
 _OF_SMALL = re.compile(
     rf"\b{_FREQUENCY}\s+(?:of\s+)?(?:the\s+)?(?:{_SMALL}){_PLACE}[\s~]*{_IS}"
+    rf"|\bnormal\s+{_FREQUENCY.replace('squares', 'squares_normal')}[\s~]*{_IS}"
     rf"|\b(?:{_SMALL}){_PLACE}[\s~]+(?:then\s+)?(?:have|has|with|име\w+)\s+(?:then\s+)?(?:the\s+)?"
     rf"{_FREQUENCY.replace('squares', 'squares_behind')}[\s:~]*$",
     re.IGNORECASE,
@@ -109,7 +110,9 @@ def frequency(item: SourceStatement, known: Known) -> tuple[str, str, str] | Non
 def prints_square(item: SourceStatement) -> bool:
     """Whether it is the square of a frequency that a statement prints."""
     found = _OF_SMALL.search(item.before)
-    squares = found is not None and bool(found["squares"] or found["squares_behind"])
+    squares = found is not None and bool(
+        found["squares"] or found["squares_behind"] or found["squares_normal"]
+    )
     return isinstance(item.members[0], Power) if item.members else squares
 
 

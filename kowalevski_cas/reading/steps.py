@@ -8,7 +8,7 @@ from functools import cached_property
 
 from kowalevski_cas.algebra.quadrature import INFINITE
 from kowalevski_cas.algebra.samples import Sample, is_zero
-from kowalevski_cas.notation import Derivative, Formula, Name, Number, Partial
+from kowalevski_cas.notation import Derivative, Formula, Name, Number, Partial, Power
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.premises import NO_VALUE, Pair, SolvedSample, pairs_of, written_out
 
@@ -44,8 +44,22 @@ class PrintedBefore:
     def solved(self, seed: int) -> SolvedSample:
         """A sample at which the premises hold."""
         if seed not in self._solved:
-            self._solved[seed] = SolvedSample(self.sample(seed), self.premises)
+            self._solved[seed] = SolvedSample(self.sample(seed), self.premises, self.squared)
         return self._solved[seed]
+
+    @cached_property
+    def squared(self) -> frozenset[str]:
+        """The names that stand in even powers only: nothing rests on their signs."""
+        powers = (node for node in self.nodes if isinstance(node, Power))
+        even = [
+            node.base.name
+            for node in powers
+            if isinstance(node.base, Name)
+            and isinstance(node.exponent, Number)
+            and node.exponent.value % 2 == 0
+        ]
+        alone = [node.name for node in self.nodes if isinstance(node, Name)]
+        return frozenset(name for name in even if even.count(name) == alone.count(name))
 
     def is_unit(self, name: str) -> bool:
         """Whether a name stands for 0, 1 or -1: nobody sees whether it is a factor."""

@@ -43,7 +43,7 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
         supposed = begun or not claimed or _says_first(item, known)
     if supposed:
         why = "an inequality that is supposed"
-        return StatementRole(ASSUMPTION, why, "inequality", tuple(item.names))
+        return StatementRole(ASSUMPTION, why, "inequality", tuple(sorted(item.names)))
     return StatementRole(CLAIM, "an inequality that is claimed", "inequality")
 
 

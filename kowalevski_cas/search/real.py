@@ -105,6 +105,8 @@ class RealCoordinates:
 
     def split(self, polynomial: fmpq_mpoly) -> list[fmpq_mpoly]:
         """The real and the imaginary part, where they do not vanish."""
+        if not polynomial.degrees()[-1]:  # i stands nowhere
+            return [] if polynomial.is_zero() else [polynomial]
         parts: list[dict[tuple[int, ...], fmpq]] = [{}, {}]
         for exponents, value in polynomial.to_dict().items():
             power = exponents[-1]

@@ -70,10 +70,8 @@ def _solutions(claim: Claim, place: Printed, edit: Edit, on: Elaborations) -> It
     scene = edited.claim.scene
     known = replace(scene, constants=(*scene.constants, UNKNOWN.name))
     statement = Statement(replace(edited.claim, scene=known), on.under(edited.texts))
-    ring = statement.on(known).finder.ring.polynomials
-    unknown = [ring.generators.index(UNKNOWN.name)]
-    for factor in common_factors(statement):
-        if ring.occurring_places(factor) == unknown and factor.total_degree() == 1:
+    for factor in common_factors(statement, {UNKNOWN.name}):
+        if factor.total_degree() == 1:
             slope, rest = factor.coeffs()
             if (value := -rest / slope) > 0:
                 whole = Number(int(value.p))

@@ -6,13 +6,15 @@ the monomials in the variables. Where that vanishes, the identity holds.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from random import Random
 
 from flint import fmpq_mpoly
 
-from kowalevski_cas.algebra.flint import coefficients
+from kowalevski_cas.algebra.flint import with_values
+from kowalevski_cas.algebra.polynomials import Polynomials
 from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, NotationError, to_latex
@@ -25,6 +27,11 @@ from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.problem.goals import Follows
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.statement import Statement
+
+POINTS = 2
+"""At how many points factors are sought."""
+LARGEST = 100
+"""The coordinates of these points are less."""
 
 
 @dataclass(frozen=True)
@@ -74,13 +81,13 @@ def relations(statement: Statement) -> Iterator[ConstantRelation]:
     with suppress(NotationError, Meaningless, ZeroDivisionError):
         space = statement.on(statement.claim.scene)
         named = _named_differences(space)
-        for factor in common_factors(statement):
+        for factor in common_factors(statement, space.constants):
             if not any(all(not divmod(part, factor)[1] for part in parts) for parts in named):
                 yield from _solve(space, factor, statement.claim.scene)
 
 
-def common_factors(statement: Statement) -> Iterator[fmpq_mpoly]:
-    """The irreducible polynomials in constants where all identities of a statement hold.
+def common_factors(statement: Statement, constants: Collection[str]) -> Iterator[fmpq_mpoly]:
+    """The irreducible polynomials in these constants where all identities of a statement hold.
 
     They have several terms, and are of the ring of the scene of its claim.
     """
@@ -91,7 +98,8 @@ def common_factors(statement: Statement) -> Iterator[fmpq_mpoly]:
         if type(goal) is Follows and goal.space is space and not goal.given
         for value in space.finder.differences(goal.conclusions[0])
     ]
-    return _factors(space, [part for value in values for part in value.parts.values()])
+    parts = [part for value in values for part in value.parts.values()]
+    return _factors(space.finder.ring.polynomials, parts, constants)
 
 
 def _named_differences(space: Elaboration) -> list[tuple[fmpq_mpoly, ...]]:
@@ -103,18 +111,24 @@ def _named_differences(space: Elaboration) -> list[tuple[fmpq_mpoly, ...]]:
     return [parts for parts in found if parts]
 
 
-def _factors(space: Elaboration, polynomials: list[fmpq_mpoly]) -> Iterator[fmpq_mpoly]:
-    """The irreducible common factors of polynomials that have constants only, and several terms."""
-    names = space.finder.ring.polynomials.generators
-    moving = [k for k, name in enumerate(names) if name not in space.constants]
-    common = space.finder.ring.polynomials.zero
+def _factors(
+    ring: Polynomials, polynomials: list[fmpq_mpoly], constants: Collection[str]
+) -> Iterator[fmpq_mpoly]:
+    """The irreducible common factors of polynomials that have constants only, and several terms.
+
+    Where all else has values they are factors still: few values leave hardly any others.
+    """
+    moving = [k for k, name in enumerate(ring.generators) if name not in constants]
+    common, random = ring.zero, Random(0)
     for polynomial in sorted(polynomials, key=len):  # most have none, and the shortest tells it
-        for part in coefficients(polynomial, moving).values():
-            common = common.gcd(part)
-            if common.is_constant():
+        for _ in range(POINTS):
+            values = {place: random.randrange(1, LARGEST) for place in moving}
+            common = common.gcd(with_values(polynomial, values))
+            if common.is_constant() and not common.is_zero():
                 return
-    if not common.is_zero():
-        yield from (factor for factor, _ in common.factor()[1] if len(factor) > 1)
+    for factor, _ in [] if common.is_zero() else common.factor()[1]:
+        if len(factor) > 1 and not any(divmod(polynomial, factor)[1] for polynomial in polynomials):
+            yield factor
 
 
 def _solve(space: Elaboration, factor: fmpq_mpoly, scene: Scene) -> Iterator[ConstantRelation]:

@@ -1,6 +1,7 @@
 """One change of one place: every misprint can be made, and every one can be undone."""
 
 import random
+from dataclasses import replace as replace_words
 from itertools import islice
 
 import pytest
@@ -49,6 +50,18 @@ def made(tex, kind, words=WORDS):
 )  # fmt: skip
 def test_edits_of_each_kind(tex, kind, expected):
     assert made(tex, kind) == expected
+
+
+def test_a_function_may_have_lost_its_square_an_exponential_its_sign_and_a_fraction_its_half():
+    words = replace_words(WORDS, functions=frozenset({r"\tan", r"\exp"}))
+    assert r"a = x_1\tan(x_2)^2" in made(r"a = x_1\tan x_2", "exponent", words)
+    assert r"a = \exp(-x_1)" in made(r"a = \exp(x_1)", "sign", words)
+    assert r"a = \frac{x_1}{2x_2}" in made(r"a = \frac{x_1}{x_2}", "coefficient")
+
+
+def test_a_letter_that_is_missing_stands_beside_the_same_letter():
+    assert "a = (y_1 + a)x_1x_2" in made("a = (y_1 + a)x_1", "missing")
+    assert "a = y_1(y_1 + a)a" in made("a = (y_1 + a)a", "missing")
 
 
 def test_a_factor_may_be_missing_in_a_term_a_denominator_and_a_root():

@@ -14,6 +14,7 @@ FREE = r"The equation of motion is \begin{equation}\label{s} \ddot u=-n\sin u .\
 WELL = r"The equations of motion are \begin{equation}\label{w} \dot q=p,\quad \dot p=aq-bq^3-cp .\end{equation} "
 TWO = r"""The equations of motion are \[ 3\ddot u+\ddot v\cos(u-v)-\dot v^2\sin(u-v)+2u-v=0,\quad
 \ddot v+\ddot u\cos(u-v)+\dot u^2\sin(u-v)+v-u=0 .\] """
+COUPLED = r"The equations of motion are \[ \ddot u=-nu+n(v-u),\quad \ddot v=-nv+n(u-v) .\] "
 KINDS = ("characteristic", "frequency")
 
 
@@ -43,8 +44,13 @@ TRUE = [
     FREE + r"The frequency of small oscillations about $u=0$ is $\sqrt n$.",
     FREE + r"Квадрат частоты малых колебаний около $u=0$ равен \[ \nu^2=n .\]",
     r"The equation of motion is \[ \ddot u=-nu .\] The frequency of the small oscillations is \[ \nu^2=n .\]",
+    COUPLED + r"The normal modes have the frequencies \[ \nu_1=\sqrt n,\qquad \nu_2=\sqrt{3n} .\]",
+    COUPLED + r"The normal frequencies are \[ \nu_1=\sqrt n,\qquad \nu_2=\sqrt{3n} .\]",
 ]  # fmt: skip
 FALSE = [
+    COUPLED + r"The normal modes have the frequencies \[ \nu_1=\sqrt n,\qquad \nu_2=\sqrt{2n} .\]",
+    COUPLED + r"The normal modes have the frequencies \[ \nu=3n .\]",
+    COUPLED + r"The normal frequencies are \[ \nu_1=\sqrt n,\qquad \nu_2=3\sqrt n .\]",
     r"The equation of motion is \[ \ddot u=0 .\] The frequency of the small oscillations is \[ \nu^2=0 .\]",
     r"The equation of motion is \[ \ddot u=u .\] The frequency of the small oscillations is \[ \nu^2=-1 .\]",
     r"The equation of motion is \[ \ddot u=0 .\] The characteristic equation is \[ \frac1\mu=0 .\]",
