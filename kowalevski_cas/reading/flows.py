@@ -6,7 +6,8 @@ import re
 
 from kowalevski_cas.notation import Name, Relation
 from kowalevski_cas.paper.claims.measure import DIVERGENCE
-from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
+from kowalevski_cas.reading.known import CLAIM, OTHER, Known, StatementRole
+from kowalevski_cas.reading.measures import with_divergence
 from kowalevski_cas.reading.statements import SourceStatement
 
 _MEASURE = (
@@ -37,11 +38,28 @@ _OF_FIELD = re.compile(
 """How words end behind which stands the divergence of the field."""
 
 
+_IS_MOTION = re.compile(
+    r"\b(?:vector|phase)\s+(?:field|flow|space|volume|fluid)|right[\s-]+(?:hand\s+)?sides?\b"
+    r"|\bflow\b|\b(?:this|our|the)\s+(?:dynamical\s+)?system\b|\bvolumes?\b"
+    r"|векторн\w+\s+пол|фазов|поток|объ[её]м|прав\w+\s+част|(?:этой|данной)\s+систем",
+    re.IGNORECASE,
+)
+"""Words for the field by which a law moves, or for what it does to volumes."""
+
+
+def _names_field(item: SourceStatement, known: Known) -> bool:
+    """Whether a field has a letter where its divergence is printed."""
+    tex = known.paper.expanded.text[item.typed.start : item.typed.end]
+    return any(with_divergence(part, ()) != part for part in re.split(r"[,;]|\\q?quad", tex))
+
+
 def divergence(item: SourceStatement, known: Known) -> StatementRole | None:
     """What is said to be the divergence of the equations of motion."""
     if item.formula is None or not any(not law.images for law in known.laws):
         return None
     if item.bare[:1] == (DIVERGENCE,):
+        if _names_field(item, known) and not _IS_MOTION.search(f"{item.words} {item.earlier[:1]}"):
+            return StatementRole(OTHER, "the divergence of a field that may be any")
         return StatementRole(CLAIM, "“div” is the divergence of the field", "divergence")
     if isinstance(item.formula, Relation) or not (said := _OF_FIELD.search(item.lead)):
         return None

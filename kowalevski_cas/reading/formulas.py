@@ -6,8 +6,21 @@ import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from itertools import pairwise
 
-from kowalevski_cas.notation import Formula, NotationError, Vocabulary, defined_names
+from kowalevski_cas.notation import (
+    Formula,
+    Name,
+    Negative,
+    NotationError,
+    Power,
+    Product,
+    Quotient,
+    Relation,
+    Sum,
+    Vocabulary,
+    defined_names,
+)
 from kowalevski_cas.notation.layout import StatementTokens
 from kowalevski_cas.notation.layout import statements as placed
 from kowalevski_cas.notation.open import OpenParser, is_exponential
@@ -185,6 +198,8 @@ def _by_elements(formulas: Sequence[TypedFormula], known: frozenset[str]) -> fro
 BY_NO_TIME = "a derivative by what is no time"
 _RATIO = re.compile(r"(?:\\[dt]?frac\s*\{?|/)\s*(?:d\b|\\mathrm\s*\{\s*d\s*\})")
 """A differential above a line, or below a slash."""
+_DIFFERENTIALS = ("d", r"\delta", r"\Delta", "D")
+"""Letters that nobody prints above a line and below it, unless they make differentials."""
 
 
 def read_formula(
@@ -205,7 +220,7 @@ def read_formula(
     for tokens, start, end in found:
         try:
             tree = OpenParser(tex, tokens, words).statement()[0]
-            why = BY_NO_TIME if _is_derivative(tree, tex) else ""
+            why = BY_NO_TIME if _has_differentials(tree, tex) else ""
             yield (None if why else _expanded(tree)), why, (start, end)
         except (NotationError, RecursionError) as error:
             yield None, getattr(error, "message", str(error)), (start, end)
@@ -225,6 +240,38 @@ def _expanded(tree: Formula) -> Formula:
         return tree
 
 
-def _is_derivative(tree: Formula, tex: str) -> bool:
-    """Whether the letter d was read as a name, and stands above or below a fraction."""
-    return "d" in tree.names() and _RATIO.search(tex) is not None
+def _has_differentials(tree: Formula, tex: str) -> bool:
+    r"""Whether a letter was read as a factor that makes differentials.
+
+    It is d before what stands above or below a line, or before letters on both sides; or any of
+    them that is a factor of what stands above a line and of what stands below.
+    """
+    nodes = [*tree.nodes()]
+    ratios = [(node.numerator, node.denominator) for node in nodes if isinstance(node, Quotient)]
+    if any(_has_factor(a, d) and _has_factor(b, d) for a, b in ratios for d in _DIFFERENTIALS):
+        return True
+    if "d" not in tree.names():
+        return False
+    members = tree.members if isinstance(tree, Relation) else ()
+    return _RATIO.search(tex) is not None or sum(map(_derives_a_letter, members)) > 1
+
+
+def _has_factor(formula: Formula, letter: str) -> bool:
+    """Whether a letter, or a power of it, is a factor of all that is printed in a formula."""
+    match formula:
+        case Name(name):
+            return name == letter
+        case Power(inner, _) | Negative(inner) | Quotient(inner, _):
+            return _has_factor(inner, letter)
+        case Product(factors):
+            return any(_has_factor(factor, letter) for factor in factors)
+        case Sum(terms):
+            return all(_has_factor(term, letter) for term in terms)
+    return False
+
+
+def _derives_a_letter(formula: Formula) -> bool:
+    """Whether the letter d stands right before a name in a product."""
+    products = (node.factors for node in formula.nodes() if isinstance(node, Product))
+    pairs = (pair for factors in products for pair in pairwise(factors))
+    return any(one == Name("d") and isinstance(other, Name) for one, other in pairs)

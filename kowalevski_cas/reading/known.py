@@ -264,8 +264,10 @@ class Known:
         """Whether a later paragraph gives a constant of the case another number: it is over.
 
         What a sentence supposes together is one case. It is over as well where a sentence says that
-        such a constant is arbitrary.
+        such a constant is arbitrary, or speaks of the general case.
         """
+        if _GENERAL.search(self.paper.prose.between(one.typed.end, item.typed.start)):
+            return True
         case = [o for o in self.assumptions if o.sentence == one.sentence]
         values = {name: value for o in case for name, value in _numbers(o)}
         if any(
@@ -380,6 +382,11 @@ _FREED = re.compile(
     re.IGNORECASE,
 )
 """How words begin behind a constant of which no value is supposed any more."""
+_GENERAL = re.compile(
+    r"(?:[.;:]\s*|\n\s*)(?:in\s+(?:the\s+)?general(?:\s+case)?|generally|otherwise|в\s+общем\s+случае|иначе)\b",
+    re.IGNORECASE,
+)
+"""How a sentence, or a part of it, begins that leaves a case."""
 _STEP = re.compile(r"([a-z])(?:[+-]\d+)?")
 
 

@@ -29,6 +29,9 @@ _AT = (
     r"|interior|trivial|singular|stationary|critical|state|положени\w+|равновеси\w+)\s+)*"
     r"(?P<where>origin|начале\s+координат|§)"
 )
+_AND = re.compile(
+    r"[\s,]*(?:,|\band|\bor|\bи)\s*(?:at\s+)?(?:the\s+)?(?:points?\s+)?§", re.IGNORECASE
+)
 _IS = r"(?:are|is|equals?|суть|равны|[-—–]+)\s*:?"
 _MATRIX = (
     r"(?:Jacobian(?:\s+matrix)?|Jacobi\s+matrix|linear\s+part|lineari[sz]ation"
@@ -168,6 +171,8 @@ def _at(
     if found["where"] != "§":
         return equations_of(dict.fromkeys(law.variables, "0"), item, law, known)
     place = words[: found.start("where")].count("§")
+    if _AND.match(words, found.end("where")) and place + 1 < item.before.count("§"):
+        return ()  # it is said of several points
     beside = [one for one in known.items if one.sentence == item.sentence]
     typed = [*dict.fromkeys(one.typed.start for one in beside)]
     if place >= len(typed):

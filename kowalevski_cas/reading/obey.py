@@ -40,7 +40,7 @@ from kowalevski_cas.reading.known import (
     StatementRole,
 )
 from kowalevski_cas.reading.ladder import rungs
-from kowalevski_cas.reading.rung import Rung
+from kowalevski_cas.reading.rung import Rung, claim_of_kind
 from kowalevski_cas.reading.stage import Stage
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import is_printed
@@ -140,8 +140,8 @@ def said_rung(found: Directive, id: str, stage: Stage, item: SourceStatement | N
         relations: Any = values[name]
         there = _scene_of_set(relations, on, stage)
         values[name] = InvariantRelations(f"{id}/{name}", there, words, relations=relations)
-    place = item.printed if item is not None else None
-    claim: Claim = found.kind(id, scene, printed=place, words=words, **values)  # type: ignore[arg-type]
+    values["printed"] = item.printed if item is not None else None
+    claim = claim_of_kind(found.kind, id, scene, words, values)
     return Rung(claim, (*supposed.assumptions, *on), supposed.constants)
 
 

@@ -11,10 +11,16 @@ from kowalevski_cas.reading.linear_parts import equations_of
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.rung import places
 
+_OF_OTHERS = (
+    r"(?!\s+(?:of|for|in)\s+(?!(?:the|this|our|these)\s+(?:system|equations|flow|field|law)\b(?!\s+§)"
+    r"|\(?\\(?:eq)?ref\b))"
+)
+"""What no words begin with behind a point that is said to be that of another law."""
 _IS_REST = re.compile(
     r"\b(?:the\s+)?origin\s+is\s+(?:(?:also|always|then|again|thus|clearly|obviously)\s+)*"
     r"(?:an?\s+(?:equilibrium|(?:rest|fixed|stationary|singular|critical)\s+point"
     r"|(?:state|point|position)\s+of\s+(?:rest|equilibrium)|steady\s+state)|at\s+rest)\b"
+    rf"{_OF_OTHERS}"
     r"|\bначало\s+координат\s*(?:[-—–~]+|является|есть)\s*"
     r"(?:положение\w*\s+равновеси\w+|(?:особ|неподвижн)\w+\s+точк\w+)",
     re.IGNORECASE,

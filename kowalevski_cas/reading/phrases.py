@@ -108,7 +108,7 @@ _AT = re.compile(r"\b(?:at|в\s+точке)[\s~]*$", re.IGNORECASE)
 
 
 _CASE_IN_TITLE = re.compile(
-    r"\\(?:(?:sub)*section|paragraph)\*?\s*\{[^{}]*(?:\bcases?\b|\bслуча)", re.IGNORECASE
+    r"\\(?:(?:sub)*section|paragraph)\*?\s*\{[^{}]*(?:\bcase\b|\bслуча[йея]\b)", re.IGNORECASE
 )
 """A heading that names a case: with what it begins is supposed in all of it."""
 
@@ -116,8 +116,9 @@ _CASE_IN_TITLE = re.compile(
 def reach_of_constants(item: SourceStatement) -> str:
     """How far it reaches what is supposed of constants; to the end of the section, if empty."""
     brief = cue("for", f"{item.before} ") or cue("if", item.lead) or _AT.search(item.lead)
-    titled = item.earlier and _CASE_IN_TITLE.match(item.earlier[0])
-    lasting = cue("lasting", item.before) or (titled and item.before == item.lead)
+    titled = bool(item.earlier and _CASE_IN_TITLE.match(item.earlier[0]))
+    begun = titled and item.before == item.lead and cue("then", item.tail[:12])
+    lasting = cue("lasting", item.before) or begun
     return "of the sentence" if item.typed.inline and brief and not lasting else ""
 
 

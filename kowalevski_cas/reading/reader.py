@@ -36,7 +36,6 @@ from kowalevski_cas.reading.doubts import doubt_of
 from kowalevski_cas.reading.energies import OF_ENERGY, claims_of_energies
 from kowalevski_cas.reading.grammar import wrong
 from kowalevski_cas.reading.in_words import claims_in_words
-from kowalevski_cas.reading.jets import refuse_of_functions
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, UNIT_MATRIX, StatementRole
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.maps import enter_maps, find_maps, primed_images
@@ -48,7 +47,7 @@ from kowalevski_cas.reading.other_cases import OtherCases
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.referee import Heard, Referee
 from kowalevski_cas.reading.roles import role_of
-from kowalevski_cas.reading.rung import Rung
+from kowalevski_cas.reading.rung import Rung, claim_of_kind
 from kowalevski_cas.reading.stage import Stage
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, read_statements
 from kowalevski_cas.source.text import Source
@@ -198,8 +197,7 @@ class _DerivationReader:
                 beside = [at] if self.parts.roles[at].name == ASSUMPTION else []
                 supposed = [*beside, *known.supposed(at)]
                 on = self.stages[known].scene(found.about, supposed, found.law)
-                refuse_of_functions(found.kind, found.values, on.scene)
-                claim = found.kind(id, on.scene, words=found.says, **found.values)  # type: ignore[arg-type]
+                claim = claim_of_kind(found.kind, id, on.scene, found.says, found.values)
             except (ValueError, Meaningless) as error:
                 yield JudgedStatement(first, role, message=str(error), span=found.span)
                 continue

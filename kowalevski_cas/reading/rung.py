@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from kowalevski_cas.paper.claims import Claim, RestPoints
 from kowalevski_cas.paper.claims.maps import OF_MAPS
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.jets import refuse_of_functions
 from kowalevski_cas.reading.law import Law
@@ -74,8 +75,7 @@ class RungMaker:
             if attributes.get("given"):
                 raise ValueError("an invariant of a map on a set is not known")
             kind, attributes["images"] = OF_MAPS[kind], found.images
-        refuse_of_functions(kind, attributes, found.scene)
-        claim = kind(self.id, found.scene, says, **attributes)  # type: ignore[arg-type]
+        claim = claim_of_kind(kind, self.id, found.scene, says, attributes)
         in_force = bool(on) and [*on] == self.known.sets(self.item)
         idle = None
         if (
@@ -85,6 +85,17 @@ class RungMaker:
         ):
             idle = RestPoints(self.id, found.scene, "", relations=places(on))
         return Rung(claim, (*found.assumptions, *on), found.constants, (*on,), in_force, idle)
+
+
+def claim_of_kind(
+    kind: type[Claim], id: str, scene: Scene, words: str, attributes: Mapping[str, object]
+) -> Claim:
+    """A claim of a kind with its attributes.
+
+    Raises ``ValueError`` where functions of its scene may be any, and this kind does not know them.
+    """
+    refuse_of_functions(kind, attributes, scene)
+    return kind(id, scene, words, **attributes)  # type: ignore[arg-type] # each kind has its own
 
 
 def stronger(rung: Rung) -> Rung:

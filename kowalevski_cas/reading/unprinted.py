@@ -101,7 +101,8 @@ def is_of_momenta(item: SourceStatement, paper: SourcePaper) -> bool:
 
 
 _FIELD = re.compile(
-    r"\b(?:magnet|gyroscop|gyrostat|non-?(?:holonom|canonic)|rotat|not\s+canonical"
+    r"\b(?:magnet|gyroscop|gyrostat|non-?(?:holonom|canonic)|rotat|gradient|quantum|dissip|damp|drag"
+    r"|not\s+(?:\w+\s+){0,3}(?:Hamilton|canonical)"
     r"|магнит|гироскоп|неголоном|враща)",
     re.IGNORECASE,
 )

@@ -3,6 +3,7 @@
 import pytest
 
 from kowalevski_cas.reading import CLAIM
+from kowalevski_cas.verify.outcome import Verdict
 from tests.reading.test_reading import reading, verdicts
 
 PLANE = r"The plane system is \[ \dot u=-v+uv,\qquad \dot v=u+au^2+bv^2 . \] "
@@ -66,7 +67,7 @@ PUMP = r"The equations are $$\dot x=hy-ax+yz,\quad\dot y=hx-by-xz,\quad\dot z=-c
     [
         r"The right-hand side is a vector field $\mathcal X$, with $$\operatorname{div}\mathcal X={}.$$",
         r"The phase flow contracts volumes: $\nabla\cdot\mathbf f={}$.",
-        r"Here $\mathrm{div}\,(X)={}$.",
+        r"For the phase flow $\mathrm{div}\,(X)={}$.",
     ],
 )
 def test_the_divergence_of_a_field_that_is_only_named_is_that_of_the_motion(words):
@@ -76,6 +77,16 @@ def test_the_divergence_of_a_field_that_is_only_named_is_that_of_the_motion(word
         ]
 
 
-def test_the_divergence_of_another_field_is_not_that_of_the_motion():
-    words = r"In the field $\mathbf B=(x,y,-2z)$ we have $\operatorname{div}\mathbf B=-(a+b+c)$."
-    assert not any(one.green for one in verdicts(PUMP + words).values())
+@pytest.mark.parametrize("value", ["0", "-(a+b+c)"])
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"In the field $\mathbf B=(x,y,-2z)$ we have $\operatorname{div}\mathbf B={}$.",
+        r"The magnetic field satisfies $\operatorname{div}\mathbf B={}$.",
+        r"The field $\mathcal X$ of another system has $$\operatorname{div}\mathcal X={}.$$",
+        r"Maxwell's equation is $\nabla\cdot\mathbf E={}$.",
+    ],
+)
+def test_the_divergence_of_another_field_is_not_that_of_the_motion(words, value):
+    found = {*verdicts(PUMP + words.replace("{}", value)).values()}
+    assert found <= {Verdict.UNDECIDED}

@@ -107,3 +107,16 @@ def test_numbers_of_the_linear_part(words, true, false):
 )
 def test_numbers_of_other_matrices_are_not_judged(words):
     assert not any(verdict for tex, verdict in verdicts(CUBIC + words).items() if "k" in tex)
+
+
+@pytest.mark.parametrize(
+    ("words", "green"),
+    [
+        (r"At $(0,0)$ the trace of the Jacobian is $3$.", True),
+        (r"At the points $(0,0)$ and $(1,1)$ the Jacobian has the trace $3$.", False),
+        (r"At the points $(0,0)$, $(1,0)$ the Jacobian has the trace $3$.", False),
+    ],
+)
+def test_what_is_said_of_several_points_is_not_judged_at_the_first(words, green):
+    law = r"The system is $$\dot x=x(1-x),\qquad\dot y=2y(1-y).$$ "
+    assert any(one.green for one in verdicts(law + words).values()) is green

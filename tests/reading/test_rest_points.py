@@ -150,3 +150,11 @@ def test_nothing_moves_at_the_origin(words):
 @pytest.mark.parametrize("word", ["not ", "the only state that is ", "if $a=1$ ", "perhaps "])
 def test_what_says_more_of_the_origin_is_not_judged(word):
     assert not listed(SYSTEM + ORIGIN[0].replace("WORD", word))
+
+
+@pytest.mark.parametrize(
+    "more", ["of the map $x'=x+1$", "of the other system", "of $\\dot x=x+1$", "for $a=0$"]
+)
+def test_the_origin_may_be_a_point_of_rest_of_something_else(more):
+    found = listed(SYSTEM + ORIGIN[1].replace("WORD", "").replace(".", f" {more}."))
+    assert not any(one.green for _, one in found)

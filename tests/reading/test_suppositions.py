@@ -141,6 +141,10 @@ DAMPED = r"The equations are $$\dot x=hy-ax+yz,\quad\dot y=hx-by-xz,\quad\dot z=
         (r"\section{On the waves} If $a=b=c=\nu$, then the waves are alike. Let $f=x^2-y^2-2z^2$. We find $$\dot f=-2\nu f.$$", False),
         (r"$1^\circ$. If $a=b=c=\nu$, then $f=x^2-y^2-2z^2$ satisfies $$\dot f=-2\nu f.$$", True),
         (r"\section{The case of equal damping} If $a=b=c=\nu$, then the waves are alike. Let $f=x^2-y^2-2z^2$. We find $$\dot f=-3\nu f.$$", False),
+        (r"\section{Cases} If $a=b=c$, there is symmetry; otherwise not. In general $f=x^2-y^2-2z^2$ satisfies $$\dot f=-2af.$$", False),
+        (r"\section{A case} If $a=b=c$, then all is simple. In general $f=x^2-y^2-2z^2$ satisfies $$\dot f=-2af.$$", False),
+        (r"Let $a=b=c$. Then $f=x^2-y^2-2z^2$ satisfies $$\dot f=-2af.$$", True),
+        (r"Let $a=b=c$. Then all is simple. In the general case $f=x^2-y^2-2z^2$ satisfies $$\dot f=-2af.$$", False),
     ],
 )  # fmt: skip
 def test_a_case_that_a_heading_names_is_supposed_in_its_section(words, green):
