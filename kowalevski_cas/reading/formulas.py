@@ -16,7 +16,6 @@ from kowalevski_cas.notation import (
     Power,
     Product,
     Quotient,
-    Relation,
     Sum,
     Vocabulary,
     defined_names,
@@ -243,17 +242,22 @@ def _expanded(tree: Formula) -> Formula:
 def _has_differentials(tree: Formula, tex: str) -> bool:
     r"""Whether a letter was read as a factor that makes differentials.
 
-    It is d before what stands above or below a line, or before letters on both sides; or any of
-    them that is a factor of what stands above a line and of what stands below.
+    It is d before what stands above or below a line, or any of them that is a factor of what stands
+    above a line and of what stands below.
     """
     nodes = [*tree.nodes()]
     ratios = [(node.numerator, node.denominator) for node in nodes if isinstance(node, Quotient)]
     if any(_has_factor(a, d) and _has_factor(b, d) for a, b in ratios for d in _DIFFERENTIALS):
         return True
-    if "d" not in tree.names():
-        return False
-    members = tree.members if isinstance(tree, Relation) else ()
-    return _RATIO.search(tex) is not None or sum(map(_derives_a_letter, members)) > 1
+    return "d" in tree.names() and _RATIO.search(tex) is not None
+
+
+def are_differentials(members: Sequence[Formula]) -> bool:
+    r"""Whether sides of an equation are proportional to differentials: :math:`dx/x=dy/y`.
+
+    Such equations may be laws, or give another time; they claim nothing of their letters.
+    """
+    return sum(map(_derives_a_letter, members)) > 1
 
 
 def _has_factor(formula: Formula, letter: str) -> bool:

@@ -26,6 +26,7 @@ from kowalevski_cas.reading.brackets import any_function, refuse_idle_brackets
 from kowalevski_cas.reading.canonical import meant
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.flow_rungs import OF_FIELD, of_field
+from kowalevski_cas.reading.formulas import are_differentials
 from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, normalisations
 from kowalevski_cas.reading.motion_rungs import along_solution, first_order, of_motion, solutions
 from kowalevski_cas.reading.rung import Rung, RungMaker, places, stronger
@@ -47,6 +48,8 @@ def rungs(item: SourceStatement, id: str, stage: Stage) -> Iterator[Rung]:
 
     Raises ``ValueError`` where names have no meaning together.
     """
+    if are_differentials(item.members):
+        raise ValueError("an equation between differentials is not judged")
     ladder = _Ladder(item, id, stage)
     name = any_function(item, stage.known)
     return iter([ladder.of_all_functions(name)]) if name else ladder.rungs()
