@@ -264,9 +264,11 @@ class Known:
         """Whether a later paragraph gives a constant of the case another number: it is over.
 
         What a sentence supposes together is one case. It is over as well where a sentence says that
-        such a constant is arbitrary, or speaks of the general case.
+        such a constant is arbitrary, or speaks of the general case, in which constants may still be
+        unequal.
         """
-        if _GENERAL.search(self.paper.prose.between(one.typed.end, item.typed.start)):
+        words = self.paper.prose.between(one.typed.end, item.typed.start)
+        if self.roles[one].kind != "inequality" and _GENERAL.search(words):
             return True
         case = [o for o in self.assumptions if o.sentence == one.sentence]
         values = {name: value for o in case for name, value in _numbers(o)}

@@ -204,3 +204,11 @@ def test_the_last_of_several_integrals_may_stand_among_words():
     law = r"Consider $$\dot x=y z,\quad\dot y=-2x z,\quad\dot z=xy.$$ The integrals are $$2x^2+y^2=h,$$ and ${}$."
     for printed, green in ((r"x^2-z^2=1", True), (r"x^2+z^2=1", False)):
         assert [one.green for one in verdicts(law.replace("{}", printed)).values()] == [True, green]
+
+
+def test_an_inequality_is_supposed_in_the_general_case_as_well():
+    law = r"Let $a\ne0$. The equations are $$a\dot x=y,\qquad a\dot y=-x.$$ "
+    words = r"All is simple. In the general case $x^2+y^2$ is an integral."
+    assert [str(one) for one in verdicts(law + words).values()] == ["proved"]
+    bare = law.replace(r"Let $a\ne0$. ", "")
+    assert [str(one) for one in verdicts(bare + words).values()] == ["conditional"]
