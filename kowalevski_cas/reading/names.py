@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from kowalevski_cas.notation import CrossProduct, Formula, Name, Vector
 from kowalevski_cas.notation.symbol import symbol
-from kowalevski_cas.reading.formulas import members_of_spaces
+from kowalevski_cas.reading.letters_of_vectors import members_of_spaces
 from kowalevski_cas.reading.statements import SourcePaper
 
 AXES = ("x", "y", "z")
