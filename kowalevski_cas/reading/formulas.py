@@ -84,7 +84,6 @@ def vocabulary_of(formulas: Sequence[TypedFormula]) -> Vocabulary:
 
 def _letters(formulas: Sequence[TypedFormula]) -> Vocabulary:
     """The letters of a paper; bold capitals are matrices or vectors, as more can be read."""
-    guesses = [*guess(formulas)]
     euler = all(is_exponential(tokens_of(one.tex)) for one in formulas if "e" in one.tex)
     other = {"d", "e"} if euler else {"d"}
     listed, by_entries = letters_of_vectors(formulas), _matrices(formulas)
@@ -98,7 +97,7 @@ def _letters(formulas: Sequence[TypedFormula]) -> Vocabulary:
             times=one.times - listed,
             functions=one.functions.union([r"\exp"] if euler else []) - listed,
         )
-        for one in guesses
+        for one in guess(formulas, listed)
     ]
     if guesses[0] == guesses[1]:
         return guesses[0]
