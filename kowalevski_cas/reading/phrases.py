@@ -155,6 +155,32 @@ def integral_words(item: SourceStatement) -> str:
     )
 
 
+_DEDUCED = re.compile(
+    r"\b(?:hence|thus|therefore|consequently|whence|follows?(?:\s+that)?|so\s+that|gives?|yields?|implies"
+    r"|(?:we|one)\s+(?:then\s+)?(?:have|has|gets?|finds?|obtains?|arrives?\s+at))(?:\s+that)?[\s:,~]*$"
+    r"|\b(?:следовательно|отсюда|получ\w+|имеем|находим|вытекает|да[её]т)(?:,?\s+что)?[\s:,~]*$"
+    r"|\b(?:(?:phase|integral)\s+curves|(?:phase\s+)?(?:trajectories|orbits|paths))\s+"
+    r"(?:are(?:\s+given\s+by)?|have\s+the\s+equations?)[\s:,~]*$"
+    r"|\b(?:фазов|интегральн)\w+\s+(?:крив|траектори)\w+\s*(?:[-—]+|суть|задаются\s+уравнени\w+|имеют\s+вид)[\s:,~]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which a conclusion stands, or the equation of the curves of motion."""
+_CYCLIC = re.compile(
+    r"§[\s~]*(?:is|being)\s+(?:then\s+|also\s+)?(?:an?\s+)?(?:cyclic|ignorable)\b"
+    r"|§[\s~]*(?:[-—]+|является)?\s*циклическ\w+|\bциклическ\w+\s+координат\w+[\s~]*§",
+    re.IGNORECASE,
+)
+"""Words for a coordinate that does not stand in the energies."""
+
+
+def is_deduced_level(item: SourceStatement) -> bool:
+    """Whether words before a level in the text conclude it, or say that motions lie on such ones.
+
+    That is so for the momentum of a coordinate that the sentence calls cyclic.
+    """
+    return bool(_DEDUCED.search(item.lead)) or bool(item.rates and _CYCLIC.search(item.before))
+
+
 _ONE_MORE = re.compile(
     r"\b(?:one\s+more|another|an?\s+\w+\s+one|the\s+(?:other|last|\w+th|second|third)\s+one)\b"
     r"|\bthere\s+(?:is|are)\s+also\b|\bещ[её]\s+один\b|\bещ[её]\s+одно\b|\bдруго[йе]\b|\b(?:второй|третий|четв[её]ртый)\b",
