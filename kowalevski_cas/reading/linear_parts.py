@@ -66,7 +66,8 @@ _OF_POINT = re.compile(
 """How words end that say “its” of a point, and the sentence before them that speaks of it."""
 """How words end behind which they are printed for the point before."""
 _IS_ORIGIN = re.compile(
-    r"\b(?:equilibri\w+|point|state)(?:\s+of\s+\w+)?\s+is\s+(?:at\s+)?the\s+origin\W*$", re.IGNORECASE
+    r"\b(?:equilibri\w+|point|state)(?:\s+of\s+\w+)?\s+is\s+(?:at\s+)?the\s+origin\W*$",
+    re.IGNORECASE,
 )
 _OF_MATRIX = re.compile(
     rf"\b{_MATRIX}{_FIELD}(?P<place>[\s~]+(?:{_AT}|there))?[\s~,]*"
@@ -170,7 +171,7 @@ def before_list(words: str) -> str:
 
 
 def is_of_origin_before(item: SourceStatement) -> bool:
-    """Whether something is said of a point of which the sentence before says that it is the origin."""
+    """Whether something is said of the origin, of which the sentence before speaks."""
     before = item.earlier[0] if item.earlier and "§" not in item.earlier[0] else ""
     here = re.search(r"^\s*its\b|\bthere\b|\bat\s+this\s+point\b", item.before, re.IGNORECASE)
     return bool(here and (_OF_POINT.match(before) or _IS_ORIGIN.search(before)))
