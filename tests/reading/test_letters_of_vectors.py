@@ -12,6 +12,9 @@ BOLD = r"""The equations of a heavy rigid body are
 \[ \dot{\mathbf K}=\mathbf K\times\mathbf w+\mathbf n\times\mathbf s,\qquad\dot{\mathbf n}=\mathbf n\times\mathbf w,\]
 where $\mathbf K=J\mathbf w$ and $\mathbf s$ is constant. """
 
+TURNED = r"""With \[ \{L_i,L_j\}=\varepsilon_{ijk}L_k,\quad\{L_i,\nu_j\}=\varepsilon_{ijk}\nu_k,\quad\{\nu_i,\nu_j\}=0 \]
+the Hamiltonian is $H=\frac12(L_1^2+L_2^2+2L_3^2)-\nu_1$. """
+
 
 @pytest.mark.parametrize(
     ("law", "function", "wrong"),
@@ -22,6 +25,9 @@ where $\mathbf K=J\mathbf w$ and $\mathbf s$ is constant. """
         (BODY, r"|Aw|^2", r"|w|^2"),
         (FIELD, r"a_3", r"a_1"),
         (FIELD, r"|a|^2", r"a_1a_2"),
+        # all components move, though the Hamiltonian has some of them only
+        (TURNED, r"(L,\nu)", r"(L,L)"),
+        (TURNED, r"(L_1^2-L_2^2+2\nu_1)^2+(2L_1L_2+2\nu_2)^2", r"(L_1^2-L_2^2-2\nu_1)^2+(2L_1L_2+2\nu_2)^2"),
         (BOLD, r"(\mathbf K,\mathbf n)", r"(\mathbf K,\mathbf s)"),
         (BOLD, r"\frac12(\mathbf K,\mathbf w)+(\mathbf n,\mathbf s)", r"(\mathbf w,\mathbf n)"),
     ],
