@@ -75,6 +75,8 @@ class Blame:
     """The names in claims that the paper defines nowhere, beside those of their scenes."""
     suspected: Mapping[Printed, Sequence[Edit]] = field(default_factory=dict)
     """What other signs than failing claims speak against, with the edits that would mend it."""
+    decides_again: bool = False
+    """Whether what stands on what several claims blame is decided again with that mended."""
     _true: dict[str, bool] = field(default_factory=dict)
 
     @property
