@@ -51,6 +51,8 @@ def find_momenta(
                 for one in unknown
                 if (first if one in turning else rated).isdisjoint(names.scalars([one]))
             ]
+            if not rated.isdisjoint(one.members[1].names() - {*names.owner}):
+                continue  # other letters move in it
             again = any(of.bare[0] == name and of.section in one.sections for of in found)
             told = {n for row in own for n in names.scalars(row.rates)}
             if {*names.vectors[name]} <= told and len(moving) == 1 and not again:
