@@ -46,6 +46,7 @@ def find_momenta(
             first = {n for row in before for n in names.scalars(row.rates)}
             inner = {names.whole(n) for n in one.members[1].names()}
             unknown = inner & in_law & {*names.vectors} - given
+            unknown = unknown & turning or unknown
             moving = [
                 one
                 for one in unknown

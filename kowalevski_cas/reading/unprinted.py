@@ -51,7 +51,7 @@ def is_printed(item: SourceStatement) -> bool:
 def implied_rows(paper: SourcePaper) -> Iterator[SourceStatement]:
     """The equations of motion of the Hamiltonian, or the Lagrangian, that words call so.
 
-There are none where it is not known what belongs together. Where a paper prints no rates, but
+    There are none where it is not known what belongs together. Where a paper prints no rates, but
     of what it defines, or uses the letter of a Hamiltonian elsewhere as one, the letters of
     coordinates and momenta say so.
     """
