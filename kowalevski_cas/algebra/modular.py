@@ -14,7 +14,7 @@ which a point was found.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import islice
 from random import Random
@@ -81,6 +81,11 @@ class SampledPrograms(Programs):
 
     def vanishes(self, program: Program) -> bool:
         """Whether a program vanishes at random points modulo random primes."""
+        return all(point(program) == 0 for point in self.samples)
+
+    @property
+    def samples(self) -> Sequence[Valuation]:
+        """Random points modulo random primes; raises :class:`NoPoint` if there is none."""
         if not self._samples:
             random = Random(0)
             numbers = [square.number for square in self.radicands if square.number is not None]
@@ -91,7 +96,7 @@ class SampledPrograms(Programs):
                 self._samples.append(residue_point(Question(self, roots), prime, random))
         if not self._samples:
             raise NoPoint(f"the printed roots of numbers exist modulo none of {TRIES} primes")
-        return all(point(program) == 0 for point in self._samples)
+        return self._samples
 
 
 def _has_root(number: Fraction, prime: int) -> bool:

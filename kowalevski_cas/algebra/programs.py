@@ -183,3 +183,33 @@ def steps(programs: Iterable[Program]) -> list[Program]:
         if program.op is Op.ALONG:
             waiting += ((value, False) for value in field_of(program).values())
     return list(order)
+
+
+def behind(programs: Iterable[Program], source: Program) -> list[Program]:
+    """The steps of some programs that use one, each after those that it uses itself."""
+    using, found = {source}, list[Program]()
+    for step in steps(programs):
+        before = (*step.args, *(field_of(step).values() if step.op is Op.ALONG else ()))
+        if step is not source and not using.isdisjoint(before):
+            using.add(step)
+            found.append(step)
+    return found
+
+
+def replaced(using: Iterable[Program], source: Program, value: Program) -> dict[Program, Program]:
+    """What the steps become that use a program, where it is another one.
+
+    They are those of :func:`behind`.
+    """
+    found = {source: value}
+    fields: dict[int, Mapping[str, Program]] = {}
+    for step in using:
+        data = step.data
+        if step.op is Op.ALONG:
+            field = field_of(step)
+            if not found.keys().isdisjoint(field.values()):
+                changed = {name: found.get(rate, rate) for name, rate in field.items()}
+                data = fields.setdefault(id(field), changed)
+        args = tuple(found.get(arg, arg) for arg in step.args)
+        found[step] = step.ring.step(step.op, args, data)
+    return found

@@ -191,7 +191,10 @@ class ReadingSession:
         corrected = [*explained, *self._in_words]
         corrector, lost = session.decider.corrector, self._lost
         suspected = edits_by_scales(self.reading, session.interpretation.texts)
-        return Blame(corrector, verdicts, corrected, PATIENCE, doubted, lost, suspected)
+        return Blame(
+            corrector, verdicts, corrected, PATIENCE, doubted, lost, suspected,
+            decides_again=session is self._session,
+        )  # fmt: skip
 
     # -- what is mended elsewhere --------------------------------------------------------
 

@@ -82,6 +82,13 @@ class Sampled(Evaluation):
             self._memory[key] = formula, super().__call__(formula, conjugated)
         return self._memory[key][1]
 
+    def step_of(self, formula: Formula) -> Program | None:
+        """What a formula has given where it stands itself, if it was evaluated, and is a scalar."""
+        if (id(formula), True) in self._memory:
+            return None  # its conjugate is another program
+        value = self._memory.get((id(formula), False), (formula, None))[1]
+        return value if isinstance(value, Program) else None
+
     def carry(self, element: Element) -> Program:
         """An exact element as a program."""
         if isinstance(element, Program):

@@ -49,6 +49,7 @@ from kowalevski_cas.verify.suspects import (
     numbers,
 )
 from kowalevski_cas.verify.vacuous import count_equal_rates, says_something, stops
+from kowalevski_cas.verify.variations import Variations
 
 if TYPE_CHECKING:
     from kowalevski_cas.problem.sampled import Sampled
@@ -75,7 +76,10 @@ class Blame:
     """The names in claims that the paper defines nowhere, beside those of their scenes."""
     suspected: Mapping[Printed, Sequence[Edit]] = field(default_factory=dict)
     """What other signs than failing claims speak against, with the edits that would mend it."""
+    decides_again: bool = False
+    """Whether what stands on what several claims blame is decided again with that mended."""
     _true: dict[str, bool] = field(default_factory=dict)
+    _varied: dict[str, Variations] = field(default_factory=dict)
 
     @property
     def _derivation(self) -> Derivation:
@@ -308,6 +312,11 @@ class Blame:
 
     def _passes(self, repair: Repair, claim: Claim) -> bool | None:
         on = self._on(claim)
+        if isinstance(repair.change, Edit):
+            if claim.id not in self._varied:
+                self._varied[claim.id] = Variations(claim, on)
+            if self._varied[claim.id].exclude(repair.place, repair.change):
+                return False
         return passes(repair.of(claim, on.texts), on.apart(on.texts), {})
 
     def _passes_at_real_points(self, repair: Repair, claim: Claim) -> bool | None:

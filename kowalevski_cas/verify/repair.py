@@ -43,7 +43,8 @@ def repair(
             shared |= repairs
         for id, corrections in shared.items():
             found[id] = found[id].corrected_by(corrections)
-        left = [claim for claim in failing if claim.id not in shared]
+        waiting = _waiting(blame, failing, shared)
+        left = [claim for claim in failing if claim.id not in {*shared, *waiting}]
 
         def alone(place: int) -> Outcome:
             claim = left[place]
@@ -59,6 +60,15 @@ def repair(
         for outcome in work(alone, range(len(left))):
             found[outcome.claim] = outcome
     return [*found.values()]
+
+
+def _waiting(blame: Blame, failing: Sequence[Claim], shared: Repairs) -> set[str]:
+    """The claims that are decided again with what is mended for others, on which they stand."""
+    if not blame.decides_again:
+        return set()
+    mended = {first.printed for first, *_ in shared.values() if first.blamed}
+    statement = blame.corrector.interpretation.statement
+    return {claim.id for claim in failing if mended & {*statement(claim).stands_on}}
 
 
 def _common_repair(blame: Blame, cluster: Sequence[Claim], decider: Decider) -> Repairs:
