@@ -297,8 +297,13 @@ class Blame:
 
     def _mended_beside(self, repair: Repair) -> int:
         """How many claims a repair mends that may have been meant otherwise."""
-        about = self.corrector.interpretation.readers(repair.place)
+        about = self._readers(repair)
         return sum(self._is_doubted(c) and self._is_mended(repair, c) for c in about)
+
+    def _readers(self, repair: Repair) -> list[Claim]:
+        """The claims of which a verdict can depend on what a repair changes."""
+        readers = map(self.corrector.interpretation.readers, repair.places)
+        return [*dict.fromkeys(claim for claims in readers for claim in claims)]
 
     def _is_mended(self, repair: Repair, claim: Claim) -> bool:
         """Whether a repair makes a claim true: at points, or by a proof if they cannot tell."""
@@ -330,7 +335,7 @@ class Blame:
         """The true claims that a repair makes false, as points tell."""
         if isinstance(repair.change, ConstantRelation):
             return []
-        about = self.corrector.interpretation.readers(repair.place)
+        about = self._readers(repair)
         return [c for c in about if self._holds(c) and self._passes(repair, c) is False]
 
     # -- what is proved ---------------------------------------------------------------
@@ -372,7 +377,8 @@ class Blame:
             return ()
         broken = self._broken(repair) if repair.tolerates else []
         true = (c for c in self._derivation.claims if self._holds(c) and c not in broken)
-        return tuple(c.id for c in true if repair.place in self._statement(c).stands_on)
+        changed = {*repair.places}
+        return tuple(c.id for c in true if changed & {*self._statement(c).stands_on})
 
     def _spoils(self, repair: Repair) -> bool:
         """Whether a repair makes false what is true, or leaves nothing of what it changes."""
@@ -380,7 +386,7 @@ class Blame:
         if not isinstance(edit, Edit):
             return False
         keeps = self.corrector.keeps
-        true = [c for c in self.corrector.interpretation.readers(place) if self._holds(c)]
+        true = [c for c in self._readers(repair) if self._holds(c)]
         if sum(not keeps(claim, place, edit) for claim in true) > repair.tolerates:
             return True
         mended = ((self._on(claim), claim) for claim in repair.mends)
