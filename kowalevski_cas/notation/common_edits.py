@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from itertools import pairwise
 
@@ -9,9 +10,10 @@ from kowalevski_cas.notation.edits import Edit, subtree
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula
 from kowalevski_cas.notation.layout import split_display
+from kowalevski_cas.notation.layout import statements as tokens_of_statements
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.misprints import only_change
-from kowalevski_cas.notation.ranges import index_letters
+from kowalevski_cas.notation.ranges import letters_in_indices
 from kowalevski_cas.notation.reader import Path, PrintedStatement, read_display
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.notation.vocabulary import Vocabulary
@@ -46,10 +48,10 @@ def common_edits(
     """
     statement = statements[number - 1]
     together = printed_together(statement.tex, number)
-    nodes = [*statement.spans.values()]
+    read = Counter(token.start for token in tokens_of_statements(statement.tex)[number - 1].tokens)
     tokens = [t for t in scan(statement.tex) if statement.start <= t.start < statement.end]
     for kind, changes in _slips(tokens):
-        if len(together) == 1 and all(nodes.count((t.start, t.end)) < 2 for t, _ in changes):
+        if len(together) == 1 and all(read[token.start] < 2 for token, _ in changes):
             continue  # it is read once
         tex = _with(statement.tex, changes)
         try:
@@ -67,18 +69,20 @@ def common_edits(
 
 
 def _slips(tokens: list[Token]) -> Iterator[_Slip]:
-    letters = index_letters(tokens)
-    indices = [token for token in tokens if token.text in letters]
+    indices = letters_in_indices(tokens)
+    letters = {token.text for token in indices}
     for token in tokens:
         if token.text in ("+", "-"):
             yield "sign", ((token, "-" if token.text == "+" else "+"),)
     for token in indices:
         yield from (("index", ((token, one),)) for one in sorted(letters - {token.text}))
-    for token in tokens:
+    for before, token in pairwise(tokens):
         if token.kind == "number" and token.text.isdecimal():
-            value = int(token.text)
-            for other in dict.fromkeys((value + 1, value - 1, 2 * value)):
-                yield "coefficient", ((token, str(other)),)
+            value, raised = int(token.text), before.kind == "^"
+            for other in dict.fromkeys((value - 1, value + 1, 2 * value)):
+                if other > raised:
+                    text = "" if other == 1 else str(other)  # a factor is left out
+                    yield "exponent" if raised else "coefficient", ((token, text),)
     for first, second in pairwise(indices):
         if first.text != second.text:
             yield "exchange", ((first, second.text), (second, first.text))
