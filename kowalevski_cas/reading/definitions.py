@@ -25,6 +25,7 @@ from kowalevski_cas.reading.fresh import (
     is_constant_behind,
     is_fresh,
     is_given_behind,
+    is_place_of,
     without_factor,
 )
 from kowalevski_cas.reading.kinetic import has_momentum
@@ -120,8 +121,7 @@ def _is_coordinate(name: str, known: Known) -> bool:
 def definition(item: SourceStatement, known: Known) -> StatementRole | None:
     """A name that nothing has defined, alone on a side."""
     given = item.printed.heads
-    fresh = [n for n in given.names or given.multiples if is_fresh(n, item, known)]
-    fresh = [name for name in fresh if not is_given_behind(name, item, known)]
+    fresh = _fresh(item, known)
     opposite = not given.names and any(isinstance(m, Negative) for m in item.members)
     if opposite and not known.varying(item.names - {*fresh}):
         return None  # it gives no value of anything that moves
@@ -155,6 +155,16 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
     return StatementRole(
         DEFINITION, f"first with {plain(fresh[0])} alone on a side", "", tuple(fresh)
     )
+
+
+def _fresh(item: SourceStatement, known: Known) -> list[str]:
+    """The names that a statement gives: of two new ones that are the same it gives the first."""
+    given = item.printed.heads
+    fresh = [n for n in given.names or given.multiples if is_fresh(n, item, known)]
+    fresh = [name for name in fresh if not is_given_behind(name, item, known)]
+    if len(fresh) == len(item.members) == 2 and all(isinstance(m, Name) for m in item.members):
+        fresh = fresh[:1]
+    return [] if fresh and is_place_of(fresh[0], item, known) else fresh
 
 
 def _specialising(item: SourceStatement, known: Known, fresh: list[str]) -> str:

@@ -25,7 +25,7 @@ def is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
     if found := known.definitions.get(function) or known.definitions.get(
         known.names.whole(function)
     ):
-        if _defines_anew(item, found):
+        if _defines_anew(item, found, known):
             return True
         bound = {n for one in found for name in one.printed.heads.names for n in head(name)[1]}
         unclear = any(not _is_clear(n, one, known) for one in found for n in one.names - bound)
@@ -134,6 +134,25 @@ def is_given_behind(name: str, item: SourceStatement, known: Known) -> bool:
     )  # fmt: skip
 
 
+def is_place_of(name: str, item: SourceStatement, known: Known) -> bool:
+    r"""Whether a new letter is where a variable of the law is, and no name for the variable.
+
+    Then constants give it behind, as in “at rest :math:`x=a`, where :math:`a=mg/k`”, or it gives
+    the variable with something else, as in :math:`x=a+\xi`.
+    """
+    match item.members:
+        case (Name(variable), Name(other)) if other == name and known.moves(variable):
+            behind = [one for one in known.items if one.order > item.order]
+            giving = [one for one in behind if one.bare and one.members[0] == Name(one.bare[0])]
+            given = [one for one in giving if one.bare[0] == name and len(one.members) == 2]
+            by_constants = bool(given) and not known.varying(given[0].names - {name})
+            return by_constants or any(
+                one.bare[0] == variable and name in one.names and one.members[1] != Name(name)
+                for one in giving
+            )
+    return False
+
+
 def without_factor(formula: Formula) -> Formula:
     """What stands behind a number, as T in 2T, or a sign; any other formula itself."""
     match formula:
@@ -142,8 +161,13 @@ def without_factor(formula: Formula) -> Formula:
     return formula
 
 
-def _defines_anew(item: SourceStatement, found: list[SourceStatement]) -> bool:
-    """Whether words let a display of another section define a name once more."""
+def _defines_anew(item: SourceStatement, found: list[SourceStatement], known: Known) -> bool:
+    """Whether words let a display of another section define a name once more.
+
+    In the new variables of a change it is what it was before.
+    """
+    if any(item.names & {*law.new} for law in known.laws):
+        return False
     apart = all(one.section not in item.sections for one in found)
     said = cue("hamiltonian", item.lead[-40:]) or cue("define", item.lead)
     timed = item.names & {"t"}  # it is a solution

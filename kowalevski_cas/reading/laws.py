@@ -50,13 +50,15 @@ def find_laws(paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] 
     if maps:
         return found
     whole = bool(found) and not any(one.rates for one in paper.unfinished)
-    second = len(found) == 1 and is_of_second_order(found[0])
-    rows = tuple(implied_rows(paper)) if len(found) < 2 or not whole else ()
+    own = [law for law in found if not law.change]
+    second = len(own) == 1 and is_of_second_order(own[0])
+    rows = tuple(implied_rows(paper)) if second or len(found) < 2 or not whole else ()
+    if rows and second and whole and _needs_momenta(rows, own[0], paper):
+        return _with_changes(Law(rows, names, again=(own[0],)), paper, said)
+    rows = rows if len(found) < 2 or not whole else ()
     implied = _with_changes(Law(rows, names), paper, said) if rows else []
     if rows and not whole:
         return implied
-    if rows and second and _needs_momenta(rows, found[0], paper):
-        return [Law(rows, names, again=(found[0],))]
     if rows and (_leaves_out(rows, found[0], paper) or _is_changed(found[0], implied)):
         return implied
     found = found or [*_LawFinder(paper, names, said, inline=True).laws()]

@@ -31,7 +31,7 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
         others = (one for one in known.paper.items if one.typed is item.typed)
         beside = not item.typed.inline and len([*others]) > 1
         deduced = item.derives and "=" in item.formula.signs and not cue("when", item.lead)
-        supposed = not deduced and (beside or bool(supposing(item)))
+        supposed = not deduced and (beside or bool(supposing(item)) or _is_of_new(item, known))
     else:
         words = item.lead[-30:] if item.typed.inline else item.before
         claimed = last_cue("claim", words) > last_cue("suppose", words)
@@ -45,6 +45,21 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
         why = "an inequality that is supposed"
         return StatementRole(ASSUMPTION, why, "inequality", tuple(sorted(item.names)))
     return StatementRole(CLAIM, "an inequality that is claimed", "inequality")
+
+
+_OF_NEW = re.compile(
+    r"\b(?:the|an?|its|their)\s+(?:\w+\s+)?\w+[\s~]*$|\w{4,}[\s~]*$", re.IGNORECASE
+)
+"""How words end behind which the letter for a quantity is printed."""
+
+
+def _is_of_new(item: SourceStatement, known: Known) -> bool:
+    """Whether an inequality restricts a letter where it is first printed: “the length r > 0”."""
+    assert isinstance(item.formula, Relation)
+    first, *others = item.formula.members
+    new = isinstance(first, Name) and first.name not in known.seen
+    new = new and all(one.order >= item.order for one in known.items if first.names() & one.names)
+    return new and is_number(others) and item.typed.inline and bool(_OF_NEW.search(item.lead))
 
 
 _SEEN = re.compile(
@@ -134,7 +149,7 @@ def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
         return None
     if not said and any(name in derived_names(one) for name in names for one in known.items):
         return None  # it is a value of a function, somewhere
-    values = all(is_value(m) for m in item.members)
+    values = all(is_value(m) for m in item.members) and not any(map(known.is_defined, names))
     if said or (names and (item.typed.inline or values)):
         why = f"“{said}” supposes it" if said else "gives a constant that was seen before"
         gives = tuple(names) or tuple(sorted(item.names))

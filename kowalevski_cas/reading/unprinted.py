@@ -51,13 +51,15 @@ def is_printed(item: SourceStatement) -> bool:
 def implied_rows(paper: SourcePaper) -> Iterator[SourceStatement]:
     """The equations of motion of the Hamiltonian, or the Lagrangian, that words call so.
 
-    There are none where it is not known what belongs together. Where a paper prints no rates the
-    letters of coordinates and momenta say so.
+    There are none where it is not known what belongs together. Where a paper prints no rates, or
+    uses the letter of a Hamiltonian elsewhere as one, the letters of coordinates and momenta say
+    so.
     """
     still = not any(one.rates for one in paper.items)
     for item in paper.items:
         named = item.bare[:1] and item.members[0].names() & {*HAMILTONIANS, *LAGRANGIANS}
-        moves = cue("hamiltonian", item.words) or (still and is_of_momenta(item, paper))
+        told = still or _is_told_elsewhere(item, paper)
+        moves = cue("hamiltonian", item.words) or (told and is_of_momenta(item, paper))
         if not named or not moves:
             continue
         about = [
@@ -77,6 +79,17 @@ def implied_rows(paper: SourcePaper) -> Iterator[SourceStatement]:
             continue
         if found:
             return
+
+
+def _is_told_elsewhere(item: SourceStatement, paper: SourcePaper) -> bool:
+    """Whether the letter that a statement gives stands in a bracket, or words call it so behind."""
+    letter = Name(item.bare[0]) if item.bare else None
+    return any(
+        (isinstance(side, PoissonBracket) and letter in side.children())
+        or (one.members[:1] == (letter,) and cue("hamiltonian", one.lead))
+        for one in paper.items
+        for side in one.members[:1]
+    )
 
 
 def is_of_momenta(item: SourceStatement, paper: SourcePaper) -> bool:
