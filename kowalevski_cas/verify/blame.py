@@ -21,7 +21,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, partial
-from itertools import takewhile
+from itertools import islice, takewhile
 from math import inf
 from typing import TYPE_CHECKING
 
@@ -283,14 +283,12 @@ class Blame:
                 elif claim is one or (allowed := allowed - 1) < 0:
                     allowed = -1
                     break
+            if allowed < 0 or len(mends) < most:
+                continue
             repair = repair._replace(mends=tuple(mends))
-            if allowed >= 0 and len(mends) >= most:
+            if suspect is Suspect.LAW:  # no other one may break anything
                 repair = repair._replace(beside=self._mended_beside(repair))
-            if (
-                allowed >= 0
-                and len(mends) >= most
-                and len(self._broken(repair)) <= repair.tolerates
-            ):
+            if not self._breaks_too_much(repair):
                 most = len(mends)
                 found.append(repair)
         return sorted(found, key=likelihood)
@@ -331,12 +329,14 @@ class Blame:
             return False
         return verdict
 
-    def _broken(self, repair: Repair) -> list[Claim]:
+    def _broken(self, repair: Repair) -> Iterator[Claim]:
         """The true claims that a repair makes false, as points tell."""
-        if isinstance(repair.change, ConstantRelation):
-            return []
-        about = self._readers(repair)
-        return [c for c in about if self._holds(c) and self._passes(repair, c) is False]
+        about = [] if isinstance(repair.change, ConstantRelation) else self._readers(repair)
+        return (c for c in about if self._holds(c) and self._passes(repair, c) is False)
+
+    def _breaks_too_much(self, repair: Repair) -> bool:
+        """Whether a repair makes more claims false than it may."""
+        return any(islice(self._broken(repair), repair.tolerates, None))
 
     # -- what is proved ---------------------------------------------------------------
 
@@ -375,7 +375,7 @@ class Blame:
         """The true claims that stand on what a repair changes."""
         if not isinstance(repair.change, Edit):
             return ()
-        broken = self._broken(repair) if repair.tolerates else []
+        broken = [*self._broken(repair)] if repair.tolerates else []
         true = (c for c in self._derivation.claims if self._holds(c) and c not in broken)
         changed = {*repair.places}
         return tuple(c.id for c in true if changed & {*self._statement(c).stands_on})
