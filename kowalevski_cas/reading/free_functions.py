@@ -41,6 +41,11 @@ _TYPES = (
 _SECTION = re.compile(r"\\(?:section|chapter)\s*\*?\s*(?:\[[^\]]*\])?\s*\{")
 
 
+def is_of_case(words: str) -> bool:
+    """Whether words before a formula in its sentence call it one of several, or number it."""
+    return _SPECIAL.search(words) is not None or _ENTRY.match(words) is not None
+
+
 def free_functions(formulas: Sequence[TypedFormula], text: str) -> tuple[Unknown, ...]:
     """The functions at what moves, of which nothing gives the values, each with its arguments.
 
@@ -142,27 +147,36 @@ _GIVING = re.compile(
 """A name, or a multiple of one, alone on a left side."""
 
 
-SPECIAL = re.compile(
+_PARTIAL = re.compile(rf"\\partial\s*(?P<name>{NAME})")
+"""The function of which a partial derivative is printed."""
+_LABEL = r"(?:\\item(?:\s*\[[^\]]*\])?|\(?\w{1,4}\))"
+"""How the entry of a list is called, or what begins with it."""
+_SPECIAL = re.compile(
     r"\b(?:examples?|instance|cases?|special|particular|consider|if|when|for)\b"
     r"|\b(?:рассмотрим|например|частн\w+|случа\w+|если|при|когда)\b",
     re.IGNORECASE,
 )
 """Words for one of many functions."""
+_ENTRY = re.compile(rf"\s*{_LABEL}\s*(?:\$|$)")
 _GENERAL = 2
-"""In so many displays a function stands before it has a special value: in a law, and of any."""
+"""In so many displays a function stands before it has a special value: in a law, and of any.
+
+So many partial derivatives are enough.
+"""
 
 
 def _is_special(name: str, place: int, formulas: Sequence[TypedFormula], text: str) -> bool:
     """Whether a function that was any in displays before is given as an example of one."""
     formula = formulas[place]
-    sentence = re.split(r"[.;!?]\s|\n\n", text[: formula.start])[-1]
+    sentence = re.split(r"[.;!?]\s|[.;!?]\s*\\end\s*\{\w+\*?\}|\n\n", text[: formula.start])[-1]
     before = [
-        one
+        _apart(one.tex)
         for one in formulas[:place]
         if not one.inline and one.end <= formula.start - len(sentence)
-        if any(name == other for other, *_ in _applications(_apart(one.tex)))
     ]
-    return len(before) >= _GENERAL and SPECIAL.search(sentence) is not None
+    applied = sum(any(name == other for other, *_ in _applications(tex)) for tex in before)
+    derived = sum(one["name"] == name for tex in before for one in _PARTIAL.finditer(tex))
+    return max(applied, derived) >= _GENERAL and is_of_case(sentence)
 
 
 def _given(tex: str) -> Iterator[str]:

@@ -6,11 +6,13 @@ from collections.abc import Mapping
 
 from kowalevski_cas.notation import Name
 from kowalevski_cas.paper.claims import Claim, FirstIntegral, Identity
+from kowalevski_cas.paper.implied import HAMILTONIANS, LAGRANGIANS
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.free_functions import SPECIAL, names_of
-from kowalevski_cas.reading.known import DEFINITION, Known, StatementRole
-from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.free_functions import is_of_case, names_of
+from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, FUNCTION, Known, StatementRole
+from kowalevski_cas.reading.phrases import reach_of_constants
+from kowalevski_cas.reading.statements import SourceStatement, derived_names
 
 OF_FUNCTIONS = (Identity, FirstIntegral)
 """What is claimed where a function may be any: no dependence of several, and no set."""
@@ -26,14 +28,32 @@ def refuse_of_functions(kind: type[Claim], claim: Mapping[str, object], scene: S
 
 
 def special_function(item: SourceStatement, known: Known) -> StatementRole | None:
-    """What gives one function as an example: what is judged holds for any."""
+    """What gives one function as an example: what is judged holds for any.
+
+    Where the equations of motion before have its partial derivatives, as those of a potential,
+    this is supposed of what follows, to the end of its case.
+    """
     first = item.members[0] if len(item.members) == 2 else None
-    if not isinstance(first, Name) or item.derives or not SPECIAL.search(item.before):
+    if not isinstance(first, Name) or item.derives or not is_of_case(item.before):
         return None
-    for one in known.paper.functions_by_name.get(first.name, ()):
-        if first.name == one.name and {*known.varying(item.members[1].names())} <= {*one.by}:
-            return StatementRole(DEFINITION, f"one of the functions that {one.name} may be")
-    return None
+    name = first.name
+    every = known.paper.functions_by_name.get(name, ())
+    by = [one.by for one in every if one.name == name]
+    if by and not any({*known.varying(item.members[1].names())} <= {*one} for one in by):
+        return None
+    why = f"one of the functions that {name} may be"
+    if _is_of_law(name, item, known):
+        kind = f"{FUNCTION} {reach_of_constants(item)}".strip()
+        return StatementRole(ASSUMPTION, why, kind, (name,))
+    return StatementRole(DEFINITION, why) if by else None
+
+
+def _is_of_law(name: str, item: SourceStatement, known: Known) -> bool:
+    """Whether a law before a statement has partial derivatives of a function, and of no energy."""
+    if name in (*HAMILTONIANS, *LAGRANGIANS) or known.is_defined(name):
+        return False
+    rows = [row for law in known.laws for row in law.rows if row.order < item.order]
+    return name in {one for row in rows for one in derived_names(row)}
 
 
 def gives_derivative(item: SourceStatement, known: Known) -> StatementRole | None:

@@ -44,6 +44,9 @@ CONSTRAINT = "constraint"
 BEGINNING = "beginning"
 """The kind of an assumption that holds at one time only."""
 
+FUNCTION = "function"
+"""How the kind of an assumption begins that a function is a special one: to the end of its case."""
+
 TOGETHER = "together"
 """The kind of a definition that gives names with others: it is supposed where these are used."""
 
@@ -244,7 +247,7 @@ class Known:
 
     def _named(self, item: SourceStatement) -> list[SourceStatement]:
         """What is supposed of constants in the case that the words before a statement name."""
-        about = ("", "of the sentence")
+        about = ("", "of the sentence", FUNCTION)
         fixed = [one for one in self.assumptions if self.roles[one].kind in about]
         return named_case(item, fixed, self.paper.prose)
 
@@ -326,7 +329,9 @@ class Known:
         found: dict[tuple[int, int], list[SourceStatement]] = {}
         here = self.supposed(item)
         for one in self.assumptions:
-            brief = self.roles[one].kind in ("", "of the sentence") or self._is_told_apart(one)
+            kind = self.roles[one].kind
+            brief = kind in ("", "of the sentence") or kind.startswith(FUNCTION)
+            brief = brief or self._is_told_apart(one)
             near = one.order < item.order or one.sentence == item.sentence
             if near and one not in here and brief:
                 found.setdefault(one.sentence, []).append(one)
@@ -356,8 +361,10 @@ class Known:
         kind = self.roles[one].kind
         if kind.startswith("set") or kind in (CONSTRAINT, BEGINNING):
             return False
-        if kind == "of the sentence":
+        if kind.endswith("of the sentence"):
             return one.sentence == item.sentence
+        if kind == FUNCTION and one.section is not item.section:
+            return False
         return _within(one, item)
 
     def special(self, law: Law) -> list[SourceStatement]:

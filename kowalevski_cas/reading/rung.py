@@ -10,6 +10,7 @@ from kowalevski_cas.paper.claims.maps import OF_MAPS
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.jets import refuse_of_functions
+from kowalevski_cas.reading.known import FUNCTION
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.stage import Stage, Supposed
 from kowalevski_cas.reading.statements import SourceStatement
@@ -44,7 +45,11 @@ class RungMaker:
 
     def ways(self) -> list[list[SourceStatement]]:
         """Without assumptions, and with those in force; what is not zero is never left aside."""
-        kept = [one for one in self.supposed if self.known.roles[one].kind == "inequality"]
+        kept = [
+            one
+            for one in self.supposed
+            if self.known.roles[one].kind == "inequality" or self._is_needed(one)
+        ]
         return [kept, self.supposed] if len(kept) < len(self.supposed) else [kept]
 
     def suppositions(self) -> list[list[SourceStatement]]:
@@ -53,9 +58,17 @@ class RungMaker:
         Where the statement itself has a constant that is specialised, it may be meant in general.
         """
         kept = [
-            one for one in self.supposed if not {*self.known.roles[one].names} & self.item.names
+            one
+            for one in self.supposed
+            if not {*self.known.roles[one].names} & self.item.names or self._is_needed(one)
         ]
         return [kept, self.supposed] if len(kept) < len(self.supposed) else [self.supposed]
+
+    def _is_needed(self, assumption: SourceStatement) -> bool:
+        """Whether it gives a function of which nothing says on what it depends else."""
+        role = self.known.roles[assumption]
+        any_values = self.known.paper.functions_by_name
+        return role.kind.startswith(FUNCTION) and any_values.keys().isdisjoint(role.names)
 
     def rung(
         self,

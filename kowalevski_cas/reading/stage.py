@@ -38,7 +38,7 @@ from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.forces import refuse_unsaid_forces
 from kowalevski_cas.reading.free_functions import TIME, names_of, with_free_functions
 from kowalevski_cas.reading.kinematics import is_free, refuse_dynamics
-from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, Known
+from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, FUNCTION, Known
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.statements import SourceStatement, derived_names
 
@@ -92,7 +92,7 @@ class Stage:
         special = self.known.special(law) if law is not None and law.restates else []
         given = dict.fromkeys((*assumptions, *special))
         about = self._about(given, closure.names)
-        closure = self._with_definitions(closure, about)
+        closure = self._with_functions(self._with_definitions(closure, about), about)
         roots = self._in_order(
             root
             for item in (*items, *about, *closure.definitions.values(), *(law.rows if law else ()))
@@ -219,6 +219,16 @@ class Stage:
         definitions = {**more.definitions, **closure.definitions}
         return _Closure(closure.law, closure.names | more.names, definitions, closure.stated)
 
+    def _with_functions(self, closure: _Closure, about: Sequence[SourceStatement]) -> _Closure:
+        """What some statements need where functions that may be any are supposed to be special."""
+        special = [one for one in about if self.known.roles[one].kind.startswith(FUNCTION)]
+        if not special:
+            return closure
+        more = self._closure(special, closure.law)
+        given = {name: one for one in special for name in self.known.roles[one].names}
+        definitions = {**more.definitions, **closure.definitions, **given}
+        return _Closure(closure.law, closure.names | more.names, definitions, closure.stated)
+
     def _mentioned(self, item: SourceStatement) -> list[str]:
         """The names that a statement needs, functions and brackets among them."""
         found = set(item.names)
@@ -327,7 +337,10 @@ class Stage:
         scene = scene.adjoining(*(root for root in first if root not in scene.definitions))
         scene = self._with_unit(scene.adjoining(*squares), closure, clock)
         used: list[SourceStatement] = []
+        used += [one for one in about if self.known.roles[one].kind.startswith(FUNCTION)]
         for one in sorted(about, key=lambda one: one.order):
+            if one in used:
+                continue
             narrower = with_assumption(scene, one, self.known)
             used += [one] if narrower is not scene else []
             scene = narrower
