@@ -38,7 +38,7 @@ Part = tuple[Formula, Formula]
 """An arithmetic part of a formula, before and after an edit."""
 
 
-class Difference(NamedTuple):
+class VanishingAtPoint(NamedTuple):
     """What an identity says to vanish where equations are given, at a point of these."""
 
     at: Sampled
@@ -81,7 +81,7 @@ class Variations:
         except _SAYS_NOTHING:
             return False
 
-    def _elaborated(self, place: Printed, edit: Edit) -> list[Difference]:
+    def _elaborated(self, place: Printed, edit: Edit) -> list[VanishingAtPoint]:
         """The identities of the claim as it is elaborated with an edit."""
         on = self.on.apart(self.on.texts)
         return [*_differences(self.claim, on.under(on.texts.with_edit(place, edit)))]
@@ -90,7 +90,7 @@ class Variations:
 class _Varied:
     """Parts of formulas, each of which is one step in the identities of a claim."""
 
-    def __init__(self, parts: Sequence[Formula], differences: Sequence[Difference]) -> None:
+    def __init__(self, parts: Sequence[Formula], differences: Sequence[VanishingAtPoint]) -> None:
         self._parts, self._differences = parts, differences  # they are known by their identity
         self._using: dict[Sampled, list[Program]] = {}
         given = False
@@ -115,7 +115,7 @@ class _Varied:
             instead |= replaced(using, new)
         return [one.point(instead.get(one.program, one.program)) for one in self._differences]
 
-    def compare(self, values: Sequence[Residue], elaborated: Sequence[Difference]) -> None:
+    def compare(self, values: Sequence[Residue], elaborated: Sequence[VanishingAtPoint]) -> None:
         """Compare values with those of the claim that is elaborated with the same edit."""
         points = [[one.point.values for one in ones] for ones in (elaborated, self._differences)]
         same = points[0] == points[1]
@@ -140,7 +140,7 @@ def _step(at: Sampled, part: Formula) -> Program | None:
     return None if step is None or step.op in (Op.NUMBER, Op.GENERATOR, Op.ROOT) else step
 
 
-def _differences(claim: Claim, on: Elaborations) -> Iterator[Difference]:
+def _differences(claim: Claim, on: Elaborations) -> Iterator[VanishingAtPoint]:
     """What the identities of a claim say to vanish."""
     stages: dict[Setting, Sampled] = {}
     for goal in claim.goals(claim.settings(on)):
@@ -151,7 +151,7 @@ def _differences(claim: Claim, on: Elaborations) -> Iterator[Difference]:
             given = tuple(_programs(at, goal.given))
             point = _point(at, given) if given else at.programs.samples[0]
             for program in _programs(at, goal.conclusions[0]):
-                yield Difference(at, program, given, point)
+                yield VanishingAtPoint(at, program, given, point)
 
 
 def _programs(at: Sampled, equations: Sequence[Equation]) -> Iterator[Program]:
