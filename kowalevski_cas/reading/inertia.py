@@ -19,7 +19,10 @@ _BODY = re.compile(
     r"\b(?:inertia|rigid|bod(?:y|ies)|tops?|gyro\w*|Euler|инерци|тв[её]рд|тел[аоу]|волч|гиро)",
     re.IGNORECASE,
 )
-_UNIT = re.compile(r"\b(?:unit|identity)\s+(?:matrix|tensor|operator)|\bединичн", re.IGNORECASE)
+_UNIT = re.compile(
+    r"\b(?:unit|identity)\s+(?:matrix|tensor|operator)|\b(?:scalar|spherical)\b|\bединичн|\bскалярн\w+\s+момент|\bшаров",
+    re.IGNORECASE,
+)
 
 
 def tensors_of_inertia(

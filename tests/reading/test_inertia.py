@@ -35,6 +35,7 @@ def test_integrals_for_any_tensor_and_any_hamiltonian(law, function, wrong):
     [
         FREE.replace("tensor of inertia", "matrix"),
         FREE + r"Here $\mathbf A$ is the unit matrix. ",
+        FREE + r"Here $\mathbf A$ is the scalar moment of inertia. ",
         FREE.replace(r"\mathbf A\mathbf w", r"\mathbf A\mathbf w+\mathbf A"),
     ],
 )
