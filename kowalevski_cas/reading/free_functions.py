@@ -52,13 +52,14 @@ def free_functions(formulas: Sequence[TypedFormula], text: str) -> tuple[Unknown
     In another section a letter may be a function of something else.
     """
     texts = [_apart(one.tex) for one in formulas]
+    timed = _told_of_time(formulas, text)
     moving = set[str]().union(*map(names_under_dots, texts)) | {TIME}
     moving |= {found["name"].replace(" ", "") for tex in texts for found in _RATE.finditer(tex)}
     given = {
         name
         for place, tex in enumerate(texts)
         for name in _given(tex)
-        if not _is_special(name, place, formulas, text)
+        if name not in timed and not _is_special(name, place, formulas, text)
     }
     lists: dict[str, dict[int, set[tuple[str, ...]]]] = defaultdict(lambda: defaultdict(set))
     orders: dict[str, int] = defaultdict(int)
@@ -74,6 +75,9 @@ def free_functions(formulas: Sequence[TypedFormula], text: str) -> tuple[Unknown
     for name in lists:
         every = dict.fromkeys(by for own in lists[name].values() for by in own)
         several = any(len(own) > 1 for own in lists[name].values())
+        if name in timed and {*every} == {(TIME,)}:
+            found.append(Unknown(name, (TIME,), max(orders[name], _order(name, texts))))
+            continue
         told = name in sure and (TIME,) not in every
         if not several and _may_be_any(name, given, texts) and (told or not _alone(name, texts)):
             found += [Unknown(name, by, orders[name]) for by in every]
@@ -115,6 +119,54 @@ def _says(tex: str, name: str) -> bool:
     """Whether a formula is a function at its argument, or says that a name is one, as f=f(x)."""
     left, equals, right = tex.strip(" .,;").rpartition("=")
     return APPLIED.fullmatch(right.strip()) is not None and (not equals or left.strip() == name)
+
+
+_OF_TIME = re.compile(
+    r"[$\s~)\\]*(?:of\s+(?:the|a)\s+\w+\s+)?(?:is|be|are|denotes?|[-—–]+|есть)?\s*(?:an?|the|some|any)?\s*(?:[\w-]+\s+){0,3}?"
+    r"(?:function|функци)",
+    re.IGNORECASE,
+)
+"""How words begin behind what they call a function."""
+
+
+def _told_of_time(formulas: Sequence[TypedFormula], text: str) -> set[str]:
+    """The names at the time in a formula by itself that words call functions.
+
+    They stand at the time in equations for something else, too.
+    """
+    found = set[str]()
+    for formula in formulas:
+        match = APPLIED.fullmatch(formula.tex.strip())
+        if match and match["by"] == TIME and _OF_TIME.match(text, formula.end):
+            found.add(match["name"].replace(" ", ""))
+    rows = [one.tex for one in formulas if not one.inline and names_under_dots(one.tex)]
+    parts = [
+        {*names_under_dots(part), *(found["name"] for found in _RATE.finditer(part))}
+        for tex in rows
+        for part in _PARTS.split(tex)
+    ]
+    return {
+        name
+        for name in found
+        if any(name == one and by == (TIME,) for tex in rows for one, by, _ in _applications(tex))
+        and {name} not in parts  # that would say how it moves
+    }
+
+
+_PARTS = re.compile(r"[,;]|\\\\|\\q?quad(?![A-Za-z])")
+_DOTS = r"\\(?P<dots>d{1,3})ot(?![A-Za-z])"
+
+
+def _with_primes(tex: str, name: str) -> str:
+    """A formula with the derivatives of a function of the time by primes instead of dots."""
+    dotted = rf"{_DOTS}\s*(?:\{{\s*{re.escape(name)}\s*\}}|{re.escape(name)}(?![A-Za-z]))"
+    return re.sub(dotted, lambda found: name + "'" * len(found["dots"]), tex)
+
+
+def _order(name: str, texts: Iterable[str]) -> int:
+    """The highest order in which a name is derived by dots."""
+    dotted = re.compile(rf"{_DOTS}\s*\{{?\s*{re.escape(name)}(?![A-Za-z])")
+    return max((len(found["dots"]) for tex in texts for found in dotted.finditer(tex)), default=0)
 
 
 def _alone(name: str, texts: Iterable[str]) -> bool:
@@ -202,6 +254,8 @@ def with_names_alone(
     """
     for formula in formulas:
         tex = _DERIVED.sub(lambda found: _primed(found, functions), _apart(formula.tex))
+        for one in functions:
+            tex = _with_primes(tex, one.name) if one.by == (TIME,) else tex
         own = [one for one in functions if any(a[:2] == one[:2] for a in _applications(tex))]
         others = [one for one in functions if one.name not in {o.name for o in own}]
         try:

@@ -138,3 +138,35 @@ def test_a_letter_may_be_a_function_of_something_else_in_another_section():
 )
 def test_sets_are_not_judged_where_a_function_may_be_any(words):
     assert not any(one.green for one in verdicts(LINE + words).values())
+
+
+HILL = r"""Let \[ \ddot u+k^2(t)u=0, \] where $k(t)$ is a given function of the time. """
+ROPE = r"""The length $s(t)$ of the rope is a given function. \[ \ddot\psi+2\frac{\dot s}{s(t)}\dot\psi
++\frac{g}{s(t)}\sin\psi=0. \] With $P=s^2\dot\psi$ one has """
+
+
+@pytest.mark.parametrize(
+    ("text", "claim", "wrong"),
+    [
+        (HILL + r"The energy $E=\frac12(\dot u^2+k^2u^2)$ satisfies ",
+         r"\frac{dE}{dt}=k\dot ku^2", r"\frac{dE}{dt}=2k\dot ku^2"),
+        (ROPE, r"\dot P=-gs\sin\psi", r"\dot P=-gs\dot s\sin\psi"),
+        (r"The force $F(t)$ is a periodic function and \[ \ddot q+q=F(t). \] "
+         r"The energy $E=\frac12(\dot q^2+q^2)$ changes by ", r"\dot E=F\dot q", r"\dot E=\dot Fq"),
+    ],
+)  # fmt: skip
+def test_functions_of_the_time_stand_alone_and_have_rates(text, claim, wrong):
+    for tex, green in ((claim, True), (wrong, False)):
+        assert [v.green for v in verdicts(text + rf"\[ {tex}. \]").values()] == [green]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"The equation is \[ m\dot v+kv(t)=0, \] where $v(t)$ is a smooth function. The function $v$ is an integral.",
+        HILL + r"The energy $\frac12(\dot u^2+k^2u^2)$ is an integral.",
+        r"Let \[ \dot x=y(t),\quad\dot y=-2x(t), \] where $x(t)$ is a function. The function $x^2+y^2$ is an integral.",
+    ],
+)  # fmt: skip
+def test_what_moves_is_no_function_that_may_be_any(text):
+    assert not any(v.green for v in verdicts(text).values())
