@@ -30,7 +30,7 @@ from kowalevski_cas.reading.formulas import are_differentials
 from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, normalisations
 from kowalevski_cas.reading.motion_rungs import along_solution, first_order, of_motion, solutions
 from kowalevski_cas.reading.rung import Rung, RungMaker, places, stronger
-from kowalevski_cas.reading.sets import SetOfEquations, equations_of_chains, sets_of
+from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.stage import Stage
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
@@ -253,7 +253,6 @@ class _Ladder(RungMaker):
             return
         kind, says = _OF_SETS[self.role.kind]
         bound = self.known.bound
-        relations = (*equations_of_chains(relations, self.known.paper),)
         own = places((*relations, *bound))
         for assumptions in ways:
             yield self.rung(kind, says, assumptions, bound, relations, relations=own)

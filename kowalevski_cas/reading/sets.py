@@ -11,11 +11,10 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
-from kowalevski_cas.notation import Number, Relation, to_latex
+from kowalevski_cas.notation import Number, Relation
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import Known
-from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
-from kowalevski_cas.reading.unprinted import unprinted
+from kowalevski_cas.reading.statements import SourceStatement
 
 SetOfEquations = tuple[SourceStatement, ...]
 
@@ -47,19 +46,6 @@ def _beside(one: SourceStatement, other: SourceStatement) -> bool:
     inline = one.typed.inline and other.typed.inline and one.sentence == other.sentence
     near = inline and other.order == one.order + 1
     return near and _JOINED.fullmatch(other.lead) is not None
-
-
-def equations_of_chains(
-    relations: Iterable[SourceStatement], paper: SourcePaper
-) -> Iterator[SourceStatement]:
-    r"""The equations of a set: a chain as :math:`x=\dot x=0` says that each part vanishes."""
-    for one in relations:
-        if len(one.members) < 3 or one.members[-1] != Number(0):
-            yield one
-            continue
-        for number, member in enumerate(one.members[:-1], 1):
-            id = f"{one.printed.display.id}-{one.printed.number}-part-{number}"
-            yield unprinted(paper, id, f"{to_latex(member)}=0", one, one.printed.place)
 
 
 def has_set_beside(item: SourceStatement, known: Known) -> bool:

@@ -16,8 +16,6 @@ TRUE = [
     r"The set $@q=0$, $\dot @q=0$ is invariant.",
     r"The set $\dot @q=0$, $@q=0$ is invariant.",
     r"The set where $@q=0$ and $\dot @q=0$ is invariant.",
-    r"The plane $@q=\dot @q=0$ is invariant.",
-    r"The point $@q=\dot @q=@s=\dot @s=0$ is an equilibrium.",
     r"The point $@q=0$, $@s=0$, $\dot @q=0$, $\dot @s=0$ is an equilibrium.",
 ]
 FALSE = [
@@ -44,7 +42,7 @@ def judged(text, letters):
     return {*verdicts(text).values()}
 
 
-@pytest.mark.parametrize(("text", "letters"), sampled(product(TRUE, LETTERS), 6))
+@pytest.mark.parametrize(("text", "letters"), sampled(product(TRUE, LETTERS), 4))
 def test_sets_that_no_motion_leaves(text, letters):
     found = judged(LAW + text, letters)
     assert found and found <= GREEN
@@ -67,3 +65,12 @@ def test_sets_that_some_motion_leaves(text, letters):
 def test_what_holds_on_a_set_is_no_equation_that_is_refuted(text):
     pendulum = r"A pendulum swings by \begin{equation}\ddot @q=-k\sin @q .\end{equation} "
     assert "REFUTED" not in judged(pendulum + text, LETTERS[2])
+
+
+@pytest.mark.parametrize(
+    ("chain", "green"), [(r"x=\dot x=0", True), (r"y=\dot y=0", False), ("x=y=0", False)]
+)
+def test_a_chain_is_a_set(chain, green):
+    law = r"A body moves by \[ \ddot x=-x(1+y),\qquad \ddot y=-y+\dot x^2 . \] "
+    found = verdicts(law + f"The set ${chain}$ is invariant.")
+    assert bool(found) and bool(GREEN & {*found.values()}) is green
