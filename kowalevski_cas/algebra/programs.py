@@ -9,7 +9,7 @@ written once; a stage of programs evaluates it like any other stage.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from enum import Enum, auto
 from fractions import Fraction
 
@@ -185,23 +185,23 @@ def steps(programs: Iterable[Program]) -> list[Program]:
     return list(order)
 
 
-def behind(programs: Iterable[Program], source: Program) -> list[Program]:
-    """The steps of some programs that use one, each after those that it uses itself."""
-    using, found = {source}, list[Program]()
+def behind(programs: Iterable[Program], sources: Collection[Program]) -> list[Program]:
+    """The steps of some programs that use the sources, each after those that it uses itself."""
+    using, found = {*sources}, list[Program]()
     for step in steps(programs):
         before = (*step.args, *(field_of(step).values() if step.op is Op.ALONG else ()))
-        if step is not source and not using.isdisjoint(before):
+        if step not in sources and not using.isdisjoint(before):
             using.add(step)
             found.append(step)
     return found
 
 
-def replaced(using: Iterable[Program], source: Program, value: Program) -> dict[Program, Program]:
-    """What the steps become that use a program, where it is another one.
+def replaced(using: Iterable[Program], values: Mapping[Program, Program]) -> dict[Program, Program]:
+    """What the steps become that use some programs, where these have other values.
 
     They are those of :func:`behind`.
     """
-    found = {source: value}
+    found = {**values}
     fields: dict[int, Mapping[str, Program]] = {}
     for step in using:
         data = step.data

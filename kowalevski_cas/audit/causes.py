@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Protocol
 
-from kowalevski_cas.notation import Edit
-from kowalevski_cas.paper.texts import Display, Printed
+from kowalevski_cas.notation import Edit, Formula
+from kowalevski_cas.paper.texts import Display, Printed, edited_formulas
 from kowalevski_cas.verify.decider import Decider
 from kowalevski_cas.verify.outcome import Correction, Outcome
 
@@ -32,6 +32,14 @@ class Causes:
         self.corrections[claim] = correction
         self.misprints[correction.printed] = correction.edit
         return True
+
+    def mended(self, places: Collection[Printed] | None = None) -> dict[Printed, Formula]:
+        """What the misprints, or those at these places, should read."""
+        found: dict[Printed, Formula] = {}
+        for place, edit in self.misprints.items():
+            if places is None or place in places:
+                found |= edited_formulas(place, edit)
+        return found
 
     def repairs(
         self, display: Display, outcomes: Iterable[Outcome]

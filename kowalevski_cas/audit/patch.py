@@ -19,6 +19,8 @@ ROUNDS = 3
 
 def repair_source(found: Audit) -> Source:
     """The source with every misprint mended that a true formula is known for."""
+    if found.reading is not None:  # nothing of it differs from its derivation
+        return _once(found)
     source = found.source
     for _ in range(ROUNDS):
         before, source = source, _once(found)
@@ -41,6 +43,8 @@ def repairs(audit: Audit, place: Correspondence) -> dict[tuple[int, int], str]:
     wanted = corrected_tex(audit, place)
     if place.typed is None or wanted is None:
         return {}
+    if place.display.tex.startswith(place.typed.tex):  # ranges of indices that stand elsewhere
+        wanted = wanted.removesuffix(place.display.tex.removeprefix(place.typed.tex))
     found: dict[tuple[int, int], str] = {}
     end_of_line = "\r\n" if "\r\n" in audit.source.text else "\n"
     for start, end, typed in _minimal(audit, place.typed.tex, wanted):

@@ -21,10 +21,10 @@ from kowalevski_cas.audit.followed import tell_steps
 from kowalevski_cas.audit.places import Correspondence
 from kowalevski_cas.audit.scaled import edits_by_scales, tell_scales
 from kowalevski_cas.limits import time_limit
-from kowalevski_cas.notation import Edit, Formula, Name, Negative, Number, Power, Relation, edits
+from kowalevski_cas.notation import Edit, Name, Negative, Number, Power, Relation, edits
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Doubt
-from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.paper.texts import Printed, Texts, edited_formulas
 from kowalevski_cas.processes import each
 from kowalevski_cas.reading import CLAIM, UNREAD, JudgedStatement, Reading
 from kowalevski_cas.reading.energies import OF_ENERGY
@@ -184,7 +184,7 @@ class ReadingSession:
     def _blame(self, session: Session, outcomes: Sequence[Outcome], causes: Causes) -> Blame:
         """The search for what makes claims fail that stand on no misprint that is known."""
         verdicts = {outcome.claim: outcome.verdict for outcome in outcomes}
-        misprints = causes.misprints.keys()
+        misprints = causes.mended().keys()
         waiting = {c.id for c in session.derivation.claims if c.reads() & misprints}
         doubted = {id for id, doubt in session.derivation.doubts.items() if doubt is Doubt.ALWAYS}
         explained = [o.claim for o in outcomes if o.correction or o.claim in waiting | doubted]
@@ -200,7 +200,7 @@ class ReadingSession:
 
     def _mend(self, found: dict[str, Outcome]) -> None:
         """Decide once more, with what is blamed as it should read, what that has not mended."""
-        mended = {place: edit.formula for place, edit in self.causes.misprints.items()}
+        mended = self.causes.mended()
         rest = [
             claim.id
             for claim in self.interpretation.derivation.claims
@@ -215,7 +215,7 @@ class ReadingSession:
             own = outcome.correction is not None and not outcome.correction.blamed
             late = found[outcome.claim].verdict is Verdict.TIMEOUT
             if own or (outcome.verdict.green and not late):
-                causes = self._needed(claims[outcome.claim], mended)
+                causes = self._needed(claims[outcome.claim])
                 self.causes.places[outcome.claim] = causes
                 corrections = () if outcome.correction is None else (outcome.correction,)
                 if not corrections:
@@ -223,11 +223,13 @@ class ReadingSession:
                 failed = found[outcome.claim]._replace(verdict=Verdict.REFUTED, message="")
                 found[outcome.claim] = failed.corrected_by(corrections)
 
-    def _needed(self, claim: Claim, mended: Mapping[Printed, Formula]) -> tuple[Printed, ...]:
+    def _needed(self, claim: Claim) -> tuple[Printed, ...]:
         """The misprints on which a claim stands, without those that need not be mended for it."""
-        kept = [place for place in mended if place in claim.reads()]
+        reads = claim.reads()
+        misprints = self.causes.misprints.items()
+        kept = [p for p, edit in misprints if not reads.isdisjoint(edited_formulas(p, edit))]
         for place in kept[:]:
-            fewer = {other: mended[other] for other in kept if other != place}
+            fewer = self.causes.mended([other for other in kept if other != place])
             with suppress(TimeoutError), time_limit(PATIENCE):
                 texts = self.interpretation.texts.reading(fewer)
                 if fewer and self.interpretation.holds(claim, texts):
@@ -245,7 +247,7 @@ class ReadingSession:
 
     def _doubt(self, found: dict[str, Outcome]) -> None:
         """Take the verdict from what is true of a misprint only, and not of what it should read."""
-        mended = {place: edit.formula for place, edit in self.causes.misprints.items()}
+        mended = self.causes.mended()
         about = [
             claim
             for claim in self.interpretation.derivation.claims

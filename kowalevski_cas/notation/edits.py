@@ -34,7 +34,9 @@ class Edit:
     """One change of one place.
 
     ``kind`` is one of sign, index, letter, exponent, coefficient, factor, power, missing, exchange;
-    ``replacement`` is the new subtree at ``path``, and ``words`` says what was changed.
+    ``replacement`` is the new subtree at ``path``, and ``words`` says what was changed. ``beside``
+    is what becomes of statements that are printed together with this one, by their numbers; then
+    ``source`` is what is typed.
     """
 
     kind: str
@@ -43,6 +45,8 @@ class Edit:
     words: str
     statement: PrintedStatement = field(repr=False)
     vocabulary: Vocabulary = field(repr=False, compare=False)
+    beside: tuple[tuple[int, Formula], ...] = field(default=(), repr=False)
+    source: str = field(default="", repr=False)
 
     @property
     def formula(self) -> Formula:
@@ -52,6 +56,8 @@ class Edit:
     @property
     def tex(self) -> str:
         """The source after the change: as little of it as possible is typed anew."""
+        if self.source:
+            return self.source
         wanted, before = self.formula, split_display(self.statement.tex)
         place = [start for start, _ in before].index(self.statement.start)
         for source in self._sources(wanted):

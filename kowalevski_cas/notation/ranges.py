@@ -116,13 +116,18 @@ def each_value(
 
 def index_letters(tokens: Sequence[Token]) -> set[str]:
     r"""The letters that stand in indices, but for those of sums as :math:`\sum_{i=1}^3`."""
-    found = {t.text for t, within in _index_flags(tokens) if within and t.kind == "letter"}
+    found = {token.text for token in letters_in_indices(tokens)}
     bound = set[str]()
     for k, token in enumerate(tokens):
         if token.kind in SIGNS and (sign := SumSign.at([*tokens], k)).is_plain:
             bound |= sign.own
     free = {t.text for t in outside_sums([*tokens])}
     return found - (bound - free)
+
+
+def letters_in_indices(tokens: Iterable[Token]) -> list[Token]:
+    """The letters that stand in indices, and under the signs of sums."""
+    return [t for t, within in _index_flags(tokens) if within and t.kind == "letter"]
 
 
 def _sign(token: Token) -> str:

@@ -100,6 +100,12 @@ class Printed:
         return defined_names(self.display.tex)[self.number - 1]
 
 
+def edited_formulas(printed: Printed, edit: Edit) -> dict[Printed, Formula]:
+    """What an edit of a place makes of it, and of what is printed together with it."""
+    beside = {printed.display[number]: formula for number, formula in edit.beside}
+    return {printed: edit.formula, **beside}
+
+
 def statements(*printed: Display | Printed) -> Iterator[Printed]:
     """Single statements, and all those of displays; raises ``TypeError`` for anything else."""
     for statement in printed:
@@ -178,7 +184,7 @@ class Texts:
 
     def with_edit(self, printed: Printed, edit: Edit) -> Texts:
         """The same texts with one statement changed."""
-        return self.reading({printed: edit.formula})
+        return self.reading(edited_formulas(printed, edit))
 
     def reading(self, formulas: Mapping[Printed, Formula]) -> Texts:
         """The same texts with other formulas at some places."""

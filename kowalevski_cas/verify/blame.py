@@ -21,7 +21,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, partial
-from itertools import takewhile
+from itertools import islice, takewhile
 from math import inf
 from typing import TYPE_CHECKING
 
@@ -283,22 +283,25 @@ class Blame:
                 elif claim is one or (allowed := allowed - 1) < 0:
                     allowed = -1
                     break
+            if allowed < 0 or len(mends) < most:
+                continue
             repair = repair._replace(mends=tuple(mends))
-            if allowed >= 0 and len(mends) >= most:
+            if suspect is Suspect.LAW:  # no other one may break anything
                 repair = repair._replace(beside=self._mended_beside(repair))
-            if (
-                allowed >= 0
-                and len(mends) >= most
-                and len(self._broken(repair)) <= repair.tolerates
-            ):
+            if not self._breaks_too_much(repair):
                 most = len(mends)
                 found.append(repair)
         return sorted(found, key=likelihood)
 
     def _mended_beside(self, repair: Repair) -> int:
         """How many claims a repair mends that may have been meant otherwise."""
-        about = self.corrector.interpretation.readers(repair.place)
+        about = self._readers(repair)
         return sum(self._is_doubted(c) and self._is_mended(repair, c) for c in about)
+
+    def _readers(self, repair: Repair) -> list[Claim]:
+        """The claims of which a verdict can depend on what a repair changes."""
+        readers = map(self.corrector.interpretation.readers, repair.places)
+        return [*dict.fromkeys(claim for claims in readers for claim in claims)]
 
     def _is_mended(self, repair: Repair, claim: Claim) -> bool:
         """Whether a repair makes a claim true: at points, or by a proof if they cannot tell."""
@@ -326,12 +329,14 @@ class Blame:
             return False
         return verdict
 
-    def _broken(self, repair: Repair) -> list[Claim]:
+    def _broken(self, repair: Repair) -> Iterator[Claim]:
         """The true claims that a repair makes false, as points tell."""
-        if isinstance(repair.change, ConstantRelation):
-            return []
-        about = self.corrector.interpretation.readers(repair.place)
-        return [c for c in about if self._holds(c) and self._passes(repair, c) is False]
+        about = [] if isinstance(repair.change, ConstantRelation) else self._readers(repair)
+        return (c for c in about if self._holds(c) and self._passes(repair, c) is False)
+
+    def _breaks_too_much(self, repair: Repair) -> bool:
+        """Whether a repair makes more claims false than it may."""
+        return any(islice(self._broken(repair), repair.tolerates, None))
 
     # -- what is proved ---------------------------------------------------------------
 
@@ -370,9 +375,10 @@ class Blame:
         """The true claims that stand on what a repair changes."""
         if not isinstance(repair.change, Edit):
             return ()
-        broken = self._broken(repair) if repair.tolerates else []
+        broken = [*self._broken(repair)] if repair.tolerates else []
         true = (c for c in self._derivation.claims if self._holds(c) and c not in broken)
-        return tuple(c.id for c in true if repair.place in self._statement(c).stands_on)
+        changed = {*repair.places}
+        return tuple(c.id for c in true if changed & {*self._statement(c).stands_on})
 
     def _spoils(self, repair: Repair) -> bool:
         """Whether a repair makes false what is true, or leaves nothing of what it changes."""
@@ -380,7 +386,7 @@ class Blame:
         if not isinstance(edit, Edit):
             return False
         keeps = self.corrector.keeps
-        true = [c for c in self.corrector.interpretation.readers(place) if self._holds(c)]
+        true = [c for c in self._readers(repair) if self._holds(c)]
         if sum(not keeps(claim, place, edit) for claim in true) > repair.tolerates:
             return True
         mended = ((self._on(claim), claim) for claim in repair.mends)

@@ -9,6 +9,7 @@ from typing import Any
 
 from kowalevski_cas.limits import tell, time_limit
 from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.texts import edited_formulas
 from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.decider import PROVING, Decider
 from kowalevski_cas.verify.outcome import Outcome, Verdict
@@ -66,7 +67,8 @@ def _waiting(blame: Blame, failing: Sequence[Claim], shared: Repairs) -> set[str
     """The claims that are decided again with what is mended for others, on which they stand."""
     if not blame.decides_again:
         return set()
-    mended = {first.printed for first, *_ in shared.values() if first.blamed}
+    repairs = [(first.printed, first.edit) for first, *_ in shared.values() if first.blamed]
+    mended = {p for place, edit in repairs if place and edit for p in edited_formulas(place, edit)}
     statement = blame.corrector.interpretation.statement
     return {claim.id for claim in failing if mended & {*statement(claim).stands_on}}
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from enum import IntEnum
 from itertools import islice
 from typing import NamedTuple
@@ -19,9 +19,10 @@ from kowalevski_cas.notation import (
     Relation,
     edits,
 )
+from kowalevski_cas.notation.common_edits import common_edits, printed_together
 from kowalevski_cas.notation.edits import changes_subject
 from kowalevski_cas.paper.claims import Claim, FirstIntegral, Neighbour
-from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.paper.texts import Printed, Texts, edited_formulas
 from kowalevski_cas.verify.corrections import unlikeliness
 from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.missing_numbers import missing_numbers
@@ -75,6 +76,13 @@ class Repair(NamedTuple):
         """How many true claims it may make false: none, if it is none of a law."""
         return most_broken(len(self.mends) + self.beside) if self.suspect is Suspect.LAW else 0
 
+    @property
+    def places(self) -> tuple[Printed, ...]:
+        """What it changes: the place, and what is printed together with it."""
+        if isinstance(self.change, ConstantRelation):
+            return (self.place,)
+        return (*edited_formulas(self.place, self.change),)
+
     def of(self, claim: Claim, texts: Texts) -> Neighbour:
         """What a claim says with the repair."""
         if isinstance(self.change, ConstantRelation):
@@ -118,7 +126,29 @@ def changes(
         for edit in edits(texts.statement(place), texts.vocabulary, names)
         if not changes_subject(edit)
     ]
+    several += _common_changes(_suspected(failing, interpretation, right()), least, texts)
     yield from sorted(several, key=lambda pair: (slip(pair[1]), pair[0]))
+
+
+def _common_changes(
+    suspected: Mapping[Printed, tuple[Suspect, list[Claim]]], least: int, texts: Texts
+) -> Iterator[tuple[Suspect, Edit, Printed, list[Claim]]]:
+    """The edits of what is printed once and read several times, and the claims that they change."""
+    tried = set[Printed]()
+    for place, (suspect, _) in suspected.items():
+        if place in tried or suspect is Suspect.OWN:
+            continue
+        together = printed_together(texts.source(place.display), place.number)
+        places = [place.display[number] for number in together]
+        tried.update(places)
+        if not suspected.keys() >= {*places}:
+            continue
+        standing = [*dict.fromkeys(claim for one in places for claim in suspected[one][1])]
+        if len(standing) >= least:
+            printed = texts.statements(place.display)
+            for edit in common_edits(printed, place.number, texts.vocabulary):
+                if not changes_subject(edit):
+                    yield suspect, edit, place, standing
 
 
 def numbers(
@@ -157,6 +187,14 @@ def _suspects(
 
     None of them is ``right``.
     """
+    every = _suspected(failing, interpretation, right)
+    return {place: one for place, (one, standing) in every.items() if len(standing) >= least}
+
+
+def _suspected(
+    failing: Sequence[Claim], interpretation: Interpretation, right: Collection[Printed]
+) -> dict[Printed, tuple[Suspect, list[Claim]]]:
+    """The places on which failing claims stand, with these; none of the places is ``right``."""
     standing: dict[Printed, list[Claim]] = {}
     found: dict[Printed, Suspect] = {}
     for claim in failing:
@@ -172,8 +210,7 @@ def _suspects(
                 found[place] = Suspect.OWN
             elif place in roles:
                 found.setdefault(place, Suspect.LAW if law else Suspect.DEFINITION)
-    several = {place for place, claims in standing.items() if len(claims) >= least}
-    return {place: one for place, one in found.items() if place in several.difference(right)}
+    return {place: (one, standing[place]) for place, one in found.items() if place not in right}
 
 
 def determined_rates(
