@@ -26,6 +26,8 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.notation.symbol import rate_name, symbol
 
 HAMILTONIANS, LAGRANGIANS = ("H", r"\mathcal{H}"), ("L", r"\mathcal{L}")
+_SPACE = ["1", "2", "3"]
+_PERMUTATIONS = (r"\varepsilon", r"\epsilon")
 _COORDINATES = ("q", "x", r"\theta", r"\varphi", r"\phi", "r")
 
 
@@ -152,24 +154,39 @@ def _coordinates(formulas: Sequence[Formula]) -> Iterator[str]:
     found: dict[str, None] = {}
     same: dict[str, str] = {}
     names = set[str]().union(*(formula.names() for formula in formulas))
+    vectors = {*_vectors(formulas)}
     for formula in formulas:
         match formula:
             case Relation((PoissonBracket(Name(x), Name(y)), _), _):
-                each = [point for name in (x, y) for point in _indexed(name, names)]
+                each = [point for name in (x, y) for point in _indexed(name, names, vectors)]
                 found.update(dict.fromkeys(each))
             case Relation((Name(x), Name(y)), _):
                 same[x] = y
     yield from (name for name in found if same.get(name) not in found)
 
 
-def _indexed(name: str, names: Iterable[str]) -> list[str]:
-    """A coordinate, for each value of its index that is printed; of three if none is."""
+def _vectors(formulas: Iterable[Formula]) -> Iterator[str]:
+    r"""The letters of vectors, as in :math:`\{M_i,\gamma_j\}=\varepsilon_{ijk}\gamma_k`."""
+    for formula in formulas:
+        match formula:
+            case Relation((PoissonBracket(Name(x), Name(y)), value), _):
+                if any(symbol(name).letter in _PERMUTATIONS for name in value.names()):
+                    yield from (symbol(name).head for name in (x, y))
+
+
+def _indexed(name: str, names: Iterable[str], vectors: Collection[str]) -> list[str]:
+    """A coordinate, for each value of its index that is printed; of three if none is.
+
+    A component of a vector has three.
+    """
     parts = symbol(name)
     if parts.index not in ("i", "j"):
         return [name]
+    if parts.head in vectors:
+        return [replace(parts, index=value).name for value in _SPACE]
     others = (symbol(one) for one in names)
     printed = {one.index for one in others if one.head == parts.head and one.index.isdecimal()}
-    values = sorted(printed, key=int) or ["1", "2", "3"]
+    values = sorted(printed, key=int) or _SPACE
     return [replace(parts, index=value).name for value in values]
 
 

@@ -18,6 +18,7 @@ CUES: dict[str, str] = {
         {_OF_MAP}
         (?:first|partial|additional|second|third|fourth|new|energy|area|geometric\w*|the)\s+integrals?
         integrals?\s+of\s+(?:the\s+)?(?:motion|energy|areas?|second|third|fourth|degree)
+        \bthe\s+(?!(?:elliptic|hyperelliptic|abelian|definite|indefinite|line|action|path|contour|general|same|double|last|following)\b)\w+\s+integral\s+(?:has\s+the\s+form|takes\s+the\s+form|reads|is)
         integrals?\b conserved constants?\s+of\s+(?:the\s+)?motion
         (?:is|are|remains?|stays?)\s+(?:a\s+|also\s+)?(?:constants?|preserved|conserved)
         do(?:es)?\s+not\s+(?:change|depend\s+on\s+(?:the\s+)?time) интеграл\w* сохраня\w+

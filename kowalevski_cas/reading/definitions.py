@@ -43,6 +43,7 @@ from kowalevski_cas.reading.known import (
 )
 from kowalevski_cas.reading.phrases import (
     integral_words,
+    is_deduced_level,
     is_number,
     last_clause,
     plain,
@@ -195,7 +196,11 @@ def _level(
     if behind and not isinstance(first, Name | Application | PoissonBracket):
         if known.varying(item.names - {*fresh}):
             why = f"names the value {plain(fresh[0])}"
-            if item.typed.inline or cue("suppose", item.lead) or cue("level", item.lead):
+            if (
+                (item.typed.inline and not is_deduced_level(item))
+                or cue("suppose", item.lead)
+                or cue("level", item.lead)
+            ):
                 return StatementRole(LEVEL, why, "", (*fresh,))
             return StatementRole(CLAIM, f"{why}, which is constant then", "integral", (*fresh,))
     if item.bare[:1] != tuple(fresh[:1]) and len(item.bare) == len(item.members):

@@ -34,6 +34,8 @@ from kowalevski_cas.paper.summation import without_sums
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.reading.antiderivatives import without_integral
 from kowalevski_cas.reading.compositions import functions_in, maps_in, written_out
+from kowalevski_cas.reading.crosses import matrices_on_vectors
+from kowalevski_cas.reading.letters_of_vectors import letters_of_vectors
 from kowalevski_cas.reading.measures import with_divergence, with_jacobian
 from kowalevski_cas.reading.ranks import with_ranks
 from kowalevski_cas.source.displays import TypedFormula
@@ -48,7 +50,7 @@ def by_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
     """
     texts = [formula.tex for formula in formulas]
     by = derived_in_index(texts)
-    known = printed_arguments(texts, _lists(formulas))
+    known = printed_arguments(texts, letters_of_vectors(formulas))
     moving = set[str]().union(*map(names_under_dots, texts))
     fields = {} if by else functions_of(texts)
     for formula, tex in zip(formulas, without_new_names(texts), strict=True):
@@ -82,11 +84,10 @@ def vocabulary_of(formulas: Sequence[TypedFormula]) -> Vocabulary:
 
 def _letters(formulas: Sequence[TypedFormula]) -> Vocabulary:
     """The letters of a paper; bold capitals are matrices or vectors, as more can be read."""
-    guesses = [*guess(formulas)]
     euler = all(is_exponential(tokens_of(one.tex)) for one in formulas if "e" in one.tex)
     other = {"d", "e"} if euler else {"d"}
-    listed, by_entries = _lists(formulas), _matrices(formulas)
-    by_entries |= _by_elements(formulas, by_entries)
+    listed, by_entries = letters_of_vectors(formulas), _matrices(formulas)
+    by_entries |= _by_elements(formulas, by_entries) | matrices_on_vectors(f.tex for f in formulas)
     guesses = [
         replace(
             one,
@@ -96,7 +97,7 @@ def _letters(formulas: Sequence[TypedFormula]) -> Vocabulary:
             times=one.times - listed,
             functions=one.functions.union([r"\exp"] if euler else []) - listed,
         )
-        for one in guesses
+        for one in guess(formulas, listed)
     ]
     if guesses[0] == guesses[1]:
         return guesses[0]
@@ -118,48 +119,6 @@ def _letters(formulas: Sequence[TypedFormula]) -> Vocabulary:
 def _is_readable(formula: TypedFormula, words: Vocabulary) -> bool:
     """Whether all statements of a formula can be read."""
     return not any(trouble for _, trouble, _ in read_formula(formula, formula.tex, words))
-
-
-_LIST = re.compile(
-    r"(?<!\\boldsymbol\s)(?<!\\mathbf\s)(?<!\\bm\s)(?<!\\vec\s)(?<![\w}\\])(?P<name>[A-Za-z]|\\[A-Za-z]+)\s*=\s*\(\s*"
-    r"(?P<entries>(?:[A-Za-z]|\\[A-Za-z]+)(?:_\{?\w\}?)?"
-    r"(?:\s*,\s*(?:[A-Za-z]|\\[A-Za-z]+)(?:_\{?\w\}?)?)+)\s*\)\s*[.,;]?\s*"
-)
-r"""A letter that is a list of names, as :math:`x=(x_1,x_2,x_3)`: it is a vector."""
-_SLOT = r"(?:[A-Z](?:\^(?:\w|\{[^{}]*\}))?\s*)?(?P<%s>[a-zA-Z]|\\[A-Za-z]+)\s*"
-_ANGULAR = re.compile(rf"\\langle\s*{_SLOT % 'first'},\s*{_SLOT % 'second'}\\rangle")
-r"""A scalar product of letters, the first or the second perhaps behind a matrix."""
-_MEMBERS = re.compile(
-    r"(?P<names>(?:[A-Za-z]|\\[A-Za-z]+)(?:\s*,\s*(?:[A-Za-z]|\\[A-Za-z]+))*)\s*\\in\s*"
-    r"(?:\\(?:mathbb|mathbf|mathrm|bf|Bbb)\b\s*)?\{?\s*(?:\\bf\s+)?R\s*\}?\s*\^\s*\{?\s*(?P<size>[2-9])\s*\}?"
-)
-r"""Letters that are points of a space of so many dimensions: :math:`x,y\in\mathbb R^3`."""
-_PRODUCT = re.compile(r"\(\s*([A-Za-z]|\\[A-Za-z]+)\s*,\s*([A-Za-z]|\\[A-Za-z]+)\s*\)")
-
-
-def _lists(formulas: Sequence[TypedFormula]) -> frozenset[str]:
-    r"""The letters that are lists of names, and those of which the product with one is printed.
-
-    Those in :math:`\langle A^{-1}x,y\rangle`, and points of a space, are vectors as well.
-    """
-    texts = [formula.tex for formula in formulas]
-    members = {name for tex in texts for name in members_of_spaces(tex)}
-    angular = {letter for tex in texts for pair in _ANGULAR.findall(tex) for letter in pair}
-    found = {match["name"] for tex in texts for match in _LIST.finditer(tex)}
-    pairs = {pair.groups() for tex in texts for pair in _PRODUCT.finditer(tex)}
-    beside = {other for pair in pairs for other in pair if {*pair} & found}
-    return frozenset(
-        name
-        for name in found | beside
-        if any(re.search(rf"{re.escape(name)}_\{{?\w", t) for t in texts)
-    ) | frozenset(angular | members)
-
-
-def members_of_spaces(tex: str) -> dict[str, int]:
-    """The letters that a formula says to be vectors, with the numbers of their components."""
-    found = _MEMBERS.fullmatch(tex.strip().rstrip(".,;"))
-    names = found["names"].split(",") if found else []
-    return {name.strip(): int(found["size"]) for name in names if found}
 
 
 def _matrices(formulas: Sequence[TypedFormula]) -> frozenset[str]:

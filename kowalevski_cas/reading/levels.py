@@ -15,7 +15,7 @@ from kowalevski_cas.reading.unprinted import unprinted
 
 def level(item: SourceStatement, known: Known) -> StatementRole | None:
     """An equation that words call an integral, with one new name as a term by itself."""
-    found = _apart(item)
+    found = _apart(item, known)
     if found is None or not _is_of_state(item, known) or cue("deduced", item.lead):
         return None
     if not (said := integral_words(item)):
@@ -33,7 +33,7 @@ def levels_apart(known: Known, suffix: str) -> Iterator[tuple[SourceStatement, S
     """These equations with the value alone on a side, by which it is defined."""
     for item, role in [*known.roles.items()]:
         own = role.kind == "integral" and not role.names and item in known.items
-        found = _apart(item) if own and _is_of_state(item, known) else None
+        found = _apart(item, known) if own and _is_of_state(item, known) else None
         if found is None or known.is_defined(found[0]) or known.seen.get(found[0]) is not item:
             continue
         name, tex = found
@@ -45,12 +45,13 @@ def levels_apart(known: Known, suffix: str) -> Iterator[tuple[SourceStatement, S
 
 def _is_of_state(item: SourceStatement, known: Known) -> bool:
     """Whether only rates stand in a statement that are velocities: the law gives higher ones."""
-    orders = {name: n for law in known.laws for row in law.rows for name, n in row.rates.items()}
-    return all(n < orders.get(name, 0) for name, n in item.rates.items())
+    rates = [row.rates for law in known.laws for row in law.rows]
+    orders = {name: max((one.get(name, 0) for one in rates), default=0) for name in item.rates}
+    return all(n < orders[name] for name, n in item.rates.items())
 
 
-def _apart(item: SourceStatement) -> tuple[str, str] | None:
-    """The only name that is a term by itself, with the equation that gives it; or ``None``."""
+def _apart(item: SourceStatement, known: Known) -> tuple[str, str] | None:
+    """The only name of no function that is a term by itself, with what gives it; or ``None``."""
     if len(item.members) != 2 or not any(isinstance(member, Sum) for member in item.members):
         return None
     found: list[tuple[str, str]] = []
@@ -58,7 +59,11 @@ def _apart(item: SourceStatement) -> tuple[str, str] | None:
         terms = one.terms if isinstance(one, Sum) else ()
         for term in terms:
             name = _name_of(term)
-            if name and sum(node == Name(name) for m in item.members for node in m.nodes()) == 1:
+            if (
+                name
+                and not known.varies(name)
+                and sum(node == Name(name) for m in item.members for node in m.nodes()) == 1
+            ):
                 rest = total(t for t in terms if t is not term)
                 sides = (rest, other) if isinstance(term, Negative) else (other, rest)
                 value = term.argument if isinstance(term, Negative) else term

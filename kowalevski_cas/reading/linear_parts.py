@@ -65,6 +65,10 @@ _OF_POINT = re.compile(
 )
 """How words end that say “its” of a point, and the sentence before them that speaks of it."""
 """How words end behind which they are printed for the point before."""
+_IS_ORIGIN = re.compile(
+    r"\b(?:equilibri\w+|point|state)(?:\s+of\s+\w+)?\s+is\s+(?:at\s+)?the\s+origin\W*$",
+    re.IGNORECASE,
+)
 _OF_MATRIX = re.compile(
     rf"\b{_MATRIX}{_FIELD}(?P<place>[\s~]+(?:{_AT}|there))?[\s~,]*"
     r"(?:is|has\s+the\s+form|reads?|becomes|equals?|имеет\s+вид|равна|есть|[-—–]+)?[\s:,~]*(?:§[\s~=]*)?$",
@@ -145,10 +149,7 @@ def point_of_number(item: SourceStatement, known: Known) -> tuple[SourceStatemen
 
 def point_of(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]:
     """The equations of the point at which words say that something is an eigenvalue."""
-    words = item.before
-    while (cut := _LISTED.sub("", words)) != words:
-        words = cut
-    law = law_of_points(item, known)
+    words, law = before_list(item.before), law_of_points(item, known)
     if law is None:
         return ()
     found = next(filter(None, (said.search(words) for said in _SAID)), None)
@@ -160,6 +161,20 @@ def point_of(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]
     if found is None:
         return _last_named(item, law, known) if _THERE.search(words) else ()
     return _at(found, words, item, law, known)
+
+
+def before_list(words: str) -> str:
+    """The words before a formula without those that it is listed with."""
+    while (cut := _LISTED.sub("", words)) != words:
+        words = cut
+    return words
+
+
+def is_of_origin_before(item: SourceStatement) -> bool:
+    """Whether something is said of the origin, of which the sentence before speaks."""
+    before = item.earlier[0] if item.earlier and "§" not in item.earlier[0] else ""
+    here = re.search(r"^\s*its\b|\bthere\b|\bat\s+this\s+point\b", item.before, re.IGNORECASE)
+    return bool(here and (_OF_POINT.match(before) or _IS_ORIGIN.search(before)))
 
 
 def _at(

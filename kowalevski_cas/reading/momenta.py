@@ -46,11 +46,14 @@ def find_momenta(
             first = {n for row in before for n in names.scalars(row.rates)}
             inner = {names.whole(n) for n in one.members[1].names()}
             unknown = inner & in_law & {*names.vectors} - given
+            unknown = unknown & turning or unknown
             moving = [
                 one
                 for one in unknown
                 if (first if one in turning else rated).isdisjoint(names.scalars([one]))
             ]
+            if not rated.isdisjoint(one.members[1].names() - {*names.owner}):
+                continue  # other letters move in it
             again = any(of.bare[0] == name and of.section in one.sections for of in found)
             told = {n for row in own for n in names.scalars(row.rates)}
             if {*names.vectors[name]} <= told and len(moving) == 1 and not again:

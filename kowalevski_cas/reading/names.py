@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+import re
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from itertools import groupby, pairwise
 
 from kowalevski_cas.notation import CrossProduct, Formula, Name, Vector
 from kowalevski_cas.notation.symbol import symbol
-from kowalevski_cas.reading.formulas import members_of_spaces
-from kowalevski_cas.reading.statements import SourcePaper
+from kowalevski_cas.reading.letters_of_vectors import members_of_spaces
+from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 
 AXES = ("x", "y", "z")
 POINTS = ("r", "x")
@@ -21,7 +23,7 @@ def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
     numbers, as are printed of any of them, and three if there are vector products. Where
     :math:`p_x` is printed, it is a component of :math:`\mathbf p`; a point has its coordinates.
     """
-    found: dict[str, tuple[str, ...]] = {}
+    found = dict(_components_in_words(paper))
     lengths: dict[str, int] = {}
     for item in paper.items:
         lengths |= members_of_spaces(item.typed.tex)
@@ -48,6 +50,45 @@ def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
         size = lengths.get(name, max(sizes))
         found[name] = tuple(symbol(name).component(k).name for k in range(1, 1 + size))
     return found
+
+
+_OF = re.compile(
+    r"[\s,~]*(?:[-—–]+|are|be|denote)?\s*(?:the\s+)?(?:components?|projections?|проекци[ияй]|компонент[ыа]?)"
+    r"(?:\s+of)?(?:\s+the)?(?:\s+\w+){0,4}[\s~]*",
+    re.IGNORECASE,
+)
+_WITH = re.compile(
+    r"[\s,~]*(?:with|has|having|of|имеет|с)\s+(?:the\s+)?(?:components?|projections?|проекци(?:и|ями)|компонент(?:ы|ами))"
+    r"(?:\s+(?:on|along|in|на)\s+(?:\w+\s+){0,4}(?:axes|frame|оси|осях))?[\s~]*",
+    re.IGNORECASE,
+)
+"""The words between letters and the vector of which they are components."""
+_AND = re.compile(r"[\s,~]*(?:and|и)?[\s~]*")
+
+
+def _components_in_words(paper: SourcePaper) -> Iterator[tuple[str, tuple[str, ...]]]:
+    r"""The vectors of which words call letters the components: :math:`p,q,r` those of the rotation.
+
+    Each letter is printed by itself.
+    """
+    formulas: list[list[SourceStatement]] = []
+    for _, group in groupby(paper.items, key=lambda one: one.typed.start):
+        listed = [*group]
+        joined = formulas and _AND.fullmatch(listed[0].lead)
+        if joined and formulas[-1][0].sentence == listed[0].sentence:
+            formulas[-1] += listed
+        else:
+            formulas.append(listed)
+    for first, second in pairwise(formulas):
+        words = second[0].lead
+        of, having = _OF.fullmatch(words), _WITH.fullmatch(words)
+        vector, listed = (second, first) if of else (first, second)
+        if (of or having) and len(vector) == 1 and first[0].sentence == second[0].sentence:
+            name = getattr(vector[0].formula, "name", "")
+            letters = tuple(one.formula.name for one in listed if isinstance(one.formula, Name))
+            plain = len({*letters}) == len(listed) and not paper.words.vectors & {*letters}
+            if name in paper.words.vectors and plain and len(letters) in (2, 3):
+                yield name, letters
 
 
 def _along_axes(

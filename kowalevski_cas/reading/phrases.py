@@ -155,6 +155,49 @@ def integral_words(item: SourceStatement) -> str:
     )
 
 
+_CURVES = re.compile(
+    r"\b(?:(?:phase|integral)\s+curves|(?:phase\s+)?(?:trajectories|orbits|paths))\s+"
+    r"(?:are(?:\s+given\s+by)?|have\s+the\s+equations?)[\s:,~]*$"
+    r"|\b(?:фазов|интегральн)\w+\s+(?:крив|траектори)\w+\s*(?:[-—]+|суть|задаются\s+уравнени\w+|имеют\s+вид)[\s:,~]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which the equation of the curves of motion stands."""
+_HENCE = re.compile(
+    r"\W*(?:hence|thus|therefore|consequently|it\s+follows\s+that|следовательно|отсюда|поэтому)[\s,:~]*"
+    r"(?:(?:we|one)\s+(?:have|has|gets?|finds?|obtains?)|получ\w+|имеем)?(?:\s+that)?[\s:,~]*",
+    re.IGNORECASE,
+)
+_SUMMED = re.compile(
+    r"\b(?:multipl|add|integrat|summ)(?:y|ying|ing|e)?\b.*\b(?:gives?|yields?|leads?\s+to"
+    r"|(?:we|one)\s+(?:then\s+)?(?:have|has|gets?|finds?|obtains?|arrives?\s+at))[\s:,~]*$"
+    r"|\b(?:умнож|сложи|склад|проинтегрир)\w+.*\b(?:получ\w+|имеем|находим)[\s:,~]*$",
+    re.IGNORECASE | re.DOTALL,
+)
+"""Words that conclude what follows from the equations of motion."""
+_SUCH = re.compile(
+    r"\b(?:such|these|those|other|another)\b|\b(?:так|эт|друг)(?:их|ого|ой|ом)\b", re.IGNORECASE
+)
+"""Words for some motions only, or for other ones."""
+_CYCLIC = re.compile(
+    r"§[\s~]*(?:is|being)\s+(?:then\s+|also\s+)?(?:an?\s+)?(?:cyclic|ignorable)\b"
+    r"|§[\s~]*(?:[-—]+|является)?\s*циклическ\w+|\bциклическ\w+\s+координат\w+[\s~]*§",
+    re.IGNORECASE,
+)
+"""Words for a coordinate that does not stand in the energies."""
+
+
+def is_deduced_level(item: SourceStatement) -> bool:
+    """Whether words before a level in the text conclude it, or say that motions lie on such ones.
+
+    That is so for the momentum of a coordinate that the sentence calls cyclic.
+    """
+    if cue("place", item.words) or _SUCH.search(item.before):
+        return False
+    concluded = _HENCE.fullmatch(item.before) or _SUMMED.search(item.before)
+    of_cyclic = item.rates and _CYCLIC.search(item.before)
+    return bool(concluded or _CURVES.search(item.lead) or of_cyclic)
+
+
 _ONE_MORE = re.compile(
     r"\b(?:one\s+more|another|an?\s+\w+\s+one|the\s+(?:other|last|\w+th|second|third)\s+one)\b"
     r"|\bthere\s+(?:is|are)\s+also\b|\bещ[её]\s+один\b|\bещ[её]\s+одно\b|\bдруго[йе]\b|\b(?:второй|третий|четв[её]ртый)\b",

@@ -131,6 +131,15 @@ _CYCLE = re.compile(
 """How words end behind which stands the equation of a closed orbit."""
 
 
+_IS_ORBIT = re.compile(
+    r"[\s,~]*(?:of\s+radius[\s~]+§[\s,~]*)?is\s+(?:then\s+|also\s+)?(?:an?|the(?:\s+only)?)\s+(?:\w+\s+){0,2}?"
+    r"(?:limit\s+cycle|cycle|(?:periodic|closed|homoclinic)\s+(?:orbit|trajectory)|separatrix)\b"
+    r"|[\s,~]*(?:—|-{2,3}|есть|является)\s*(?:\w+\s+){0,2}?(?:предельн\w+\s+цикл\w*|сепаратрис\w+)",
+    re.IGNORECASE,
+)
+"""How words begin behind the equation of an orbit."""
+
+
 _OF_FUNCTION = re.compile(
     r"\b(?:values?|levels?|minim\w+|maxim\w+)\s+of\s+(?:the|this|an)\s+(?:\w+\s+)?invariant\b"
     r"|\b(?:the|this)\s+invariant\s+(?:is|has|equals|takes|becomes)\b"
@@ -156,7 +165,7 @@ def claimed_set(item: SourceStatement, known: Known) -> StatementRole | None:
             return StatementRole(CLAIM, f"“{said}” is said of the set", kind)
     if said := resting(item):
         return StatementRole(CLAIM, f"“{said}” is said of the points", "rest")
-    if cycle := _CYCLE.search(item.lead):
+    if cycle := _CYCLE.search(item.lead) or _IS_ORBIT.match(item.tail):
         return StatementRole(CLAIM, f"“{cycle[0].strip()}” is invariant", "invariant")
     if said := solved_by(item, "equilibrium"):
         return StatementRole(CLAIM, f"“{said}” are the solutions", "rest")

@@ -25,7 +25,6 @@ from kowalevski_cas.reading.definitions import (
 )
 from kowalevski_cas.reading.factors import roots
 from kowalevski_cas.reading.flows import divergence, measure
-from kowalevski_cas.reading.formulas import members_of_spaces
 from kowalevski_cas.reading.index_ranges import is_range
 from kowalevski_cas.reading.jets import gives_derivative, special_function
 from kowalevski_cas.reading.known import (
@@ -37,6 +36,7 @@ from kowalevski_cas.reading.known import (
     Known,
     StatementRole,
 )
+from kowalevski_cas.reading.letters_of_vectors import members_of_spaces
 from kowalevski_cas.reading.levels import level
 from kowalevski_cas.reading.linear_parts import eigenvalue, linear_part, trace_or_determinant
 from kowalevski_cas.reading.obey import said_role

@@ -16,7 +16,14 @@ from kowalevski_cas.reading.degrees import is_linear
 from kowalevski_cas.reading.hypotheses import is_value
 from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
 from kowalevski_cas.reading.law import Law
-from kowalevski_cas.reading.linear_parts import equations_of, gives_all, last_values, point_at
+from kowalevski_cas.reading.linear_parts import (
+    before_list,
+    equations_of,
+    gives_all,
+    is_of_origin_before,
+    last_values,
+    point_at,
+)
 from kowalevski_cas.reading.statements import SourceStatement
 
 FREQUENCY, CHARACTERISTIC = "frequency", "characteristic"
@@ -95,7 +102,7 @@ def frequency(item: SourceStatement, known: Known) -> tuple[str, str, str] | Non
     With the number π it may count oscillations in a unit of time. A name that has been used is
     not given by it.
     """
-    if not _OF_SMALL.search(item.before) or len(item.members) not in (0, 2) or PI in item.names:
+    if not _frequencies_before(item) or len(item.members) not in (0, 2) or PI in item.names:
         return None
     match item.members[:1]:
         case ():
@@ -107,9 +114,14 @@ def frequency(item: SourceStatement, known: Known) -> tuple[str, str, str] | Non
     return None
 
 
+def _frequencies_before(item: SourceStatement) -> re.Match[str] | None:
+    """The words before a statement, or its list, that call it a frequency."""
+    return _OF_SMALL.search(before_list(item.before))
+
+
 def prints_square(item: SourceStatement) -> bool:
     """Whether it is the square of a frequency that a statement prints."""
-    found = _OF_SMALL.search(item.before)
+    found = _frequencies_before(item)
     squares = found is not None and bool(
         found["squares"] or found["squares_behind"] or found["squares_normal"]
     )
@@ -182,6 +194,8 @@ def places_of(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...
     if places or found:
         places += [origin] if any(where != "§" for where in found) else []
         return places[0] if len(places) == 1 and gives_all(places[0], law) else ()
+    if is_of_origin_before(item):
+        return origin
     if gives_all(last := last_values(item, known), law):
         return last
     words = known.paper.prose.between(item.section.start, item.sentence[1])

@@ -51,11 +51,12 @@ def is_printed(item: SourceStatement) -> bool:
 def implied_rows(paper: SourcePaper) -> Iterator[SourceStatement]:
     """The equations of motion of the Hamiltonian, or the Lagrangian, that words call so.
 
-    There are none where it is not known what belongs together. Where a paper prints no rates, or
-    uses the letter of a Hamiltonian elsewhere as one, the letters of coordinates and momenta say
-    so.
+    There are none where it is not known what belongs together. Where a paper prints no rates, but
+    of what it defines, or uses the letter of a Hamiltonian elsewhere as one, the letters of
+    coordinates and momenta say so.
     """
-    still = not any(one.rates for one in paper.items)
+    defined = {name for one in paper.items if not one.derives for name in one.bare}
+    still = all({*one.rates} <= defined for one in paper.items)
     for item in paper.items:
         named = item.bare[:1] and item.members[0].names() & {*HAMILTONIANS, *LAGRANGIANS}
         told = still or _is_told_elsewhere(item, paper)

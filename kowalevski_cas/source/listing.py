@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence, Set
+from collections.abc import Collection, Iterable, Iterator, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import takewhile
@@ -71,11 +71,14 @@ def _read(formula: TypedFormula, vocabularies: Iterable[Vocabulary]) -> tuple[in
     return 0, troubles[0]
 
 
-def guess(formulas: Iterable[TypedFormula]) -> tuple[Vocabulary, Vocabulary]:
+def guess(
+    formulas: Iterable[TypedFormula], plain: Collection[str] = ()
+) -> tuple[Vocabulary, Vocabulary]:
     """The names in some formulas, and what they may be: with bold capitals as vectors, or matrices.
 
-    Other bold letters are vectors; a letter with names in brackets behind it is a function of them,
-    if its rate stands nowhere alone: what moves is none, though words may have it at another time.
+    Other bold letters are vectors, and so are the ``plain`` ones; a letter with names in brackets
+    behind it is a function of them, if its rate stands nowhere alone: what moves is none, though
+    words may have it at another time.
     """
     names: set[str] = set()
     functions: set[str] = set()
@@ -89,10 +92,10 @@ def guess(formulas: Iterable[TypedFormula]) -> tuple[Vocabulary, Vocabulary]:
             )
             functions.update(_functions(tokens))
             rated.update(_rated(tokens))
-    functions -= _factors(formulas)
+    functions -= _factors(formulas, plain)
     names -= {*_conjugates(names, formulas)}
-    bold = {name for name in names if symbol(name).is_bold}
-    upper = {name for name in bold if symbol(name).letter.isupper()}
+    bold = {name for name in names if symbol(name).is_bold or name in plain}
+    upper = {name for name in bold if symbol(name).letter.isupper() and name not in plain}
     functions = (functions - rated) & names | names & FUNCTIONS
     derived = {by for formula in formulas for by in _independent(formula.tex)}
     primed = any("'" in formula.tex or r"\prime" in formula.tex for formula in formulas)
@@ -130,7 +133,7 @@ def _heads(tex: str, first: bool = False) -> Iterator[str]:
             yield from statement.names[:1] if first else statement.names
 
 
-def _factors(formulas: Iterable[TypedFormula]) -> set[str]:
+def _factors(formulas: Iterable[TypedFormula], plain: Collection[str]) -> set[str]:
     r"""The names before scalar products, as D in :math:`D(\mathbf a,\mathbf b)` beside `D=mr^2`.
 
     One is given by itself, by an expression without the vectors, and stands before nothing else.
@@ -139,9 +142,9 @@ def _factors(formulas: Iterable[TypedFormula]) -> set[str]:
     own: dict[str, set[str]] = {}
     for formula in formulas:
         tokens = tokens_of(formula.tex)
-        for name, pair in _calls(tokens):
+        for name, pair in _calls(tokens, plain):
             before.setdefault(name, []).append(pair)
-        given = dict.fromkeys(_heads(formula.tex, first=True), _bold(tokens))
+        given = dict.fromkeys(_heads(formula.tex, first=True), _vectors(tokens, plain))
         own |= {name: own.get(name, set()) | bold for name, bold in given.items()}
     return {
         name
@@ -152,15 +155,15 @@ def _factors(formulas: Iterable[TypedFormula]) -> set[str]:
     }
 
 
-def _calls(tokens: Sequence[Token]) -> Iterator[tuple[str, set[str]]]:
-    """The names with a bracket behind them, and the bold letters of a scalar product in it."""
+def _calls(tokens: Sequence[Token], plain: Collection[str]) -> Iterator[tuple[str, set[str]]]:
+    """The names with a bracket behind them, and the vectors of a scalar product in it."""
     cursor = Cursor("", [*tokens], Vocabulary())
     for letter, index in cursor.letters():
         if cursor.tokens[cursor.at].text == "(":
             inner = _inside(tokens, cursor.at)
             commas = [k for k, one in enumerate(inner) if one.kind == "comma"]
             cut = commas[0] if len(commas) == 1 else 0
-            sides = [_bold(inner[:cut]), _bold(inner[cut:])]
+            sides = [_vectors(side, plain) for side in (inner[:cut], inner[cut:])]
             yield letter + index, sides[0] | sides[1] if all(sides) else set()
 
 
@@ -174,8 +177,9 @@ def _inside(tokens: Sequence[Token], opening: int) -> Sequence[Token]:
     return tokens[opening + 1 :]
 
 
-def _bold(tokens: Iterable[Token]) -> set[str]:
-    return {one.text for one in tokens if one.kind == "letter" and symbol(one.text).is_bold}
+def _vectors(tokens: Iterable[Token], plain: Collection[str]) -> set[str]:
+    letters = (one.text for one in tokens if one.kind == "letter")
+    return {letter for letter in letters if letter in plain or symbol(letter).is_bold}
 
 
 def _functions(tokens: Sequence[Token]) -> Iterator[str]:

@@ -61,3 +61,17 @@ def test_an_audit_says_of_the_printed_formula_what_is_claimed_of_the_value():
     found = {one.tex: one.verdict for one in audit_reading(session).formulas}
     assert found[energy] in ("refuted", "undecided")
     assert found[r"u\dot v=c+v\dot u"] == "proved"
+
+
+RESTRICTED = r"""Let \[ \ddot x-2\dot y=\frac{\partial W}{\partial x},\qquad
+\ddot y+2\dot x=\frac{\partial W}{\partial y},\] where $W=\frac12x^2+\frac{k}{s}$, $s^2=x^2+y^2$. """
+
+
+@pytest.mark.parametrize(
+    "words", ["The Jacobi integral has the form", "The Jacobian integral reads"]
+)
+@pytest.mark.parametrize("right", ["2W-C", "2W+x-C"])
+def test_a_level_stands_among_functions(words, right):
+    claim = rf"\dot x^2+\dot y^2={right}"
+    verdict = verdicts(RESTRICTED + words + rf" \[ {claim}. \]")[claim]
+    assert verdict.green is (right == "2W-C")
