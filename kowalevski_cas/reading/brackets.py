@@ -5,7 +5,7 @@ They say what the brackets of the variables are.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from kowalevski_cas.notation import (
     Derivative,
@@ -111,6 +111,13 @@ def _negated(found: Pairs, x: str, y: str) -> Formula:
     )
 
 
+def _times(factors: Iterable[Formula], term: Formula) -> Formula:
+    """A term with more factors, of which none is a product."""
+    if isinstance(term, Negative):
+        return Negative(_times(factors, term.argument))
+    return Product((*factors, *(term.factors if isinstance(term, Product) else (term,))))
+
+
 def _enter(term: Formula, f: str, g: str, found: Pairs) -> bool:
     """Enter a term; whether it is a multiple of a derivative of each of the two functions."""
     sign, inner = False, term
@@ -119,6 +126,11 @@ def _enter(term: Formula, f: str, g: str, found: Pairs) -> bool:
     if isinstance(inner, Sum):
         return all(_enter(Negative(t) if sign else t, f, g, found) for t in inner.terms)
     factors = inner.factors if isinstance(inner, Product) else (inner,)
+    for place, one in enumerate(factors):
+        if isinstance(one, Sum) and {f, g} & one.names():  # a factor before all terms
+            rest = (*factors[:place], *factors[place + 1 :])
+            terms = [_times(rest, Negative(t) if sign else t) for t in one.terms]
+            return all(_enter(t, f, g, found) for t in terms)
     by = {
         one.argument.name: one.by
         for one in factors

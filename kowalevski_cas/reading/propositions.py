@@ -7,6 +7,7 @@ import re
 from kowalevski_cas.notation import (
     Constant,
     Derivative,
+    Formula,
     Name,
     Number,
     Partial,
@@ -27,12 +28,16 @@ from kowalevski_cas.reading.phrases import (
     resting,
     set_beside,
     solved_by,
+    words_behind,
     words_of,
 )
+from kowalevski_cas.reading.sets import has_set_beside
 from kowalevski_cas.reading.solutions import rated_before
 from kowalevski_cas.reading.statements import SourceStatement
 
 ZERO = Number(0)
+_KINDS = (("invariant", "invariant"), ("equilibrium", "rest"))
+"""The words for what a set is, with the kinds of these claims."""
 
 
 def approximate(item: SourceStatement, known: Known) -> StatementRole | None:
@@ -80,16 +85,42 @@ def _is_given_by_time(name: str, item: SourceStatement, known: Known) -> bool:
 
 def rate(item: SourceStatement, known: Known) -> StatementRole | None:
     """Rates after the law: of a known function, and of variables once more."""
-    if not item.derives:
+    if not item.derives or ZERO not in item.members:
         return None
-    if ZERO in item.members and len(item.members) == 2:
-        other = next(m for m in item.members if m != ZERO)
+    others = [member for member in item.members if member != ZERO]
+    if said := _said_of_set(item, others, known):
+        return said
+    if len(item.members) == 2:
+        other = others[0]
         if isinstance(other, Derivative):
             inner = other.argument
             if isinstance(inner, Name) and known.moves(inner.name) and set_beside(item, known):
                 return StatementRole(CLAIM, "one of the equations of a set", "invariant")
             return StatementRole(CLAIM, "a rate that vanishes", "integral")
     return None
+
+
+def _said_of_set(
+    item: SourceStatement, others: list[Formula], known: Known
+) -> StatementRole | None:
+    r"""Rates that vanish on a set, with what moves, as :math:`x=0, \dot x=0`, or in a chain.
+
+    What moves does not vanish everywhere: a chain is a set also where no words say more of it.
+    """
+    inner = [one.argument if isinstance(one, Derivative) else one for one in others]
+    if not all(isinstance(one, Name) and known.moves(one.name) for one in inner):
+        return None
+    chain = len(others) > 1 and any(isinstance(one, Name) for one in others)
+    if not (chain or has_set_beside(item, known)):
+        return None
+    printed = {name for one in known.of_sentence(item.sentence) for name in one.names}
+    whole = any({*law.variables} <= printed for law in known.laws)
+    for words, kind in _KINDS:
+        if (said := words_behind(item, words)) and (whole or kind == "invariant"):
+            return StatementRole(CLAIM, f"“{said}” is said of the set", kind)
+    return (
+        StatementRole(ASSUMPTION, "a set that the text speaks of", reach(item)) if chain else None
+    )
 
 
 _CYCLE = re.compile(
@@ -129,7 +160,7 @@ def claimed_set(item: SourceStatement, known: Known) -> StatementRole | None:
     first = item.members[0]
     if isinstance(first, Name) and not known.is_known(first.name):
         return None  # it is a function that is defined
-    for words, kind in (("invariant", "invariant"), ("equilibrium", "rest")):
+    for words, kind in _KINDS:
         if said := words_of(item, words):
             return StatementRole(CLAIM, f"“{said}” is said of the set", kind)
     if said := resting(item):
@@ -173,7 +204,7 @@ def zero_set(item: SourceStatement, known: Known) -> StatementRole | None:
     if not values or len(others) < len(item.members) - len(values) or not others:
         return None
     if all(map(known.moves, others)) or ZERO in values:
-        for words, kind in (("invariant", "invariant"), ("equilibrium", "rest")):
+        for words, kind in _KINDS:
             said = cue(words, item.words)
             if said and (all(map(known.moves, others)) or kind == "invariant"):
                 return StatementRole(CLAIM, f"“{said}” in its sentence", kind)

@@ -11,8 +11,9 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
-from kowalevski_cas.notation import Relation
+from kowalevski_cas.notation import Number, Relation
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.known import Known
 from kowalevski_cas.reading.statements import SourceStatement
 
 SetOfEquations = tuple[SourceStatement, ...]
@@ -45,6 +46,14 @@ def _beside(one: SourceStatement, other: SourceStatement) -> bool:
     inline = one.typed.inline and other.typed.inline and one.sentence == other.sentence
     near = inline and other.order == one.order + 1
     return near and _JOINED.fullmatch(other.lead) is not None
+
+
+def has_set_beside(item: SourceStatement, known: Known) -> bool:
+    """Whether what vanishes stands beside an inline statement, and is no rate."""
+    mates = [one for one in known.items if one.typed.inline and one.sentence == item.sentence]
+    run = next((run for run in _runs(mates) if item in run), [])
+    others = (one for one in run if one is not item and not one.derives)
+    return item.typed.inline and any(Number(0) in one.members for one in others)
 
 
 def _by_signs(run: Sequence[SourceStatement], text: str) -> Iterator[SetOfEquations]:

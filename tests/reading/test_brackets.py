@@ -102,3 +102,41 @@ def test_what_is_said_of_any_function_holds_for_every_variable(words, green):
 @pytest.mark.parametrize("words", [r"\dot f=\{f,f\}", r"\dot f=f\{f,H\}", r"\dot g=\{f,H\}"])
 def test_what_derives_no_function_or_two_is_said_of_none(words):
     assert not any(one.green for one in verdicts(rf"{LINEAR}Then ${words}$.").values())
+
+
+PAIR = (
+    r"\frac{\partial f}{\partial u_K}\frac{\partial g}{\partial v_K}"
+    r"-\frac{\partial f}{\partial v_K}\frac{\partial g}{\partial u_K}"
+)
+WITH_FACTORS = [
+    r"\sum_k m_k^{-1}\bigl(" + PAIR.replace("K", "k") + r"\bigr)",
+    rf"\frac{{1}}{{m_1}}\left({PAIR.replace('K', '1')}\right)+\frac{{1}}{{m_2}}\left({PAIR.replace('K', '2')}\right)",
+    rf"-m_1^{{-1}}\bigl(-{PAIR.replace('K', '1').replace('-', '+')}\bigr)"
+    rf"+m_2^{{-1}}\bigl({PAIR.replace('K', '2')}\bigr)",
+]
+"""A bracket of points with strengths, as it may be printed."""
+
+
+@pytest.mark.parametrize("bracket", WITH_FACTORS)
+@pytest.mark.parametrize(
+    ("claim", "green"),
+    [
+        (r"\{Q,P\}=m_1+m_2", True),
+        (r"\{H,Q\}=0", True),
+        (r"\{u_1,v_1\}=1/m_1", True),
+        (r"\{Q,P\}=m_1-m_2", False),
+        (r"\{P,Q\}=m_1+m_2", False),
+        (r"\{Q,P\}=m_1m_2", False),
+        (r"\{H,Q\}=P", False),
+        (r"\{u_1,v_1\}=2/m_1", False),
+        (r"\{u_1,v_1\}=m_1", False),
+        (r"\{u_1,v_2\}=1/m_1", False),
+        (r"\{v_2,u_2\}=1/m_2", False),
+    ],
+)
+def test_a_factor_may_stand_before_the_bracket_of_each_pair(bracket, claim, green):
+    text = r"""The equations are \[m_k\dot u_k=\frac{\partial H}{\partial v_k},\qquad
+    m_k\dot v_k=-\frac{\partial H}{\partial u_k},\qquad k=1,2,\] with
+    \[H=a(u_1-u_2)^2+a(v_1-v_2)^2.\] Let $Q=m_1u_1+m_2u_2$ and $P=m_1v_1+m_2v_2$. """
+    text += rf"With the bracket $\{{f,g\}}={bracket}$ one calculates \[{claim} .\]"
+    assert [one.green for one in verdicts(text).values()] == [green]
