@@ -105,12 +105,15 @@ def _said_of_set(
 ) -> StatementRole | None:
     r"""Rates that vanish on a set, with what moves, as :math:`x=0, \dot x=0`, or in a chain.
 
-    What moves does not vanish everywhere: a chain is a set also where no words say more of it.
+    What moves does not vanish everywhere: a chain is a set also where no words say more of it. One
+    of rates alone is a set unless words conclude it.
     """
     inner = [one.argument if isinstance(one, Derivative) else one for one in others]
     if not all(isinstance(one, Name) and known.moves(one.name) for one in inner):
         return None
-    chain = len(others) > 1 and any(isinstance(one, Name) for one in others)
+    still = all(isinstance(one, Derivative) for one in others)
+    concluded = cue("deduced", item.lead) or cue("then", item.lead)
+    chain = len(others) > 1 and not (still and concluded)
     if not (chain or has_set_beside(item, known)):
         return None
     printed = {name for one in known.of_sentence(item.sentence) for name in one.names}

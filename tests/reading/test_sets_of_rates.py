@@ -74,3 +74,28 @@ def test_a_chain_is_a_set(chain, green):
     law = r"A body moves by \[ \ddot x=-x(1+y),\qquad \ddot y=-y+\dot x^2 . \] "
     found = verdicts(law + f"The set ${chain}$ is invariant.")
     assert bool(found) and bool(GREEN & {*found.values()}) is green
+
+
+FREE = r"Consider the system $\dot u=v$, $\dot v=-u+u^3$. "
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Where $RATES$ we have $v=0$.",
+        "At the points with $RATES$ we have $v=0$.",
+        "If $RATES$, then $v=0$.",
+        "The conditions $RATES$ give $v=0$.",
+        "In equilibrium $RATES$, hence $v=0$.",
+        r"The points of rest are found from \[ RATES. \]",
+        "В положении равновесия $RATES$.",
+    ],
+)
+def test_rates_that_vanish_where_something_rests_are_no_claim(text):
+    found = verdicts(FREE + text.replace("RATES", r"\dot u=\dot v=0"))
+    assert "REFUTED" not in found.values()
+
+
+def test_what_is_concluded_of_rates_is_one():
+    tex = r"\dot u=\dot v=0"
+    assert verdicts(FREE + f"Hence ${tex}$.")[tex] == "REFUTED"
