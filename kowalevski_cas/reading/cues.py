@@ -172,7 +172,7 @@ CUES: dict[str, str] = {
         does\s+not\s+(?:hold|vanish|follow) (?:is|are)\s+not\s+(?:\w+\s+){0,2}§
         §[\s,]*(?:\w+\s+){0,3}(?:is|are)\s+not\b \bno\s+longer\b never\b
         \b(?:on|along|for|by)\s+no\b wrong\w* incorrect\w* erroneous\w* false\b
-        mistak\w+ misprint\w* contrary
+        mistak\w+ misprint\w* contrary impossible\s+that\b невозможно
         instead\s+of\s*(?:§|$) contradict\w+ if\s+it\s+were \bwere\b would\s+be fails?\b cannot\b
         \b(?:no|without)\s+(?:\w+\s+){0,2}integrals?(?:\s+\w+){0,3}\s*§ refut\w+
         §[\s,]*(?:\w+\s+){0,2}(?:no|without)\s+(?:\w+\s+){0,2}integrals?

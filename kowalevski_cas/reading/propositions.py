@@ -7,7 +7,6 @@ import re
 from kowalevski_cas.notation import (
     Constant,
     Derivative,
-    Formula,
     Name,
     Number,
     Partial,
@@ -83,31 +82,15 @@ def _is_given_by_time(name: str, item: SourceStatement, known: Known) -> bool:
     return moved and "t" not in known.below(name) and rated_before(name, item, known)
 
 
-def rate(item: SourceStatement, known: Known) -> StatementRole | None:
-    """Rates after the law: of a known function, and of variables once more."""
-    if not item.derives or ZERO not in item.members:
-        return None
-    others = [member for member in item.members if member != ZERO]
-    if said := _said_of_set(item, others, known):
-        return said
-    if len(item.members) == 2:
-        other = others[0]
-        if isinstance(other, Derivative):
-            inner = other.argument
-            if isinstance(inner, Name) and known.moves(inner.name) and set_beside(item, known):
-                return StatementRole(CLAIM, "one of the equations of a set", "invariant")
-            return StatementRole(CLAIM, "a rate that vanishes", "integral")
-    return None
-
-
-def _said_of_set(
-    item: SourceStatement, others: list[Formula], known: Known
-) -> StatementRole | None:
+def set_of_rates(item: SourceStatement, known: Known) -> StatementRole | None:
     r"""Rates that vanish on a set, with what moves, as :math:`x=0, \dot x=0`, or in a chain.
 
     What moves does not vanish everywhere: a chain is a set also where no words say more of it. One
     of rates alone is a set unless words conclude it.
     """
+    if not item.derives or ZERO not in item.members:
+        return None
+    others = [member for member in item.members if member != ZERO]
     inner = [one.argument if isinstance(one, Derivative) else one for one in others]
     if not all(isinstance(one, Name) and known.moves(one.name) for one in inner):
         return None
@@ -124,6 +107,20 @@ def _said_of_set(
     return (
         StatementRole(ASSUMPTION, "a set that the text speaks of", reach(item)) if chain else None
     )
+
+
+def rate(item: SourceStatement, known: Known) -> StatementRole | None:
+    """Rates after the law: of a known function, and of variables once more."""
+    if not item.derives or ZERO not in item.members:
+        return None
+    if len(item.members) == 2:
+        other = next(member for member in item.members if member != ZERO)
+        if isinstance(other, Derivative):
+            inner = other.argument
+            if isinstance(inner, Name) and known.moves(inner.name) and set_beside(item, known):
+                return StatementRole(CLAIM, "one of the equations of a set", "invariant")
+            return StatementRole(CLAIM, "a rate that vanishes", "integral")
+    return None
 
 
 _CYCLE = re.compile(

@@ -48,6 +48,7 @@ from kowalevski_cas.reading.propositions import (
     integral,
     point,
     rate,
+    set_of_rates,
     solution,
     zero_set,
 )
@@ -55,7 +56,13 @@ from kowalevski_cas.reading.rest_points import rest_point
 from kowalevski_cas.reading.small_oscillations import small_oscillation
 from kowalevski_cas.reading.solutions import constant_of_solution
 from kowalevski_cas.reading.statements import SourceStatement, is_dependence, is_ellipsis
-from kowalevski_cas.reading.suppositions import assumption, inequality, on_place, value
+from kowalevski_cas.reading.suppositions import (
+    assumption,
+    inequality,
+    of_some_motions,
+    on_place,
+    value,
+)
 
 _BELONGING = re.compile(r"\b(?:of|in|for|by|with|on)[\s~]*(?:the\s+)?(?:\w+\s+)?$")
 """How words end behind which something belongs to a name, and is spoken of itself."""
@@ -219,6 +226,7 @@ RULES: tuple[Rule, ...] = (
     unit, bracket, bracket_of_functions, unjudged, inequality, repeated, gives_derivative,
     special_function, change, roots,
     claimed_set, point, solution, constant_of_solution, energy, on_place, definition, square,
-    assumption, value, approximate, rate, zero_set, level, integral, identity, other,
+    assumption, value, approximate, set_of_rates, of_some_motions, rate, zero_set,
+    level, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

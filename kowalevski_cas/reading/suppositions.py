@@ -157,6 +157,27 @@ def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
     return None
 
 
+_SOME = (
+    r"\b(?:if|when|whenever|suppos\w+|assum\w+|seek|sought|impossible)\b"
+    r"|\b(?:motions?|solutions?|points?|states?|moments?|instants?|times?|orbits?|trajector(?:y|ies)|curves?)"
+    r"\s+(?:with|where|when|(?:at|for|in|on)\s+which|such\s+that|that\s+satisfy|satisfying)\b"
+    r"|^\W*(?:where|let)\b|\b(?:conditions?|requirement)\b"
+    r"|\b(?:если|когда|пусть|предполож\w+|допуст\w+|невозможно|услови\w+)\b|\b(?:для|при|в|на)\s+котор\w+"
+)
+_OF_SOME = re.compile(rf"(?:{_SOME})[^§,;:]*$", re.IGNORECASE)
+"""How words end behind which something is supposed of some motions."""
+
+
+def of_some_motions(item: SourceStatement, known: Known) -> StatementRole | None:
+    """An equation with rates of which the clause before it says that it may hold sometimes."""
+    if not item.derives or not item.members or not known.varying(item.names):
+        return None
+    said = _OF_SOME.search(item.before)
+    if said is None or cue("then", said[0]) or cue("claim", said[0]):
+        return None
+    return StatementRole(OTHER, f"“{said[0].strip()}”: it is said of some motions", "asked")
+
+
 def _squares_of_new(item: SourceStatement, known: Known) -> list[str]:
     r"""The constant of which the square comes first, by one that nothing has said before.
 
