@@ -22,6 +22,8 @@ _TURNED = re.compile(
     rf"\\\{{\s*{_COMPONENT},\s*{_COMPONENT}\\\}}\s*=\s*-?\s*\\(?:var)?epsilon(?![A-Za-z])"
 )
 r"""Components of vectors, as in :math:`\{M_i,\gamma_j\}=\varepsilon_{ijk}\gamma_k`."""
+_BOLD = re.compile(r"\\(?:mathbf|boldsymbol|bm|bf|vec)(?![A-Za-z])\s*\{?\s*(\\[A-Za-z]+|[A-Za-z])")
+"""A bold letter: then it has the components with this letter."""
 _MEMBERS = re.compile(
     r"(?P<names>(?:[A-Za-z]|\\[A-Za-z]+)(?:\s*,\s*(?:[A-Za-z]|\\[A-Za-z]+))*)\s*\\in\s*"
     r"(?:\\(?:mathbb|mathbf|mathrm|bf|Bbb)\b\s*)?\{?\s*(?:\\bf\s+)?R\s*\}?\s*\^\s*\{?\s*(?P<size>[2-9])\s*\}?"
@@ -39,7 +41,8 @@ def letters_of_vectors(formulas: Sequence[TypedFormula]) -> frozenset[str]:
     members = {name for tex in texts for name in members_of_spaces(tex)}
     angular = {letter for tex in texts for pair in _ANGULAR.findall(tex) for letter in pair}
     found = {match["name"] for tex in texts for match in _LIST.finditer(tex)}
-    found |= {letter for tex in texts for pair in _TURNED.findall(tex) for letter in pair}
+    turned = {letter for tex in texts for pair in _TURNED.findall(tex) for letter in pair}
+    found |= turned - {letter for tex in texts for letter in _BOLD.findall(tex)}
     listed = found | beside(found, texts)
     return frozenset(
         name for name in listed if any(re.search(rf"{re.escape(name)}_\{{?\w", t) for t in texts)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import groupby, pairwise
 
 from kowalevski_cas.notation import CrossProduct, Formula, Name, Vector
@@ -12,6 +13,7 @@ from kowalevski_cas.reading.letters_of_vectors import members_of_spaces
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 
 AXES = ("x", "y", "z")
+_SECOND = r"\breve"
 POINTS = ("r", "x")
 """The letters of vectors that are points with these coordinates."""
 
@@ -49,7 +51,24 @@ def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
     for name in sorted(paper.words.vectors - found.keys()):
         size = lengths.get(name, max(sizes))
         found[name] = tuple(symbol(name).component(k).name for k in range(1, 1 + size))
-    return found
+    return _each_with_its_own(found)
+
+
+def _each_with_its_own(vectors: Mapping[str, tuple[str, ...]]) -> dict[str, tuple[str, ...]]:
+    r"""The vectors, of which none has a component of another one.
+
+    A list that shares names with one before defines its vector; a letter in a second type of print
+    has components with an accent.
+    """
+    taken = set[str]()
+    found: dict[str, tuple[str, ...]] = {}
+    for name, parts in vectors.items():
+        own = [symbol(name).component(k) for k in range(1, 1 + len(parts))]
+        accented = (replace(one, accents=(*one.accents, _SECOND)).name for one in own)
+        ways = (parts, tuple(one.name for one in own), tuple(accented))
+        found[name] = next((way for way in ways if taken.isdisjoint(way)), ())
+        taken |= {*found[name]}
+    return {name: parts for name, parts in found.items() if parts}
 
 
 _OF = re.compile(

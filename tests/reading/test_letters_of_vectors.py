@@ -37,6 +37,11 @@ def test_factors_of_crosses_are_vectors_and_what_acts_on_them_is_a_matrix(law, f
     assert not verdicts(law + f"The function ${wrong}$ is an integral.")[wrong].green
 
 
+def test_components_in_brackets_belong_to_the_bold_letter():
+    text = TURNED + r"The function $(\mathbf L,\boldsymbol\nu)$ is an integral."
+    assert verdicts(text)[r"(\mathbf L,\boldsymbol\nu)"].green
+
+
 @pytest.mark.parametrize(
     ("text", "claim"),
     [
@@ -50,3 +55,16 @@ def test_factors_of_crosses_are_vectors_and_what_acts_on_them_is_a_matrix(law, f
 )  # fmt: skip
 def test_other_crosses_make_no_vectors(text, claim):
     assert not any(verdict.green for verdict in verdicts(text).values())
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"\[ \dot{\mathbf L}=\mathbf L\times\mathbf u,\] $\mathbf u=(aL_1,bL_2,cL_3)$. Then $\langle L,L\rangle=1$ and ",
+        r"Let $L\in\mathbb R^3$, \[ \dot{\mathbf L}=\mathbf L\times\mathbf u,\] $\mathbf u=(aL_1,bL_2,cL_3)$. Then ",
+        r"\[ \dot{\mathbf L}=\mathbf L\times\mathbf u,\quad\dot{\vec L}=\vec L\times\vec u \] Then ",
+        r"Let $\mathbf L=(x,y,z)$, $\mathbf u=(x,y,w)$ and \[ \dot{\mathbf L}=\mathbf L\times\mathbf u. \] Then ",
+    ],
+)  # fmt: skip
+def test_no_two_vectors_share_components(text):
+    assert verdicts(text + r"the function $|\mathbf L|^2$ is an integral.")[r"|\mathbf L|^2"].green

@@ -17,7 +17,7 @@ WORDS = [
     "At the moment when $C$ the body turns.", "The motions with $C$ are special.",
     "Let us seek motions for which $C$.", "It is impossible that $C$.",
     "The points at which $C$ form a curve.", "Assume that $C$ at some moment.",
-    "When does $C$ hold?", r"The condition \[ C \] singles out a surface.",
+    "When does $C$ hold?", "The condition $C$ singles out a surface.",
     "Пусть в некоторый момент $C$.", "Движения, для которых $C$, исключены.",
     "Если $C$, то движение простое.",
 ]  # fmt: skip
