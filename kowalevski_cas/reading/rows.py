@@ -22,14 +22,25 @@ from kowalevski_cas.reading.statements import SourceStatement
 
 _EITHER_SIGN = re.compile(r"\\(?:pm|mp)(?![A-Za-z])")
 
+_OF_SOME_MOTIONS = re.compile(
+    r"\b(?:motions?|trajector(?:y|ies)|orbits?|solutions?)\s+"
+    r"(?:with|(?:for|along|on)\s+which|such\s+that|that\s+satisfy|satisfying)[\s:~]*$"
+    r"|\b(?:движени|решени|траектори)\w+,?\s+(?:(?:для|при|на)\s+котор\w+|с)[\s:~]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which stands what holds for some motions only."""
+
 
 def is_row(item: SourceStatement) -> bool:
     r"""Whether a statement may be an equation of motion: an equality, linear in highest rates.
 
     What is a name on the left is a definition, unless it gives a multiple of one rate, as
-    :math:`p=m\dot q`. With either sign of a term it is no law: with both, nothing might move.
+    :math:`p=m\dot q`. With either sign of a term it is no law: with both, nothing might move. What
+    is said of some motions is none.
     """
     if not item.rates or _EITHER_SIGN.search(item.printed.tex):
+        return False
+    if _OF_SOME_MOTIONS.search(item.before):
         return False
     if len(item.members) != 2 and not _is_chain(item.members):
         return False

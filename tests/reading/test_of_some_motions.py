@@ -34,3 +34,13 @@ def test_what_is_supposed_of_some_motions_is_not_judged(text):
 def test_what_is_concluded_is_refuted(words):
     tex = r"\dot x^2+\dot y^2=1"
     assert verdicts(LAWS[1] + words.replace("C", tex))[tex].name == "REFUTED"
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("tex", [r"\frac{dx}{dt}=0", r"\dot x=-x", r"\dot y=1"])
+@pytest.mark.parametrize(
+    "words", [r"We ask for solutions with \[ C. \]", r"There are motions for which \[ C. \]"]
+)
+def test_what_is_displayed_of_some_motions_is_no_law(law, tex, words):
+    found = verdicts(law + words.replace("C", tex))
+    assert not any(v.name in ("PROVED", "CONDITIONAL", "REFUTED") for v in found.values())
