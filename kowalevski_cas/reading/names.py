@@ -71,9 +71,14 @@ def _each_with_its_own(vectors: Mapping[str, tuple[str, ...]]) -> dict[str, tupl
     return {name: parts for name, parts in found.items() if parts}
 
 
+_ANOTHER = (
+    r"(?:of|to|from|by|and|with|in|on|for|opposite|derivatives?|rates?|means?|averaged?"
+    r"|и|к|от|на|в|производн\w*|средн\w*|приращени\w*)\b"
+)
+"""Words for another vector than the one behind them."""
 _OF = re.compile(
     r"[\s,~]*(?:[-—–]+|are|be|denote)?\s*(?:the\s+)?(?:components?|projections?|проекци[ияй]|компонент[ыа]?)"
-    r"(?:\s+of)?(?:\s+the)?(?:\s+\w+){0,4}[\s~]*",
+    rf"(?:\s+of)?(?:\s+the)?(?:\s+(?!{_ANOTHER})\w+){{0,4}}[\s~]*",
     re.IGNORECASE,
 )
 _WITH = re.compile(

@@ -36,3 +36,19 @@ def test_a_momentum_is_moved_by_the_letters_of_which_rates_are_printed():
     for third, green in (("g_1v-g_2u", True), ("g_1u-g_2v", False)):
         text = FIXED + VECTOR + rows.replace("THIRD", third) + rf"The integral is \[ {claim}. \]"
         assert verdicts(text)[claim].green is green
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"Let $u,v,w$ be the components of the derivative of $\boldsymbol\Omega$.",
+        r"Let $u,v,w$ be the components of a vector orthogonal to $\boldsymbol\Omega$.",
+        r"Here $u,v,w$ are not the components of $\boldsymbol\Omega$.",
+        r"Пусть $u,v,w$ --- проекции производной вектора $\boldsymbol\Omega$.",
+        r"The vector $\boldsymbol\Omega$ is given. The components of the momentum are $u,v,w$.",
+    ],
+)
+def test_letters_are_components_of_no_other_vector(words):
+    tex = r"h=J_1u^2+J_2v^2+J_3w^2"
+    found = verdicts(FIXED + words + VECTOR + rf"The integral is \[ {tex}. \]")
+    assert tex not in found or not found[tex].green
