@@ -161,7 +161,7 @@ def enter_constraints(parts: Parts) -> None:
     """Give the multipliers their values, and keep the derivatives of the constraints."""
     for place, known in enumerate(parts.known):
         suffix = f"-{place + 1}" if place else ""
-        for law in known.laws:
+        for law in (law for law in known.laws if not law.change):  # in new names it has the same
             bound = [
                 one
                 for one in known.items

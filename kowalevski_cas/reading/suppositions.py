@@ -161,7 +161,7 @@ _SOME = (
     r"\b(?:if|when|whenever|suppos\w+|assum\w+|seek|sought|impossible)\b"
     r"|\b(?:motions?|solutions?|points?|states?|moments?|instants?|times?|orbits?|trajector(?:y|ies)|curves?)"
     r"\s+(?:with|where|when|(?:at|for|in|on)\s+which|such\s+that|that\s+satisfy|satisfying)\b"
-    r"|^\W*(?:where|let)\b|\b(?:conditions?|requirement)\b"
+    r"|^\W*(?:where\b|let(?=[\s~]*$)|let\s+us\s+(?:seek|suppose|assume|look|require)\b)|\b(?:conditions?|requirement)\b"
     r"|\b(?:если|когда|пусть|предполож\w+|допуст\w+|невозможно|услови\w+)\b|\b(?:для|при|в|на)\s+котор\w+"
 )
 _OF_SOME = re.compile(rf"(?:{_SOME})[^§,;:]*$", re.IGNORECASE)

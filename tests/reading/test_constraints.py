@@ -95,3 +95,10 @@ def test_of_velocities_the_constraint_gives_one_equation_more():
         + r"They keep $\sum x_iy_i=1$. The function $\sum_k(y_k^2-a_kx_k^2)$ is an integral."
     )
     assert found == ([False, False], [True])
+
+
+def test_a_constraint_is_the_same_in_new_variables():
+    text = r"""A point moves on the surface \[ u^2+v^2=2qw. \] With the multiplier $\lambda$
+    \[ \ddot u=\lambda u,\qquad\ddot v=\lambda v,\qquad\ddot w=-g-\lambda q. \]
+    Let $u=\rho\cos\psi,\quad v=\rho\sin\psi$. Then \[ \rho\ddot\psi+2\dot\rho\dot\psi=0. \]"""
+    assert verdicts(text)[r"\rho\ddot\psi+2\dot\rho\dot\psi=0"].green

@@ -30,7 +30,9 @@ def test_what_is_supposed_of_some_motions_is_not_judged(text):
     assert not any(v.name in ("PROVED", "CONDITIONAL", "REFUTED") for v in found.values())
 
 
-@pytest.mark.parametrize("words", ["Then $C$.", "Therefore $C$.", "We obtain \\[ C. \\]"])
+@pytest.mark.parametrize(
+    "words", ["Then $C$.", "Therefore $C$.", "We obtain \\[ C. \\]", "Let us compute $C$."]
+)
 def test_what_is_concluded_is_refuted(words):
     tex = r"\dot x^2+\dot y^2=1"
     assert verdicts(LAWS[1] + words.replace("C", tex))[tex].name == "REFUTED"
