@@ -258,11 +258,17 @@ class _Ladder(RungMaker):
             yield self.rung(kind, says, assumptions, bound, relations, relations=own)
 
     def _set(self) -> SetOfEquations:
-        """The equations of the set that the statement defines, with others or alone."""
+        """The equations of the set that the statement defines, with others or alone.
+
+        Raises ``ValueError`` if it cannot be seen which belong together.
+        """
         roles = self.known.roles
         own = [one for one, role in roles.items() if role.kind == self.role.kind]
         sets = sets_of(own, self.known.paper.source.text)
-        return next(items for items in sets if self.item in items)
+        found = next((items for items in sets if self.item in items), None)
+        if found is None:
+            raise ValueError("which of these equations define one set?")
+        return found
 
     # -- energies --------------------------------------------------------------------
 

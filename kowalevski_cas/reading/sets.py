@@ -58,7 +58,7 @@ def has_set_beside(item: SourceStatement, known: Known) -> bool:
 
 def _by_signs(run: Sequence[SourceStatement], text: str) -> Iterator[SetOfEquations]:
     r"""The sets of a run, in which upper signs of :math:`\\pm` go together, and lower ones."""
-    pairs = [pair for pair in pairwise(run) if pair[0].span == pair[1].span]
+    pairs = [pair for pair in pairwise(run) if _are_of_signs(*pair)]
     if not pairs:
         yield from _apart(run, text)
         return
@@ -67,6 +67,12 @@ def _by_signs(run: Sequence[SourceStatement], text: str) -> Iterator[SetOfEquati
         for part in _apart([one for one in run if one not in others], text):
             if signed is upper or signed & {*part}:
                 yield tuple(sorted(part, key=lambda one: one not in signed))
+
+
+def _are_of_signs(one: SourceStatement, other: SourceStatement) -> bool:
+    """Whether two statements are one formula with either sign, not with two values of an index."""
+    signed = re.search(r"\\(?:pm|mp)(?![A-Za-z])", one.typed.tex)
+    return one.span == other.span and signed is not None
 
 
 def _apart(run: Sequence[SourceStatement], text: str) -> Iterator[SetOfEquations]:

@@ -99,3 +99,18 @@ def test_rates_that_vanish_where_something_rests_are_no_claim(text):
 def test_what_is_concluded_of_rates_is_one():
     tex = r"\dot u=\dot v=0"
     assert verdicts(FREE + f"Hence ${tex}$.")[tex] == "REFUTED"
+
+
+@pytest.mark.parametrize(
+    ("words", "named"),
+    [
+        ("The set $x_i=0$ is invariant.", {"PROVED"}),
+        ("The planes $x_i=0$, $i=1,2,3$, are invariant.", {"PROVED"}),
+        ("The point $x_i=1/3$ is an equilibrium.", {"PROVED"}),
+        ("The set $x_i=1$ is invariant.", {"REFUTED"}),
+        (r"The points $x_i=\pm1$ are equilibria.", {"UNDECIDED"}),
+    ],
+)
+def test_an_equation_for_each_index_is_a_set(words, named):
+    law = r"Consider \[ \dot x_i=x_i(1-x_1-x_2-x_3),\qquad i=1,2,3. \] "
+    assert {*verdicts(law + words).values()} == named
