@@ -37,6 +37,12 @@ def test_a_paper_with_planted_errors(path):
     assert found.roles[True] >= 0.75 * found.roles.total()
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("path", sorted(PAPERS.parent.rglob("*.tex")), ids=lambda path: path.stem)
+def test_no_paper_ends_the_reading(path):
+    assert read(read_source(path)).formulas
+
+
 def claimed(reading):
     """Each statement with its role, its problem and the doubt: all on which verdicts depend."""
     interpretation = Interpretation(reading.derivation)
