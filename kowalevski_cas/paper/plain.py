@@ -209,8 +209,7 @@ class Plain:
         change = self.setting.texts.time_change(scene.clock) if scene.clock is not None else None
         known = ("prime", change.time) if change is not None and scene.time == "t" else ("dot", "t")
         if change is None or mark not in known:
-            field = self.setting.printed_field
-            if mark in marks(field) or (mark == "prime" and not (field or change)):
+            if mark in marks(self.setting.printed_field):
                 return rate
             raise Meaningless(f"no derivative is printed as “{mark}” on “{scene.name}”")
         scale = self(change.rate)
