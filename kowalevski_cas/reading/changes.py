@@ -12,6 +12,7 @@ from itertools import groupby
 
 from kowalevski_cas.notation import Name, Number
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.polar import radii
 from kowalevski_cas.reading.statements import SourceStatement
 
 _NEAR = re.compile(
@@ -35,11 +36,12 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
     for _, group in groupby(later, key=lambda one: one.sentence):
         sentence = [*group]
         before = [one for one in items if one.order < sentence[0].order]
-        given_by_old = _resting(before, {*law.variables})
+        lengths = radii(before, law)
+        given_by_old = _resting(before, {*law.variables}) - lengths
         giving = [
             one
             for one in sentence
-            if _gives(one, law, seen) and given_by_old.isdisjoint(one.members[1].names())
+            if _gives(one, law, seen - lengths) and given_by_old.isdisjoint(one.members[1].names())
         ]
         values = (one for one in sentence if one not in giving and not _NEAR.search(one.before))
         other = {name for one in values for name in one.bare}
@@ -48,7 +50,10 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
             giving += [one for one in sentence if _renames(one, law, seen, rated)]
         given = {name for one in giving for name in _names(one, law)}
         new = dict.fromkeys(
-            name for one in giving for name in sorted(one.names) if name not in seen | {"t"}
+            name
+            for one in giving
+            for name in sorted(one.names)
+            if name not in seen - lengths | {"t"}
         )
         timed = any("t" in one.names for one in giving)  # else it is a solution
         for names in ([] if timed else [*new], [name for name in new if name in rated]):

@@ -22,7 +22,7 @@ from kowalevski_cas.reading.named_values import values_in_words
 from kowalevski_cas.reading.names import AXES
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement
-from kowalevski_cas.reading.unprinted import unprinted
+from kowalevski_cas.reading.unprinted import is_printed, unprinted
 
 SPACE = 3
 _BASIS = re.compile(r"e_\{?([123])\}?")
@@ -32,6 +32,7 @@ _CANONICAL = re.compile(r"\bcanonical|\bканоническ", re.IGNORECASE)
 
 
 IMPLIED = "an equation of motion that is implied"
+POLAR = "polar coordinates, as words call them"
 ANY_MOTION = "no equation says how it moves: what is judged holds for any motion"
 
 
@@ -42,6 +43,14 @@ def enter_conventions(parts: Parts) -> None:
             parts.cite(item)  # the matrices of elements before it may stand there
         for law in known.laws:
             why = ANY_MOTION if is_free(law) else IMPLIED
+            for item in law.change:
+                if not is_printed(item):
+                    parts.places[item] = place
+                    gives = item.bare[:1]
+                    parts.enter(item, StatementRole(CONVENTION, POLAR, "change", gives))
+            if law.radius is not None:
+                parts.places[law.radius] = place
+                parts.enter(law.radius, StatementRole(CONVENTION, "a radius is not negative"))
             for item in law.items:
                 if item not in parts.paper.items and item not in parts.said.rows:
                     parts.places[item] = place

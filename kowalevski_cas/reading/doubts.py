@@ -29,7 +29,7 @@ from kowalevski_cas.reading.rung import Rung
 from kowalevski_cas.reading.small_oscillations import CHARACTERISTIC, FREQUENCY, may_be_of_squares
 from kowalevski_cas.reading.statements import SourceStatement, is_numerical
 from kowalevski_cas.reading.suppositions import FOUND
-from kowalevski_cas.reading.unprinted import SOURCE
+from kowalevski_cas.reading.unprinted import SOURCE, is_printed
 from kowalevski_cas.reading.varied_laws import is_varied
 
 _INDEXED = re.compile(r"_\{?[ijk]\b")
@@ -57,6 +57,7 @@ def doubt_of(
         or role.reason == FOUND
         or rung.claim.scene.jets  # words may say which functions are meant
         or _has_momentum(rung, known)
+        or _is_in_coordinates_of_words(rung, known)
     ):
         return Doubt.ALWAYS
     linear = (CHARACTERISTIC, FREQUENCY, EIGENVALUE, TRACE, DETERMINANT)
@@ -190,6 +191,12 @@ def _has_usual_bracket(item: SourceStatement, rung: Rung, known: Known) -> bool:
 def _has_momentum(rung: Rung, known: Known) -> bool:
     """Whether a claim stands on momenta that the paper does not give."""
     own = {one.printed for one, role in known.roles.items() if role.kind == MOMENTUM}
+    return not own.isdisjoint(rung.claim.scene.definitions.values())
+
+
+def _is_in_coordinates_of_words(rung: Rung, known: Known) -> bool:
+    """Whether a claim stands on coordinates that words name only: an angle may be another one."""
+    own = {one.printed for law in known.laws for one in law.change if not is_printed(one)}
     return not own.isdisjoint(rung.claim.scene.definitions.values())
 
 

@@ -29,6 +29,8 @@ class Law:
     """What gives variables of the base by new names, if it is the same law in these."""
     new: tuple[str, ...] = ()
     """These names."""
+    radius: SourceStatement | None = None
+    """What says that one of these is a radius, which is a root of squares of what is given."""
     together: tuple[SourceStatement, ...] = ()
     """The equations that give new names together, of which its own are the derivatives."""
     images: tuple[tuple[str, str], ...] = ()

@@ -14,6 +14,7 @@ from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.momenta import find_momenta
 from kowalevski_cas.reading.named_values import named_values
 from kowalevski_cas.reading.names import Names
+from kowalevski_cas.reading.polar import coordinates_in_words, length_given, radius_of
 from kowalevski_cas.reading.restated import replaced_law, times_of
 from kowalevski_cas.reading.rows import (
     highest_order,
@@ -127,6 +128,10 @@ def _is_changed(law: Law, implied: Sequence[Law]) -> bool:
     return any({*law.variables} <= {*one.new} for one in implied)
 
 
+def _in_order(items: Sequence[SourceStatement]) -> list[SourceStatement]:
+    return sorted(items, key=lambda one: one.order)
+
+
 _MOVES = re.compile(
     r"\b(?:falls?|moves?|obeys?|equations?\s+of\s+motion|пада[ею]т|движ[еу]тся|уравнени\w+\s+движения)\b",
     re.IGNORECASE,
@@ -168,8 +173,9 @@ class _LawFinder:
         self.found: list[Law] = []
         self.defining: dict[str, list[SourceStatement]] = {}
         for item in (*paper.items, *named_values(paper)):
-            if self._defines(item):
-                self.defining.setdefault(item.bare[0], []).append(item)
+            name = length_given(item) or next(iter(item.bare), "")
+            if name and self._defines(item):
+                self.defining.setdefault(name, []).append(item)
 
     def _may_set_up(self, item: SourceStatement) -> bool:
         """Whether a law may begin with a row: with a display, or as the words right before say."""
@@ -191,7 +197,7 @@ class _LawFinder:
 
     def _defines(self, item: SourceStatement) -> bool:
         """Whether a statement gives a name an expression, and is neither a row nor of one."""
-        if not item.bare or item in self.rows or item in self.momenta:
+        if item in self.rows or item in self.momenta:
             return False
         if any(map(is_numerical, item.members)) or is_dependence(item):
             return False
@@ -199,7 +205,8 @@ class _LawFinder:
             return False
         if any(isinstance(member, PoissonBracket) for member in item.members):
             return False  # it gives the bracket
-        rated = [row for row in self.rows if row.order < item.order and item.bare[0] in row.rates]
+        name = length_given(item) or item.bare[0]
+        rated = [row for row in self.rows if row.order < item.order and name in row.rates]
         timed = bool(rated) and "t" in item.names  # it is a solution
         return not timed and not any(row.section in item.sections for row in rated)
 
@@ -234,11 +241,18 @@ class _LawFinder:
         changed = [
             change
             for law in part
-            for change in find_changes(law, items)
+            for change in find_changes(law, _in_order([*self.polar(law, end), *items]))
             if before.isdisjoint(change.new)
         ]
+        for change in changed:
+            change.radius = radius_of(change, items, self.paper)
         together = [more for law in part for more in find_together(law, items, self.paper)]
         return [*changed, *together]
+
+    def polar(self, law: Law, end: SourceStatement | None) -> list[SourceStatement]:
+        """What gives the coordinates of a law by polar ones of words, up to a statement."""
+        found = coordinates_in_words(law, self.paper)
+        return found if end is None or all(one.order <= end.order for one in found) else []
 
     def first(self, item: SourceStatement) -> Law | None:
         """The law of a paper that has none before a row."""

@@ -41,6 +41,7 @@ from kowalevski_cas.reading.levels import level
 from kowalevski_cas.reading.linear_parts import eigenvalue, linear_part, trace_or_determinant
 from kowalevski_cas.reading.obey import said_role
 from kowalevski_cas.reading.phrases import VERB, clause, joined_tail, listed_words, words_of
+from kowalevski_cas.reading.polar import radius
 from kowalevski_cas.reading.propositions import (
     approximate,
     claimed_set,
@@ -222,8 +223,8 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 RULES: tuple[Rule, ...] = (
-    unread, beginning, eigenvalue, of_flow, expression, named_set, law, constraint, together,
-    unit, bracket, bracket_of_functions, unjudged, inequality, repeated, gives_derivative,
+    unread, beginning, eigenvalue, of_flow, expression, named_set, law, radius, constraint,
+    together, unit, bracket, bracket_of_functions, unjudged, inequality, repeated, gives_derivative,
     special_function, change, roots,
     claimed_set, point, solution, constant_of_solution, energy, on_place, definition, square,
     assumption, value, approximate, set_of_rates, of_some_motions, rate, zero_set,

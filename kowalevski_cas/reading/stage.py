@@ -334,7 +334,10 @@ class Stage:
         scene = with_free_functions(scene, functions) if functions else scene
         squared = {name for place in squares for name in place.heads.squares}
         first = [root for root in roots if squared.isdisjoint(self._below(root))]
-        scene = scene.adjoining(*(root for root in first if root not in scene.definitions))
+        if law and law.radius and roots:
+            scene = scene.solving(to_latex(law.radius.members[0]), law.radius.printed)
+        first = [root for root in first if root not in {*scene.definitions, *scene.roots}]
+        scene = scene.adjoining(*first)
         scene = self._with_unit(scene.adjoining(*squares), closure, clock)
         used: list[SourceStatement] = []
         used += [one for one in about if self.known.roles[one].kind.startswith(FUNCTION)]

@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from contextlib import suppress
+from dataclasses import replace
 
 from kowalevski_cas.notation import Name, NotationError, Number, PoissonBracket, Power, read
+from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.implied import (
@@ -34,7 +36,8 @@ def unprinted(
     """A statement that the paper does not print, beside one that it does, or before all."""
     section = beside.printed.display.section if beside else paper.displays[0][0].section
     display = Display(id, tex, section, source=source)
-    formula = read(tex, paper.words, OpenParser)
+    words = replace(paper.words, functions=paper.words.functions | FUNCTIONS)
+    formula = read(tex, words, OpenParser)
     start = beside.typed.start if beside is not None else paper.prose.start
     order = beside.order if beside is not None else -1
     return SourceStatement(
