@@ -7,10 +7,10 @@ is printed as their rates follows, and is claimed.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from itertools import groupby
 
-from kowalevski_cas.notation import Name, Number
+from kowalevski_cas.notation import Name, Number, Product
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.polar import radii
 from kowalevski_cas.reading.statements import SourceStatement
@@ -41,7 +41,9 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
         giving = [
             one
             for one in sentence
-            if _gives(one, law, seen - lengths) and given_by_old.isdisjoint(one.members[1].names())
+            if _gives(one, law, seen - lengths)
+            and not gives_factor(one, law, rated)
+            and given_by_old.isdisjoint(one.members[1].names())
         ]
         values = (one for one in sentence if one not in giving and not _NEAR.search(one.before))
         other = {name for one in values for name in one.bare}
@@ -62,6 +64,20 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
                 break
         for one in sentence:
             seen |= one.names
+
+
+def gives_factor(item: SourceStatement, law: Law, rated: Collection[str]) -> bool:
+    r"""Whether a variable is a product of a name in its law and others, with no rates of theirs.
+
+    So :math:`M=I\omega` says what :math:`\omega` is that stands in the law, and I is no variable.
+    """
+    names = law.names
+    match item.members:
+        case (Name(), Product(factors)) if all(isinstance(one, Name) for one in factors):
+            own = item.members[1].names()
+            mentioned = own & {*names.scalars(law.mentions)} - {*law.variables}
+            return len(mentioned) == 1 and own.isdisjoint(rated)
+    return False
 
 
 def _resting(items: Sequence[SourceStatement], moving: set[str]) -> set[str]:

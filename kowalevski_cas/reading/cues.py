@@ -38,12 +38,12 @@ CUES: dict[str, str] = {
         no\s+(?:motion|trajectory|orbit|solution)\s+leaves satisfied\s+by инвариантн\w+
         удовлетворя\w+""",
     "equilibrium": r"""
-        equilibri\w+ (?:states?|points?)\s+of\s+rest rest\s+points? \bsteady\s+states?
+        equilibri\w+ (?:states?|points?)\s+of\s+rest rest\s+points? (?<!quasi-)\bsteady\s+states?
         (?:singular|stationary|fixed|critical)\s+points? stationary\s+(?:states?|solutions?)
         равновеси\w+ стационарн\w+ особ\w+\s+точ\w+""",
     "suppose": r"""
         suppos\w+ assum\w+ \blet\b \btake\b \bmake\b \bif\b \bwhen\b \bgiven\s+that\b
-        \bfor(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?\s*$ \bput\b(?!\s+together) \bsetting\b
+        \bfor(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?\s*$ \bput(?:ting)?\b(?!\s+together) \bsetting\b
         (?:we|us|and|now|^\s*)\s*set\s*$
         provided choos\w+ choice as\s+long\s+as
         \bunder\b in\s+the\s+case \bcase\b restrict\w+ \bconsider\b

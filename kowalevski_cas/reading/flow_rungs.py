@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import product
 from typing import Any
 
 from kowalevski_cas.paper.claims import (
@@ -11,6 +12,7 @@ from kowalevski_cas.paper.claims import (
     Divergence,
     Eigenvalue,
     Frequency,
+    FrequencyEquation,
     LinearPart,
     PreservedMeasure,
     RestPoint,
@@ -38,6 +40,7 @@ from kowalevski_cas.reading.rung import Rung, RungMaker, places
 from kowalevski_cas.reading.small_oscillations import (
     CHARACTERISTIC,
     FREQUENCY,
+    may_be_of_frequencies,
     places_of,
     prints_square,
     variable_of,
@@ -83,9 +86,12 @@ def _of_linear_part(at: RungMaker) -> Iterator[Rung]:
         says = "this is an eigenvalue of the linear part at this point"
     point = place(item, known)
     law = next(law for law in known.laws if not law.images)
-    for assumptions in at.ways():
+    kinds = [(kind, says)]
+    if at.role.kind == CHARACTERISTIC and may_be_of_frequencies(item, known):
+        kinds.append((FrequencyEquation, "this is the equation of the frequencies near this point"))
+    for (own, words), assumptions in product(kinds, at.ways()):
         yield at.rung(
-            kind, says, assumptions, (), (item, *law.rows, *point),
+            own, words, assumptions, (), (item, *law.rows, *point),
             printed=item.printed, relations=places(point), **about,
         )  # fmt: skip
 

@@ -22,6 +22,7 @@ from kowalevski_cas.paper.claims import (
     OfAllFunctions,
     RestPoints,
 )
+from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.reading.brackets import any_function, refuse_idle_brackets
 from kowalevski_cas.reading.canonical import meant
 from kowalevski_cas.reading.cues import cue
@@ -256,6 +257,27 @@ class _Ladder(RungMaker):
         own = places((*relations, *bound))
         for assumptions in ways:
             yield self.rung(kind, says, assumptions, bound, relations, relations=own)
+        if along := self._along(relations) if kind is InvariantRelations else []:
+            says, more = "no motion that begins along this set leaves it", places(along)
+            for assumptions in ways:
+                both = (*relations, *along)
+                yield self.rung(kind, says, assumptions, bound, both, relations=(*own, *more))
+
+    def _along(self, relations: SetOfEquations) -> list[SourceStatement]:
+        """The derivatives of the equations of a set of places, where velocities move as well."""
+        law = self.stage.law(self.item, relations)
+        moving = {x for row in law.rows for x, n in row.rates.items() if n > 1} if law else set()
+        if not moving or any(one.derives or len(one.members) != 2 for one in relations):
+            return []
+        paper, words = self.known.paper, "as a motion along the set has it"
+        return [
+            unprinted(
+                paper, f"along-{number}-{self.id}",
+                rf"\frac{{d}}{{dt}}\left({to_latex(minus(one.members))}\right)=0", one, words,
+            )
+            for number, one in enumerate(relations, 1)
+            if one.names & moving
+        ]  # fmt: skip
 
     def _set(self) -> SetOfEquations:
         """The equations of the set that the statement defines, with others or alone.

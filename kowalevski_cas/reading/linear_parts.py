@@ -157,9 +157,9 @@ def point_of(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]
         of = _OF_POINT.match(item.earlier[0]) if item.earlier else None
         if of and of["origin"]:
             return equations_of(dict.fromkeys(law.variables, "0"), item, law, known)
-        return _last_named(item, law, known) if of else ()
+        return last_named(item, law, known) if of else ()
     if found is None:
-        return _last_named(item, law, known) if _THERE.search(words) else ()
+        return last_named(item, law, known) if _THERE.search(words) else ()
     return _at(found, words, item, law, known)
 
 
@@ -182,7 +182,7 @@ def _at(
 ) -> tuple[SourceStatement, ...]:
     """The equations of the point at which some words before a statement say it to be so."""
     if found["where"] is None:
-        return _last_named(item, law, known)
+        return last_named(item, law, known)
     if found["where"] != "§":
         return equations_of(dict.fromkeys(law.variables, "0"), item, law, known)
     place = words[: found.start("where")].count("§")
@@ -210,7 +210,7 @@ def point_at(
     return _with_coordinates(coordinates(own[0], law, known), item, law, known)
 
 
-def _last_named(item: SourceStatement, law: Law, known: Known) -> tuple[SourceStatement, ...]:
+def last_named(item: SourceStatement, law: Law, known: Known) -> tuple[SourceStatement, ...]:
     """The equations of the last point before a statement, in its paragraph, if it is one alone."""
     points = [
         one

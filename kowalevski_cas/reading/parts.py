@@ -25,6 +25,7 @@ from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.laws import find_laws
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.restated import find_restated
+from kowalevski_cas.reading.solved import SOLVED, solutions_for
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 from kowalevski_cas.reading.varied_laws import with_varied
 
@@ -107,6 +108,10 @@ class Parts:
         """Keep what a statement says."""
         known = self.of(item)
         known.enter(item, role)
+        if role.kind == SOLVED:
+            for found in solutions_for(item, known):
+                self.places[found] = self.places[item]
+                known.enter(found, StatementRole(DEFINITION, role.reason, "", found.bare[:1]))
         if role.kind == ROOTS:
             values = [*values_at_numbers(item, known)]
             known.rooted.append((frozenset(root_names(item)), values))

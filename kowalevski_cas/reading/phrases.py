@@ -149,11 +149,38 @@ def integral_words(item: SourceStatement) -> str:
         listed = joined_lead(item)
         if _SEVERAL.search(listed):
             return cue("integral", last_clause(listed))
-        return cue("integral", item.before) if _LISTED.search(item.before) else ""
+        return cue("integral", item.before) if _LISTED.search(item.before) else _in_list(item)
     return (
         cue("integral", item.before) if item.lead.strip(" ,;") in ("", "and") else announced(item)
     )
 
+
+_PHRASE = re.compile(
+    r"[\s,;:~(–—-]*(?:\b(?:and|и|а\s+также)\b)?[\s,~]*(?:\b(?:the|an?|its|their)\s+)?"
+    r"(?:(?!\b(?:is|are|was|were|ha[sd]|have|with|where|if|for|on|at|when|gives?|so|then|hence"
+    r"|где|если|при|то|равн\w+|име\w+)\b)[^\W\d_]+[\s~-]*){0,4}[\s,:;~(–—-]*"
+)
+"""A noun with what belongs to it, and no verb, as it stands before a formula in a list."""
+
+
+def _in_list(item: SourceStatement) -> str:
+    """The words by which a list behind a colon is announced, or that end it, as one of integrals.
+
+    So it is in “Two quantities are conserved: the mass, M=m, and the energy, E=h”.
+    """
+    announcing, colon, listed = item.before.rpartition(":")
+    if colon and "§" not in announcing and all(map(_PHRASE.fullmatch, listed.split("§"))):
+        return "" if cue("denied", announcing) else cue("integral", last_clause(announcing))
+    rest = item.after
+    while (found := _PHRASE.match(rest)) and rest[found.end() :].startswith("§"):
+        rest = rest[found.end() + 1 :]
+    return cue("integral", rest[:40]) if _ARE.match(rest) and rest != item.after else ""
+
+
+_ARE = re.compile(
+    r"[\s,)~]*(?:are|remain|stay)\s+(?:\w+\s+)?(?:conserved|constant|integrals)\b", re.I
+)
+"""What is said of all formulas of a list."""
 
 _CURVES = re.compile(
     r"\b(?:(?:phase|integral)\s+curves|(?:phase\s+)?(?:trajectories|orbits|paths))\s+"
@@ -256,7 +283,8 @@ _CLAUSE = re.compile(r"[,;:.]|\b(?:and|but|и|а|но)\b")
 
 _ANOTHER_CLAUSE = re.compile(
     r";|[,:]\s*(?:and|but|while|whereas|и|а|но)\s+"
-    r"(?:it|this|that|they|these|we|one|there|он|она|оно|они|это|мы)\b"
+    r"(?:(?:it|this|that|they|these|we|one|there|он|она|оно|они|это|мы)\b"
+    r"|§\s+(?:moves|obeys|satisfies|oscillates|varies|grows|движется|удовлетворяет|меняется)\b)"
     r"(?!\s+(?:reads?|equals?|(?:is|are)\s+(?:given|equal)|ha(?:s|ve)\s+the\s+form|име\w+|рав\w+))",
     re.IGNORECASE,
 )

@@ -149,6 +149,25 @@ _OF_FUNCTION = re.compile(
 """Words that speak of a function that is constant, and of its value: not of a set."""
 
 
+_IS_MODE = r"(?:[\s,:~]|\b(?:is|are|has|have|with|by|where|given|described|the|we|one|имеем)\b)*"
+_MODE = re.compile(
+    rf"\b(?:modes?|normal\s+(?:oscillation|vibration)s?|мод[аыеу]|нормальн\w+\s+колебани\w+)"
+    rf"{_IS_MODE}(?:§[^§]*)*$",
+    re.IGNORECASE,
+)
+"""How words end, or their list, behind which a normal mode is printed."""
+_ONE = re.compile(r"\b(?:in|for)\s+the\s+\w+(?:\s+one)?[\s,:]*$|\bво?\s+втор\w+[\s,:]*$")
+"""How words end behind which what is one more of them stands."""
+
+
+def _motion(item: SourceStatement) -> str:
+    """The words that call a set a closed curve in which points move, or a normal mode."""
+    found = _CYCLE.search(item.lead) or _IS_ORBIT.match(item.tail) or _MODE.search(item.lead)
+    if not found and (_ONE.search(item.lead) or item.lead.strip(" ,;~") in ("", "and", "и")):
+        found = _MODE.search(item.before)
+    return found[0].strip() if found else ""
+
+
 def claimed_set(item: SourceStatement, known: Known) -> StatementRole | None:
     """Equations of a set of which the words around them say that it is invariant, or at rest."""
     if not item.members or item.derives or not known.varying(item.names):
@@ -165,8 +184,8 @@ def claimed_set(item: SourceStatement, known: Known) -> StatementRole | None:
             return StatementRole(CLAIM, f"“{said}” is said of the set", kind)
     if said := resting(item):
         return StatementRole(CLAIM, f"“{said}” is said of the points", "rest")
-    if cycle := _CYCLE.search(item.lead) or _IS_ORBIT.match(item.tail):
-        return StatementRole(CLAIM, f"“{cycle[0].strip()}” is invariant", "invariant")
+    if motion := _motion(item):
+        return StatementRole(CLAIM, f"“{motion}” is a motion in the set", "invariant")
     if said := solved_by(item, "equilibrium"):
         return StatementRole(CLAIM, f"“{said}” are the solutions", "rest")
     return None

@@ -87,7 +87,7 @@ def coordinates(item: SourceStatement, law: Law, known: Known) -> tuple[Formula,
     """The coordinates of the point that a statement is, or gives a name; none if it is no point."""
     if item.formula is None or len(item.members) not in (0, 2):
         return ()
-    if item.members and not isinstance(item.members[0], Name):
+    if item.members and not (isinstance(item.members[0], Name) or _is_marked_point(item, law)):
         return ()
     found = entries_of(item.members[-1] if item.members else item.formula)
     names = {name for one in found for name in one.names()}
@@ -142,6 +142,15 @@ def marked(item: SourceStatement, law: Law, known: Known) -> dict[str, str]:
                 found.setdefault(name, first.name)
     whole = {*found} == {*law.variables} and item.bare[:1] and item.bare[0] in found.values()
     return found if whole else {}
+
+
+def _is_marked_point(item: SourceStatement, law: Law) -> bool:
+    """Whether a statement gives a list of what moves by law in its order, all marked alike."""
+    names = [one.name for one in entries_of(item.members[0]) if isinstance(one, Name)]
+    if len(names) != len(law.variables):
+        return False
+    marks = {_mark(*two) for two in zip(names, law.variables, strict=True)}
+    return len(marks) == 1 and "" not in marks
 
 
 def _mark(name: str, variable: str) -> str:

@@ -56,6 +56,7 @@ from kowalevski_cas.reading.propositions import (
 from kowalevski_cas.reading.rest_points import rest_point
 from kowalevski_cas.reading.small_oscillations import small_oscillation
 from kowalevski_cas.reading.solutions import constant_of_solution
+from kowalevski_cas.reading.solved import solved
 from kowalevski_cas.reading.statements import SourceStatement, is_dependence, is_ellipsis
 from kowalevski_cas.reading.suppositions import (
     assumption,
@@ -223,7 +224,7 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 RULES: tuple[Rule, ...] = (
-    unread, beginning, eigenvalue, of_flow, expression, named_set, law, radius, constraint,
+    unread, beginning, eigenvalue, of_flow, expression, named_set, law, radius, solved, constraint,
     together, unit, bracket, bracket_of_functions, unjudged, inequality, repeated, gives_derivative,
     special_function, change, roots,
     claimed_set, point, solution, constant_of_solution, energy, on_place, definition, square,

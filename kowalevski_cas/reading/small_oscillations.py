@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator
 
 from kowalevski_cas.notation import Name, Number, Power, Relation
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.degrees import is_linear
@@ -21,7 +22,7 @@ from kowalevski_cas.reading.linear_parts import (
     equations_of,
     gives_all,
     is_of_origin_before,
-    last_values,
+    last_named,
     point_at,
 )
 from kowalevski_cas.reading.statements import SourceStatement
@@ -34,7 +35,9 @@ _SMALL = (
     r"|мал\w+\s+колебани\w+"
 )
 _FREQUENCY = (
-    r"(?P<squares>(?:squares?\s+of\s+the\s+|квадрат\w*\s+)?)(?:frequenc(?:y|ies)|частот\w*)"
+    r"(?P<squares>(?:squares?\s+of\s+the\s+|квадрат\w*\s+)?)"
+    r"(?:(?:angular|circular|cyclic|common|natural|круговой|круговую|циклическ\w+)\s+)?"
+    r"(?:frequenc(?:y|ies)|частот\w*)"
 )
 _PLACE = (
     r"(?:[\s~]+of\s+(?:the|this|our)\s+\w+)?"
@@ -50,8 +53,8 @@ _OF_SMALL = re.compile(
 )
 """How words end behind which frequencies of small oscillations are printed."""
 _EQUATION = re.compile(
-    r"\b(?:characteristic|secular)\s+(?:equation|polynomial)s?\b(?P<rest>[^.;]*)$"
-    r"|\b(?:характеристическ\w+|веков\w+)\s+(?:уравнени|многочлен|полином)\w+(?P<other>[^.;]*)$",
+    r"\b(?:characteristic|secular|frequency)\s+(?:equation|polynomial)s?\b(?P<rest>[^.;]*)$"
+    r"|\b(?:характеристическ\w+|веков\w+|частотн\w+)\s+(?:уравнени|многочлен|полином)\w+(?P<other>[^.;]*)$",
     re.IGNORECASE,
 )
 """How words end behind which a characteristic equation is printed."""
@@ -102,16 +105,45 @@ def frequency(item: SourceStatement, known: Known) -> tuple[str, str, str] | Non
     With the number π it may count oscillations in a unit of time. A name that has been used is
     not given by it.
     """
-    if not _frequencies_before(item) or len(item.members) not in (0, 2) or PI in item.names:
+    if len(item.members) not in (0, 2) or PI in item.names:
+        return None
+    is_root = _is_root_of_equation(item, known)
+    if not _frequencies_before(item) and not is_root:
         return None
     match item.members[:1]:
         case ():
             return FREQUENCY, "", "a frequency"
-        case (Name(name),) if not known.is_known(name):
-            return FREQUENCY, name, "a frequency"
-        case (Power(Name(name), Number(2)),) if not known.is_known(name):
-            return FREQUENCY, name, "the square of a frequency"
+        case (Name(name),) if is_root or not known.is_known(name):
+            return FREQUENCY, "" if is_root else name, "a frequency"
+        case (Power(Name(name), Number(2)),) if is_root or not known.is_known(name):
+            return FREQUENCY, "" if is_root else name, "the square of a frequency"
     return None
+
+
+_ROOTS = re.compile(
+    r"\broots(?:\s+of\s+(?:it|which|this\s+equation))?\s*(?:are|:)?[\s:~]*$|\b(?:hence|whence|so\s+that)[\s,~]*$"
+    r"|\bкорни(?:\s+(?:его|которого))?\s*(?:суть|[-—–]+|равны)?[\s:~]*$|\b(?:откуда|отсюда)[\s,~]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which the roots of an equation are printed."""
+
+
+def _is_root_of_equation(item: SourceStatement, known: Known) -> bool:
+    """Whether a statement prints roots, as words say, of an equation for frequencies before it."""
+    if not item.members or not _ROOTS.search(before_list(item.before)):
+        return False
+    letters = {symbol(name).letter for name in item.members[0].names()}
+    before = (one for one in known.items if one.order < item.order)
+    equations = [
+        one
+        for one in before
+        if one.paragraph == item.paragraph and known.roles[one].kind == CHARACTERISTIC
+    ]
+    return (
+        bool(equations)
+        and letters == {symbol(variable_of(equations[-1], known)).letter}
+        and (may_be_of_frequencies(equations[-1], known))
+    )
 
 
 def _frequencies_before(item: SourceStatement) -> re.Match[str] | None:
@@ -131,7 +163,8 @@ def prints_square(item: SourceStatement) -> bool:
 def characteristic(item: SourceStatement, known: Known) -> tuple[str, str, str] | None:
     """The variable of a characteristic equation, if a statement prints one, and no root of it."""
     variable = variable_of(item, known)
-    is_root = Name(variable) in (item.formula, *item.members)
+    alone = (Name(variable), Power(Name(variable), Number(2)))
+    is_root = any(one in alone for one in (item.formula, *item.members))
     if not variable or len(item.members) not in (0, 2) or is_root:
         return None
     said = _EQUATION.search(item.before)
@@ -165,12 +198,17 @@ def may_be_of_squares(item: SourceStatement, known: Known) -> bool:
     """
     kind = known.roles[item].kind
     if kind == CHARACTERISTIC:
-        letter = re.sub(r"_.*", "", variable_of(item, known))
-        squares = letter in _OF_FREQUENCIES or _SECULAR.search(item.words) is not None
+        squares = may_be_of_frequencies(item, known)
     else:
         orders = (n for law in known.laws for row in law.rows for n in row.rates.values())
         squares = kind != FREQUENCY and max(orders, default=1) > 1
     return squares or bool(known.clocks)
+
+
+def may_be_of_frequencies(item: SourceStatement, known: Known) -> bool:
+    """Whether a characteristic equation may be one for a frequency: by its letter, or by words."""
+    letter = symbol(variable_of(item, known)).letter
+    return letter in _OF_FREQUENCIES or _SECULAR.search(item.words) is not None
 
 
 def law_at_rest(item: SourceStatement, known: Known) -> Law | None:
@@ -196,7 +234,7 @@ def places_of(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...
         return places[0] if len(places) == 1 and gives_all(places[0], law) else ()
     if is_of_origin_before(item):
         return origin
-    if gives_all(last := last_values(item, known), law):
+    if last := last_named(item, law, known):
         return last
     words = known.paper.prose.between(item.section.start, item.sentence[1])
     return origin if is_linear(law, known) or _SMALL_ANGLES.search(words) else ()

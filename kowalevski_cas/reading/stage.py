@@ -185,6 +185,7 @@ class Stage:
                 continue
             by = law.given.get(name) if law else None
             by = by or known.definition(name, at)
+            waiting += parts & known.definitions.keys() if by is None else ()
             if by is None and (whole := known.names.whole(name)) != name:
                 waiting.append(whole)
             elif by is not None:

@@ -151,6 +151,15 @@ def is_ellipsis(item: SourceStatement) -> bool:
     return False
 
 
+_OF_SMALL = re.compile(
+    r"s?\b(?:\s+(?:about|around|near|of|in|вблизи|около|возле)\b[^.;:]*?)?\s+"
+    r"(?:ha(?:s|ve)|with|occur\s+with|происходят\s+с|имеют)\s+(?:\w+\s+){0,2}"
+    r"(?:frequenc|period|частот|период)",
+    re.IGNORECASE,
+)
+"""Words behind small motions that have what is exact: as “small oscillations have the period”."""
+
+
 @dataclass(frozen=True)
 class SourcePaper:
     """A source with its formulas as displays, and their statements in the order of the text."""
@@ -246,7 +255,10 @@ class SourcePaper:
         model = next((item.typed.end for item in rows), self.prose.start)
         found: list[int] = []
         for said in cues("approximate", self.prose.text, model):
+            behind = self.prose.between(said.end(), said.end() + 80)
             if _NAMED_BY.search(self.prose.between(said.start() - 60, said.start())):
+                continue
+            if _OF_SMALL.match(behind):
                 continue
             sentence = self.prose.sentence(said.start())
             behind = [one for one in rows if one.sentence == sentence]

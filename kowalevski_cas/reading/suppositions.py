@@ -168,10 +168,17 @@ _OF_SOME = re.compile(rf"(?:{_SOME})[^§,;:]*$", re.IGNORECASE)
 """How words end behind which something is supposed of some motions."""
 
 
+_PUT = re.compile(r"\b(?:putting|setting|полагая|положив)[\s~]*$", re.IGNORECASE)
+"""How words end behind which rates are set to zero, for what follows in the sentence."""
+
+
 def of_some_motions(item: SourceStatement, known: Known) -> StatementRole | None:
     """An equation with rates of which the clause before it says that it may hold sometimes."""
     if not item.derives or not item.members or not known.varying(item.names):
         return None
+    if Number(0) in item.members and item.typed.inline and (put := _PUT.search(item.lead)):
+        why = f"“{put[0].strip()}” supposes it of some motions"
+        return StatementRole(ASSUMPTION, why, "set of the sentence")
     said = _OF_SOME.search(item.before)
     if said is None or cue("then", said[0]) or cue("claim", said[0]):
         return None

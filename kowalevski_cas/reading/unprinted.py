@@ -7,7 +7,15 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
 
-from kowalevski_cas.notation import Name, NotationError, Number, PoissonBracket, Power, read
+from kowalevski_cas.notation import (
+    Derivative,
+    Name,
+    NotationError,
+    Number,
+    PoissonBracket,
+    Power,
+    read,
+)
 from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.symbol import symbol
@@ -20,6 +28,7 @@ from kowalevski_cas.paper.implied import (
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.texts import Display
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.rows import is_row
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, is_closing
 from kowalevski_cas.source.displays import TypedFormula
 
@@ -63,7 +72,11 @@ def implied_rows(paper: SourcePaper) -> Iterator[SourceStatement]:
     for item in paper.items:
         named = item.bare[:1] and item.members[0].names() & {*HAMILTONIANS, *LAGRANGIANS}
         told = still or _is_told_elsewhere(item, paper)
-        moves = cue("hamiltonian", item.words) or (told and is_of_momenta(item, paper))
+        moves = (
+            cue("hamiltonian", item.words)
+            or (told and is_of_momenta(item, paper))
+            or is_of_velocities(item, paper)
+        )
         if not named or not moves:
             continue
         about = [
@@ -115,6 +128,22 @@ def is_of_momenta(item: SourceStatement, paper: SourcePaper) -> bool:
         for q, p in zip(names[::2], names[1::2], strict=True)
     ]
     return bool(found) and all(found)
+
+
+def is_of_velocities(item: SourceStatement, paper: SourcePaper) -> bool:
+    """Whether a statement gives the letter of a Lagrangian by squares of rates, and no others are.
+
+    No display of the paper has equations of motion, and no words tell of forces, or deny it.
+    """
+    if not item.bare or item.bare[0] not in LAGRANGIANS or len(item.members) != 2:
+        return False
+    if any(is_row(one) and not one.typed.inline for one in paper.items):
+        return False
+    more = any(cue(name, paper.prose.text) for name in ("force", "constraint", "rolling"))
+    nodes = item.members[1].nodes()
+    squares = (one for one in nodes if isinstance(one, Power) and one.exponent == Number(2))
+    velocities = any(isinstance(one.base, Derivative) for one in squares)
+    return velocities and not (more or cue("denied", item.words))
 
 
 _FIELD = re.compile(

@@ -95,6 +95,8 @@ def near_rest():
     plane.states(kinds.Frequency, "frequency", "", printed="4", relations=rest, is_square=True)
     about = {"relations": rest, "variable": "s"}
     plane.states(kinds.CharacteristicEquation, "characteristic", "", printed="3s^2=-12", **about)
+    about = {"relations": rest, "variable": "s"}
+    plane.states(kinds.FrequencyEquation, "frequencies", "", printed="3s^2=12", **about)
     plane.states(
         kinds.TraceOrDeterminant, "determinant", "", printed="4", relations=rest, is_trace=False
     )

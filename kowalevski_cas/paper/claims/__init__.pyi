@@ -19,6 +19,7 @@ from kowalevski_cas.paper.claims.double_zero import DoubleZero as DoubleZero
 from kowalevski_cas.paper.claims.eigenvalue import CharacteristicEquation as CharacteristicEquation
 from kowalevski_cas.paper.claims.eigenvalue import Eigenvalue as Eigenvalue
 from kowalevski_cas.paper.claims.eigenvalue import Frequency as Frequency
+from kowalevski_cas.paper.claims.eigenvalue import FrequencyEquation as FrequencyEquation
 from kowalevski_cas.paper.claims.eigenvalue import LinearPart as LinearPart
 from kowalevski_cas.paper.claims.eigenvalue import TraceOrDeterminant as TraceOrDeterminant
 from kowalevski_cas.paper.claims.equilibria import Equilibria as Equilibria

@@ -102,21 +102,53 @@ class CharacteristicEquation(OfLinearPart):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        printed = on.texts.formula(self.own)
-        is_equation = isinstance(printed, Relation)
-        value = minus(equation(on, space, self.own)) if is_equation else space.plain(printed)
-        given, matrix = self._at_rest(on, space), _linear_part(space)
+        value, given, matrix = self._polynomial(on), self._at_rest(on, space), _linear_part(space)
         # the n-th derivative is n! times the leading coefficient; it is free of λ, else 1/λ would
         # do for λ², as it is half of λ² times its second derivative
         leading = value
         for _ in matrix:
             leading = space.partial(leading, self.variable)
+        free = vanishes(space.partial(leading, self.variable))
+        same = (*self._same(value, leading, matrix), free, *_rest(space))
+        yield Fails(space, ((vanishes(leading),),), given)
+        yield Follows(space, (same,), given)
+
+    def _polynomial(self, on: Elaborations) -> Formula:
+        """The printed polynomial, or the difference of the sides of the equation."""
+        printed = on.texts.formula(self.own)
+        space = on(self.scene)
+        if isinstance(printed, Relation):
+            return minus(equation(on, space, self.own))
+        return space.plain(printed)
+
+    def _same(self, value: Formula, leading: Formula, matrix: Rows) -> Iterator[Equation]:
+        """That n! times the polynomial is the determinant, times the derivative."""
         below = determinant(_minus(matrix, Name(self.variable)))
         sign = (-1) ** len(matrix) * factorial(len(matrix))
-        same = total((times(Number(sign), value), Negative(Product((leading, below)))))
-        free = vanishes(space.partial(leading, self.variable))
-        yield Fails(space, ((vanishes(leading),),), given)
-        yield Follows(space, ((vanishes(same), free, *_rest(space)),), given)
+        yield vanishes(total((times(Number(sign), value), Negative(Product((leading, below))))))
+
+
+class FrequencyEquation(CharacteristicEquation):
+    r"""The printed equation is the one of the frequencies of small oscillations at a point of rest.
+
+    It is the characteristic equation with :math:`\lambda=i\omega`, where the ``variable`` is
+    :math:`\omega`: the characteristic polynomial is even, and the square of the printed one is
+    :math:`c\det(J^2+\omega^2E)`, where c is not zero and free of it.
+    """
+
+    def _same(self, value: Formula, leading: Formula, matrix: Rows) -> Iterator[Equation]:
+        own = Name(self.variable)
+        both = _minus(_product(matrix, matrix), Negative(Power(own, Number(2))))
+        times_n = times(Number(factorial(len(matrix))), value)
+        two = Number(2)
+        yield vanishes(
+            total(
+                (Power(times_n, two), Negative(Product((Power(leading, two), determinant(both)))))
+            )
+        )
+        sides = (determinant(_minus(matrix, one)) for one in (own, Negative(own)))
+        here, there = sides
+        yield vanishes(total((here, Negative(there))))
 
 
 class TraceOrDeterminant(OfLinearPart):

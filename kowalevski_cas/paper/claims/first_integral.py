@@ -8,7 +8,15 @@ from dataclasses import replace
 from functools import partial
 from itertools import pairwise
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation, substitute
+from kowalevski_cas.notation import (
+    Application,
+    Derivative,
+    Formula,
+    Name,
+    Partial,
+    Relation,
+    substitute,
+)
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.dimension import check_conjugates
 from kowalevski_cas.paper.claims.forms import equations, members, minus, rate, vanishes
@@ -17,6 +25,7 @@ from kowalevski_cas.paper.components import parts, sides
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.logarithms import derivative_of, has_logarithm, with_real_logarithms
+from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.summation import without_sums
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Fails, Follows, Goal, Rank
@@ -116,8 +125,8 @@ class FirstIntegral(Claim):
     def constants(self, on: Elaborations, space: Elaboration) -> list[Formula]:
         """The members that have to be constant; not names that are defined by the others."""
         chain = self._chain(on)
-        here = {n for n, place in self.scene.definitions.items() if place == self.own}
-        chain = [m for m in chain if not (isinstance(m, Name) and m.name in here)] or chain
+        here = {head(n)[0] for n, place in self.scene.definitions.items() if place == self.own}
+        chain = [m for m in chain if _called(m) not in here] or chain
         return [member for member in chain if not _is_level(member, space)] or chain
 
     def _chain(self, on: Elaborations) -> list[Formula]:
@@ -147,6 +156,16 @@ def level(function: Formula, value: Formula, there: Elaboration) -> tuple[Equati
     """The equations, by components, that say which value a function has."""
     both = (parts(member, there) for member in sides([function, value], there))
     return tuple((left, right) for left, right in zip(*both, strict=True))
+
+
+def _called(member: Formula) -> str:
+    """The name that a member is, perhaps with its arguments; none if it is anything else."""
+    match member:
+        case Name(name):
+            return name
+        case Application(function, arguments) if all(isinstance(a, Name) for a in arguments):
+            return function
+    return ""
 
 
 def _is_level(formula: Formula, space: Elaboration) -> bool:
