@@ -7,7 +7,7 @@ neither is so, what is meant cannot be seen, and is not guessed.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from typing import NamedTuple
 
@@ -29,6 +29,7 @@ _UNCLEAR = "does this belong to what stands before the break? set a comma, or a 
 _SINGLE = frozenset({"letter", "number"})
 """The kinds of tokens that may be one of two indices."""
 _RATES = frozenset({"accent", "frac"})
+_ORDERS = frozenset({"<", ">", r"\le", r"\ge"})
 
 
 def _is_rate(tokens: list[Token]) -> bool:
@@ -215,9 +216,8 @@ def _runs(tokens: list[Token], tex: str) -> list[_Run]:
     for run in runs:
         while run.tokens and run.tokens[-1].kind == "stop":
             run.tokens.pop()
-        if run is not runs[0] and _is_condition(run):
-            run.before, run.relation, run.tokens = "comma", True, run.tokens[1:-1]
-    found = [run for run in runs if run.tokens]
+    parts = (_conditions(run) if run is not runs[0] else [run] for run in runs)
+    found = [*_of_each(part for own in parts for part in own if part.tokens)]
     return [run for run in found if not _says_by_what(run.tokens)] or found
 
 
@@ -230,19 +230,51 @@ def _says_by_what(tokens: list[Token]) -> bool:
     return tokens[0].kind in ("prime", "accent") and texts[1] in EQUALITIES and quotient
 
 
-def _is_condition(run: _Run) -> bool:
-    r"""Whether a run is one relation in brackets, as :math:`\qquad(x>0)`: it stands by itself."""
+def _conditions(run: _Run) -> list[_Run]:
+    r"""The relations in brackets that a run is, as :math:`\qquad(x>0)`: each stands by itself.
+
+    The run, if it is anything else.
+    """
     if run.relation or not run.tokens or run.tokens[0].text != "(":
-        return False
-    depth, relations = 0, 0
+        return [run]
+    parts, depth = [_Run("comma")], 0
     for token in run.tokens:
         if depth == 0 and token is not run.tokens[0]:
-            return False
+            return [run]
         depth += (token.kind in BEGINNING) - (token.kind in ENDING)
         if depth == 1 and token.kind == "comma":
-            return False
-        relations += depth == 1 and token.kind == "relation"
-    return depth == 0 and relations > 0
+            parts.append(_Run("comma"))
+        else:
+            parts[-1].tokens.append(token)
+            parts[-1].relation |= depth == 1 and token.kind == "relation"
+    del parts[0].tokens[0], parts[-1].tokens[-1]
+    whole = depth == 0 and parts[-1].relation
+    return parts if whole and all(one.relation or _is_name(one.tokens) for one in parts) else [run]
+
+
+def _is_name(tokens: Sequence[Token]) -> bool:
+    """Whether tokens are a letter, perhaps with an index."""
+    kinds = [token.kind for token in tokens]
+    return kinds[:1] == ["letter"] and {*kinds[1:]} <= {"_", "{", "}", "letter", "number"}
+
+
+def _of_each(runs: Iterable[_Run]) -> Iterator[_Run]:
+    r"""Runs with what is said of each name in a list before an inequality: :math:`a,b>0`."""
+    names: list[_Run] = []
+    for run in runs:
+        first = next((k for k, one in enumerate(run.tokens) if one.kind == "relation"), 0)
+        if _is_name(run.tokens) and (run.before == "comma" or not names):
+            names.append(run)
+            continue
+        is_said = run.before == "comma" and first and run.tokens[first].text in _ORDERS
+        if is_said and _is_name(run.tokens[:first]):
+            for name in names:
+                name.tokens += run.tokens[first:]
+                name.relation = True
+        yield from names
+        names = []
+        yield run
+    yield from names
 
 
 def _depths(tokens: list[Token], tex: str) -> Iterator[tuple[Token, int, bool]]:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import islice
 
+from kowalevski_cas.source.between_words import between_words
 from kowalevski_cas.source.comments import comments_on, find_comments
 from kowalevski_cas.source.displays import TypedFormula, find_formulas
 from kowalevski_cas.source.expanded import Expanded
@@ -28,6 +29,7 @@ def typed_formulas(source: Source) -> tuple[Expanded, list[TypedFormula]]:
     found = list(islice(_of_the_paper(formulas, source, expanded), MOST + 1))
     if len(found) > MOST:
         raise SourceError(f"{source.path} has more than {MOST:,} formulas")
+    found = [piece for formula in found for piece in between_words(formula)]
     intervals = [_interval(expanded, formula) for formula in found]
     said = comments_on(source, find_comments(source), intervals)
     for number, formula in enumerate(found):
