@@ -24,7 +24,8 @@ BEYOND = {1: 4, 2: 2, 3: 2}
 """How many derivatives are known beyond those that are printed, by the number of arguments."""
 _BOLD = r"\\(?:mathbf|boldsymbol|vec)\s*\{?\s*\\?[A-Za-z]+\s*\}?(?:_(?:\w|\{[^{}]*\}))?"
 APPLIED = re.compile(
-    rf"""(?<![A-Za-z\\])(?<!\\mathbf[ {{])(?<!\\boldsymbol[ {{])(?P<name>{NAME})(?P<primes>'*)
+    rf"""(?:(?<![A-Za-z\\])|(?<=[A-Za-z])(?<![A-Za-z\\][A-Za-z])(?=\\))
+    (?<!\\mathbf[ {{])(?<!\\boldsymbol[ {{])(?P<name>{NAME})(?P<primes>'*)
     (?P<power>\^(?:\d|\{{[^{{}}]*\}}))?\s*(?:\\left\s*)?\(
     \s*(?P<by>{_BOLD}|{NAME}(?:\s*,\s*{NAME})*)\s*(?:\\right\s*)?\)""",
     re.VERBOSE,

@@ -11,6 +11,7 @@ from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.notation.cursor import is_known
@@ -129,16 +130,22 @@ _OF_TIME = re.compile(
 """How words begin behind what they call a function."""
 
 
+_GIVEN = re.compile(
+    r"\b(?:given|known|prescribed|arbitrary)\b|\b(?:задан|известн|произвольн)\w+", re.IGNORECASE
+)
+"""Words for a function that no equation determines."""
+
+
 def _told_of_time(formulas: Sequence[TypedFormula], text: str) -> set[str]:
     """The names at the time in a formula by itself that words call functions.
 
-    They stand at the time in equations for something else, too.
+    They stand in equations for something else, too: at the time, if they are not said to be given.
     """
-    found = set[str]()
+    found: dict[str, bool] = {}
     for formula in formulas:
         match = APPLIED.fullmatch(formula.tex.strip())
-        if match and match["by"] == TIME and _OF_TIME.match(text, formula.end):
-            found.add(match["name"].replace(" ", ""))
+        if match and match["by"] == TIME and (said := _OF_TIME.match(text, formula.end)):
+            found[match["name"].replace(" ", "")] = _GIVEN.search(said[0]) is not None
     rows = [one.tex for one in formulas if not one.inline and names_under_dots(one.tex)]
     parts = [
         {*names_under_dots(part), *(found["name"] for found in _RATE.finditer(part))}
@@ -147,10 +154,17 @@ def _told_of_time(formulas: Sequence[TypedFormula], text: str) -> set[str]:
     ]
     return {
         name
-        for name in found
-        if any(name == one and by == (TIME,) for tex in rows for one, by, _ in _applications(tex))
+        for name, is_given in found.items()
+        if any(map(partial(_stands, name, anywhere=is_given), rows))
         and {name} not in parts  # that would say how it moves
     }
+
+
+def _stands(name: str, tex: str, anywhere: bool) -> bool:
+    """Whether a name stands in a formula at the time, or ``anywhere``."""
+    if anywhere:
+        return name in re.findall(NAME, _apart(tex))
+    return any(one[:2] == (name, (TIME,)) for one in _applications(tex))
 
 
 _PARTS = re.compile(r"[,;]|\\\\|\\q?quad(?![A-Za-z])")

@@ -48,11 +48,11 @@ ANGLES = (r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi", r"\alpha")
 def coordinates_in_words(law: Law, paper: SourcePaper) -> list[SourceStatement]:
     r"""What gives the coordinates of a plane by those that words call polar, before their rates.
 
-    These are the rates of a radius and an angle, and nothing is printed that gives the old
-    coordinates by them.
+    These are the rates of a radius and an angle in the section of the law, and nothing is printed
+    that gives the old coordinates by them.
     """
-    plane = _plane(law)
-    later = [one for one in paper.items if one.order > law.order]
+    plane, here = _plane(law), law.first.section
+    later = [one for one in paper.items if one.order > law.order and one.section is here]
     if not plane or any(one.members[:1] == (Name(x),) for one in later for x in plane):
         return []
     old = {*law.variables}
