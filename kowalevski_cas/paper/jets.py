@@ -27,7 +27,7 @@ APPLIED = re.compile(
     rf"""(?:(?<![A-Za-z\\])|(?<=[A-Za-z])(?<![A-Za-z\\][A-Za-z])(?=\\))
     (?<!\\mathbf[ {{])(?<!\\boldsymbol[ {{])(?P<name>{NAME})(?P<primes>'*)
     (?P<power>\^(?:\d|\{{[^{{}}]*\}}))?\s*(?:\\left\s*)?\(
-    \s*(?P<by>{_BOLD}|{NAME}(?:\s*,\s*{NAME})*)\s*(?:\\right\s*)?\)""",
+    \s*(?P<by>(?:{_BOLD}|{NAME})(?:\s*,\s*(?:{_BOLD}|{NAME}))*)\s*(?:\\right\s*)?\)""",
     re.VERBOSE,
 )
 

@@ -39,7 +39,7 @@ _OF_FIELD = re.compile(
 
 
 _IS_MOTION = re.compile(
-    r"\b(?:vector|phase)\s+(?:field|flow|space|volume|fluid)|right[\s-]+(?:hand\s+)?sides?\b"
+    r"\bfield(?:\s+§)?\s+on\s+the\s+right\b|\b(?:vector|phase)\s+(?:field|flow|space|volume|fluid)|right[\s-]+(?:hand\s+)?sides?\b"
     r"|\bflow\b|\b(?:this|our|the)\s+(?:dynamical\s+)?system\b|\bvolumes?\b"
     r"|векторн\w+\s+пол|фазов|поток|объ[её]м|прав\w+\s+част|(?:этой|данной)\s+систем",
     re.IGNORECASE,

@@ -38,8 +38,8 @@ def special_function(item: SourceStatement, known: Known) -> StatementRole | Non
         return None
     name = first.name
     every = known.paper.functions_by_name.get(name, ())
-    by = [one.by for one in every if one.name == name]
-    if by and not any({*known.varying(item.members[1].names())} <= {*one} for one in by):
+    by = [{*one.by, *known.names.scalars(one.by)} for one in every if one.name == name]
+    if by and not any({*known.varying(item.members[1].names())} <= one for one in by):
         return None
     why = f"one of the functions that {name} may be"
     if _is_of_law(name, item, known):
@@ -50,7 +50,8 @@ def special_function(item: SourceStatement, known: Known) -> StatementRole | Non
 
 def _is_of_law(name: str, item: SourceStatement, known: Known) -> bool:
     """Whether a law before a statement has partial derivatives of a function, and of no energy."""
-    if name in (*HAMILTONIANS, *LAGRANGIANS) or known.is_defined(name):
+    any_function = name in known.paper.functions_by_name
+    if (name in (*HAMILTONIANS, *LAGRANGIANS) and not any_function) or known.is_defined(name):
         return False
     rows = [row for law in known.laws for row in law.rows if row.order < item.order]
     return name in {one for row in rows for one in derived_names(row)}

@@ -140,10 +140,13 @@ def trace_or_determinant(item: SourceStatement, known: Known) -> StatementRole |
 
 def point_of_number(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]:
     """The equations of the one point at which the sentence of a number speaks of a linear part."""
-    law, words = law_of_points(item, known), f"{item.before} § {item.after}"
+    behind = item.after.partition(";")[0]
+    law, words = law_of_points(item, known), f"{item.before} § {behind}"
     places = [*re.finditer(_AT, words, re.IGNORECASE)]
-    if law is None or not re.search(rf"\b{_MATRIX}", words, re.IGNORECASE) or len(places) != 1:
+    if law is None or not re.search(rf"\b{_MATRIX}", words, re.IGNORECASE) or len(places) > 1:
         return ()
+    if not places:
+        return last_named(item, law, known)
     return _at(places[0], words, item, law, known)
 
 

@@ -54,7 +54,9 @@ _OF_SMALL = re.compile(
 """How words end behind which frequencies of small oscillations are printed."""
 _EQUATION = re.compile(
     r"\b(?:characteristic|secular|frequency)\s+(?:equation|polynomial)s?\b(?P<rest>[^.;]*)$"
-    r"|\b(?:характеристическ\w+|веков\w+|частотн\w+)\s+(?:уравнени|многочлен|полином)\w+(?P<other>[^.;]*)$",
+    r"|\b(?:характеристическ\w+|веков\w+|частотн\w+)\s+(?:уравнени|многочлен|полином)\w+(?P<other>[^.;]*)$"
+    r"|\beigenvalues?\b(?P<values>[^.;]*)\b(?:satisfy|obey|solve|are\s+(?:the\s+)?(?:roots|solutions)\s+of)\b[^.;]*$"
+    r"|\bсобственн\w+\s+(?:числ|значени)\w+(?P<numbers>[^.;]*)\b(?:удовлетворяют|(?:—|являются|суть)\s+корн\w+)[^.;]*$",
     re.IGNORECASE,
 )
 """How words end behind which a characteristic equation is printed."""
@@ -168,7 +170,7 @@ def characteristic(item: SourceStatement, known: Known) -> tuple[str, str, str] 
     if not variable or len(item.members) not in (0, 2) or is_root:
         return None
     said = _EQUATION.search(item.before)
-    if said and not _OF_MATRIX.search(said["rest"] or said["other"] or ""):
+    if said and not _OF_MATRIX.search("".join(filter(None, said.groups()))):
         return CHARACTERISTIC, variable, "the characteristic equation"
     own = re.compile(_EXPONENTIAL.format(re.escape(variable)))
     beside = (one for one in known.of_sentence(item.sentence) if one.order < item.order)
