@@ -28,7 +28,7 @@ from kowalevski_cas.reading.laws import is_of_second_order
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.rows import is_of_motion
 from kowalevski_cas.reading.statements import SourceStatement
-from kowalevski_cas.reading.unprinted import is_of_momenta, is_printed, unprinted
+from kowalevski_cas.reading.unprinted import gives_lagrangian, is_of_momenta, is_printed, unprinted
 
 SAYS = "the equations of motion are those of this function"
 OF_ENERGY = "energy"
@@ -44,8 +44,14 @@ def claims_of_energies(parts: Parts) -> Iterator[InWords]:
             continue
         for item in known.items:
             said = cue("hamiltonian", item.words) or is_of_momenta(item, known.paper)
+            said = said or (gives_lagrangian(item) and _is_of_sentence(laws[0], item))
             if said and _gives_energy(item, known):
                 yield from _claims(item, laws[0], known, parts, place)
+
+
+def _is_of_sentence(law: Law, item: SourceStatement) -> bool:
+    """Whether all rows of a law stand behind a statement in its sentence."""
+    return all(row.sentence == item.sentence and row.order > item.order for row in law.rows)
 
 
 def _gives_energy(item: SourceStatement, known: Known) -> bool:

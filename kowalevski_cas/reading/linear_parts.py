@@ -65,6 +65,8 @@ _OF_POINT = re.compile(
 )
 """How words end that say “its” of a point, and the sentence before them that speaks of it."""
 """How words end behind which they are printed for the point before."""
+_AT_ORIGIN = re.compile(r"\W*(?:at\s+the\s+origin|в\s+начале\s+координат)\b", re.IGNORECASE)
+"""How a sentence begins that speaks of the origin."""
 _IS_ORIGIN = re.compile(
     r"\b(?:equilibri\w+|point|state)(?:\s+of\s+\w+)?\s+is\s+(?:at\s+)?the\s+origin\W*$",
     re.IGNORECASE,
@@ -175,9 +177,12 @@ def before_list(words: str) -> str:
 
 def is_of_origin_before(item: SourceStatement) -> bool:
     """Whether something is said of the origin, of which the sentence before speaks."""
-    before = item.earlier[0] if item.earlier and "§" not in item.earlier[0] else ""
+    before = item.earlier[0] if item.earlier else ""
+    before = before if "§" not in before or _AT_ORIGIN.match(before) else ""
     here = re.search(r"^\s*its\b|\bthere\b|\bat\s+this\s+point\b", item.before, re.IGNORECASE)
-    return bool(here and (_OF_POINT.match(before) or _IS_ORIGIN.search(before)))
+    return bool(
+        here and (_OF_POINT.match(before) or _IS_ORIGIN.search(before) or _AT_ORIGIN.match(before))
+    )
 
 
 def _at(

@@ -131,19 +131,23 @@ def is_of_momenta(item: SourceStatement, paper: SourcePaper) -> bool:
 
 
 def is_of_velocities(item: SourceStatement, paper: SourcePaper) -> bool:
-    """Whether a statement gives the letter of a Lagrangian by squares of rates, and no others are.
+    """Whether a statement gives the letter of a Lagrangian, and no display has rates as a law does.
 
-    No display of the paper has equations of motion, and no words tell of forces, or deny it.
+    No words tell of forces, or deny it.
     """
-    if not item.bare or item.bare[0] not in LAGRANGIANS or len(item.members) != 2:
-        return False
     if any(is_row(one) and not one.typed.inline for one in paper.items):
         return False
     more = any(cue(name, paper.prose.text) for name in ("force", "constraint", "rolling"))
+    return gives_lagrangian(item) and not (more or cue("denied", item.words))
+
+
+def gives_lagrangian(item: SourceStatement) -> bool:
+    """Whether a statement gives the letter of a Lagrangian by squares of rates."""
+    if not item.bare or item.bare[0] not in LAGRANGIANS or len(item.members) != 2:
+        return False
     nodes = item.members[1].nodes()
-    squares = (one for one in nodes if isinstance(one, Power) and one.exponent == Number(2))
-    velocities = any(isinstance(one.base, Derivative) for one in squares)
-    return velocities and not (more or cue("denied", item.words))
+    squares = (one.base for one in nodes if isinstance(one, Power) and one.exponent == Number(2))
+    return any(isinstance(one, Derivative) for one in squares)
 
 
 _FIELD = re.compile(
