@@ -42,12 +42,15 @@ class _Place(Enum):
 
 
 def unit_matrices(
-    formulas: Collection[Formula], undefined: Collection[str], words: Vocabulary
+    formulas: Collection[Formula],
+    undefined: Collection[str],
+    words: Vocabulary,
+    vectors: Collection[int] = (),
 ) -> Iterator[str]:
     r"""The unit matrices among some names, as :math:`E=\operatorname{diag}(1,1)`.
 
     ``undefined`` are the names of which nothing says what they are, ``words`` know which names
-    are matrices.
+    are matrices. Where no matrix is printed, they are of the size of all ``vectors``.
 
     Raises:
         ValueError: a name may stand for a number as well, or nothing says the size of the matrix.
@@ -63,7 +66,7 @@ def unit_matrices(
                 rf"{name}=\operatorname{{diag}}(1,\ldots) beside it; another letter for a number"
             )
         if is_matrix:
-            yield f"{name}={_unit(_size(name, formulas))}"
+            yield f"{name}={_unit(_size(name, formulas, vectors))}"
 
 
 def _unit(size: int) -> str:
@@ -71,8 +74,8 @@ def _unit(size: int) -> str:
     return rf"\operatorname{{diag}}({ones})"
 
 
-def _size(name: str, formulas: Collection[Formula]) -> int:
-    """The number of rows of all matrices that are printed."""
+def _size(name: str, formulas: Collection[Formula], vectors: Collection[int]) -> int:
+    """The number of rows of all matrices that are printed; else, of all vectors."""
     printed = [node for formula in formulas for node in formula.nodes()]
     sizes = {
         len(matrix.components)
@@ -81,6 +84,7 @@ def _size(name: str, formulas: Collection[Formula]) -> int:
     } | {len(matrix.entries) for matrix in printed if isinstance(matrix, Diagonal)}
     if (index := symbol(name).index).isdigit():
         sizes = {int(index)}
+    sizes = sizes or {*vectors}
     if len(sizes) != 1:
         raise ValueError(
             rf"{name} is the unit matrix, and nothing says its size: print "

@@ -204,7 +204,8 @@ def _unit_matrix(name: str, known: Known) -> Iterator[str]:
     Raises ``ValueError`` if it may be something else, as a tensor of inertia of which words speak.
     """
     formulas = [item.formula for item in known.items if item.formula is not None]
-    for tex in unit_matrices(formulas, [name], known.paper.words):
+    vectors = [len(parts) for parts in known.names.vectors.values()]
+    for tex in unit_matrices(formulas, [name], known.paper.words, vectors):
         if symbol(name).without_type.name == "I" and _INERTIA.search(known.paper.prose.text):
             raise ValueError("I may be the inertia, or the unit matrix: print E or 1 for this")
         yield tex
