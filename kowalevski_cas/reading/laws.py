@@ -6,6 +6,7 @@ import re
 from collections.abc import Collection, Iterator, Sequence
 
 from kowalevski_cas.notation import Name, Number, PoissonBracket, Sum, Vector
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.reading.changes import find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
@@ -128,6 +129,14 @@ def _is_changed(law: Law, implied: Sequence[Law]) -> bool:
     return any({*law.variables} <= {*one.new} for one in implied)
 
 
+def _is_where_it_is(item: SourceStatement) -> bool:
+    r"""Whether a statement gives a letter by itself with an index, as :math:`x=x_0`."""
+    match item.members:
+        case (Name(name), Name(value)):
+            return name != value and symbol(name).letter == symbol(value).letter
+    return False
+
+
 def _in_order(items: Sequence[SourceStatement]) -> list[SourceStatement]:
     return sorted(items, key=lambda one: one.order)
 
@@ -201,7 +210,7 @@ class _LawFinder:
             return False
         if any(map(is_numerical, item.members)) or is_dependence(item):
             return False
-        if self.names.are_components(item.members):
+        if self.names.are_components(item.members) or _is_where_it_is(item):
             return False
         if any(isinstance(member, PoissonBracket) for member in item.members):
             return False  # it gives the bracket

@@ -24,6 +24,7 @@ from kowalevski_cas.processes import each
 from kowalevski_cas.reading.choice import may_hold
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import CLAIM, UNREAD, Known
+from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.phrases import joined_lead
 from kowalevski_cas.reading.restated import orders_of, times_of
@@ -99,7 +100,16 @@ class OtherCases:
         case = bool(cue("another case", words) or cue("system", joined_lead(item))) or any(
             map(_SUPPOSED.search, (item.lead, before))
         )
+        case = case or self._law_behind(item) is not None
         return bool(force) or (role.kind != "approximate" and case)
+
+    def _law_behind(self, row: SourceStatement) -> Law | None:
+        """The law behind a row for what it moves, if there is none before it."""
+        known = self.parts.of(row)
+        rated = {*known.names.scalars(row.rates)}
+        laws = [law for law in known.laws if rated & {*law.variables} and not law.images]
+        behind = bool(laws) and all(row.order < law.first.order for law in laws)
+        return min(laws, key=lambda law: law.first.order) if behind else None
 
     def otherwise(self, item: SourceStatement, start: int, claim: Claim) -> str:
         """Why a claim at a place of the text may be meant of another law; empty if it is not."""
@@ -126,10 +136,15 @@ class OtherCases:
         return ""
 
     def _reaches(self, row: SourceStatement, start: int) -> bool:
-        """Whether a place stands beside a row, or behind it, in its section, or in its footnote."""
+        """Whether a place stands beside a row, or behind it, in its section, or in its footnote.
+
+        A row before the law reaches to it.
+        """
         headed = [one for one in row.sections if not one.is_run_in]
         footnote = self.parts.paper.prose.footnote(row.typed.start)
         end = footnote[1] if footnote is not None else headed[-1].end
+        if law := self._law_behind(row):
+            end = min(end, law.first.typed.start)
         return row.sentence[0] <= start < end
 
 

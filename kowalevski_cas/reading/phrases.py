@@ -132,11 +132,18 @@ _LISTED = re.compile(
 """How words end behind which the last of several integrals stands."""
 
 
+_ONE_IS = re.compile(
+    r"[\s,;~]*(?:and|и)\s+§[\s,~]*(?:(?:is|remains|stays)\b|(?:сохраняется|постоян(?:на|ен|но))\b)",
+    re.IGNORECASE,
+)
+"""What is said of the last one of two alone."""
+
+
 def integral_words(item: SourceStatement) -> str:
     """The words near a statement that call it an integral, if no other words stand between."""
     if _SO.search(item.lead) and (said := cue("integral", item.before)):
         return said
-    tail = joined_tail(item)[:60]
+    tail = "" if _ONE_IS.match(item.after) else joined_tail(item)[:60]
     if not re.match(r"[\s,]*(?:which|whence|where|with|that|откуда|где|котор)", tail) and (
         said := cue("integral", tail)
     ):

@@ -131,11 +131,13 @@ def is_of_momenta(item: SourceStatement, paper: SourcePaper) -> bool:
 
 
 def is_of_velocities(item: SourceStatement, paper: SourcePaper) -> bool:
-    """Whether a statement gives the letter of a Lagrangian, and no display has rates as a law does.
+    """Whether a statement gives the letter of a Lagrangian, and no displays have all its equations.
 
     No words tell of forces, or deny it.
     """
-    if any(is_row(one) and not one.typed.inline for one in paper.items):
+    rows = [one for one in paper.items if is_row(one) and not one.typed.inline]
+    accelerated = {name for one in rows for name, order in one.rates.items() if order > 1}
+    if any({*one.rates.values()} == {1} for one in rows) or {*item.rates} <= accelerated:
         return False
     more = any(cue(name, paper.prose.text) for name in ("force", "constraint", "rolling"))
     return gives_lagrangian(item) and not (more or cue("denied", item.words))
