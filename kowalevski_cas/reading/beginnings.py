@@ -76,7 +76,7 @@ def beginning_of(item: SourceStatement, law: Law, known: Known) -> Beginning:
     values = [one for one in before if one in roles and roles[one].kind == BEGINNING]
     near = [one for one in before if one.paragraph == item.paragraph]
     sentence = known.of_sentence(item.sentence)
-    unread = any(map(_tells, near)) or (
+    unread = any(_tells(one, known) for one in near) or (
         any(start_of_time(one.typed.tex) for one in sentence)
         and not any(one.begins for one in sentence)
     )
@@ -95,9 +95,10 @@ def at_start(values: Sequence[SourceStatement], known: Known) -> Iterator[Source
         yield unprinted(known.paper, f"start-{values[0].order}", "t=0", values[0])
 
 
-def _tells(one: SourceStatement) -> bool:
-    """Whether a letter alone is a value with which a motion begins."""
-    said = isinstance(one.formula, Name) and _TOLD.search(one.lead)
+def _tells(one: SourceStatement, known: Known) -> bool:
+    """Whether a letter alone is a value with which a motion begins, and not what moves."""
+    fixed = isinstance(one.formula, Name) and not known.moves(one.formula.name)
+    said = fixed and _TOLD.search(one.lead)
     return bool(said and cue("initially", one.words))
 
 
