@@ -99,6 +99,8 @@ def bracket(item: SourceStatement, known: Known) -> StatementRole | None:
     """Poisson brackets of variables, before anything is claimed of them."""
     if any(role.kind == OF_FUNCTIONS for role in known.roles.values()):
         return None
+    if item.members[-1:] == (ZERO,) and len(item.members) > 2 and _are_of_letters(item, known):
+        return StatementRole(DEFINITION, "brackets of variables that vanish")
     if len(item.members) == 2 and isinstance(left := item.members[0], PoissonBracket):
         inner = left.children()
         names = [one.name for one in inner if isinstance(one, Name)]
@@ -110,6 +112,14 @@ def bracket(item: SourceStatement, known: Known) -> StatementRole | None:
                     DEFINITION, "first with this bracket of variables", "", heads[:1]
                 )
     return None
+
+
+def _are_of_letters(item: SourceStatement, known: Known) -> bool:
+    """Whether all members but the last are brackets of coordinates that nothing defines."""
+    brackets = all(isinstance(member, PoissonBracket) for member in item.members[:-1])
+    return brackets and all(
+        _is_coordinate(n, known) and not known.is_defined(n) for n in item.names
+    )
 
 
 def _is_coordinate(name: str, known: Known) -> bool:

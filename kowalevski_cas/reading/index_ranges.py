@@ -169,7 +169,8 @@ def _said(tex: str) -> dict[str, Values]:
 def _by_numbers(texts: Sequence[str]) -> dict[str, Values]:
     """The values of indices that are not said, by the numbers in their place.
 
-    What is said of one index, and the same everywhere, are numbers of all letters that have it.
+    What is said of one index, and the same everywhere, are numbers of all letters that have it; of
+    some letters not all numbers may be printed.
     """
     if any(map(_UNKNOWN.search, texts)):
         return {}
@@ -191,6 +192,8 @@ def _by_numbers(texts: Sequence[str]) -> dict[str, Values]:
     found = {letter: (*range(1, int(last) + 1),) for letter, last in sums}
     for letter, bases in letters.items():
         every = {tuple(sorted(numbers[base])) for base in bases if numbers[base]}
-        if len(every) == 1 and (values := every.pop()) == (*range(1, len(values) + 1),):
-            found |= {letter: values} if len(values) > 1 else {}
+        whole = {one for one in every if one == (*range(1, len(one) + 1),) and len(one) > 1}
+        values = min(whole, default=())
+        if len(whole) == 1 and all({*one} <= {*values} for one in every):
+            found |= {letter: values}
     return found

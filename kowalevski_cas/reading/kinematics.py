@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Number, Relation
+from kowalevski_cas.notation import Derivative, Formula, Name, Number, PoissonBracket, Relation
 from kowalevski_cas.reading.known import CLAIM, Known
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.names import Names
@@ -39,15 +39,17 @@ def free_motion(paper: SourcePaper, names: Names) -> list[Law]:
     if not letters or parts & {*letters} or order > MOST:
         return []
     rows = [
-        unprinted(paper, f"any-motion-{k}", _vanishing(name, order, names), source=SOURCE)
+        unprinted(paper, f"any-motion-{k}", vanishing(name, order, names), source=SOURCE)
         for k, name in enumerate(letters, 1)
     ]
     return [Law(tuple(rows), names)]
 
 
-def _vanishing(name: str, order: int, names: Names) -> str:
+def vanishing(name: str, order: int, names: Names) -> str:
     """That a derivative vanishes, of a coordinate, or of a vector."""
     zero = r"\mathbf{0}" if name in names.vectors else "0"
+    if order == 1:
+        return rf"\frac{{d{name}}}{{dt}}={zero}"
     return rf"\frac{{d^{order}{name}}}{{dt^{order}}}={zero}"
 
 
@@ -68,6 +70,8 @@ def refuse_dynamics(law: Law, item: SourceStatement, known: Known) -> None:
     role = known.roles.get(item)
     kinematic = role is not None and role.name == CLAIM and role.kind == "identity"
     formula = item.formula
+    if kinematic and not item.derives and _has_bracket(formula):
+        return
     if kinematic and isinstance(formula, Relation):
         sides = [{n for own in m.names() for n in known.below(own)} for m in formula.members]
         fixed = [{n for n in side if not known.varies(n)} - {*item.bare} for side in sides]
@@ -79,6 +83,12 @@ def refuse_dynamics(law: Law, item: SourceStatement, known: Known) -> None:
             return
     name = next((n for n in law.variables if n in item.names), law.variables[0])
     raise ValueError(f"no equation says how ${name}$ moves")
+
+
+def _has_bracket(formula: Formula | None) -> bool:
+    """Whether something is said of brackets: that is so whatever moves."""
+    nodes = formula.nodes() if formula is not None else ()
+    return any(isinstance(node, PoissonBracket) for node in nodes)
 
 
 def _gives(one: SourceStatement) -> bool:

@@ -269,15 +269,13 @@ class _Ladder(RungMaker):
         moving = {x for row in law.rows for x, n in row.rates.items() if n > 1} if law else set()
         if not moving or any(one.derives or len(one.members) != 2 for one in relations):
             return []
-        paper, words = self.known.paper, "as a motion along the set has it"
-        return [
-            unprinted(
-                paper, f"along-{number}-{self.id}",
-                rf"\frac{{d}}{{dt}}\left({to_latex(minus(one.members))}\right)=0", one, words,
-            )
-            for number, one in enumerate(relations, 1)
-            if one.names & moving
-        ]  # fmt: skip
+        found = []
+        for number, one in enumerate(relations, 1):
+            if one.names & moving:
+                function = to_latex(minus((one.members[0], one.members[1])))
+                tex, id = rf"\frac{{d}}{{dt}}\left({function}\right)=0", f"along-{number}-{self.id}"
+                found.append(unprinted(self.known.paper, id, tex, one, "as a motion along it has"))
+        return found
 
     def _set(self) -> SetOfEquations:
         """The equations of the set that the statement defines, with others or alone.

@@ -10,6 +10,7 @@ from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.reading.changes import find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.free_brackets import free_brackets
 from kowalevski_cas.reading.kinematics import free_motion
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.momenta import find_momenta
@@ -64,7 +65,7 @@ def find_laws(paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] 
     if rows and (_leaves_out(rows, found[0], paper) or _is_changed(found[0], implied)):
         return implied
     found = found or [*_LawFinder(paper, names, said, inline=True).laws()]
-    return found or free_motion(paper, names)
+    return found or free_motion(paper, names) or free_brackets(paper, names)
 
 
 def _with_changes(law: Law, paper: SourcePaper, said: Said) -> list[Law]:

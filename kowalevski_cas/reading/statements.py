@@ -255,10 +255,10 @@ class SourcePaper:
         model = next((item.typed.end for item in rows), self.prose.start)
         found: list[int] = []
         for said in cues("approximate", self.prose.text, model):
-            behind = self.prose.between(said.end(), said.end() + 80)
+            words = self.prose.between(said.end(), said.end() + 80)
             if _NAMED_BY.search(self.prose.between(said.start() - 60, said.start())):
                 continue
-            if _OF_SMALL.match(behind):
+            if _OF_SMALL.match(words):
                 continue
             sentence = self.prose.sentence(said.start())
             behind = [one for one in rows if one.sentence == sentence]
