@@ -30,6 +30,7 @@ from kowalevski_cas.reading.flow_rungs import OF_FIELD, of_field
 from kowalevski_cas.reading.formulas import are_differentials
 from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, normalisations
 from kowalevski_cas.reading.motion_rungs import along_solution, first_order, of_motion, solutions
+from kowalevski_cas.reading.parameters import held_fixed
 from kowalevski_cas.reading.rung import Rung, RungMaker, places, stronger
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.stage import Stage
@@ -147,6 +148,7 @@ class _Ladder(RungMaker):
         for assumptions in self.suppositions():
             if not given_there or ZERO not in self.item.members:
                 yield self.rung(Identity, says, assumptions)
+            yield from self._at_levels(assumptions)
             if (root := self._root()) and cue("either root", self.item.words):
                 chosen = f"{says}, for one value of ${root}$"
                 yield self.rung(Implication, chosen, assumptions, given=(), root=root)
@@ -160,6 +162,20 @@ class _Ladder(RungMaker):
                         Implication, chosen, assumptions, given, (self.item, *beside),
                         given=places(given), root=root, together=places(beside),
                     )  # fmt: skip
+
+    def _at_levels(self, assumptions: list[SourceStatement]) -> Iterator[Rung]:
+        r"""The claim where a function that is derived has parameters, as :math:`U(r)=\ell^2/2r^2`.
+
+        These stand for what moves, and are constant in the function that is derived.
+        """
+        levels = dict.fromkeys(held_fixed(self.item, self.known))
+        if levels:
+            found = self.stage.scene((self.item, *levels), assumptions)
+            own = places([*levels])
+            says = "both sides are equal, with these parameters in the function that is derived"
+            scene = found.scene.fixing(own)  # a set on which each is some value, of any functions
+            claim = Implication(self.id, scene, says, printed=self.item.printed, given=own)
+            yield Rung(claim, (*found.assumptions, *levels), found.constants)
 
     def inequalities(self) -> Iterator[Rung]:
         """A chain at all real points, and where cited equations hold."""

@@ -20,8 +20,10 @@ _SECOND = re.compile(
     rf"\\[dt]?frac\s*\{{\s*{_D}{_TWO}(?P<of>{_NAME})\s*\}}"
     rf"\s*\{{\s*{_D}(?P<by>{_NAME})\s*{_TWO}\}}"
 )
-_GIVEN = re.compile(rf"\s*(?P<name>{_NAME})\s*=(?P<by>[^=,;]+)")
-"""A name alone on the left of one equation."""
+_GIVEN = re.compile(
+    rf"\s*\{{?\s*(?P<name>{_NAME})\s*\}}?\s*(?:\(\s*(?P<at>{_NAME})\s*\))?\s*=(?P<by>[^=,;]+)"
+)
+"""A name alone on the left of one equation, perhaps at an argument."""
 _APART = re.compile(r"\\q?quad(?![A-Za-z])|\\\\|[,;&]")
 
 
@@ -33,14 +35,16 @@ def with_orbits(
     What is derived moves, or is given by one name that does; and so does that by which it is. By
     its own name it is a partial derivative. Of a function of more names it may be one as well.
     """
-    found = (_GIVEN.fullmatch(part) for one in formulas for part in _parts(one.tex))
-    given = {one["name"].replace(" ", ""): one["by"] for one in found if one}
+    parts = (_GIVEN.fullmatch(part) for one in formulas for part in _parts(one.tex))
+    found = [one for one in parts if one]
+    given = {one["name"].replace(" ", ""): one["by"] for one in found}
+    at = {one["name"].replace(" ", ""): one["at"] for one in found}
     varying = {name for name, by in given.items() if {*names_in(by)} & {*moving}}
     curves = {name: "" for name in moving}
     for name, by in given.items():
         own = {*names_in(by)} & {*moving}
         if len(own) == 1:
-            plain = "dot" not in by and not names_in(by) & varying
+            plain = at[name] in own or ("dot" not in by and not {*names_in(by)} & varying)
             curves.setdefault(name, own.pop() if plain else "")
 
     def rewritten(found: re.Match[str]) -> str:
