@@ -79,6 +79,7 @@ class Divisors:
         self.ring = ring
         self.stating = True
         self.known: dict[str, str] = {}
+        self.entered = list[Element]()  # what does not vanish, and may be a factor of one of these
         self.norms = set[str]()  # may vanish where what was divided by does not
         self.implied = set[str]()  # known by what is taken for granted
         self.used = set[str]()  # the norms by which something is divided
@@ -121,6 +122,10 @@ class Divisors:
             while (rest := quotient(norm, self.ring.divisors[name])) is not None:
                 norm = rest
                 parts.append(self.ring.generator(name))
+        for factor in self.entered:
+            while norm.value() is None and (rest := quotient(norm, factor)) is not None:
+                norm = rest
+                parts.append(self._part(factor, words, exact))
         if norm.value() is None:
             parts.append(self._part(norm, words, exact))
         return self.ring.product(parts)
@@ -145,6 +150,8 @@ class Divisors:
         """Know that an element does not vanish."""
         with self.statement():
             self.inverse(element, words)
+        _, norm = element.numerator().normed()
+        self.entered += [primitive(norm)[1]] if norm.value() is None else []
 
     @contextmanager
     def granting(self) -> Iterator[None]:

@@ -70,6 +70,7 @@ class Formulas(Divisors):
         other = copy.copy(self)
         self.ring.spend(1 + (len(self.env) >> 2))
         other.env, other.known, other.norms = dict(self.env), dict(self.known), {*self.norms}
+        other.entered = [*self.entered]
         other.implied, other.used = {*self.implied}, {*self.used}
         other.rates = None if self.rates is None else dict(self.rates)
         return other
