@@ -68,10 +68,12 @@ def hamilton(energy: str, pairs: Iterable[tuple[str, str]]) -> Iterator[str]:
         yield rf"{rate_name(p)}=-\frac{{\partial {energy}}}{{\partial {q}}}"
 
 
-def lagrange(action: str, coordinate: str) -> str:
-    """The equation of Lagrange for a coordinate."""
+def lagrange(action: str, coordinate: str, potential: str = "") -> str:
+    """The equation of Lagrange for a coordinate; of a kinetic energy, with its ``potential``."""
     momentum = rf"\frac{{\partial {action}}}{{\partial {rate_name(coordinate)}}}"
-    return rf"\frac{{d}}{{dt}}{momentum}=\frac{{\partial {action}}}{{\partial {coordinate}}}"
+    force = rf"-\frac{{\partial {potential}}}{{\partial {coordinate}}}" if potential else ""
+    slope = rf"\frac{{\partial {action}}}{{\partial {coordinate}}}"
+    return rf"\frac{{d}}{{dt}}{momentum}={slope}{force}"
 
 
 def canonical_brackets(pairs: Iterable[tuple[str, str]]) -> list[str]:

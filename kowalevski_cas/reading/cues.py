@@ -327,3 +327,17 @@ def cue(name: str, words: str) -> str:
 def last_cue(name: str, words: str) -> int:
     """Where the last words stand that give a cue; -1 if none do."""
     return max((found.start() for found in _pattern(name).finditer(words)), default=-1)
+
+
+_CLAUSE = re.compile(
+    r"[.;]|,?\s*\b(?:but|while|whereas|yet|however|но|однако|зато)\b", re.IGNORECASE
+)
+
+
+def force_told(words: str) -> str:
+    """The words that tell a force which has no potential; empty if there is none.
+
+    What does not act in one clause says nothing of another one.
+    """
+    clauses = (clause for clause in _CLAUSE.split(words) if not cue("no force", clause))
+    return next(filter(None, (cue("force", clause) for clause in clauses)), "")

@@ -28,7 +28,14 @@ from kowalevski_cas.reading.laws import is_of_second_order
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.rows import is_of_motion
 from kowalevski_cas.reading.statements import SourceStatement
-from kowalevski_cas.reading.unprinted import gives_lagrangian, is_of_momenta, is_printed, unprinted
+from kowalevski_cas.reading.two_energies import is_named, two_energies
+from kowalevski_cas.reading.unprinted import (
+    gives_lagrangian,
+    is_of_momenta,
+    is_printed,
+    tells_more,
+    unprinted,
+)
 
 SAYS = "the equations of motion are those of this function"
 OF_ENERGY = "energy"
@@ -47,6 +54,8 @@ def claims_of_energies(parts: Parts) -> Iterator[InWords]:
             said = said or (gives_lagrangian(item) and _is_of_sentence(laws[0], item))
             if said and _gives_energy(item, known):
                 yield from _claims(item, laws[0], known, parts, place)
+        if (pair := two_energies(known.items)) is not None:
+            yield from _of_two(*pair, laws[0], parts)
 
 
 def _is_of_sentence(law: Law, item: SourceStatement) -> bool:
@@ -70,7 +79,7 @@ def _claims(
     item: SourceStatement, law: Law, known: Known, parts: Parts, place: int
 ) -> Iterator[InWords]:
     """The claims that a law is that of one energy."""
-    if not all(map(is_printed, law.rows)) or _has_more(item, law, known):
+    if not all(map(is_printed, law.rows)) or _have_more((item,), law, known):
         return
     rows = [*_rows(item, law)]
     span = (item.typed.start, item.typed.end)
@@ -80,26 +89,61 @@ def _claims(
             yield InWords(
                 span, Identity, (row,), printed, OF_ENERGY, SAYS, item, canonical, Doubt.ALWAYS
             )
+    yield from _each(rows, item, law, parts)
+
+
+def _each(
+    rows: Sequence[str],
+    item: SourceStatement,
+    law: Law,
+    parts: Parts,
+    doubt: Doubt = Doubt.UNLESS_MENDED,
+) -> Iterator[InWords]:
+    """The claims of the equations of an energy."""
+    span = (item.typed.start, item.typed.end)
     for number, tex in enumerate(rows, 1):
         last = max(law.rows, key=lambda row: row.order)
         beside = max(last, item, key=lambda one: one.order)
-        found = unprinted(known.paper, f"of-energy-{item.order}-{number}", tex, beside, SOURCE)
-        parts.places[found] = place
+        found = unprinted(parts.paper, f"of-energy-{item.order}-{number}", tex, beside, SOURCE)
+        parts.places[found] = parts.places[item]
         values: dict[str, object] = {"printed": found.printed}
-        yield InWords(span, Identity, (found,), values, OF_ENERGY, SAYS, item)
+        yield InWords(span, Identity, (found,), values, OF_ENERGY, SAYS, item, doubt=doubt)
+
+
+def _of_two(
+    kinetic: SourceStatement, potential: SourceStatement, law: Law, parts: Parts
+) -> Iterator[InWords]:
+    """The claims that a law is that of a kinetic energy and a potential one."""
+    names = (kinetic.bare[0], potential.bare[0])
+    behind = all(row.order > kinetic.order for row in law.rows) and all(map(is_printed, law.rows))
+    if (
+        behind
+        and _is_whole(kinetic, law)
+        and not _have_more((kinetic, potential), law, parts.of(kinetic))
+    ):
+        rows = [lagrange(names[0], x, names[1]) for x in law.variables]
+        doubt = Doubt.UNLESS_MENDED if is_named(potential) else Doubt.ALWAYS
+        yield from _each(rows, kinetic, law, parts, doubt)
+
+
+def _orders(law: Law) -> dict[str, int]:
+    """The highest order of a derivative of each of the names that move by a law."""
+    members = [member for row in law.rows for member in row.members]
+    return {x: max(_order(member, x) for member in members) for row in law.rows for x in row.rates}
+
+
+def _is_whole(item: SourceStatement, law: Law) -> bool:
+    """Whether a law is of the second order, and moves all of which an energy has rates."""
+    orders = _orders(law)
+    return {*orders} == {*law.variables} >= {*item.rates} and {*orders.values()} == {2}
 
 
 def _rows(item: SourceStatement, law: Law) -> Sequence[str]:
     """The equations of Lagrange or Hamilton for what moves; none if that is not all of it."""
     name = item.bare[0]
-    members = [member for row in law.rows for member in row.members]
-    orders = {
-        x: max(_order(member, x) for member in members) for row in law.rows for x in row.rates
-    }
-    first = {*orders.values()} == {1}
+    first = {*_orders(law).values()} == {1}
     if name in LAGRANGIANS:
-        whole = {*orders} == {*law.variables} >= {*item.rates} and {*orders.values()} == {2}
-        return [lagrange(name, x) for x in law.variables] if whole else []
+        return [lagrange(name, x) for x in law.variables] if _is_whole(item, law) else []
     with suppress(ValueError):
         pairs = conjugate_pairs(law.variables) if first else []
         if {x for pair in pairs for x in pair} == {*law.variables}:
@@ -135,13 +179,13 @@ def _canonical(
     return None
 
 
-def _has_more(item: SourceStatement, law: Law, known: Known) -> bool:
-    """Whether words tell another force, or a row has a constant that the energy has not."""
-    own = {inner for name in item.names for inner in known.below(name)}
+def _have_more(energies: Sequence[SourceStatement], law: Law, known: Known) -> bool:
+    """Whether words tell another force, or a row has a constant that the energies have not."""
+    own = {inner for item in energies for name in item.names for inner in known.below(name)}
     functions = known.paper.functions_by_name
     own |= {jet for jet, of in functions.items() if own & {one.name for one in of}}
     acting = {inner for name in law.mentions for inner in known.below(name)}
-    end = max(one.typed.end for one in (*law.rows, item))
-    words = known.paper.prose.between(item.section.start, end)
-    told = any(cue(name, words) for name in ("force", "rolling", "multiplier", "constraint"))
+    end = max(one.typed.end for one in (*law.rows, *energies))
+    words = known.paper.prose.between(energies[0].section.start, end)
+    told = tells_more(words) or bool(cue("multiplier", words))
     return told or bool({one for one in acting if not known.moves(one)} - own)

@@ -6,15 +6,13 @@ import re
 from collections.abc import Iterator
 from itertools import pairwise
 
-from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.cues import cue, force_told
 from kowalevski_cas.reading.known import Known
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import is_printed
 
 _ASIDE = re.compile("abstract|thebibliography|keywords")
-
-_CLAUSE = re.compile(r";|,?\s*\b(?:but|while|whereas|yet|however|но|однако|зато)\b", re.IGNORECASE)
 
 
 def refuse_unsaid_forces(law: Law, item: SourceStatement, known: Known) -> None:
@@ -33,21 +31,12 @@ def refuse_unsaid_forces(law: Law, item: SourceStatement, known: Known) -> None:
     orders = {name: order for row in law.rows for name, order in row.rates.items()}
     rolls = sum(orders.values()) > 2
     for start, words in _sentences_around(law, item, known):
-        if told := (rolls and cue("rolling", words)) or _force(words):
+        if told := (rolls and cue("rolling", words)) or force_told(words):
             line = known.paper.source.line(known.paper.expanded.origin(start, start + 1)[0])
             raise ValueError(
                 f"“{told}” (line {line}) says that more acts than is implied here; print the "
                 "equations of motion, or skip that sentence by a comment"
             )
-
-
-def _force(words: str) -> str:
-    """The words that tell a force which has no potential; empty if there is none.
-
-    What does not act in one clause says nothing of another one.
-    """
-    clauses = (clause for clause in _CLAUSE.split(words) if not cue("no force", clause))
-    return next(filter(None, (cue("force", clause) for clause in clauses)), "")
 
 
 def _sentences_around(law: Law, item: SourceStatement, known: Known) -> Iterator[tuple[int, str]]:

@@ -7,15 +7,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
 
-from kowalevski_cas.notation import (
-    Derivative,
-    Name,
-    NotationError,
-    Number,
-    PoissonBracket,
-    Power,
-    read,
-)
+from kowalevski_cas.notation import Name, NotationError, Number, PoissonBracket, Power, read
 from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.symbol import symbol
@@ -24,12 +16,14 @@ from kowalevski_cas.paper.implied import (
     LAGRANGIANS,
     conjugate_pairs,
     implied_equations,
+    lagrange,
 )
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.texts import Display
-from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.cues import cue, force_told
 from kowalevski_cas.reading.rows import is_row
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, is_closing
+from kowalevski_cas.reading.two_energies import has_squares_of_rates, two_energies
 from kowalevski_cas.source.displays import TypedFormula
 
 SOURCE = "the usual convention"
@@ -96,6 +90,19 @@ def implied_rows(paper: SourcePaper) -> Iterator[SourceStatement]:
             continue
         if found:
             return
+    yield from _of_two_energies(paper)
+
+
+def _of_two_energies(paper: SourcePaper) -> Iterator[SourceStatement]:
+    """The equations of Lagrange of a kinetic and a potential energy, if no words tell more."""
+    pair = two_energies(paper.items)
+    if pair is None or tells_more(paper.prose.text):
+        return
+    kinetic, potential = pair
+    beside = max(pair, key=lambda one: one.order)
+    for number, x in enumerate(kinetic.rates, 1):
+        tex = lagrange(kinetic.bare[0], x, potential.bare[0])
+        yield unprinted(paper, f"implied-{number}", tex, beside)
 
 
 def _is_told_elsewhere(item: SourceStatement, paper: SourcePaper) -> bool:
@@ -117,8 +124,7 @@ def is_of_momenta(item: SourceStatement, paper: SourcePaper) -> bool:
     """
     if not item.bare or item.bare[0] not in HAMILTONIANS or len(item.members) != 2:
         return False
-    more = any(cue(name, paper.prose.text) for name in ("force", "constraint", "rolling"))
-    if more or cue("denied", item.words) or _FIELD.search(paper.prose.text):
+    if tells_more(paper.prose.text) or cue("denied", item.words) or _FIELD.search(paper.prose.text):
         return False
     nodes, names = [*item.members[1].nodes()], _canonical(item)
     found = [
@@ -139,17 +145,20 @@ def is_of_velocities(item: SourceStatement, paper: SourcePaper) -> bool:
     accelerated = {name for one in rows for name, order in one.rates.items() if order > 1}
     if any({*one.rates.values()} == {1} for one in rows) or {*item.rates} <= accelerated:
         return False
-    more = any(cue(name, paper.prose.text) for name in ("force", "constraint", "rolling"))
-    return gives_lagrangian(item) and not (more or cue("denied", item.words))
+    told = tells_more(paper.prose.text) or cue("denied", item.words)
+    return gives_lagrangian(item) and not told
+
+
+def tells_more(words: str) -> bool:
+    """Whether words tell forces, constraints or rolling: there is more than energies then."""
+    return bool(force_told(words) or cue("constraint", words) or cue("rolling", words))
 
 
 def gives_lagrangian(item: SourceStatement) -> bool:
     """Whether a statement gives the letter of a Lagrangian by squares of rates."""
     if not item.bare or item.bare[0] not in LAGRANGIANS or len(item.members) != 2:
         return False
-    nodes = item.members[1].nodes()
-    squares = (one.base for one in nodes if isinstance(one, Power) and one.exponent == Number(2))
-    return any(isinstance(one, Derivative) for one in squares)
+    return has_squares_of_rates(item)
 
 
 _FIELD = re.compile(
