@@ -13,6 +13,12 @@ _OF_MAP = r"""
         инвариант\w*\s+отображени\w+"""
 """What is constant under a map."""
 
+_NO_SLIP = r"""
+        \broll\w*\s+without\s+(?:slipping|sliding|slip)\b (?:\bno|\bnot|never|cannot)\s+(?:slip|skid)\w*
+        (?:\bnot|never|cannot)\s+(?:slide|move)\s+sideways без\s+(?:проскальзыван|скольжен)\w+
+        не\s+(?:скольз|проскальз)\w+"""
+"""How a body that rolls, or slides along a blade, does not move."""
+
 CUES: dict[str, str] = {
     "integral": rf"""
         {_OF_MAP}
@@ -204,11 +210,10 @@ CUES: dict[str, str] = {
     "a constant": r"""
         \bconstants?\b \bparameters?\b \bcoefficients?\b \bnumbers?\b \beigenvalues?\b
         постоянн\w+ параметр\w* коэффициент\w* числ(?:о|а)\b""",
-    "rolling": r"""
-        \broll\w*\s+without\s+(?:slipping|sliding|slip)\b (?:slip|skid)s?\s+sideways
-        (?:\bno|\bnot|never|cannot)\s+(?:slip|skid)\w*
-        (?:\bnot|never|cannot)\s+(?:slide|move)\s+sideways non-?holonomic\w* knife[\s-]edge
-        неголономн\w+ без\s+(?:проскальзыван|скольжен)\w+ не\s+(?:скольз|проскальз)\w+""",
+    "no slip": _NO_SLIP,
+    "rolling": rf"""
+        {_NO_SLIP}
+        (?:slip|skid)s?\s+sideways non-?holonomic\w* knife[\s-]edge неголономн\w+""",
     "force": r"""
         \bfriction\w* \bdamp(?:s|ed|er|ers|ing)\b \bdissipat\w+ \bviscous\w* \bviscosity\b \bdrag\b
         \b(?:air|aerodynamic)\s+resistance\b \bresist(?:ing|ance\s+of\s+the)\b

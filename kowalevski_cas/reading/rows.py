@@ -85,7 +85,7 @@ def highest_order(formula: Formula) -> int:
     return below + isinstance(formula, Derivative)
 
 
-BINDING = ("constraint", "rolling")
+BINDING = ("constraint", "no slip")
 """Cues of the words for a constraint."""
 
 
