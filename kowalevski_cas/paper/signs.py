@@ -26,7 +26,9 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.paper.roots import rationals
 from kowalevski_cas.problem.space import Meaningless
 
-SIGNS = {"<": "<", ">": "<", r"\le": r"\le", r"\ge": r"\le", r"\ne": r"\ne"}
+SIGNS = {
+    "<": "<", ">": "<", r"\ll": "<", r"\gg": "<", r"\le": r"\le", r"\ge": r"\le", r"\ne": r"\ne",
+}  # fmt: skip
 """The signs of inequalities, each with the one to which the other way round it comes."""
 
 
@@ -69,7 +71,7 @@ def comparisons(relation: Relation) -> Iterator[Comparison]:
             sign = "="
         elif sign not in SIGNS:
             raise Meaningless(f"{sign} is no inequality")
-        smaller, larger = (right, left) if sign in (">", r"\ge") else (left, right)
+        smaller, larger = (right, left) if sign in (">", r"\gg", r"\ge") else (left, right)
         yield Comparison(_difference(larger, smaller), SIGNS.get(sign, sign))
 
 

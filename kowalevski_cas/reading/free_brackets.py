@@ -35,7 +35,7 @@ def free_brackets(paper: SourcePaper, names: Names) -> list[Law]:
 
 def _coordinates(paper: SourcePaper, names: Names) -> Iterator[str]:
     """The names in brackets on a left side that nothing gives, for all values of their indices."""
-    given = {one.bare[0] for one in paper.items if one.members[:1] == (*map(Name, one.bare[:1]),)}
+    given = {one.bare[0] for one in paper.items if one.bare and one.members[0] == Name(one.bare[0])}
     for item in paper.items:
         match item.members[:1]:
             case (PoissonBracket(Name(x), Name(y)),):

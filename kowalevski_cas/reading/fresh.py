@@ -46,6 +46,7 @@ def is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
         or (first.typed is item.typed and item.members[0] in alone)
         or (known.roles[first].name == LAW and _gives(function, item, known))
         or (_explains(item) and _is_near(first, item))
+        or (first.sentence == item.sentence and bool(_WITH.search(joined_lead(item))))
         or _is_explained(function, first, item)
         or (known.roles[first].name == LAW and function in derived_names(first))
         or (new and not item.typed.inline)
@@ -195,6 +196,10 @@ def _is_explained(name: str, first: SourceStatement, item: SourceStatement) -> b
 
 _WITH_THE = re.compile(r"\bwith\s+(?:the|its|their)\s+(?:[\w-]+\s+){0,3}$", re.IGNORECASE)
 """How words end behind which letters are explained, as in “an ellipse … with the semiaxes”."""
+
+
+_WITH = re.compile(r"\bwith[\s~]*$", re.IGNORECASE)
+"""How words end behind which a letter of the sentence is given."""
 
 
 def _explains(item: SourceStatement) -> bool:

@@ -21,8 +21,21 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
     if item.members:
         return None
     assert isinstance(item.formula, Relation)
-    if not {*item.formula.signs} & {"<", ">", r"\le", r"\ge", r"\leq", r"\geq", r"\ne", r"\neq"}:
+    if not {*item.formula.signs} & {
+        "<",
+        ">",
+        r"\ll",
+        r"\gg",
+        r"\le",
+        r"\ge",
+        r"\leq",
+        r"\geq",
+        r"\ne",
+        r"\neq",
+    }:
         return StatementRole(OTHER, "no equation")
+    if {*item.formula.signs} & {r"\ll", r"\gg"} and known.varying(item.names):
+        return StatementRole(OTHER, "how small something is where it moves")
     if said := _stated_under(item):
         return StatementRole(CLAIM, f"it is said when “{said.strip()}”", "condition")
     if is_inequality(item.formula) and known.varying(item.names):
@@ -41,6 +54,8 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
             return StatementRole(CLAIM, FOUND, "inequality")
         begun = bool(cue("suppose", item.before[:12])) and not cue("claim", item.lead)
         supposed = begun or not claimed or _says_first(item, known)
+        if not supposed and {*item.formula.signs} & {r"\ll", r"\gg"}:
+            return StatementRole(OTHER, "how small something is")
     if supposed:
         why = "an inequality that is supposed"
         return StatementRole(ASSUMPTION, why, "inequality", tuple(sorted(item.names)))
