@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 
 from kowalevski_cas.notation import Derivative, Formula, Name
-from kowalevski_cas.paper.claims import Identity
+from kowalevski_cas.paper.claims import FirstIntegral, Identity
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.implied import (
     HAMILTONIANS,
@@ -89,6 +89,12 @@ def _claims(
             yield InWords(
                 span, Identity, (row,), printed, OF_ENERGY, SAYS, item, canonical, Doubt.ALWAYS
             )
+    elif not rows and item.bare[0] in HAMILTONIANS and "t" not in known.below(item.bare[0]):
+        integral: dict[str, object] = {"printed": item.printed}
+        says = "this is constant along every motion"
+        yield InWords(
+            span, FirstIntegral, (item,), integral, OF_ENERGY, says, item, law, Doubt.ALWAYS
+        )
     yield from _each(rows, item, law, parts)
 
 

@@ -33,6 +33,7 @@ from kowalevski_cas.reading.initially import moving_names, time_of_value, with_i
 from kowalevski_cas.reading.named_sets import without_set_names
 from kowalevski_cas.reading.numbers import numbers_of
 from kowalevski_cas.reading.orbits import with_orbits
+from kowalevski_cas.reading.reach import with_reach
 from kowalevski_cas.reading.text import MARK, Prose, TextSection, references
 from kowalevski_cas.reading.variations import with_variations
 from kowalevski_cas.source.displays import TypedFormula
@@ -305,7 +306,7 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     functions = free_functions(printed, expanded.text)
     printed = [*with_names_alone(printed, functions)]
     moving = moving_names(printed)
-    along = [*with_orbits(printed, moving)]
+    along = [*with_orbits([*with_reach(printed, moving)], moving)]
     orbits = frozenset(formula.start for formula, is_along in along if is_along)
     begun, starts = with_initial_values([formula for formula, _ in along], moving)
     formulas = [*by_names(begun)]
