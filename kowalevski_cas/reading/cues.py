@@ -235,10 +235,9 @@ CUES: dict[str, str] = {
     "multiplier": r"""
         \bmultipliers?\b множител\w+""",
     "system": r"""
-        equations?\s+of\s+motion equations?\s+(?:is|are|reads?|takes?|ha(?:s|ve)) \bsystem\b
-        \bmodel\b now\s+consider reduced\s+(?:system|equations) in\s+polar\s+coordinates
-        another\s+system obey\w* governed\s+by described\s+by euler\w*\s+equations
-        hamilton\w*\s+equations
+        equations?\s+of\s+motion equations?\s+(?:are|read|take|have) \bsystem\b \bmodel\b
+        now\s+consider reduced\s+(?:system|equations) in\s+polar\s+coordinates another\s+system
+        obey\w* governed\s+by described\s+by euler\w*\s+equations hamilton\w*\s+equations
         уравнени\w+\s+движени\w+ систем\w+ уравнени\w+ описыва\w+""",
     "another system": r"""
         now\s+(?:\w+\s+){0,2}consider \breduced\b \blimit\b polar\s+coordinates

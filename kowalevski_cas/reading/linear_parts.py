@@ -79,7 +79,7 @@ _OF_MATRIX = re.compile(
 """How words end behind which the matrix of a linear part is printed."""
 _NUMBER_OF_MATRIX = re.compile(
     rf"\b(?:(?P<trace>trace|след)|determinant|определител\w+)(?:(?:\s+of\s+(?:the|this|its))?\s+{_MATRIX}{_FIELD})?"
-    rf"(?:[\s~]+{_AT})?[\s~]*(?:{_IS})?[\s:~]*$",
+    rf"(?:[\s~]+(?:{_AT}|there|at\s+this\s+point))?[\s~]*(?:{_IS})?[\s:~]*$",
     re.IGNORECASE,
 )
 """How words end behind which the trace of a matrix is printed, or its determinant."""
