@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from kowalevski_cas.notation import Formula, Name, Relation, Vector, to_latex
 from kowalevski_cas.reading.hypotheses import is_value
+from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.rest_points import POINT, coordinates, entries_of, law_of_points
@@ -148,7 +149,8 @@ def point_of_number(item: SourceStatement, known: Known) -> tuple[SourceStatemen
     if law is None or not re.search(rf"\b{_MATRIX}", words, re.IGNORECASE) or len(places) > 1:
         return ()
     if not places:
-        return last_named(item, law, known)
+        other = cue("ideal case", words) or cue("another system", words)
+        return () if other else last_named(item, law, known)
     return _at(places[0], words, item, law, known)
 
 
@@ -226,6 +228,9 @@ def last_named(item: SourceStatement, law: Law, known: Known) -> tuple[SourceSta
         if role.kind == POINT and one.order < item.order and one.paragraph == item.paragraph
     ]
     last = [one for one in points if one.sentence == points[-1].sentence]
+    behind = (one for one in known.items if last and last[-1].order < one.order < item.order)
+    if any(coordinates(one, law, known) for one in behind):
+        return ()  # another place is printed since then
     if len(last) == 1:
         return _with_coordinates(coordinates(last[0], law, known), item, law, known)
     before = [

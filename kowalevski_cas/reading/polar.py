@@ -33,8 +33,9 @@ _ROUND = re.compile(
 """Words for coordinates with a radius."""
 
 _OTHERWISE = re.compile(
-    r"\b(?:consider|measured|counted|another|example|normal\s+form|model)\b"
-    r"|\b(?:рассмотр|отсчит|пример|модел)\w*|\bдруг(?:ую|ой|ая|ие)\b",
+    r"\b(?:consider|measured|counted|another|example|normal\s+form|model|pole|focus|rotating)\b"
+    r"|\b(?:about|around|cent(?:er|re)d|relative\s+to)\b(?!\s+(?:at\s+)?the\s+origin\b)"
+    r"|\b(?:рассмотр|отсчит|пример|модел|полюс|фокус|вращающ)\w*|\bдруг(?:ую|ой|ая|ие)\b|\bс\s+центром\b",
     re.IGNORECASE,
 )
 """Words for another system in such coordinates, or for an angle that is counted otherwise."""

@@ -96,7 +96,7 @@ def implied_rows(paper: SourcePaper) -> Iterator[SourceStatement]:
 def _of_two_energies(paper: SourcePaper) -> Iterator[SourceStatement]:
     """The equations of Lagrange of a kinetic and a potential energy, if no words tell more."""
     pair = two_energies(paper.items)
-    if pair is None or tells_more(paper.prose.text):
+    if pair is None or tells_more(paper.prose.text) or _FIELD.search(paper.prose.text):
         return
     kinetic, potential = pair
     beside = max(pair, key=lambda one: one.order)
@@ -154,11 +154,19 @@ def tells_more(words: str) -> bool:
     return bool(force_told(words) or cue("constraint", words) or cue("rolling", words))
 
 
+_NAMED = re.compile(
+    r"\b(?:is|equals|be|function\w*|length|momentum|operator|form)[\s~:]*$|\blyapunov"
+    r"|\b(?:функци|длин|момент|форм)\w*[\s~:—-]*$|\bляпунов|\bравн\w+[\s~:]*$",
+    re.IGNORECASE,
+)
+"""How words end that say what a letter is: it may be no Lagrangian then."""
+
+
 def gives_lagrangian(item: SourceStatement) -> bool:
     """Whether a statement gives the letter of a Lagrangian by squares of rates."""
     if not item.bare or item.bare[0] not in LAGRANGIANS or len(item.members) != 2:
         return False
-    return has_squares_of_rates(item)
+    return has_squares_of_rates(item) and not _NAMED.search(item.before)
 
 
 _FIELD = re.compile(
