@@ -6,8 +6,8 @@ import re
 from collections.abc import Sequence
 
 from kowalevski_cas.notation import Formula, Name, Relation, Vector, to_latex
-from kowalevski_cas.reading.hypotheses import is_value
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.hypotheses import is_value
 from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.rest_points import POINT, coordinates, entries_of, law_of_points
