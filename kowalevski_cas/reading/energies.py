@@ -89,13 +89,20 @@ def _claims(
             yield InWords(
                 span, Identity, (row,), printed, OF_ENERGY, SAYS, item, canonical, Doubt.ALWAYS
             )
-    elif not rows and item.bare[0] in HAMILTONIANS and "t" not in known.below(item.bare[0]):
+    elif not rows and _is_of_this_law(item, known):
         integral: dict[str, object] = {"printed": item.printed}
         says = "this is constant along every motion"
         yield InWords(
             span, FirstIntegral, (item,), integral, OF_ENERGY, says, item, law, Doubt.ALWAYS
         )
     yield from _each(rows, item, law, parts)
+
+
+def _is_of_this_law(item: SourceStatement, known: Known) -> bool:
+    """Whether a Hamiltonian without the time is printed, and words speak of no other system."""
+    other = cue("another system", item.words) or cue("another case", item.words)
+    name = item.bare[0]
+    return name in HAMILTONIANS and "t" not in known.below(name) and not other
 
 
 def _each(

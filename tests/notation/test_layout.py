@@ -3,6 +3,7 @@
 import pytest
 
 from kowalevski_cas.notation import NotationError, read_display, split_display, to_latex
+from kowalevski_cas.notation.layout import statements
 from tests.notation import paper
 
 
@@ -126,3 +127,18 @@ def test_no_name_needs_to_be_known():
         r"\dot q_i = \frac{\partial H}{\partial p_i}",
         r"|q| \leq \infty",
     ]
+
+
+@pytest.mark.parametrize(
+    "display, printed",
+    [
+        (r"a,b>0", ["a > 0", "b > 0"]),
+        (r"\dot x=y\qquad(k,m_1>0).", [r"\dot x = y", "k > 0", "m _ 1 > 0"]),
+        (r"x=1\quad(k>0,\ m\le1)", ["x = 1", "k > 0", r"m \le 1"]),
+        (r"a,b\ne0", ["a", r"b \ne 0"]),
+        (r"x+y,b>0", ["x + y", "b > 0"]),
+        (r"a,f(x,y)>0", ["a", "f ( x , y ) > 0"]),
+    ],
+)
+def test_an_inequality_behind_a_list_of_names_is_said_of_each(display, printed):
+    assert [" ".join(t.text for t in one.tokens) for one in statements(display)] == printed
