@@ -148,7 +148,7 @@ class TestText:
             "roots": [],
             "values": [["x", 3], ["y", 4], ["z", 0], ["r", 5]],
         }
-        assert checker.check(json.dumps(data)).digest == checker.check(TEXTS["rank"]).digest
+        assert checker.check(data).digest == checker.check(TEXTS["rank"]).digest
 
     def test_a_key_twice(self):
         for key in ("claim", "variables", "goal", "point", "values"):
@@ -168,7 +168,7 @@ class TestText:
         data = certificate("rank")
         del data["digest"]
         with pytest.raises(checker.Rejected):
-            checker.check(json.dumps(data))
+            checker.check(data)
 
     @pytest.mark.parametrize("claim", TEXTS)
     def test_a_key_too_many(self, claim):
@@ -214,3 +214,41 @@ def test_work_is_bounded():
         tree = ["^", tree, 8]
     data["goals"][0]["given"][0][0] = tree
     rejected(data, "too")
+
+
+DIVISORS = [
+    (["m", "r"], True),
+    (["r"], True),  # m is a factor of what the statement divides by
+    ([], False),
+]
+
+
+@pytest.mark.parametrize("away, accepted", DIVISORS)
+def test_products_of_factors_of_a_known_divisor_divide(away, accepted):
+    """The statement divides by r²m², and a cofactor by r³m: no multiple, nor a divisor of that."""
+    cofactor = ["*", ["/", "r", ["*", ["^", "r", 3], "m"]], ["/", 1, "m"]]
+    values = [["r", 1], ["m", 1], ["z", 0]]
+    square = ["*", ["^", "r", 2], ["^", "m", 2]]
+    data = seal(
+        {
+            "format": "kowalevski-cas certificate",
+            "version": 2,
+            "claim": "quotient",
+            "spaces": [{"variables": ["r", "m", "z"]}],
+            "goals": [
+                {
+                    "goal": "follows", "space": 0, "given": [["z", 0]],
+                    "conclusions": [[[["/", "z", square], 0]]],
+                }
+            ],
+            "sign": "holds",
+            "evidence": [
+                {"point": {"roots": [], "values": values}, "cofactors": [[cofactor]], "away": away}
+            ],
+        }
+    )  # fmt: skip
+    if accepted:
+        assert checker.check(data).theorems
+    else:
+        with pytest.raises(checker.Rejected):
+            checker.check(data)
