@@ -89,7 +89,7 @@ def _claims(
             yield InWords(
                 span, Identity, (row,), printed, OF_ENERGY, SAYS, item, canonical, Doubt.ALWAYS
             )
-    elif not rows and _is_of_this_law(item, known):
+    elif not rows and _is_of_this_law(item, law, known):
         integral: dict[str, object] = {"printed": item.printed}
         says = "this is constant along every motion"
         yield InWords(
@@ -98,11 +98,13 @@ def _claims(
     yield from _each(rows, item, law, parts)
 
 
-def _is_of_this_law(item: SourceStatement, known: Known) -> bool:
-    """Whether a Hamiltonian without the time is printed, and words speak of no other system."""
-    other = cue("another system", item.words) or cue("another case", item.words)
-    name = item.bare[0]
-    return name in HAMILTONIANS and "t" not in known.below(name) and not other
+def _is_of_this_law(item: SourceStatement, law: Law, known: Known) -> bool:
+    """Whether a Hamiltonian is printed in the letters of a law, and words speak of no other one."""
+    name, words = item.bare[0], f"{item.words} {law.first.words}"
+    other = cue("another system", words) or cue("another case", words)
+    below = {inner for name in item.names for inner in known.below(name)} - {name, *item.bare}
+    letters = {*known.names.scalars(law.mentions)} | known.definitions.keys()
+    return name in HAMILTONIANS and "t" not in below and below <= letters and not other
 
 
 def _each(

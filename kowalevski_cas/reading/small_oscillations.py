@@ -165,8 +165,9 @@ def prints_square(item: SourceStatement) -> bool:
 def characteristic(item: SourceStatement, known: Known) -> tuple[str, str, str] | None:
     """The variable of a characteristic equation, if a statement prints one, and no root of it."""
     variable = variable_of(item, known)
-    alone = (Name(variable), Power(Name(variable), Number(2)))
-    is_root = any(one in alone for one in (item.formula, *item.members))
+    is_root = Name(variable) in (item.formula, *item.members)
+    if Power(Name(variable), Number(2)) in item.members and Number(0) not in item.members:
+        is_root = True
     if not variable or len(item.members) not in (0, 2) or is_root:
         return None
     said = _EQUATION.search(item.before)

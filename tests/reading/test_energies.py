@@ -47,11 +47,17 @@ def test_a_row_with_another_sign_is_blamed():
         LAGRANGIAN % r"-c(u-v)-b-n\dot u",  # another force has a constant of its own
         LAGRANGIAN.replace("The equations", "There is friction. The equations") % "-c(u-v)",
         LAGRANGIAN.replace("The Lagrangian is", "Here is") % "-c(u-v)",
-        HAMILTONIAN.replace("p_u", "n") % "Mu^2",
     ],
 )
 def test_where_more_may_act_nothing_is_claimed(more):
     assert not ends(more)
+
+
+def test_a_hamiltonian_is_constant_whatever_its_letters_are():
+    (found,) = ends(HAMILTONIAN.replace("p_u", "n") % "Mu^2")
+    assert found.verdict.green and "constant" in found.words
+    (found,) = ends(HAMILTONIAN.replace("p_u", "n").replace("-\\frac ku", "+\\frac ku") % "Mu^2")
+    assert found.verdict is Verdict.UNDECIDED
 
 
 SECOND_ORDER = r"""The Hamiltonian is

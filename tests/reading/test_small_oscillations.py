@@ -140,8 +140,9 @@ def test_words_of_another_case_are_not_judged_by_the_law(text):
 
 
 def test_an_equation_for_frequencies_is_never_red():
-    text = FREE + r"Near $u=0$ the characteristic equation is \[ \omega^2-n=0 .\]"
-    assert last(text).value == "undecided"
+    text = FREE + r"Near $u=0$ the characteristic equation is \[ \omega^2-FACTOR n=0 .\]"
+    assert last(text.replace("FACTOR", "")).value == "proved"
+    assert last(text.replace("FACTOR", "2")).value == "undecided"
 
 
 def test_eigenvalues_of_accelerations_are_never_red():
