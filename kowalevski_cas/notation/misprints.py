@@ -291,7 +291,7 @@ def _additions(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> I
         return
     factors = factors_of(node)
     if all(isinstance(factor, Name | Number | Power) for factor in factors):
-        first = len(factors)
+        first = sum(rank(factor, vocabulary) == SCALAR for factor in factors)
     else:
         first = int(isinstance(factors[0], Number) or _is_fraction(factors[0]))
     tex = to_latex(node)
