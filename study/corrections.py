@@ -29,6 +29,7 @@ from kowalevski_cas.notation import (
     Negative,
     NotationError,
     Number,
+    Power,
     Product,
     Quotient,
     Sum,
@@ -77,7 +78,7 @@ def corrected_formula(folder: Path, entry: Entry, timeout: float) -> CorrectedFo
 
     It is noticed if it is red, corrected, named as the cause of what fails, or false as it was
     read; it is repaired if what its author printed later is among the first repairs, whatever the
-    order of factors.
+    order of terms and factors.
     """
     path = folder / entry["id"] / "PAPER.tex"
     formulas = audit_entries(path, timeout)
@@ -126,7 +127,7 @@ def repairs(formulas: list[Entry], own: list[Entry]) -> list[str]:
 
 
 def ordered(tex: str, words: Vocabulary) -> str:
-    """A formula with its factors and terms in one order, and but one line for a fraction."""
+    """A formula with factors and terms in one order, one line for a fraction, one sign squared."""
     with suppress(NotationError):
         return to_latex(_ordered(read(tex, words, OpenParser)))
     return tex
@@ -135,6 +136,9 @@ def ordered(tex: str, words: Vocabulary) -> str:
 def _ordered(formula: Formula) -> Formula:
     if isinstance(formula, Sum):
         return Sum((*sorted(map(_ordered, formula.terms), key=to_latex),))
+    if isinstance(formula, Power) and isinstance(formula.base, Sum) and _is_even(formula.exponent):
+        signs = (formula.base, Sum((*map(Negative, formula.base.terms),)))
+        return Power(min(map(_ordered, signs), key=to_latex), formula.exponent)
     if not isinstance(formula, Product | Quotient | Negative):
         return formula.map_children(_ordered)
     number, above, below = Fraction(1), list[Formula](), list[Formula]()
@@ -155,6 +159,10 @@ def _ordered(formula: Formula) -> Formula:
     numerator, denominator = (times(*sorted(part, key=to_latex)) for part in (above, below))
     whole = times(size, Quotient(numerator, denominator) if below else numerator)
     return Negative(whole) if number < 0 else whole
+
+
+def _is_even(exponent: Formula) -> bool:
+    return isinstance(exponent, Number) and exponent.value % 2 == 0
 
 
 def meant_formulas(path: Path, entry: Entry) -> set[str]:

@@ -16,15 +16,27 @@ def primed_names(tex: str, words: Vocabulary) -> Iterator[str]:
 
     Then no prime is a derivative.
     """
+    chains = _chains(tex, words)
+    if any("prime" in marks and {*marks} != {"prime"} for _, marks in chains):
+        yield from (name + "'" * marks.count("prime") for name, marks in chains if name)
+
+
+def primed_vectors(tex: str, words: Vocabulary) -> Iterator[str]:
+    """The vectors with primes, where no prime is a derivative."""
+    for name, marks in _chains(tex, words):
+        if name in words.vectors and "prime" in marks:
+            yield name + "'" * marks.count("prime")
+
+
+def _chains(tex: str, words: Vocabulary) -> list[tuple[str, list[str]]]:
+    """The names under derivatives in a formula that has primes, and how these are printed."""
     if "'" not in tex and r"\prime" not in tex:
-        return
+        return []
     try:
         found = read_display(tex, words, OpenParser)
     except NotationError:
-        return  # who reads it says so
-    chains = [_marks(node) for one in found for node in one.formula.nodes()]
-    if any("prime" in marks and {*marks} != {"prime"} for _, marks in chains):
-        yield from (name + "'" * marks.count("prime") for name, marks in chains if name)
+        return []  # who reads it says so
+    return [_marks(node) for one in found for node in one.formula.nodes()]
 
 
 def _marks(formula: Formula) -> tuple[str, list[str]]:
