@@ -26,6 +26,7 @@ from kowalevski_cas.reading.known import (
 )
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.parts import Parts
+from kowalevski_cas.reading.rows import BINDING
 from kowalevski_cas.reading.stage import Stage
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import is_printed, unprinted
@@ -79,7 +80,7 @@ def _moving(item: SourceStatement, law: Law, known: Known) -> set[str]:
 
 def _says_constraint(item: SourceStatement) -> bool:
     """Whether words beside a statement call it a constraint."""
-    return bool(cue("constraint", item.lead) or cue("constraint", item.tail[:40]))
+    return any(cue(name, words) for name in BINDING for words in (item.lead, item.tail[:40]))
 
 
 def _orders_below(item: SourceStatement, law: Law, known: Known) -> int:
@@ -106,8 +107,17 @@ def _derived(item: SourceStatement) -> Iterator[tuple[str, int]]:
 def _multipliers(law: Law, known: Known) -> Iterator[str]:
     """The names in a law that may be multipliers: nothing gives them, or by what moves.
 
-    Words may call another letter one, if only this stands in several equations of motion.
+    Words may call another letter one, if only this stands in several equations of motion, or if
+    they stand right before it.
     """
+    called = {
+        one.formula.name
+        for one in known.items
+        if isinstance(one.formula, Name) and cue("multiplier", one.lead[-24:])
+    }
+    if found := sorted(called & law.mentions - {*law.variables}):
+        yield from found
+        return
     free = [
         name
         for name in sorted(law.mentions)

@@ -13,6 +13,13 @@ _OF_MAP = r"""
         инвариант\w*\s+отображени\w+"""
 """What is constant under a map."""
 
+_NO_SLIP = r"""
+        \broll\w*\s+without\s+(?:slipping|sliding|slip)\b
+        (?:\bno|\bnot|never|cannot)\s+(?:slip|skid)\w*
+        (?:\bnot|never|cannot)\s+(?:slide|move)\s+sideways без\s+(?:проскальзыван|скольжен)\w+
+        не\s+(?:скольз|проскальз)\w+"""
+"""How a body that rolls, or slides along a blade, does not move."""
+
 CUES: dict[str, str] = {
     "integral": rf"""
         {_OF_MAP}
@@ -20,6 +27,7 @@ CUES: dict[str, str] = {
         integrals?\s+of\s+(?:the\s+)?(?:motion|energy|areas?|second|third|fourth|degree)
         \bthe\s+(?!(?:elliptic|hyperelliptic|abelian|definite|indefinite|line|action|path|contour|general|same|double|last|following)\b)\w+\s+integral\s+(?:has\s+the\s+form|takes\s+the\s+form|reads|is)
         integrals?\b conserved constants?\s+of\s+(?:the\s+)?motion
+        (?:have|has|obtain|find|get)\s+(?:the|an?)\s+(?:second|third|further|other)\s+constant[\s:]*$
         (?:is|are|remains?|stays?)\s+(?:a\s+|also\s+)?(?:constants?|preserved|conserved)
         do(?:es)?\s+not\s+(?:change|depend\s+on\s+(?:the\s+)?time) интеграл\w* сохраня\w+
         постоян(?:на|но|ны|ен)\b не\s+меня\w+""",
@@ -38,9 +46,10 @@ CUES: dict[str, str] = {
         no\s+(?:motion|trajectory|orbit|solution)\s+leaves satisfied\s+by инвариантн\w+
         удовлетворя\w+""",
     "equilibrium": r"""
-        equilibri\w+ (?:states?|points?)\s+of\s+rest rest\s+points? \bsteady\s+states?
+        equilibri\w+ (?:states?|points?)\s+of\s+(?:rest|libration)
+        (?:rest|libration)\s+points? \bsteady\s+states?
         (?:singular|stationary|fixed|critical)\s+points? stationary\s+(?:states?|solutions?)
-        равновеси\w+ стационарн\w+ особ\w+\s+точ\w+""",
+        равновеси\w+ стационарн\w+ особ\w+\s+точ\w+ точ\w+\s+либрации""",
     "suppose": r"""
         suppos\w+ assum\w+ \blet\b \btake\b \bmake\b \bif\b \bwhen\b \bgiven\s+that\b
         \bfor(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?\s*$ \bput\b(?!\s+together) \bsetting\b
@@ -170,7 +179,7 @@ CUES: dict[str, str] = {
     "denied": r"""
         \bnot\s+(?:true|an?\s+integral|constant|conserved|the|valid|hold|correct|preserved|in\s+general)
         does\s+not\s+(?:hold|vanish|follow) (?:is|are)\s+not\s+(?:\w+\s+){0,2}§
-        §[\s,]*(?:\w+\s+){0,3}(?:is|are)\s+not\b \bno\s+longer\b never\b
+        §[\s,]*(?:\w+\s+){0,3}(?:is|are)\s+(?:not|impossible)\b \bno\s+longer\b never\b
         \b(?:on|along|for|by)\s+no\b wrong\w* incorrect\w* erroneous\w* false\b
         mistak\w+ misprint\w* contrary impossible\s+that\b невозможно
         instead\s+of\s*(?:§|$) contradict\w+ if\s+it\s+were \bwere\b would\s+be fails?\b cannot\b
@@ -180,8 +189,8 @@ CUES: dict[str, str] = {
         \bбез\s+(?:ограничени|услови|предположени)\w+\s*(?:§|$)
         in\s+place\s+of\s*(?:§|$) \bneither\b ^\s*nor\s*§ ^\s*ни\s*§
         невер\w+ ошиб\w+ ложн\w+ опечат\w+
-        вместо\s*(?:§|$) противореч\w+ не\s+явля\w+ не\s+сохраня\w+ нельзя не\s+выполн\w+
-        неправильн\w+ не\s+верно не\s+име\w+\s+мест""",
+        вместо\s*(?:§|$) противореч\w+ не\s+явля\w+ не\s+(?:сохраня|постоян)\w+ нельзя
+        не\s+выполн\w+ неправильн\w+ не\s+верно не\s+име\w+\s+мест""",
     "so it is not": r"""
         [;.,]\s*(?:\\\w+\{)?(?:but\s+)?(?:this|that|which)\s+is\s+(?:wrong|false|incorrect)
         [;.,]\s*(?:but\s+)?(?:this|that|which)\s+is\s+not\s+(?:true|so|correct)
@@ -204,11 +213,10 @@ CUES: dict[str, str] = {
     "a constant": r"""
         \bconstants?\b \bparameters?\b \bcoefficients?\b \bnumbers?\b \beigenvalues?\b
         постоянн\w+ параметр\w* коэффициент\w* числ(?:о|а)\b""",
-    "rolling": r"""
-        \broll\w*\s+without\s+(?:slipping|sliding|slip)\b (?:slip|skid)s?\s+sideways
-        (?:\bno|\bnot|never|cannot)\s+(?:slip|skid)\w*
-        (?:\bnot|never|cannot)\s+(?:slide|move)\s+sideways non-?holonomic\w* knife[\s-]edge
-        неголономн\w+ без\s+(?:проскальзыван|скольжен)\w+ не\s+(?:скольз|проскальз)\w+""",
+    "no slip": _NO_SLIP,
+    "rolling": rf"""
+        {_NO_SLIP}
+        (?:slip|skid)s?\s+sideways non-?holonomic\w* knife[\s-]edge неголономн\w+""",
     "force": r"""
         \bfriction\w* \bdamp(?:s|ed|er|ers|ing)\b \bdissipat\w+ \bviscous\w* \bviscosity\b \bdrag\b
         \b(?:air|aerodynamic)\s+resistance\b \bresist(?:ing|ance\s+of\s+the)\b
@@ -239,7 +247,7 @@ CUES: dict[str, str] = {
         another\s+(?:system|problem|example) second\s+(?:system|example|problem)
         \bconsider\s+(?:now|also|next|the) next\s+example \bturn\s+to\b
         \b(?:is|are)\s+added\b \badd(?:ing)?\s+(?:to\b|a\b|the\b) \bperturbed\b \bfriction\b
-        \bdamping\b \brelaxation\b теперь\s+рассмотр\w+
+        \bdamping\b \bdrag\b \brelaxation\b теперь\s+рассмотр\w+
         рассмотрим\s+(?:теперь|также) друг\w+\s+(?:систем|задач|пример)\w+
         приведенн\w+ полярн\w+ добав\w+ трени(?:е|я|ем)\b""",
     "ideal case": r"""

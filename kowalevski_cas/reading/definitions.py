@@ -137,7 +137,7 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
     if numbers and not listed:
         why = "gives a number for a name"
         return StatementRole(ASSUMPTION, why, reach_of_constants(item), tuple(fresh))
-    if cue("if", item.lead):
+    if cue("if", item.lead) and not _CALLED.match(item.tail):
         moving = known.varying(item.names - {*fresh})
         lasts = "set" if moving else reach_of_constants(item)
         return StatementRole(ASSUMPTION, "supposed in its sentence", lasts, tuple(fresh))
@@ -156,6 +156,13 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
     return StatementRole(
         DEFINITION, f"first with {plain(fresh[0])} alone on a side", "", tuple(fresh)
     )
+
+
+_CALLED = re.compile(
+    r"[\s,~]*(?:denotes?|(?:is|are)\s+the\s+(?!same|only|case)\w|обознача[ею]т|есть\s|[-—–]+\s*\w)",
+    re.IGNORECASE,
+)
+"""How words begin that say how the name before them is called: it is no condition then."""
 
 
 def _fresh(item: SourceStatement, known: Known) -> list[str]:

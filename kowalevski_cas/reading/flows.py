@@ -32,7 +32,8 @@ _OF_FIELD = re.compile(
     r"\b(?:the\s+|its\s+)?divergence(?:\s+of\s+(?:(?:the|this|our)\s+)?(?:(?:vector|phase)\s+)?"
     r"(?:field|flow|system|equations|right[\s-]+(?:hand\s+)?sides?)(?:\s+(?:of\s+)?\(?\\(?:eq)?ref\{[^{}]*\}\)?)?)?"
     r"\s+(?:is|equals|is\s+equal\s+to)(?:\s+constant)?[\s,:~]*$"
-    r"|\bдивергенци[яи](?:\s+(?:векторного\s+)?(?:поля|системы|потока))?\s*(?:равна|[-—–]+)[\s:~]*$",
+    r"|\bдивергенци[яи](?:\s+(?:векторного\s+)?(?:поля|системы|потока))?(?:[\s~]*\(?\\(?:eq)?ref\{[^{}]*\}\)?)?"
+    r"(?:\s+на\s+плоскости[\s~]*§)?\s*(?:равна|[-—–]+)[\s:~]*$",
     re.I,
 )
 """How words end behind which stands the divergence of the field."""
@@ -61,7 +62,7 @@ def divergence(item: SourceStatement, known: Known) -> StatementRole | None:
         if _names_field(item, known) and not _IS_MOTION.search(f"{item.words} {item.earlier[:1]}"):
             return StatementRole(OTHER, "the divergence of a field that may be any")
         return StatementRole(CLAIM, "“div” is the divergence of the field", "divergence")
-    if isinstance(item.formula, Relation) or not (said := _OF_FIELD.search(item.lead)):
+    if isinstance(item.formula, Relation) or not (said := _OF_FIELD.search(item.before)):
         return None
     return StatementRole(CLAIM, f"“{said[0].strip()}” says what it is", "divergence")
 

@@ -17,6 +17,7 @@ from kowalevski_cas.reading.named_values import named_values
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.restated import replaced_law, times_of
 from kowalevski_cas.reading.rows import (
+    binds_velocities,
     highest_order,
     is_by_own_bracket,
     is_of_motion,
@@ -161,7 +162,9 @@ class _LawFinder:
             or _is_pushed(row, rows)
             or is_of_areas(row, rows, paper)
         ]
-        rows = [row for row in rows if not _names_integral(row, rows)]
+        rows = [
+            row for row in rows if not (_names_integral(row, rows) or binds_velocities(row, rows))
+        ]
         entries = rows_of_matrices(paper, rows)
         rows = [one for row in rows for one in entries.get(row, [row])]
         self.rows = [*rows, *rows_of_differentials(paper)]

@@ -13,6 +13,7 @@ _LETTER = r"(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\{[^{}]*\}|\w))?"
 _GAP = r"(?:\\[,;:! ]|\\wedge(?![A-Za-z])|~|\s)*"
 _ONE = rf"(?<![A-Za-z\\])d\s*(?:\\[,!]\s*)?{_LETTER}"
 _IMAGES = re.compile(rf"{_ONE}'(?:{_GAP}{_ONE}')+")
+_VOLUME = re.compile(rf"\s*{_ONE}(?:{_GAP}{_ONE})*[\s.,;]*")
 _NAME = re.compile(rf"(?<![A-Za-z\\])d\s*(?:\\[,!]\s*)?({_LETTER})")
 
 
@@ -24,6 +25,18 @@ def differentials_of_images(tex: str) -> list[str]:
     """
     found = _IMAGES.search(tex)
     return _NAME.findall(found[0]) if found else []
+
+
+def volume_element(tex: str) -> list[str]:
+    r"""The names of which a formula prints the differentials side by side, and nothing else.
+
+    >>> volume_element(r"dx\,d\omega_1.")
+    ['x', '\\omega_1']
+    >>> volume_element(r"x\,dx\,dy")
+    []
+    """
+    whole = _VOLUME.fullmatch(tex)
+    return _NAME.findall(whole[0]) if whole else []
 
 
 def with_jacobian(tex: str) -> str:

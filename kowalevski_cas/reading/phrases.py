@@ -17,7 +17,7 @@ ZERO = Number(0)
 
 VERB = re.compile(
     r"[\s~]*(?:(?:also|thus|hence)\s+)?"
-    r"(?:is|are|remains?|stays?|does|do|would|will|could|may|might|сохран|постоян|не\s+меня|есть|явля|оста[её]тся|[-—–]+\s)",
+    r"(?:is|are|remains?|stays?|does|do|would|will|could|may|might|(?:не\s+)?(?:сохран|постоян)|не\s+меня|есть|явля|оста[её]тся|[-—–]+\s)",
     re.IGNORECASE,
 )
 """What says of the expression before it that it is something, or does something."""
@@ -211,7 +211,8 @@ _IT_IS = re.compile(
 """How a sentence begins that prints what was spoken of before."""
 
 
-_NONE = re.compile(r"\W*(?:no|none|neither|ни|никак\w+)\b", re.IGNORECASE)
+DENIES_ALL = re.compile(r"\W*(?:no|none|nothing|neither|ни|никак\w+)\b", re.IGNORECASE)
+"""How a sentence begins that says of nothing what it speaks of."""
 
 
 def announced(item: SourceStatement) -> str:
@@ -228,7 +229,7 @@ def announced(item: SourceStatement) -> str:
         if not (_ONE_MORE.search(words) or _IT_IS.match(words)) or cue("denied", words):
             return ""
         if said := cue("integral", before):
-            return "" if cue("denied", before) or _NONE.match(before) else said
+            return "" if cue("denied", before) or DENIES_ALL.match(before) else said
         words = before
     return ""
 

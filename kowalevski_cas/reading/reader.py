@@ -50,6 +50,7 @@ from kowalevski_cas.reading.roles import role_of
 from kowalevski_cas.reading.rung import Rung, claim_of_kind
 from kowalevski_cas.reading.stage import Stage
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, read_statements
+from kowalevski_cas.reading.volumes_in_words import claims_of_volumes
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.confirm import received
 from kowalevski_cas.verify.interpretation import Interpretation
@@ -186,6 +187,7 @@ class _DerivationReader:
             *claims_of_energies(parts),
             *claims_of_origins(parts),
             *claims_of_constraints(parts),
+            *claims_of_volumes(parts),
         )
         for number, found in enumerate(claimed, 1):
             first = found.about[0]

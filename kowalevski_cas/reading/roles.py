@@ -40,7 +40,15 @@ from kowalevski_cas.reading.letters_of_vectors import members_of_spaces
 from kowalevski_cas.reading.levels import level
 from kowalevski_cas.reading.linear_parts import eigenvalue, linear_part, trace_or_determinant
 from kowalevski_cas.reading.obey import said_role
-from kowalevski_cas.reading.phrases import VERB, clause, joined_tail, listed_words, words_of
+from kowalevski_cas.reading.phrases import (
+    DENIES_ALL,
+    VERB,
+    clause,
+    joined_tail,
+    listed_words,
+    right_behind,
+    words_of,
+)
 from kowalevski_cas.reading.propositions import (
     approximate,
     claimed_set,
@@ -152,6 +160,10 @@ _SUBJECT_BEHIND = re.compile(
 def _said_before(item: SourceStatement) -> str:
     """The words right before a name that call it an integral."""
     said = _SUBJECT_BEHIND.search(f"{item.lead} ")
+    before = item.before[: said.start()] if said else ""
+    if said and not before.strip() and item.earlier and said[0].lower().startswith("so"):
+        words = item.earlier[0]
+        return "" if cue("denied", words) or DENIES_ALL.match(words) else cue("integral", words)
     return cue("integral", item.before[-80:]) if said else ""
 
 
@@ -193,9 +205,19 @@ def unjudged(item: SourceStatement, known: Known) -> StatementRole | None:
     return None
 
 
+_REASON = re.compile(
+    r":\s*$|[,;:]\s*(?:for|since|because|as|так\s+как|поскольку|ибо|потому\s+что)\b(?P<rest>[^,;:]*)$",
+    re.IGNORECASE,
+)
+"""How words end behind which stands why something before is so."""
+
+
 def _explains(item: SourceStatement) -> bool:
-    """Whether a rate stands behind a colon: it is why the words before deny something."""
-    return item.derives and Number(0) not in item.members and item.lead.rstrip().endswith(":")
+    """Whether a rate is why the words before deny something: behind a colon, or “since”."""
+    found = _REASON.search(item.lead)
+    said = f"{found['rest'] or ''} § {right_behind(item)}" if found else ""
+    rated = item.derives and Number(0) not in item.members
+    return rated and found is not None and not cue("denied", said)
 
 
 def _named(item: SourceStatement, known: Known) -> tuple[str, ...]:

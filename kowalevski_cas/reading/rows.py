@@ -85,6 +85,27 @@ def highest_order(formula: Formula) -> int:
     return below + isinstance(formula, Derivative)
 
 
+BINDING = ("constraint", "no slip")
+"""Cues of the words for a constraint."""
+
+
+def binds_velocities(row: SourceStatement, rows: Sequence[SourceStatement]) -> bool:
+    r"""Whether words call a row a constraint, as :math:`\dot x\sin\varphi=\dot y\cos\varphi`.
+
+    Other rows derive once more all that is derived in it, which are several velocities.
+    """
+    others = [other for other in rows if other.typed is not row.typed]
+    said = any(cue(name, row.lead) for name in BINDING)
+    return (
+        said
+        and len(row.rates) > 1
+        and all(
+            any(other.rates.get(name, 0) > order for other in others)
+            for name, order in row.rates.items()
+        )
+    )
+
+
 def rates_given(rows: Sequence[SourceStatement], names: Names) -> int:
     """How many rates some rows give, each one or those of a vector."""
     return sum(len(names.vectors.get(_left(row), "1")) for row in rows)

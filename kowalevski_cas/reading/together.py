@@ -46,9 +46,29 @@ def find_together(law: Law, items: Sequence[SourceStatement], paper: SourcePaper
             and one.order < giving[-1].order
         } if giving else set()  # fmt: skip
         said = giving and _INTRODUCES.search(giving[0].before) and cue("define", giving[0].before)
-        if said and len(new) == len(giving) and named.issuperset(new):
+        if (
+            said
+            and len(new) == len(giving)
+            and (named.issuperset(new) or _are_coordinates(giving[-1], paper))
+        ):
             rows = tuple(_row(one, paper) for one in giving)
             yield Law(rows, law.names, base=law, together=tuple(giving), new=tuple(new))
+
+
+_COORDINATES = re.compile(
+    r"\b(?:coordinates|variables)\b|\b(?:координат|переменн)\w*", re.IGNORECASE
+)
+_IN_THESE = re.compile(
+    r"(?:\\(?:begin|end)\s*\{\w+\*?\}|\W)*"
+    r"(?:in\s+these\s+(?:coordinates|variables)|в\s+этих\s+(?:координат|переменн)\w*)\b",
+    re.IGNORECASE,
+)
+
+
+def _are_coordinates(item: SourceStatement, paper: SourcePaper) -> bool:
+    """Whether the heading before a sentence, and the next sentence, speak of coordinates."""
+    titled = _COORDINATES.search(item.section.title)
+    return bool(titled and _IN_THESE.match(paper.prose.text, item.sentence[1]))
 
 
 def _gives(item: SourceStatement, law: Law, seen: set[str]) -> bool:

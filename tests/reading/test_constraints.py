@@ -102,3 +102,33 @@ def test_a_constraint_is_the_same_in_new_variables():
     \[ \ddot u=\lambda u,\qquad\ddot v=\lambda v,\qquad\ddot w=-g-\lambda q. \]
     Let $u=\rho\cos\psi,\quad v=\rho\sin\psi$. Then \[ \rho\ddot\psi+2\dot\rho\dot\psi=0. \]"""
     assert verdicts(text)[r"\rho\ddot\psi+2\dot\rho\dot\psi=0"].green
+
+
+BLADES = [
+    (r"It does not slip sideways:", r"The equations of motion with the multiplier $N$ are"),
+    (r"Лезвие не скользит в сторону:", r"Уравнения движения с множителем $N$ имеют вид"),
+    (r"It is subject to the constraint", r"With the multiplier $N$ the equations of motion are"),
+]
+SKATE = r"""{} $$\dot u\sin\alpha-\dot w\cos\alpha=0.$$ {}
+$$M\ddot u=N\sin\alpha,\qquad M\ddot w=-N\cos\alpha,\qquad\ddot\alpha=0.$$ Let $v=\dot u\cos\alpha+\dot w\sin\alpha$. Then """
+
+
+@pytest.mark.parametrize(("binds", "law"), BLADES)
+@pytest.mark.parametrize(
+    ("true", "false"),
+    [
+        (r"\dot u=v\cos\alpha", r"\dot u=v\sin\alpha"),
+        (r"\dot v=0", r"\dot v=v\dot\alpha"),
+        (r"N=-Mv\dot\alpha", r"N=Mv\dot\alpha"),
+    ],
+)
+def test_velocities_may_be_bound(binds, law, true, false):
+    blade = SKATE.format(binds, law)
+    assert verdicts(rf"{blade} $${true}.$$")[true].green
+    assert not verdicts(rf"{blade} $${false}.$$")[false].green
+
+
+@pytest.mark.parametrize("binds", ["It slips sideways when", "It may slip:", "One sees that"])
+def test_what_no_words_call_a_constraint_binds_nothing(binds):
+    blade = SKATE.format(binds, r"The equations with the multiplier $N$ are")
+    assert not any(one.green for one in verdicts(rf"{blade} $$\dot v=0.$$").values())
