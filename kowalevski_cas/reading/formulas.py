@@ -79,7 +79,7 @@ def vocabulary_of(formulas: Sequence[TypedFormula]) -> Vocabulary:
     for formula in formulas:
         with suppress(NotationError, RecursionError):
             found |= {*primed_names(formula.tex, words)}
-    of_vectors = {name for name in found if name.rstrip("'") in words.vectors}
+    of_vectors = found & words.vectors
     for formula in formulas if found else ():
         with suppress(NotationError, RecursionError):
             of_vectors |= {*primed_vectors(formula.tex, words)}
