@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from kowalevski_cas.notation import Formula, Name, Product, to_latex
+from kowalevski_cas.notation import Name, Product, to_latex
 from kowalevski_cas.reading.changes import gives_factor
 from kowalevski_cas.reading.known import DEFINITION, Known, StatementRole
 from kowalevski_cas.reading.statements import SourceStatement
@@ -37,7 +37,8 @@ def solutions_for(item: SourceStatement, known: Known) -> Iterator[SourceStateme
     """The equation solved for the factor, which the paper does not print."""
     name = _factor(item, known)
     left, right = item.members
-    rest = to_latex(Product(tuple(one for one in _factors(right) if one != Name(name))))
+    assert isinstance(right, Product)
+    rest = to_latex(Product(tuple(one for one in right.factors if one != Name(name))))
     id = re.sub(r"\W+", "-", f"solved-for-{name}-{item.order}")
     tex = rf"{name}=\frac{{{to_latex(left)}}}{{{rest}}}"
     yield unprinted(known.paper, id, tex, item, f"{item.printed.place} gives it")
@@ -47,14 +48,10 @@ def _factor(item: SourceStatement, known: Known) -> str:
     """The only factor on the right that stands in the law by which the left side moves."""
     match item.members:
         case (Name(moving), Product()) if known.moves(moving):
-            law = next(one for one in known.laws if moving in one.variables)
             names = item.members[1].names()
             rated = {name for one in known.paper.items for name in one.rates}
             free = not any(known.moves(name) or known.is_defined(name) for name in names)
-            if free and not _NEW.search(item.words) and gives_factor(item, law, rated):
-                return (names & {*known.names.scalars(law.mentions)}).pop()
+            for law in known.laws if free and not _NEW.search(item.words) else ():
+                if moving in law.variables and gives_factor(item, law, rated):
+                    return (names & {*known.names.scalars(law.mentions)}).pop()
     return ""
-
-
-def _factors(formula: Formula) -> tuple[Formula, ...]:
-    return formula.factors if isinstance(formula, Product) else (formula,)
