@@ -13,6 +13,7 @@ class Elaborations:
     """Calling it gives the setting of a scene; ``under`` other texts, the same or others.
 
     Settings know the functions in formulas that were ``met`` as well as those of their scenes.
+    One that knows those in formulas ``beside`` is taken where it knows the others too.
     """
 
     def __init__(
@@ -20,20 +21,24 @@ class Elaborations:
         texts: Texts,
         known: dict[object, Elaboration] | None = None,
         met: tuple[Formula, ...] = (),
+        beside: tuple[Formula, ...] = (),
     ) -> None:
-        self.texts, self.met = texts, met
+        self.texts, self.met, self.beside = texts, met, beside
         self._known: dict[object, Elaboration] = {} if known is None else known
         self._own: dict[Scene, Elaboration] = {}
 
     def __call__(self, scene: Scene) -> Elaboration:
         """The setting that a scene means."""
         if scene not in self._own:
-            setting = self._elaborate(scene, ())
-            known = setting.transcendental.knows(self.met, free_names(setting, self.met))
-            if not known or not setting.radicals.knows(self.met, scene):
-                setting = self._elaborate(scene, self.met)
-            self._own[scene] = setting
+            known = dict.fromkeys(((), self.beside))
+            settings = filter(self._suffices, (self._elaborate(scene, one) for one in known))
+            self._own[scene] = next(settings, None) or self._elaborate(scene, self.met)
         return self._own[scene]
+
+    def _suffices(self, setting: Elaboration) -> bool:
+        """Whether a setting knows the functions in what was met."""
+        functions = setting.transcendental.knows(self.met, free_names(setting, self.met))
+        return functions and setting.radicals.knows(self.met, setting.scene)
 
     def _elaborate(self, scene: Scene, met: tuple[Formula, ...]) -> Elaboration:
         key = (scene, self.texts.changes(scene.places), met)
@@ -43,11 +48,19 @@ class Elaborations:
 
     def meeting(self, formulas: tuple[Formula, ...]) -> Elaborations:
         """The elaborations that know the functions in some formulas as well."""
-        return self if formulas == self.met else Elaborations(self.texts, self._known, formulas)
+        if formulas == self.met:
+            return self
+        return Elaborations(self.texts, self._known, formulas, self.beside)
+
+    def with_beside(self, formulas: tuple[Formula, ...]) -> Elaborations:
+        """The elaborations that know the functions in some formulas, if these are enough."""
+        return Elaborations(self.texts, self._known, self.met, formulas)
 
     def under(self, texts: Texts) -> Elaborations:
         """The elaborations under other texts."""
-        return self if texts is self.texts else Elaborations(texts, self._known)
+        if texts is self.texts:
+            return self
+        return Elaborations(texts, self._known, beside=self.beside)
 
     def apart(self, texts: Texts) -> Elaborations:
         """The elaborations under other texts, of which these here do not hear."""

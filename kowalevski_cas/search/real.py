@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterable, Iterator, Sequence
 from fractions import Fraction
+from functools import reduce
 from itertools import islice
 from math import prod
 
@@ -208,18 +209,32 @@ def _rational_first(found: Iterable[tuple[bool, Assignment]]) -> Iterator[Assign
 def _by_steps(coordinates: RealCoordinates, nonzero: Sequence[Element]) -> Iterator[ExactPoint]:
     """Points at which no root is taken of what is negative, by steps towards them."""
     parts = [part for one in coordinates.radicands for part in coordinates.equations(one)]
-    avoid = [*_to_avoid(nonzero, coordinates)]
+    avoid = _to_avoid(nonzero, coordinates)
     yield from map(coordinates.point, positive_points(parts, len(coordinates.names), avoid))
 
 
-def _to_avoid(nonzero: Sequence[Element], coordinates: RealCoordinates) -> Iterator[fmpq_mpoly]:
-    """What vanishes where some of these elements does."""
+def _to_avoid(nonzero: Sequence[Element], coordinates: RealCoordinates) -> list[fmpq_mpoly]:
+    """What vanishes where some of these elements does, without the factors that others have."""
+    found = []
     for element in nonzero:
         equations = coordinates.equations(element)
         if len(equations) == 1:
-            yield equations[0]
+            found.append(equations[0])
         elif equations:
-            yield sum((e * e for e in equations), coordinates.context.constant(0))
+            found.append(sum((e * e for e in equations), coordinates.context.constant(0)))
+    shorter: list[fmpq_mpoly] = []
+    for polynomial in sorted(found, key=len):
+        shorter.append(reduce(_without, shorter, polynomial))
+    return shorter
+
+
+def _without(polynomial: fmpq_mpoly, factor: fmpq_mpoly) -> fmpq_mpoly:
+    """A polynomial divided by a factor as often as it has it."""
+    if factor.is_constant():
+        return polynomial
+    while not (divided := divmod(polynomial, factor))[1]:
+        polynomial = divided[0]
+    return polynomial
 
 
 def points_with_squares(

@@ -132,7 +132,8 @@ def formulas_printed_by(neighbour: Neighbour) -> tuple[Formula, ...]:
 
 
 def _screen_neighbours(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Neighbour]:
-    """The neighbours that pass the screen."""
+    """The neighbours that pass the screen, on the settings of what is printed if these suffice."""
+    on = on.with_beside(on.met)
     stages: dict[object, Sampled | None] = {}
     points: dict[object, HypothesisPoints] = {}
     decided = 0

@@ -27,6 +27,7 @@ from kowalevski_cas.verify.corrections import unlikeliness
 from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.missing_numbers import missing_numbers
 from kowalevski_cas.verify.outcome import Correction
+from kowalevski_cas.verify.own_letters import own_letters
 from kowalevski_cas.verify.relations import ConstantRelation, relations, supposes
 
 KINDS = (
@@ -106,8 +107,9 @@ def changes(
     """What may mend so many claims, and the claims that it changes; the likeliest first.
 
     ``right`` are the places that nobody suspects; it is asked if relations of constants do not do.
+    What is to mend one claim is to mend the first.
     """
-    for claim in failing:
+    for claim in failing if least > 1 else failing[:1]:
         for relation in relations(interpretation.statement(claim)):
             texts = interpretation.on(claim).texts
             supposed = supposes(claim.scene, interpretation.derivation, texts)
@@ -127,7 +129,12 @@ def changes(
         if not changes_subject(edit)
     ]
     several += _common_changes(_suspected(failing, interpretation, right()), least, texts)
-    yield from sorted(several, key=lambda pair: (slip(pair[1]), pair[0]))
+    own = {claim: own_letters(interpretation.statement(claim)) for claim in failing}
+    for suspect, edit, place, standing in sorted(several, key=lambda one: (slip(one[1]), one[0])):
+        there = edit.formula.names()
+        mended = [c for c in standing if place in {*c.establishes()} or own[c] <= there]
+        if len(mended) >= least:
+            yield suspect, edit, place, mended
 
 
 def _common_changes(
@@ -163,10 +170,11 @@ def numbers(
     """
     suspects = _suspects(failing, least, interpretation, right())
     first, *_ = failing
+    own = own_letters(interpretation.statement(first))
     several = [
         (suspect, edit, place, [claim for claim in failing if place in claim.reads()])
         for place, suspect in suspects.items()
-        if place in first.reads()
+        if place in first.reads() and (not own or place in {*first.establishes()})
         for edit in missing_numbers(first, place, interpretation.on(first))
         if not changes_subject(edit)
     ]
