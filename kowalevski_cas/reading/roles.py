@@ -8,6 +8,7 @@ from collections.abc import Callable
 from kowalevski_cas.notation import Name, Number, Relation
 from kowalevski_cas.reading.beginnings import beginning
 from kowalevski_cas.reading.brackets import bracket_of_functions
+from kowalevski_cas.reading.brackets_of_momenta import bracket_of_momenta
 from kowalevski_cas.reading.canonical import energy
 from kowalevski_cas.reading.compositions import gives_map
 from kowalevski_cas.reading.constraints import constraint
@@ -245,8 +246,8 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 
 RULES: tuple[Rule, ...] = (
     unread, beginning, eigenvalue, of_flow, expression, named_set, law, constraint, together,
-    unit, bracket, bracket_of_functions, unjudged, inequality, repeated, gives_derivative,
-    special_function, change, roots,
+    unit, bracket_of_momenta, bracket, bracket_of_functions, unjudged, inequality, repeated,
+    gives_derivative, special_function, change, roots,
     claimed_set, point, solution, constant_of_solution, energy, on_place, definition, square,
     assumption, value, approximate, set_of_rates, of_some_motions, rate, zero_set,
     level, integral, identity, other,
