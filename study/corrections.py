@@ -13,15 +13,32 @@ import json
 import sys
 from collections import Counter
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.audit.audited import OPEN
 from kowalevski_cas.cli import run as run_command
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, CommandError
-from kowalevski_cas.notation import to_latex
+from kowalevski_cas.notation import (
+    Formula,
+    Negative,
+    NotationError,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Vocabulary,
+    read,
+    times,
+    to_latex,
+)
+from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.reading.definite_integrals import with_integrals
 from kowalevski_cas.reading.dimensions import AS_THE_REST
 from kowalevski_cas.reading.free_formulas import free_formulas
@@ -60,7 +77,8 @@ def corrected_formula(folder: Path, entry: Entry, timeout: float) -> CorrectedFo
     """What an audit says of the wrong formula of an entry.
 
     It is noticed if it is red, corrected, named as the cause of what fails, or false as it was
-    read; it is repaired if what its author printed later is among the first repairs.
+    read; it is repaired if what its author printed later is among the first repairs, whatever the
+    order of terms and factors.
     """
     path = folder / entry["id"] / "PAPER.tex"
     formulas = audit_entries(path, timeout)
@@ -70,13 +88,15 @@ def corrected_formula(folder: Path, entry: Entry, timeout: float) -> CorrectedFo
     green = bool(claims) and {*claims} <= {"proved", "conditional"}
     end = NOTICED if noticed else GREEN if green else LEFT
     said = "; ".join(f"{one['role']}, {one['verdict']}: {one['message'] or ''}" for one in own)
-    mended, meant = mended_source(path, entry), meant_formulas(path, entry)
+    mended = mended_source(path, entry)
+    words = read_statements(mended).words
+    meant = {ordered(tex, words) for tex in meant_formulas(path, entry)}
     with TemporaryDirectory() as there:
         page = Path(there) / path.name
         page.write_text(mended.text, encoding="utf-8")
         later = audit_entries(page, timeout)
     alarm = is_noticed(later, [one for one in later if one["label"] == entry["label"]])
-    repaired = bool(meant & {*repairs(formulas, own)})
+    repaired = bool(meant & {ordered(tex, words) for tex in repairs(formulas, own)})
     return CorrectedFormula(entry["id"], entry["kind"], end, repaired, said, alarm)
 
 
@@ -104,6 +124,45 @@ def repairs(formulas: list[Entry], own: list[Entry]) -> list[str]:
         if one in own or ids & {*one["causes"]}:
             found += repairs_told(str(one["message"]))
     return found
+
+
+def ordered(tex: str, words: Vocabulary) -> str:
+    """A formula with factors and terms in one order, one line for a fraction, one sign squared."""
+    with suppress(NotationError):
+        return to_latex(_ordered(read(tex, words, OpenParser)))
+    return tex
+
+
+def _ordered(formula: Formula) -> Formula:
+    if isinstance(formula, Sum):
+        return Sum((*sorted(map(_ordered, formula.terms), key=to_latex),))
+    if isinstance(formula, Power) and isinstance(formula.base, Sum) and _is_even(formula.exponent):
+        signs = (formula.base, Sum((*map(Negative, formula.base.terms),)))
+        return Power(min(map(_ordered, signs), key=to_latex), formula.exponent)
+    if not isinstance(formula, Product | Quotient | Negative):
+        return formula.map_children(_ordered)
+    number, above, below = Fraction(1), list[Formula](), list[Formula]()
+    waiting: list[tuple[Formula, bool]] = [(formula, False)]
+    while waiting:
+        match waiting.pop():
+            case Product(factors), under:
+                waiting += [(factor, under) for factor in factors]
+            case Quotient(over, divisor), under:
+                waiting += [(over, under), (divisor, not under)]
+            case Negative(argument), under:
+                number, waiting = -number, [*waiting, (argument, under)]
+            case Number(value), under if value:
+                number = number / value if under else number * value
+            case factor, under:
+                (below if under else above).append(_ordered(factor))
+    size = fraction_formula(abs(number))
+    numerator, denominator = (times(*sorted(part, key=to_latex)) for part in (above, below))
+    whole = times(size, Quotient(numerator, denominator) if below else numerator)
+    return Negative(whole) if number < 0 else whole
+
+
+def _is_even(exponent: Formula) -> bool:
+    return isinstance(exponent, Number) and exponent.value % 2 == 0
 
 
 def meant_formulas(path: Path, entry: Entry) -> set[str]:

@@ -291,7 +291,7 @@ def _additions(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> I
         return
     factors = factors_of(node)
     if all(isinstance(factor, Name | Number | Power) for factor in factors):
-        first = len(factors)
+        first = sum(rank(factor, vocabulary) == SCALAR for factor in factors)
     else:
         first = int(isinstance(factors[0], Number) or _is_fraction(factors[0]))
     tex = to_latex(node)
@@ -308,9 +308,14 @@ def _has_letter(factor: Formula, letter: str) -> bool:
 
 
 def _partials(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
-    """Another name by which something is derived."""
+    """Another name by which something is derived, or a derivative by it more, or one less."""
     node = place.node
     if isinstance(node, Partial):
+        if isinstance(node.argument, Partial) and node.argument.by == node.by:
+            yield "letter", place.path, node.argument, _read(node, node.argument)
+        if not isinstance(place.parent, Partial) or place.parent.by != node.by:
+            more = Partial(node, node.by)
+            yield "letter", place.path, more, _read(node, more)
         for name in names:
             if name != node.by and vocabulary.rank(name) == vocabulary.rank(node.by):
                 words = f"for the derivative by ${node.by}$ read that by ${name}$"

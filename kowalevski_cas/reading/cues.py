@@ -232,6 +232,9 @@ CUES: dict[str, str] = {
         \bnot\s+(?:considered|included|present|taken)\b
         \bfrictionless\b \bundamped\b \bnon-?dissipative\b \bif\b \bwere\b
         \bбез\b отсутств\w+ пренебрег\w+ \bнет\b \bесли\b""",
+    "central": r"""
+        (?<!\bnot\s)(?<!\bno\s)(?<!\bnon-)(?<!\bnever\s)\bcentral\s+(?:\w+\s+)?(?:forces?|fields?|potentials?)\b
+        (?<!\bне\s)\bцентральн\w+\s+(?:сил|пол|потенциал)\w+""",
     "multiplier": r"""
         \bmultipliers?\b множител\w+""",
     "system": r"""

@@ -30,6 +30,7 @@ from kowalevski_cas.reading.small_oscillations import CHARACTERISTIC, FREQUENCY,
 from kowalevski_cas.reading.statements import SourceStatement, is_numerical
 from kowalevski_cas.reading.suppositions import FOUND
 from kowalevski_cas.reading.unprinted import SOURCE
+from kowalevski_cas.reading.variations import is_power_of_difference
 from kowalevski_cas.reading.varied_laws import is_varied
 
 _INDEXED = re.compile(r"_\{?[ijk]\b")
@@ -97,6 +98,7 @@ def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
         or _is_in_limit(item, known)
         or bool(differentials_of_images(printed))
         or is_of_maps(printed)
+        or (is_power_of_difference(printed) and bool(known.untied((r"\Delta", r"\delta"))))
     )
 
 

@@ -23,7 +23,7 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.notation.layout import StatementTokens
 from kowalevski_cas.notation.layout import statements as placed
 from kowalevski_cas.notation.open import OpenParser, is_exponential
-from kowalevski_cas.notation.primed import primed_names
+from kowalevski_cas.notation.primed import primed_names, primed_vectors
 from kowalevski_cas.notation.symbol import BOLD
 from kowalevski_cas.paper.applied import functions_of, printed_arguments, without_arguments
 from kowalevski_cas.paper.chains import without_new_names
@@ -79,7 +79,16 @@ def vocabulary_of(formulas: Sequence[TypedFormula]) -> Vocabulary:
     for formula in formulas:
         with suppress(NotationError, RecursionError):
             found |= {*primed_names(formula.tex, words)}
-    return replace(words, scalars=words.scalars | found, moving=words.moving | found)
+    of_vectors = found & words.vectors
+    for formula in formulas if found else ():
+        with suppress(NotationError, RecursionError):
+            of_vectors |= {*primed_vectors(formula.tex, words)}
+    return replace(
+        words,
+        scalars=words.scalars | found - of_vectors,
+        vectors=words.vectors | of_vectors,
+        moving=words.moving | found | of_vectors,
+    )
 
 
 def _letters(formulas: Sequence[TypedFormula]) -> Vocabulary:

@@ -20,6 +20,7 @@ from kowalevski_cas.paper.chains import NAME
 from kowalevski_cas.paper.initial_values import names_under_dots
 from kowalevski_cas.paper.jets import APPLIED, Unknown, arguments, with_jets, without_argument
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.reading.reciprocals import with_reciprocals
 from kowalevski_cas.source.displays import TypedFormula
 
 TIME = "t"
@@ -246,14 +247,15 @@ def _given(tex: str) -> Iterator[str]:
 
 
 def with_names_alone(
-    formulas: Iterable[TypedFormula], functions: Sequence[Unknown]
+    formulas: Sequence[TypedFormula], functions: Sequence[Unknown]
 ) -> Iterator[TypedFormula]:
     """The formulas with these functions by their names, and derivatives by primes.
 
     One that has a function at something else cannot be read.
     """
-    for formula in formulas:
-        tex = _DERIVED.sub(lambda found: _primed(found, functions), _apart(formula.tex))
+    for place, formula in enumerate(formulas):
+        tex = with_reciprocals(_apart(formula.tex), formulas[:place]) if functions else formula.tex
+        tex = _DERIVED.sub(lambda found: _primed(found, functions), _apart(tex))
         for one in functions:
             tex = _with_primes(tex, one.name) if one.by == (TIME,) else tex
         own = [one for one in functions if any(a[:2] == one[:2] for a in _applications(tex))]

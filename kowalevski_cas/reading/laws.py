@@ -6,6 +6,7 @@ import re
 from collections.abc import Collection, Iterator, Sequence
 
 from kowalevski_cas.notation import Name, Number, PoissonBracket, Sum, Vector
+from kowalevski_cas.reading.areas import is_of_areas
 from kowalevski_cas.reading.changes import find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
@@ -160,6 +161,7 @@ class _LawFinder:
             or self._told(row)
             or _is_driven(row)
             or _is_pushed(row, rows)
+            or is_of_areas(row, rows, paper)
         ]
         rows = [
             row for row in rows if not (_names_integral(row, rows) or binds_velocities(row, rows))
@@ -413,6 +415,10 @@ class _LawFinder:
     def scalars(self, item: SourceStatement) -> tuple[str, ...]:
         return self.names.scalars(item.rates)
 
+    def _turning(self, row: SourceStatement) -> tuple[str, ...]:
+        """The constant by which a row says how an angle turns: who names it wants the row."""
+        return row.bare[:1] if is_of_areas(row, self.rows, self.paper) else ()
+
     def grown(
         self, first: SourceStatement, apart: Collection[str], rows: Sequence[SourceStatement]
     ) -> Law | None:
@@ -475,7 +481,8 @@ class _LawFinder:
         others = [row for row in rows if row not in own]
         found = [
             row for row in others
-            if {*self.scalars(row)} & {*wanted} and not {*self.scalars(row)} & {*apart}
+            if {*self.scalars(row), *self._turning(row)} & {*wanted}
+            and not {*self.scalars(row)} & {*apart}
             and (row.sections[:2] == at.sections[:2] or {*self.names.scalars(row.names)} & rated)
         ]  # fmt: skip
         order = at.order

@@ -1,4 +1,7 @@
-r"""Variations: one name, as :math:`\delta_x` for :math:`\delta x`, where a paper derives it."""
+r"""Variations: one name, as :math:`\delta_x` for :math:`\delta x`, where a paper derives it.
+
+So are differences :math:`\Delta x`, :math:`\Delta t`, where these letters stand nowhere else.
+"""
 
 from __future__ import annotations
 
@@ -27,7 +30,9 @@ def with_variations(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
     A mark that stands without a letter, as in :math:`\delta>0`, or before a rate that is printed
     before the first of a variation, as in :math:`-\delta\dot x`, is a number: it varies nothing.
     """
-    marks = [mark for mark in ("delta", "Delta") if _varies(mark, [one.tex for one in formulas])]
+    printed = [one.tex for one in formulas]
+    marks = [mark for mark in ("delta", "Delta") if _varies(mark, printed)]
+    marks += [r"Delta"] if "Delta" not in marks and _are_differences(printed) else []
     for formula in formulas:
         tex = formula.tex
         for mark in marks:
@@ -44,6 +49,20 @@ def _varies(mark: str, printed: Sequence[str]) -> bool:
     alone = re.compile(rf"\\{mark}(?![A-Za-z])(?!\s*(?:{_DOTS}\s*\{{?\s*)?{_NAME})")
     before = re.compile(rf"\\{mark}\s*{_DOTS}")
     return not any(map(alone.search, printed)) and not any(map(before.search, printed[:first]))
+
+
+def _are_differences(printed: Sequence[str]) -> bool:
+    """Whether several letters stand behind this sign alone, and it behind nothing but them."""
+    difference = re.compile(rf"\\Delta\s*({_NAME})")
+    letters = {name for tex in printed for name in difference.findall(tex)}
+    rest = " ".join(difference.sub(" ", tex) for tex in printed)
+    beside = "|".join(map(re.escape, (r"\Delta", *letters)))
+    return len(letters) > 1 and not re.search(rf"(?<![A-Za-z\\])(?:{beside})(?![A-Za-z])", rest)
+
+
+def is_power_of_difference(tex: str) -> bool:
+    r"""Whether a power may be that of a difference, as :math:`\Delta x^2` is, or of a letter."""
+    return bool(re.search(rf"\\[dD]elta\s*{_NAME}'*\s*\^", tex))
 
 
 def _renamed(tex: str, mark: str) -> str:

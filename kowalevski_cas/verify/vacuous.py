@@ -24,6 +24,7 @@ from kowalevski_cas.notation import (
     subtree,
 )
 from kowalevski_cas.notation.errors import closeness
+from kowalevski_cas.notation.misprints import factors_of
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -123,11 +124,20 @@ def _derives_what_stands(before: Formula, after: Formula, on: Elaboration) -> bo
 
 
 def is_trivial(formula: Formula) -> bool:
-    """Whether two sides, terms, or arguments of a bracket are the same, but for their signs."""
-    several = (
-        node for node in formula.nodes() if isinstance(node, Relation | PoissonBracket | Sum)
-    )
-    return any(len({*map(_unsigned, node.children())}) < len(node.children()) for node in several)
+    """Whether two sides, terms, or arguments of a bracket are the same, but for their signs.
+
+    Or a factor that is no number stands both above and below a line.
+    """
+    nodes = [*formula.nodes()]
+    several = (node for node in nodes if isinstance(node, Relation | PoissonBracket | Sum))
+    return any(
+        len({*map(_unsigned, node.children())}) < len(node.children()) for node in several
+    ) or any(_is_cancelled(node) for node in nodes if isinstance(node, Quotient))
+
+
+def _is_cancelled(quotient: Quotient) -> bool:
+    factors = ({*factors_of(_unsigned(part))} for part in quotient.children())
+    return any(not isinstance(one, Number) for one in set.intersection(*factors))
 
 
 def _unsigned(formula: Formula) -> Formula:

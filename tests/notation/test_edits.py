@@ -59,6 +59,18 @@ def test_a_function_may_have_lost_its_square_an_exponential_its_sign_and_a_fract
     assert r"a = \frac{x_1}{2x_2}" in made(r"a = \frac{x_1}{x_2}", "coefficient")
 
 
+def test_a_partial_derivative_may_have_lost_an_order_or_have_one_too_many():
+    first, second = r"\frac{\partial a}{\partial x_1}", r"\frac{\partial^2 a}{\partial x_1^2}"
+    third = r"\frac{\partial^3 a}{\partial x_1^3}"
+    formulas = {order: read(tex, WORDS) for order, tex in enumerate((first, second, third), 1)}
+    for order in formulas:
+        [statement] = read_display(f"{(first, second, third)[order - 1]} = 0", WORDS)
+        found = {edit.formula.members[0] for edit in edits(statement, WORDS)}
+        assert found & {*formulas.values()} == {
+            formulas[k] for k in (order - 1, order + 1) if k in formulas
+        }
+
+
 def test_a_letter_that_is_missing_stands_beside_the_same_letter():
     assert "a = (y_1 + a)x_1x_2" in made("a = (y_1 + a)x_1", "missing")
     assert "a = y_1(y_1 + a)a" in made("a = (y_1 + a)a", "missing")

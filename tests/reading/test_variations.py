@@ -64,3 +64,37 @@ def test_a_number_varies_nothing(text):
     (law,) = reading(text).parts.laws
     assert law.variables == ("u",)
     assert r"\delta" in law.mentions
+
+
+BOOST = r"""Two events lie apart by $\Delta\xi$ and $\Delta\tau$. For another observer
+\[\Delta\xi'=\kappa(\Delta\xi-w\Delta\tau),\quad \Delta\tau'=\kappa(\Delta\tau-w\Delta\xi),\quad
+\kappa=\frac1{\sqrt{1-w^2}} .\] """
+
+
+@pytest.mark.parametrize(
+    ("claimed", "true"),
+    [
+        (r"\Delta\tau'^2-\Delta\xi'^2=\Delta\tau^2-\Delta\xi^2", True),
+        (r"\Delta\tau'^2-\Delta\xi'^2=\kappa^2(1-w^2)(\Delta\tau^2-\Delta\xi^2)", True),
+        (r"\Delta\tau'^2+\Delta\xi'^2=\Delta\tau^2-\Delta\xi^2", False),
+        (r"\Delta\tau'^2-\Delta\xi'^2=\Delta\tau^2-\Delta\xi", False),
+        (r"\Delta\tau'^2-\Delta\xi'^2=\kappa(\Delta\tau^2-\Delta\xi^2)", False),
+    ],
+)
+def test_a_difference_is_one_name_and_its_power_that_of_all(claimed, true):
+    found = verdicts(BOOST + rf"Indeed \[{claimed} .\]")
+    assert [one.green for one in found.values()] == [true]
+
+
+@pytest.mark.parametrize("letters", [r"$\xi$ and $\tau$", r"$\xi$, $\tau$ and $\Delta$"])
+def test_a_power_that_may_be_of_a_difference_is_not_red(letters):
+    text = BOOST + rf"The letters are {letters}. Indeed "
+    found = verdicts(text + r"\[\Delta\tau'^2-\Delta\xi'^2=\Delta\tau^2-\Delta\xi^2 .\]")
+    assert not any(one.value == "refuted" for one in found.values())
+
+
+@pytest.mark.parametrize(("factor", "true"), [("", True), ("2", False)])
+def test_a_number_before_letters_that_stand_alone_is_a_number(factor, true):
+    law = r"The equation is \[\ddot u=-u-\Delta u^3 .\] "
+    text = law + rf"The energy $E=\dot u^2+u^2+\frac{{{factor or 1}}}2\Delta u^4$ is conserved."
+    assert [one.green for one in verdicts(text).values()] == [true]
