@@ -27,6 +27,7 @@ from kowalevski_cas.notation.tensors import (
     has_tensors,
     permuted,
     put_tensors,
+    without_idle_terms,
     without_tensors,
 )
 from kowalevski_cas.notation.tokens import Token
@@ -243,7 +244,7 @@ def _expand_product(
 def _substitute_values(tokens: list[Token], at: Mapping[str, int], tex: str) -> list[Token]:
     """The tokens of what has no sums with values in the place of indices."""
     found: list[Token] = []
-    tokens = [*put_tensors(tokens, at)]
+    tokens = [*put_tensors(without_idle_terms(tokens, at), at)]
     for k, token in enumerate(tokens):
         before = [t.kind for t in tokens[max(0, k - 2) : k]]
         if token.kind != "letter" or token.text not in at:

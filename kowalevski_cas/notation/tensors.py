@@ -13,6 +13,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from kowalevski_cas.notation.errors import NotationError
+from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.tokens import BEGINNING, ENDING, Token, bars_around
 
 Values = Mapping[str, int]
@@ -20,6 +21,8 @@ SPACE = range(1, 4)
 """The values of the indices of a permutation of three."""
 
 _RANKS = {r"\delta": 2, r"\varepsilon": 3, r"\epsilon": 3}
+_NAMES = frozenset({"letter", "number", "_", "{", "}"})
+"""The kinds of tokens of names with indices, and of numbers."""
 _BETWEEN = frozenset({"sign", "plusminus", "relation"})
 
 
@@ -105,6 +108,36 @@ def without_tensors(tokens: Sequence[Token], at: Values) -> tuple[int, list[Toke
     kept += tokens[behind:]
     start = tokens[0].start
     return factor, kept or [Token("number", "1", start, start)]
+
+
+def without_idle_terms(tokens: Sequence[Token], at: Values) -> list[Token]:
+    r"""The tokens with 0 for each term that has a factor :math:`1-\delta_{jk}` where j is k.
+
+    Its other factors need no value there, as :math:`1/(x_j-x_k)` has none.
+    """
+    found: list[Token] = []
+    for term in _terms(tokens):
+        nothing = Token("number", "0", term[0].start, term[-1].end)
+        found += [nothing] if _is_idle(term, at) else term
+    return found
+
+
+def _is_idle(term: Sequence[Token], at: Values) -> bool:
+    r"""Whether a factor :math:`(1-\delta_{jk})` of a term vanishes: behind names and numbers only.
+
+    It is no argument, no divisor and no base of a power.
+    """
+    for tensor in _tensors(term):
+        before, around = term[: max(0, tensor.first - 3)], term[max(0, tensor.first - 3) :]
+        behind = around[tensor.end - len(before) :]
+        complement = [token.text for token in around[:3]] == ["(", "1", "-"]
+        complement = complement and [token.text for token in behind[:1]] == [")"]
+        by_itself = all(t.kind in _NAMES and t.text not in FUNCTIONS for t in before)
+        by_itself = by_itself and [token.kind for token in behind[1:2]] != ["^"]
+        known = tensor.value(at) == 1 and len(tensor.indices) == 2
+        if complement and by_itself and known and not {*at}.isdisjoint(tensor.indices):
+            return True
+    return False
 
 
 def put_tensors(tokens: Sequence[Token], at: Values) -> Iterator[Token]:

@@ -13,6 +13,7 @@ from kowalevski_cas.paper.implied import canonical_pairs, conjugate_pairs
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.unit_matrices import unit_matrices
 from kowalevski_cas.reading.brackets import brackets_by_functions
+from kowalevski_cas.reading.brackets_of_momenta import brackets_by_momenta
 from kowalevski_cas.reading.canonical import momenta
 from kowalevski_cas.reading.inertia import tensors_of_inertia
 from kowalevski_cas.reading.kinematics import is_free
@@ -92,6 +93,7 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
     yield from levels_apart(known, suffix)
     yield from values_in_words(known)
     yield from brackets_by_functions(known, suffix)
+    yield from brackets_by_momenta(known, suffix)
     for q, p in _conjugate(known):
         tex = rf"\{{{q},{p}\}}=1"
         item = unprinted(paper, re.sub(r"\W+", "-", f"bracket-of-{q}-{p}{suffix}"), tex)

@@ -144,7 +144,7 @@ def _matrices(formulas: Sequence[TypedFormula]) -> frozenset[str]:
 
 
 _PAIR = re.compile(r"(?<!\\)\[([^\[\]]*),([^\[\]]*)\]")
-_ELEMENT = re.compile(r"(?<![A-Za-z\\])([A-Z])_\{?\w\w\}?\s*=")
+_ELEMENT = re.compile(r"(?<![A-Za-z\\])([A-Z])_\{?\w\w\}?\s*&?\s*=")
 _TRACE = re.compile(r"\\(?:operatorname|mathrm)\s*\{(?:tr|Tr|Sp)\}|\\(?:tr|Tr|det)(?![A-Za-z])")
 _CAPITAL = re.compile(r"(?<![A-Za-z\\])[A-Z](?![A-Za-z_])")
 

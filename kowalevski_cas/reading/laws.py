@@ -15,6 +15,7 @@ from kowalevski_cas.reading.free_brackets import free_brackets
 from kowalevski_cas.reading.kinematics import free_motion
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.momenta import find_momenta
+from kowalevski_cas.reading.named_solutions import rows_of_solutions
 from kowalevski_cas.reading.named_values import named_values
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.polar import coordinates_in_words, length_given, radius_of
@@ -182,6 +183,8 @@ class _LawFinder:
         ]
         entries = rows_of_matrices(paper, rows)
         rows = [one for row in rows for one in entries.get(row, [row])]
+        self.solutions = [*rows_of_solutions(paper, rows)]
+        rows = sorted([*rows, *self.solutions], key=lambda row: row.order)
         self.rows = [*rows, *rows_of_differentials(paper)]
         self.multiples = [row for row in self.rows if isinstance(row.members[0], Name)]
         self.momenta = find_momenta(paper.items, self.rows, names)
@@ -281,7 +284,7 @@ class _LawFinder:
         beside = any(row.sentence == item.sentence for law in part for row in law.items)
         if not (self._may_set_up(item) or beside):
             return None
-        if not beside and item not in self.said.rows:
+        if not beside and item not in (*self.said.rows, *self.solutions):
             if law := replaced_law(item, part, self.paper) or self.other_system(item, part):
                 return law
         since = part[0].begins or self.paper.prose.start
@@ -302,7 +305,7 @@ class _LawFinder:
         rated = {name for row in following for name in self.scalars(row)}
         if law is not None:
             law.base = part[-1]
-            if rated & {*self.names.scalars(law.mentions)} - moving:
+            if rated & {*self.names.scalars(law.mentions)} - moving - {*law.variables}:
                 return None  # it rests on what follows
         return law
 

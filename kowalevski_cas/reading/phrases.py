@@ -27,6 +27,10 @@ _AND = re.compile(r"[\s,;~]*(?:(?:and|or|и|или)[\s~]*)?(?:§[\s,;~]*(?:(?:an
 
 
 _BEFORE = re.compile(r"§(?:[\s,;~]|\b(?:and|or|и|или)\b)*$")
+_IN_CASE = re.compile(
+    r"(?<=§)(?P<and>[\s,~]*\b(?:and|or|и|или)\b)[\s,~]*\b(?:for|if|when|при|если|когда)[\s~]*§[\s~]*,[\s~]*$"
+)
+"""How words end behind which the next of a list is one for some constants only."""
 
 
 def _own_lead(item: SourceStatement) -> str:
@@ -328,7 +332,8 @@ def words_of(item: SourceStatement, name: str) -> str:
         return said
     lead = joined_lead(item)[-60:]
     end = last_cue(name, lead)
-    if end < 0 or cue("here", f"{item.before} ") or _CLAUSE.search(lead[end:].rstrip(" :~\n")):
+    before = _IN_CASE.sub(r"\g<and> ", item.before)
+    if end < 0 or cue("here", f"{before} ") or _CLAUSE.search(lead[end:].rstrip(" :~\n")):
         return ""
     return cue(name, lead[end:]) if len(lead[end:].split()) <= 5 else ""
 
@@ -359,7 +364,7 @@ def listed_words(item: SourceStatement, name: str) -> str:
 
 def joined_lead(item: SourceStatement) -> str:
     """The words before a statement, and before those that only a comma or “and” joins to it."""
-    words = item.before
+    words = _IN_CASE.sub(r"\g<and> ", item.before)
     while (cut := _BEFORE.sub("", words)) != words:
         words = cut
     return words.rpartition("§")[2]

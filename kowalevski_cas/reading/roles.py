@@ -8,6 +8,7 @@ from collections.abc import Callable
 from kowalevski_cas.notation import Name, Number, Relation
 from kowalevski_cas.reading.beginnings import beginning
 from kowalevski_cas.reading.brackets import bracket_of_functions
+from kowalevski_cas.reading.brackets_of_momenta import bracket_of_momenta
 from kowalevski_cas.reading.canonical import energy
 from kowalevski_cas.reading.compositions import gives_map
 from kowalevski_cas.reading.constraints import constraint
@@ -28,6 +29,7 @@ from kowalevski_cas.reading.flows import divergence, measure
 from kowalevski_cas.reading.index_ranges import is_range
 from kowalevski_cas.reading.jets import gives_derivative, special_function
 from kowalevski_cas.reading.known import (
+    ASSUMPTION,
     CLAIM,
     DEFINITION,
     NOTATION,
@@ -131,7 +133,7 @@ def expression(item: SourceStatement, known: Known) -> StatementRole | None:
     if isinstance(item.formula, Name):
         spoken_of = VERB.match(item.tail) and not _BELONGING.search(item.lead)
         said = cue("integral", item.tail[:40]) if spoken_of else ""
-        said = said or listed_words(item, "integral") or _said_before(item)
+        said = said or listed_words(item, "integral") or _said_before(item, known)
         if not (said and known.varies(item.formula.name)):
             return StatementRole(NOTATION, "a name")
     else:
@@ -159,14 +161,23 @@ _SUBJECT_BEHIND = re.compile(
 """How words end that say of the name behind them that it is an integral."""
 
 
-def _said_before(item: SourceStatement) -> str:
+def _said_before(item: SourceStatement, known: Known) -> str:
     """The words right before a name that call it an integral."""
     said = _SUBJECT_BEHIND.search(f"{item.lead} ")
     before = item.before[: said.start()] if said else ""
     if said and not before.strip() and item.earlier and said[0].lower().startswith("so"):
-        words = item.earlier[0]
-        return "" if cue("denied", words) or DENIES_ALL.match(words) else cue("integral", words)
+        return cue("integral", item.earlier[0]) if _is_said_of_all(item, known) else ""
     return cue("integral", item.before[-80:]) if said else ""
+
+
+def _is_said_of_all(item: SourceStatement, known: Known) -> bool:
+    """Whether the sentence before a statement neither denies nor supposes anything."""
+    words = item.earlier[0]
+    before = [one for one in known.items if one.order < item.order]
+    beside = known.of_sentence(before[-1].sentence) if before else ()
+    supposed = any(one in known.roles and known.roles[one].name == ASSUMPTION for one in beside)
+    unsure = cue("denied", words) or cue("suppose", words) or DENIES_ALL.match(words)
+    return not (unsure or supposed)
 
 
 def _has_differentials(item: SourceStatement, known: Known) -> bool:
@@ -247,8 +258,8 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 
 RULES: tuple[Rule, ...] = (
     unread, beginning, eigenvalue, of_flow, expression, named_set, law, radius, solved, constraint,
-    together, unit, bracket, bracket_of_functions, unjudged, inequality, repeated, gives_derivative,
-    special_function, change, roots,
+    together, unit, bracket_of_momenta, bracket, bracket_of_functions, unjudged, inequality,
+    repeated, gives_derivative, special_function, change, roots,
     claimed_set, point, solution, constant_of_solution, energy, on_place, definition, square,
     assumption, value, approximate, set_of_rates, of_some_motions, rate, zero_set,
     level, integral, identity, other,

@@ -92,10 +92,12 @@ BINDING = ("constraint", "no slip")
 def binds_velocities(row: SourceStatement, rows: Sequence[SourceStatement]) -> bool:
     r"""Whether words call a row a constraint, as :math:`\dot x\sin\varphi=\dot y\cos\varphi`.
 
-    Other rows derive once more all that is derived in it, which are several velocities.
+    Other rows derive once more all that is derived in it, which are several velocities. What is
+    said of a case, or by others, binds nothing.
     """
     others = [other for other in rows if other.typed is not row.typed]
     said = any(cue(name, row.lead) for name in BINDING)
+    said = said and not (cue("quoted", row.before) or cue("another case", row.before))
     return (
         said
         and len(row.rates) > 1

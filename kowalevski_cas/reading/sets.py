@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
-from kowalevski_cas.notation import Number, Relation
+from kowalevski_cas.notation import Formula, Number, Relation
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import Known
 from kowalevski_cas.reading.statements import SourceStatement
@@ -20,6 +20,11 @@ SetOfEquations = tuple[SourceStatement, ...]
 
 _OR = re.compile(r"\b(?:or|или|либо)\b")
 _AND = re.compile(r"\b(?:and|as\s+well\s+as|и|а\s+также)\b|\\&")
+_SEVERAL = re.compile(
+    r"\bequilibria\b|\b(?:positions|states|points)\b|\b(?:положения|состояния|точки)\b",
+    re.IGNORECASE,
+)
+"""Words for several equilibria."""
 _POINTS = re.compile(r"points|точ", re.IGNORECASE)
 _JOINED = re.compile(r"(?:[\s,;~]|\b(?:and|or|as\s+well\s+as|и|или|либо|а\s+также)\b)*")
 
@@ -91,7 +96,7 @@ def _apart(run: Sequence[SourceStatement], text: str) -> Iterator[SetOfEquations
         return
     found: list[list[SourceStatement]] = [lists[0]]
     for word, part in zip(joined, lists[1:], strict=True):
-        if word == "or" or several or _differ(found[-1], part):
+        if word == "or" or several or _differ(found[-1], part) or _are_values(found[-1], part):
             found.append(part)
         else:
             found[-1] = [*found[-1], *part]
@@ -111,6 +116,17 @@ def _differ(one: Sequence[SourceStatement], other: Sequence[SourceStatement]) ->
     return bool({*map(_left, one)} & {*map(_left, other)})
 
 
-def _left(item: SourceStatement) -> object:
+def _are_values(one: Sequence[SourceStatement], other: Sequence[SourceStatement]) -> bool:
+    r"""Whether words list equilibria, of which two equations of one letter give several.
+
+    So it is in “equilibria are :math:`\theta=0` and :math:`\cos\theta=c`”.
+    """
+    if len(one) > 1 or len(other) > 1 or one[0].derives or other[0].derives:
+        return False
+    letters = {frozenset(_left(each[0]).names()) for each in (one, other)}
+    return bool(_SEVERAL.search(one[0].before)) and len(letters) == 1 and len(letters.pop()) == 1
+
+
+def _left(item: SourceStatement) -> Formula:
     assert isinstance(item.formula, Relation)
     return item.formula.members[0]

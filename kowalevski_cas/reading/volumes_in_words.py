@@ -59,13 +59,15 @@ def claims_of_volumes(parts: Parts) -> Iterator[InWords]:
         if law is None or not (place is None or _are_all(start + place, law, known)):
             continue
         before = [one for one in known.items if one.typed.start < at]
-        one = unprinted(known.paper, f"density-{at}", "1", before[-1])
+        brief = "of the sentence"  # what another sentence supposes for itself is over
+        last = next(one for one in reversed(before) if not known.roles[one].kind.endswith(brief))
+        one = unprinted(known.paper, f"density-{at}", "1", last)
         rated = (name for row in law.rows for name in row.rates)
         coordinates = dict.fromkeys(law.names.scalars(rated)) if law.momenta else ()
         values: dict[str, object] = {"printed": one.printed, "coordinates": (*coordinates,)}
         span = (at, start + found.end())
         about = (*law.rows, *law.momenta, one)
-        yield InWords(span, PreservedMeasure, about, values, "volume", SAYS, before[-1], law)
+        yield InWords(span, PreservedMeasure, about, values, "volume", SAYS, last, law)
 
 
 def _law_before(at: int, known: Known) -> Law | None:

@@ -128,7 +128,16 @@ def test_velocities_may_be_bound(binds, law, true, false):
     assert not verdicts(rf"{blade} $${false}.$$")[false].green
 
 
-@pytest.mark.parametrize("binds", ["It slips sideways when", "It may slip:", "One sees that"])
+@pytest.mark.parametrize(
+    "binds",
+    [
+        "It slips sideways when",
+        "It may slip:",
+        "One sees that",
+        "Lie claims that it does not slip:",
+        "In the case of ice it does not slip:",
+    ],
+)
 def test_what_no_words_call_a_constraint_binds_nothing(binds):
     blade = SKATE.format(binds, r"The equations with the multiplier $N$ are")
     assert not any(one.green for one in verdicts(rf"{blade} $$\dot v=0.$$").values())

@@ -65,3 +65,44 @@ def test_matrices_of_elements_go_on_where_a_force_is_added(claim, green):
     \[\dot u=v,\qquad \dot v=-ku-cv .\] With the same matrix """
     found = [*verdicts(text + rf"\[{claim} .\]").values()]
     assert [one.green for one in found] == [True, green]
+
+
+THREE = (
+    r"Consider \[\dot x_j=p_j,\qquad\dot p_j=-x_j,\quad j=1,2,3.\] Define the $3\times3$ matrix "
+)
+TRACE = r"\operatorname{Tr}L=p_1+p_2+p_3"
+
+
+@pytest.mark.parametrize(
+    "element",
+    [
+        r"p_j\,\delta_{jk}+(1-\delta_{jk})\frac{g}{x_j-x_k}",
+        r"p_j\,\delta_{jk}-g\left(1-\delta_{jk}\right)\frac{1}{x_j-x_k}",
+    ],
+)
+def test_a_term_off_the_diagonal_needs_no_value_on_it(element):
+    for begins, ends in ((r"\[", r"\]"), (r"\begin{align}", r"\end{align}")):
+        matrix = rf"{begins}L_{{jk}}&={element}.{ends}".replace(
+            "&", "&" if "align" in begins else ""
+        )
+        assert verdicts(rf"{THREE}{matrix} Then ${TRACE}$.")[TRACE].green
+        wrong = TRACE.replace("+p_3", "-p_3")
+        assert not verdicts(rf"{THREE}{matrix} Then ${wrong}$.")[wrong].green
+
+
+@pytest.mark.parametrize(
+    "element",
+    [
+        r"\frac{g}{x_j-x_k}",
+        r"\cos(1-\delta_{jk})",
+        r"\cos^2(1-\delta_{jk})",
+        r"x_j/(1-\delta_{jk})",
+        r"(1-\delta_{jk})^{-1}x_j",
+        r"(2-\delta_{jk})x_k",
+        r"(1+\delta_{jk})x_jx_k",
+        r"(1-\delta_{j1})\frac1{x_j-x_k}",
+    ],
+)
+def test_other_terms_have_their_value(element):
+    matrix = rf"\[L_{{jk}}=p_j\,\delta_{{jk}}+{element}.\]"
+    assert not verdicts(rf"{THREE}{matrix} Then ${TRACE}$.")[TRACE].green

@@ -34,6 +34,8 @@ def test_a_name_is_called_an_integral(words, name, green):
         "The function $v^2$ is not conserved. So is $u$.",
         "No function of $v$ is an integral. So is $u$.",
         "The function $u^2$ is positive. So is $u$.",
+        "On the line $y=0$ the function $u^2$ is conserved. So is $u$.",
+        "If $y=0$ initially, the function $u^2$ is conserved. So is $u$.",
     ],
 )
 def test_what_was_said_of_nothing_is_not_said_again(words):

@@ -63,3 +63,9 @@ def test_it_is_that_of_the_variables_of_the_law():
 )  # fmt: skip
 def test_what_is_denied_or_said_of_some_place_or_of_something_else_is_not_claimed(words):
     assert not [one for one in reading(SPIRAL + words).statements if one.role.kind == "volume"]
+
+
+def test_what_a_footnote_supposes_for_itself_is_over_behind_it():
+    words = r"We stop.\footnote{For $a=0$ the flow preserves phase area.} The flow preserves phase area."
+    (found,) = of_volume(SPIRAL + words)
+    assert not found.green
