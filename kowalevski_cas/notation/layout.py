@@ -29,7 +29,7 @@ _UNCLEAR = "does this belong to what stands before the break? set a comma, or a 
 _SINGLE = frozenset({"letter", "number"})
 """The kinds of tokens that may be one of two indices."""
 _RATES = frozenset({"accent", "frac"})
-_ORDERS = frozenset({"<", ">", r"\le", r"\ge"})
+_ORDERS = frozenset({"<", ">", r"\le", r"\ge", r"\ne"})
 
 
 def _is_rate(tokens: list[Token]) -> bool:

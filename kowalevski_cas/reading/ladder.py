@@ -283,7 +283,10 @@ class _Ladder(RungMaker):
         """The derivatives of the equations of a set of places, where velocities move as well."""
         law = self.stage.law(self.item, relations)
         moving = {x for row in law.rows for x, n in row.rates.items() if n > 1} if law else set()
-        if not moving or any(one.derives or len(one.members) != 2 for one in relations):
+        beside = self.known.of_sentence(self.item.sentence)  # of velocities, where these are there
+        if not moving or any(one.derives for one in (*beside, *relations)):
+            return []
+        if any(len(one.members) != 2 for one in relations):
             return []
         found = []
         for number, one in enumerate(relations, 1):

@@ -97,8 +97,9 @@ def eigenvalue(item: SourceStatement, known: Known) -> StatementRole | None:
         return None
     if item.members and not isinstance(item.members[0], Name):
         return None
-    printed = known.paper.expanded.text[item.typed.start : item.typed.end]
-    if any(not _TIMES.fullmatch(words) for words in _TEXT.findall(printed)):
+    text, end = known.paper.expanded.text, item.typed.end
+    behind = text.find("}", end) + 1 if text[:end].endswith("{") else end  # words of its display
+    if any(not _TIMES.fullmatch(words) for words in _TEXT.findall(text[item.typed.start : behind])):
         return None  # it says in which direction, or when
     if point_of(item, known):
         why = "an eigenvalue of the linear part, by the words before it"

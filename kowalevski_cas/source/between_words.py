@@ -36,8 +36,10 @@ def between_words(formula: TypedFormula) -> Iterator[TypedFormula]:
             begin = found.end("words")
             tex = f"{tex[:begin]}{' ' * gap}{tex[found.end() :]}"
             formula = replace(formula, tex=tex, comments=())
-    if tex[begin:].strip():
-        yield _piece(formula, begin, len(tex), len(tex)) if begin else formula
+    if not begin:
+        yield formula
+    elif tex[begin:].strip():
+        yield _piece(formula, begin, len(tex), len(tex))
 
 
 def _piece(formula: TypedFormula, begin: int, last: int, end: int) -> TypedFormula:

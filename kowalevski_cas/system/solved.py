@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from itertools import pairwise
 
-from kowalevski_cas.notation import Formula, Name, Relation, defined_names, read, to_latex
+from kowalevski_cas.notation import (
+    Name,
+    Relation,
+    defined_names,
+    read,
+    read_display,
+    split_display,
+    to_latex,
+)
 from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.signs import is_inequality
-from kowalevski_cas.paper.texts import Display
 from kowalevski_cas.paper.vocabulary import vocabulary
 
 
@@ -21,31 +27,16 @@ def simple_relations(tex: str, scene: Scene) -> list[str]:
     ``ValueError`` for nothing.
     """
     found: list[str] = []
-    listed: list[Name] = []
-    for place in Display("where", tex, ""):
-        formula = read(place.tex, vocabulary((scene,)), OpenParser)
-        if isinstance(formula, Name):
-            listed.append(formula)
-            continue
-        found += _of_all(listed, formula)
-        listed = []
+    for one in read_display(tex, vocabulary((scene,)), OpenParser):
+        formula, alone = one.formula, len(split_display(one.source)) == 1
         if isinstance(formula, Relation) and len(formula.members) > 2 and "=" in formula.signs:
             pairs = zip(pairwise(formula.members), formula.signs, strict=True)
             found += (to_latex(Relation(two, (sign,))) for two, sign in pairs)
         else:
-            found.append(place.tex)
-    found += map(to_latex, listed)
+            found.append(one.source if alone else to_latex(formula))
     if not found:
         raise ValueError(f"“{tex}” is no relation of constants")
     return found
-
-
-def _of_all(names: Sequence[Name], formula: Formula) -> list[str]:
-    """What an inequality says of the names before it; of other formulas these are none."""
-    match formula:
-        case Relation((Name(), *others), signs) if "=" not in signs:
-            return [to_latex(Relation((name, *others), signs)) for name in names]
-    return [*map(to_latex, names)]
 
 
 def speaks_of_constants(tex: str, scene: Scene) -> bool:

@@ -135,7 +135,7 @@ def test_no_name_needs_to_be_known():
         (r"a,b>0", ["a > 0", "b > 0"]),
         (r"\dot x=y\qquad(k,m_1>0).", [r"\dot x = y", "k > 0", "m _ 1 > 0"]),
         (r"x=1\quad(k>0,\ m\le1)", ["x = 1", "k > 0", r"m \le 1"]),
-        (r"a,b\ne0", ["a", r"b \ne 0"]),
+        (r"a,b\ne0", [r"a \ne 0", r"b \ne 0"]),
         (r"x+y,b>0", ["x + y", "b > 0"]),
         (r"a,f(x,y)>0", ["a", "f ( x , y ) > 0"]),
     ],
