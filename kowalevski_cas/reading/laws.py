@@ -18,6 +18,7 @@ from kowalevski_cas.reading.momenta import find_momenta
 from kowalevski_cas.reading.named_solutions import rows_of_solutions
 from kowalevski_cas.reading.named_values import named_values
 from kowalevski_cas.reading.names import Names
+from kowalevski_cas.reading.permuted import permuted_rows
 from kowalevski_cas.reading.polar import coordinates_in_words, length_given, radius_of
 from kowalevski_cas.reading.restated import replaced_law, times_of
 from kowalevski_cas.reading.rows import (
@@ -185,7 +186,8 @@ class _LawFinder:
         rows = [one for row in rows for one in entries.get(row, [row])]
         self.solutions = [*rows_of_solutions(paper, rows)]
         rows = sorted([*rows, *self.solutions], key=lambda row: row.order)
-        self.rows = [*rows, *rows_of_differentials(paper)]
+        rows = [*rows, *rows_of_differentials(paper)]
+        self.rows = sorted([*rows, *permuted_rows(rows, paper)], key=lambda row: row.order)
         self.multiples = [row for row in self.rows if isinstance(row.members[0], Name)]
         self.momenta = find_momenta(paper.items, self.rows, names)
         self.found: list[Law] = []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -23,6 +24,7 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.functions import FAMILY_OF, FUNCTIONS, SIGN
 from kowalevski_cas.notation.open import OpenParser
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.amplitudes import conjugate_name, with_conjugates
 from kowalevski_cas.paper.claims.forms import minus
@@ -156,6 +158,8 @@ class Stage:
         derived = {name for item in (*items, *rows) for name in derived_names(item)}
         if lost := derived & {*scene.constants}:
             raise ValueError(f"nothing says what {min(lost)} is, of which derivatives are printed")
+        if law is not None and (beside := shifted({*scene.constants}, law.variables)):
+            raise ValueError(f"{beside} is one of those that move, and no equation says how")
         given = {name for one in self.known.assumptions for name in self.known.roles[one].names}
         mentioned = self.known.names.scalars(law.mentions) if law is not None else ()
         if moving := {*scene.constants} & self.known.elsewhere - given - {*mentioned}:
@@ -462,6 +466,23 @@ class Stage:
     def _is_real(self, formula: Formula) -> bool:
         """Whether an absolute value is a root of a square: of a vector, or where all is real."""
         return rank(formula, self.known.paper.words) == VECTOR or not self.known.units
+
+
+def shifted(names: Collection[str], moving: Iterable[str]) -> str:
+    r"""A name that is what moves with another index: :math:`c_{k+1}` beside :math:`c_k`.
+
+    >>> shifted({"c_{k+1}", "a"}, ("c_k",))
+    'c_{k+1}'
+    """
+    own = {(symbol(x).head, symbol(x).index) for x in moving if symbol(x).index.isalpha()}
+    found = (name for name in sorted(names) for head, index in own if _is_beside(name, head, index))
+    return next(found, "")
+
+
+def _is_beside(name: str, head: str, index: str) -> bool:
+    """Whether a name has a letter, and an index with something added to another one."""
+    parts = symbol(name)
+    return parts.head == head and bool(re.fullmatch(rf"{index}[+-]\w+", parts.index))
 
 
 def with_assumption(scene: Scene, item: SourceStatement, known: Known) -> Scene:
