@@ -136,7 +136,8 @@ class Parser(Derivatives):
         while (slash := self.tokens[self.at].kind == "slash") or self.starts():
             if slash:
                 self.at += 1
-                left, right = _product(factors), self.number(self.factor())
+                left = _product(factors)
+                right = self.under_slash(left)
                 node = Quotient(left[0], right[0])
                 factors = [(node, left[1], right[2], (left, right))]
                 divided = True
@@ -151,6 +152,22 @@ class Parser(Derivatives):
         if divided and (self.starts() or self.tokens[self.at].kind == "times"):
             raise self.error("does this stand under the slash? set brackets, or use \\frac")
         return factors
+
+    def under_slash(self, left: Piece) -> Piece:
+        r"""What stands under a slash: a factor, or a number with the letters right behind it.
+
+        So :math:`p^2/2m` is no half of a product; of :math:`1/2m` it is not known.
+        """
+        first = self.tokens[self.at]
+        below = [self.number(self.factor())]
+        while (
+            first.kind == "number"
+            and not isinstance(left[0], Number)
+            and self.tokens[self.at].kind == "letter"
+            and not self.tex[below[-1][2] : self.tokens[self.at].start].strip()
+        ):
+            below.append(self.factor())
+        return _product(below)
 
     def beside(self, left: Piece) -> Piece:
         """The factor behind another one, where the two are no function with its argument."""

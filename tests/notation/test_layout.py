@@ -2,7 +2,8 @@
 
 import pytest
 
-from kowalevski_cas.notation import NotationError, read_display, split_display, to_latex
+from kowalevski_cas.notation import NotationError, Vocabulary, read_display, split_display, to_latex
+from kowalevski_cas.notation import read as read_formula
 from kowalevski_cas.notation.layout import statements
 from tests.notation import paper
 
@@ -142,3 +143,22 @@ def test_no_name_needs_to_be_known():
 )
 def test_an_inequality_behind_a_list_of_names_is_said_of_each(display, printed):
     assert [" ".join(t.text for t in one.tokens) for one in statements(display)] == printed
+
+
+@pytest.mark.parametrize(
+    "printed, read",
+    [
+        ("a^2/2b", r"\frac{a^2}{2b}"),
+        ("a/2b^2c-d", r"\frac{a}{2b^2c}-d"),
+        ("(a+b)^2/2c+a", r"\frac{(a+b)^2}{2c}+a"),
+    ],
+)
+def test_letters_right_behind_a_number_stand_under_the_slash_with_it(printed, read):
+    words = Vocabulary(scalars="abcd")
+    assert read_formula(printed, words) == read_formula(read, words)
+
+
+@pytest.mark.parametrize("printed", ["1/2a", "a/bc", r"a/2\,b", "a/2b(c+d)", "a/b(c+d)"])
+def test_what_may_stand_beside_the_slash_is_refused(printed):
+    with pytest.raises(NotationError):
+        read_formula(printed, Vocabulary(scalars="abcd"))
