@@ -8,7 +8,6 @@ from dataclasses import replace
 
 from kowalevski_cas.notation import Name, substitute, to_latex
 from kowalevski_cas.notation.symbol import symbol
-from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
 
@@ -18,6 +17,10 @@ _PERMUTED = re.compile(
     re.IGNORECASE,
 )
 """Words for equations that are not printed."""
+_CHANGED = re.compile(
+    r"\b(?:except|but|opposite|signs?|up\s+to|not)\b|\b(?:кроме|знак\w*|не)\b", re.IGNORECASE
+)
+"""Words for what else is changed in them."""
 _INDICES = (("1", "2", "3"), ("x", "y", "z"))
 _LETTERS = (
     ("p", "q", "r"), ("A", "B", "C"), ("a", "b", "c"), ("x", "y", "z"), ("X", "Y", "Z"),
@@ -33,7 +36,7 @@ def permuted_rows(rows: Sequence[SourceStatement], paper: SourcePaper) -> Iterat
     """
     printed = {name for row in rows for name in row.rates}
     for row in rows:
-        said = _PERMUTED.search(row.words) and not cue("denied", row.words)
+        said = _PERMUTED.search(row.words) and not _CHANGED.search(row.words)
         if not said or row.formula is None:
             continue
         formula, names = row.formula, {*row.rates}
