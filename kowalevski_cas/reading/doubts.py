@@ -22,6 +22,7 @@ from kowalevski_cas.reading.linear_parts import KIND as EIGENVALUE
 from kowalevski_cas.reading.measures import differentials_of_images
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
+from kowalevski_cas.reading.permuted import has_more_rows
 from kowalevski_cas.reading.phrases import integral_words, is_conditional
 from kowalevski_cas.reading.rest_points import MARKED, POINT
 from kowalevski_cas.reading.rows import is_row
@@ -59,6 +60,7 @@ def doubt_of(
         or rung.claim.scene.jets  # words may say which functions are meant
         or _has_momentum(rung, known)
         or _is_in_coordinates_of_words(rung, known)
+        or any(map(has_more_rows, known.laws))
     ):
         return Doubt.ALWAYS
     linear = (CHARACTERISTIC, FREQUENCY, EIGENVALUE, TRACE, DETERMINANT)

@@ -8,8 +8,9 @@ from dataclasses import replace
 
 from kowalevski_cas.notation import Name, substitute, to_latex
 from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
-from kowalevski_cas.reading.unprinted import unprinted
+from kowalevski_cas.reading.unprinted import is_printed, unprinted
 
 _PERMUTED = re.compile(
     r"\bcyclic(?:al(?:ly)?)?\s+(?:\w+\s+)?permut|\bpermut\w+\s+cyclically|\bcyclic(?:al)?\s+(?:ones|equations)\b"
@@ -47,6 +48,20 @@ def permuted_rows(rows: Sequence[SourceStatement], paper: SourcePaper) -> Iterat
             if not names & printed:
                 id = f"permuted-{row.order}-{step}"
                 yield unprinted(paper, id, to_latex(formula), row, "by cyclic permutation")
+
+
+_MORE = re.compile(
+    r"\bpermut|\b(?:the|two|three)\s+(?:other|more|further)s?\b|\b(?:similar|analogous)\w*\s+for\b"
+    r"|\bперестанов|\bостальн|\bаналогичн",
+    re.IGNORECASE,
+)
+"""Words behind equations for others of the same law."""
+
+
+def has_more_rows(law: Law) -> bool:
+    """Whether words behind a law tell of more equations, and none are permuted: it is not whole."""
+    told = any(_MORE.search(row.after[:80]) for row in law.rows)
+    return told and all(map(is_printed, law.rows))
 
 
 def _next(name: str) -> str:

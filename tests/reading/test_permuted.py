@@ -35,3 +35,17 @@ def test_a_neighbour_in_a_lattice_is_no_constant():
         assert not {"proved", "refuted"} & {
             one.value for one in verdicts(text.replace("{}", value)).values()
         }
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "and two more",
+        "and cyclic permutations with the opposite sign",
+        "the others being found by Euler",
+        "и аналогичные для остальных",
+    ],
+)
+def test_a_law_of_which_not_all_is_printed_refutes_nothing(words):
+    text = rf"{EULER} {words}. The function $Ap^2+Bq^2+Cr^2$ is an integral."
+    assert "refuted" not in [one.value for one in verdicts(text).values()]
