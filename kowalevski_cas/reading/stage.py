@@ -91,6 +91,9 @@ class Stage:
         clock = self._clock(items)
         closure = self._closure([*items, *([clock] if clock is not None else [])], law)
         law = closure.law
+        derived = any(one.derives for one in (*items, *closure.definitions.values()))
+        if law is None and derived and TIME not in closure.names:
+            raise ValueError("no equation says how what is derived moves")
         special = self.known.special(law) if law is not None and law.restates else []
         given = dict.fromkeys((*assumptions, *special))
         about = self._about(given, closure.names)
