@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 from itertools import groupby
 
 from kowalevski_cas.notation import Name, Number, Product
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.polar import radii
 from kowalevski_cas.reading.statements import SourceStatement
@@ -67,17 +69,28 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
 
 
 def gives_factor(item: SourceStatement, law: Law, rated: Collection[str]) -> bool:
-    r"""Whether a variable is a product of a name in its law and others, with no rates of theirs.
+    r"""Whether a component is a product of that of another vector in its law, and of constants.
 
-    So :math:`M=I\omega` says what :math:`\omega` is that stands in the law, and I is no variable.
+    So :math:`M_i=I_i\Omega_i` says what :math:`\Omega_i` is, if no rates of it are printed. What is
+    no vector of three may be a length, as in :math:`x=l\theta`.
     """
-    names = law.names
     match item.members:
-        case (Name(), Product(factors)) if all(isinstance(one, Name) for one in factors):
-            own = item.members[1].names()
-            mentioned = own & {*names.scalars(law.mentions)} - {*law.variables}
-            return len(mentioned) == 1 and own.isdisjoint(rated)
+        case (Name(moving), Product(factors)) if all(isinstance(one, Name) for one in factors):
+            own, every = item.members[1].names(), {*law.names.scalars(law.mentions)}
+            mentioned = own & every - {*law.variables}
+            vectors = {*_components(moving)} <= {*law.variables} and all(
+                symbol(name).index == symbol(moving).index and {*_components(name)} <= every
+                for name in mentioned
+            )
+            return vectors and len(mentioned) == 1 and own.isdisjoint(rated)
     return False
+
+
+def _components(name: str) -> Iterator[str]:
+    """The names with one letter and the indices of a vector of three."""
+    parts = symbol(name)
+    numbers = ("1", "2", "3") if parts.index in ("1", "2", "3") else ("x", "y", "z")
+    yield from (replace(parts, index=one).name for one in numbers)
 
 
 def _resting(items: Sequence[SourceStatement], moving: set[str]) -> set[str]:

@@ -26,11 +26,13 @@ def refuse_unsaid_forces(law: Law, item: SourceStatement, known: Known) -> None:
     """
     if any(map(is_printed, law.rows)):
         return
-    if any("t" in known.below(name) for name in law.mentions):
-        return  # what acts is in the function, which depends on the time
+    timed = any("t" in known.below(name) for name in law.mentions)
+    own = known.paper.prose.sentence(law.first.typed.start)
     orders = {name: order for row in law.rows for name, order in row.rates.items()}
     rolls = sum(orders.values()) > 2
     for start, words in _sentences_around(law, item, known):
+        if timed and own[0] <= start < own[1]:
+            continue  # what acts is in the function of which it speaks
         if told := (rolls and cue("rolling", words)) or force_told(words):
             line = known.paper.source.line(known.paper.expanded.origin(start, start + 1)[0])
             raise ValueError(

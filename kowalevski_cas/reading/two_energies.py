@@ -53,5 +53,5 @@ def _gives(item: SourceStatement, letters: Sequence[str]) -> bool:
 
 
 def is_named(potential: SourceStatement) -> bool:
-    """Whether words call it a potential energy: else it may be a function of forces."""
-    return bool(_POTENTIAL_ENERGY.search(potential.before))
+    """Whether its letter, or words, call it an energy: U alone may be a function of forces."""
+    return "U" not in potential.bare[0] or bool(_POTENTIAL_ENERGY.search(potential.before))

@@ -23,7 +23,7 @@ from kowalevski_cas.paper.texts import Display
 from kowalevski_cas.reading.cues import cue, force_told
 from kowalevski_cas.reading.rows import is_row
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, is_closing
-from kowalevski_cas.reading.two_energies import has_squares_of_rates, two_energies
+from kowalevski_cas.reading.two_energies import has_squares_of_rates, is_named, two_energies
 from kowalevski_cas.source.displays import TypedFormula
 
 SOURCE = "the usual convention"
@@ -99,6 +99,8 @@ def _of_two_energies(paper: SourcePaper) -> Iterator[SourceStatement]:
     if pair is None or tells_more(paper.prose.text) or _FIELD.search(paper.prose.text):
         return
     kinetic, potential = pair
+    if not is_named(potential):
+        return
     beside = max(pair, key=lambda one: one.order)
     for number, x in enumerate(kinetic.rates, 1):
         tex = lagrange(kinetic.bare[0], x, potential.bare[0])

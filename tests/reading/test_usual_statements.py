@@ -112,9 +112,16 @@ NOT_JUDGED = [
     r"A spin obeys $\dot{\vec M}=\vec M\times\vec B$, so that $\vec M^2$ does not change. With relaxation \[ \dot M_x=M_y-M_x,\quad\dot M_y=-M_x-M_y,\quad\dot M_z=-M_z . \]",
     r"With the function of forces \[ U=\frac kx,\qquad T=\tfrac12\dot x^2, \] we have \[ \ddot x=-\frac k{x^2} . \]",
     PLANE + r"Let $\ell=mr^2\dot\varphi$ and $U(r)=\frac{\ell^2}{2mr^2}+V(r)$.",
+    r"With \[ T=\tfrac12\dot x^2,\qquad U=\frac kx, \] the quantity $T-U$ is an integral.",
+    r"Small arcs obey \[ \ddot x=-\frac glx, \] where $x=l\theta$. The energy $\dot x^2+\frac glx^2$ is an integral.",
 ]  # fmt: skip
 
 
 @pytest.mark.parametrize("text", NOT_JUDGED)
 def test_nothing_is_red_where_another_law_or_another_function_is_meant(text):
     assert not any(one.value == "refuted" for one in verdicts(text))
+
+
+def test_friction_beside_a_driven_lagrangian_is_not_in_it():
+    text = r"The driven oscillator has \[ L=\tfrac12\dot x^2-\tfrac12x^2+x\cos t . \] There is friction. The Lagrangian gives $\ddot x+x=\cos t$."
+    assert not any(one.green for one in verdicts(text))

@@ -146,8 +146,7 @@ class FrequencyEquation(CharacteristicEquation):
                 (Power(times_n, two), Negative(Product((Power(leading, two), determinant(both)))))
             )
         )
-        sides = (determinant(_minus(matrix, one)) for one in (own, Negative(own)))
-        here, there = sides
+        here, there = (determinant(_minus(matrix, one)) for one in (own, Negative(own)))
         yield vanishes(total((here, Negative(there))))
 
 
