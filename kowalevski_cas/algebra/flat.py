@@ -18,11 +18,11 @@ class Flat:
     the relations between them are led by their squares.
     """
 
-    def __init__(self, ring: Ring) -> None:
+    def __init__(self, ring: Ring, order: Ordering = Ordering.lex) -> None:
         self.ring = ring
         self.roots = len(ring.roots)
         self.size = self.roots + len(ring.polynomials.generators)
-        self.context = fmpq_mpoly_ctx.get(tuple(f"g{k}" for k in range(self.size)), Ordering.lex)
+        self.context = fmpq_mpoly_ctx.get(tuple(f"g{k}" for k in range(self.size)), order)
 
     def indices(self, names: Sequence[str]) -> tuple[int, ...]:
         """The places of names among the variables."""

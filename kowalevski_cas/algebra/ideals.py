@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpz_mpoly_ctx, fmpz_mpoly_vec
+from flint import Ordering, fmpq_mpoly, fmpz_mpoly_ctx, fmpz_mpoly_vec
 
 from kowalevski_cas.algebra.flat import Flat
 from kowalevski_cas.algebra.flint import terms_of
@@ -53,16 +53,11 @@ def vanish_on(elements: Sequence[Element], known: Sequence[Element]) -> list[boo
     given = [element for element in known if not element.is_zero]
     if not elements or not given:
         return [element.is_zero for element in elements]
-    flat = Flat(given[0].ring)
     # nothing is to be eliminated, and by degrees bases stay smallest
-    context = fmpq_mpoly_ctx.get(flat.context.names(), Ordering.deglex)
-    relations = (*map(flat.polynomial, given), *flat.relations())
+    flat = Flat(given[0].ring, Ordering.deglex)
     try:
-        basis = reduce_groebner_basis(
-            [context.from_dict(relation.to_dict()) for relation in relations]
-        )
+        basis = reduce_groebner_basis([*map(flat.polynomial, given), *flat.relations()])
     except TooLarge:
         # what is not shown to be a combination counts as none
         return [False] * len(elements)
-    dividends = (flat.polynomial(element).to_dict() for element in elements)
-    return [remainder(context.from_dict(dividend), basis).is_zero() for dividend in dividends]
+    return [remainder(flat.polynomial(element), basis).is_zero() for element in elements]

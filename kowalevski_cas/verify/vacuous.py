@@ -100,17 +100,21 @@ def _count_repeated(statement: Statement) -> int:
     for goal in statement.goals:
         for part in simple(goal):
             at = finder_of(part.space)
-            given = at.differences(getattr(part, "given", ()))
-            others = [[*given[:k], *given[k + 1 :]] for k in range(len(given))]
-            count += sum(map(_is_multiple, given, others))
+            given, stated = at.differences(getattr(part, "given", ())), list[Element]()
             if isinstance(part, Follows) and not isinstance(goal, Exists):
                 stated = [e for conclusion in part.conclusions for e in at.differences(conclusion)]
-                count += sum(_is_multiple(element, given) for element in stated)
+            count += _count_multiples(given, stated)
     return count
 
 
-def _is_multiple(element: Element, others: Sequence[Element]) -> bool:
-    return not element.is_zero and any(vanish_on([element], [other]) == [True] for other in others)
+def _count_multiples(given: Sequence[Element], others: Sequence[Element]) -> int:
+    """How many elements that do not vanish are multiples of a given one, which is another."""
+    every, found = [*given, *others], set[int]()
+    for k, one in enumerate(given):
+        places = [n for n, element in enumerate(every) if n != k and not element.is_zero]
+        vanish = vanish_on([every[n] for n in places], [one])
+        found |= {n for n, vanishes in zip(places, vanish, strict=True) if vanishes}
+    return len(found)
 
 
 def _derives_what_stands(before: Formula, after: Formula, on: Elaboration) -> bool:
