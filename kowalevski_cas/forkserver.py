@@ -32,15 +32,6 @@ Work = Callable[[Take, Heard], Iterable[Answer]]
 """What yields answers, and meanwhile takes items and tells words."""
 
 
-def has_threads() -> bool:
-    """Whether this process has more than one thread that runs Python.
-
-    Threads of compiled libraries do not count: those of BLAS end before a copy is made, and the
-    others are told to make none.
-    """
-    return len(sys._current_frames()) > 1
-
-
 def answers(work: Work[Answer], take: Take, heard: Heard) -> Generator[Answer, None, None]:
     """What ``work(take, heard)`` yields, elsewhere: ``take`` and ``heard`` are called here.
 

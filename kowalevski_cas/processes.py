@@ -22,7 +22,6 @@ from time import monotonic
 from traceback import format_exc
 from typing import Generic, TypeVar
 
-from kowalevski_cas import forkserver
 from kowalevski_cas.limits import (
     LENGTH,
     ProcessDied,
@@ -77,7 +76,9 @@ def each(
     done = dict[int, _WorkResult[Result]]()
     following = 0
     take, answers = _next_items(items), partial(_answers, work, jobs, run_end())
-    if hasattr(os, "fork") and forkserver.has_threads():
+    if hasattr(os, "fork") and has_threads():
+        from kowalevski_cas import forkserver  # few processes have threads
+
         answers = partial(forkserver.answers, answers)
     with closing(answers(take, heard)) as found:
         for place, answer in found:
@@ -85,6 +86,15 @@ def each(
             while following in done:
                 yield done.pop(following).result
                 following += 1
+
+
+def has_threads() -> bool:
+    """Whether this process has more than one thread that runs Python.
+
+    Threads of compiled libraries do not count: those of BLAS end before a copy is made, and the
+    others are told to make none.
+    """
+    return len(sys._current_frames()) > 1
 
 
 class _WorkResult(Generic[Result]):

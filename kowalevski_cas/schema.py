@@ -7,7 +7,6 @@ another number if a reader of the earlier one could misread it. Keys may be adde
 from __future__ import annotations
 
 import json
-from importlib.resources import files
 from typing import Any, Final
 
 VERSIONS: Final = {
@@ -37,6 +36,8 @@ def head(name: str) -> dict[str, object]:
 
 def schema() -> dict[str, Any]:
     """The schema (JSON Schema, draft 2020-12) of every document that the program writes."""
+    from importlib.resources import files  # who writes a document needs no more than its head
+
     text = (files("kowalevski_cas") / "schema.json").read_text(encoding="utf-8")
     found: dict[str, Any] = json.loads(text)
     return found

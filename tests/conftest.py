@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
-from kowalevski_cas import forkserver
+from kowalevski_cas import processes
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.library import find, load
 from kowalevski_cas.verify.certificate import load_certificates
@@ -39,7 +39,7 @@ def pytest_configure(config):
     at a terminal, with what a test has patched, and the law of verdicts, in it.
     """
     waiting = len(sys._current_frames()) - 1
-    forkserver.has_threads = lambda: len(sys._current_frames()) > 1 + waiting
+    processes.has_threads = lambda: len(sys._current_frames()) > 1 + waiting
     gc.set_threshold(100_000)
     signal.signal(signal.SIGINT, signal.default_int_handler)
     settings.load_profile("quick" if config.option.markexpr == "not slow" else "slow")
@@ -122,7 +122,7 @@ def uncorrected():
 @pytest.fixture
 def copies(monkeypatch):
     """Work is done in copies of this process, also where tests have left threads behind."""
-    monkeypatch.setattr(forkserver, "has_threads", lambda: False)
+    monkeypatch.setattr(processes, "has_threads", lambda: False)
 
 
 @pytest.fixture

@@ -5,7 +5,7 @@ from time import sleep
 
 import pytest
 
-from kowalevski_cas import forkserver
+from kowalevski_cas import processes
 from kowalevski_cas.notation import Name, Sum
 from kowalevski_cas.paper.claims import FirstIntegral, Identity
 from kowalevski_cas.problem import checker
@@ -135,7 +135,7 @@ def test_what_another_process_says_is_checked_where_it_is_received(claim):
 
 @pytest.mark.parametrize("threads", [False, True])
 def test_what_is_received_is_not_checked_where_it_is_said(threads, monkeypatch):
-    monkeypatch.setattr(forkserver, "has_threads", lambda: threads)
+    monkeypatch.setattr(processes, "has_threads", lambda: threads)
     assert [*each(received(lambda _: is_received()), [None])] == [True]
     assert [*each(lambda _: is_received(), [None])] == [False]
 
