@@ -24,7 +24,8 @@ def to_flint(value: int | Fraction) -> fmpq:
 
 def terms_of(polynomial: fmpq_mpoly) -> Terms:
     """The neutral form of a polynomial."""
-    return {tuple(map(int, e)): to_fraction(value) for e, value in polynomial.to_dict().items()}
+    both = zip(polynomial.monoms(), polynomial.coeffs(), strict=True)
+    return {tuple(map(int, e)): to_fraction(value) for e, value in both}
 
 
 def polynomial_of(context: fmpq_mpoly_ctx, terms: Coefficients) -> fmpq_mpoly:
