@@ -99,10 +99,14 @@ class Divisors:
         self.ring.spend(len(element.terms))
         key = element.below, element.under, frozenset(element.terms.items())
         found = self.ring.inverses.get(key)
-        if not found or not all(n in self.known for n, _ in self.ring.exponents(found.under)):
+        if not found or not self._below(found) <= self.known.keys():
             found = self.ring.inverses[key] = self._inverse(element, words)
-        self.used |= {name for name, _ in self.ring.exponents(found.under)} & self.norms
+        self.used |= self._below(found) & self.norms
         return found
+
+    def _below(self, element: Element) -> set[str]:
+        """The divisors below an element."""
+        return {name for name, _ in self.ring.exponents(element.under)} if element.under else set()
 
     def _inverse(self, element: Element, words: str) -> Element:
         """What is below the element, and its other values, over its norm."""

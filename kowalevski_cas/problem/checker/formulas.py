@@ -39,7 +39,8 @@ class Map:
         if monomial not in self.monomials:
             powers = self.ring.exponents(monomial)
             images = [image for name, e in powers for image in [self.image(name)] * e]
-            self.monomials[monomial] = self.space.ring.product(images)
+            whole = images[0] if len(images) == 1 else self.space.ring.product(images)
+            self.monomials[monomial] = whole
         return self.monomials[monomial]
 
     def image(self, name: str) -> Element:
@@ -177,15 +178,18 @@ class Formulas(Divisors):
 
     def _rate(self, name: str, rates: Rates) -> Element:
         """The derivative of a generator without a rate of its own."""
-        ring, generator = self.ring, self.ring.generator(name)
+        ring = self.ring
         need(name not in ring.unknown, f"{name} is unknown, and so is its derivative")
         need(name not in self.waiting, f"the derivative of {name} is not known yet")
+        if not (name in ring.divisors or name in ring.powers or name in ring.roots):
+            return ring.number(0)
+        generator = ring.generator(name)
         if name in ring.divisors:
             return -generator * generator * self.along(ring.divisors[name], rates)
         if name in ring.powers:
             base, power = ring.powers[name]
             return power * generator * self.along(base, rates) * self.inverse(base)
-        change = self.along(ring.roots[name], rates) if name in ring.roots else ring.number(0)
+        change = self.along(ring.roots[name], rates)
         if not change.terms:
             return change
         half = change.partial(name) * ring.number(Fraction(1, 2))
@@ -212,7 +216,7 @@ class Formulas(Divisors):
 
     def conj(self, element: Element) -> Element:
         """The complex conjugate; that of a divisor does not vanish either."""
-        if not element.generators():
+        if element.value() is not None:
             return element
         conjugate = self.reflection()(element)
         for name in conjugate.generators():

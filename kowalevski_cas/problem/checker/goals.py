@@ -86,9 +86,11 @@ class Fails(Follows):
     """At a point where the given equations hold each conclusion fails; with none, on each piece."""
 
     def holds(self, evidence: Json) -> None:
-        super().denied(evidence)
+        record(evidence, "point", "away")
+        at = locate(self.space, evidence["point"], self.given)
+        self.fails(at)
         if not self.given:
-            self.fails(on_each_piece(locate(self.space, evidence["point"], []), []))
+            self.fails(on_each_piece(at, []))
 
     def denied(self, evidence: Json) -> None:
         """It follows, and without a condition: where one fails, the goal might hold."""

@@ -231,15 +231,24 @@ class Element:
 
     def reduced(self) -> Element:
         """The same with each root in the first power at most."""
-        groups = defaultdict[int, Terms](dict)
+        ring, groups = self.ring, defaultdict[int, Terms](dict)
         for m, c in self.terms.items():
-            groups[m & self.ring.squares][m] = c
-        parts = [(1, self.with_terms(groups.pop(0, {})))]
+            groups[m & ring.squares][m] = c
+        out, others, bits = groups.pop(0, {}), list[Element](), self.bits
         for powers, terms in groups.items():
-            full, even = self.ring.even(powers)
-            rest = self.with_terms({m - full: c for m, c in terms.items()})
-            parts.append((even, rest) if isinstance(even, int) else (1, rest.times(even)))
-        return self.ring.combination(parts)
+            full, even = ring.even(powers)
+            if isinstance(even, int):  # as the square of i
+                size = even.bit_length()
+                ring.spend(len(terms) * (1 + (self.bits * size >> 16)))
+                bits = max(bits, self.bits + size)
+                for m, c in terms.items():
+                    out[m - full] = out.get(m - full, 0) + c * even
+            else:
+                rest = self.with_terms({m - full: c for m, c in terms.items()})
+                others.append(rest.times(even))
+        bits += len(groups).bit_length()
+        whole = Element(ring, out, self.below, bits, self.under)
+        return ring.total([whole, *others]) if others else whole
 
     def with_terms(self, terms: Terms) -> Element:
         """Other terms, of numbers no larger than here, over the same."""
