@@ -93,7 +93,7 @@ class Ring:
         if len(found) == 1 and found[0][0] == below == 1:
             self.spend(len(parts))
             return found[0][1]
-        common, under, steps, out = 1, 0, len(parts), Terms()
+        common, under, steps, out = 1, 0, 5 + len(parts), Terms()
         for _, e in found:
             common = self.multiple(common, e.below) if common % e.below else common
             under = under if under == e.under else self.larger(under, e.under)
@@ -110,8 +110,8 @@ class Ring:
                     out[m] = out.get(m, 0) + c * d
             else:
                 out = {m: c * d for m, d in e.terms.items()}
-        self.spend(steps)
-        return Element(self, out, below * common, bits + len(found).bit_length(), under)
+        bits += len(found).bit_length()
+        return Element(self, out, below * common, bits, under, steps)
 
     def multiple(self, one: int, other: int) -> int:
         """The least common multiple of integers."""
@@ -144,11 +144,12 @@ class Ring:
                 steps += bits * e.bits >> 16
             if monomial & MASK > DEGREE or under & self.guard or bits > BITS:
                 raise Rejected("a degree or number is too large")
-        self.spend(steps)
-        if not sums or monomial or under or count != 1 or below != 1:
-            term = Element(self, {monomial: count}, below, bits, under)
+        if sums and not monomial and not under and count == below == 1:
+            self.spend(steps)
+        else:
+            term = Element(self, {monomial: count}, below, bits, under, steps)
             sums.append(term.reduced() if monomial & self.squares else term)
-        return reduce(Element.times, sums)
+        return reduce(Element.times, sums) if len(sums) > 1 else sums[0]
 
     def even(self, powers: int) -> tuple[int, int | Element]:
         """A product of even powers of roots, from the bits of these, and what it is."""
@@ -174,12 +175,15 @@ class Element:
 
     The terms are without inverses, and have integer coefficients; an element is zero if it has no
     terms. No integer has more than so many bits; that is no more than a bound while they are few.
+    So many steps were taken to find the terms.
     """
 
     __slots__ = ("below", "bits", "ring", "terms", "under")
 
-    def __init__(self, ring: Ring, terms: Terms, below: int, bits: int, under: int = 0) -> None:
-        steps = 5 + len(terms)
+    def __init__(
+        self, ring: Ring, terms: Terms, below: int, bits: int, under: int = 0, steps: int = 5
+    ) -> None:
+        steps += len(terms)
         if bits > FEW:
             bits = max(below.bit_length(), max(map(int.bit_length, terms.values()), default=0))
             need(bits <= BITS, "a number is too large")
