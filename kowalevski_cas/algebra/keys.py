@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from kowalevski_cas.notation import (
+    Conjugate,
     Derivative,
     Formula,
     Name,
@@ -32,6 +33,8 @@ def key_of(node: Formula, primed: str) -> Key | None:
     match node:
         case Name(name):
             return (name,)
+        case Conjugate(Name(name)):  # or a mean: nothing is known of it but what is printed
+            return (to_latex(node),)
         case Derivative(inner, mark):
             below = key_of(inner, primed)
             return below and (*below, variable_of(mark, primed))

@@ -95,18 +95,20 @@ class Sample:
         self.touched: set[Key] = set()
         self._busy: set[Key] = set()
         self._moved = False
-        self._integrals: dict[Formula, acb] = {}
+        self.scaled: tuple[Key, float] | None = None
+        """What is small, or large, and by which factor."""
+        self._integrals: dict[Formula, tuple[acb, dict[Key, acb]]] = {}
 
     def copy(self, fields: Mapping[str, frozenset[str]]) -> Sample:
         """The same numbers, with functions that are derived by some names."""
         found = Sample(self.seed, self.given, self.rated, fields, self.primed)
-        found.values, found._integrals = dict(self.values), self._integrals
+        found.values, found._integrals = dict(self.values), dict(self._integrals)
+        found.scaled = self.scaled
         return found
 
     def _moving(self) -> Sample:
         """The same numbers, of which some will be changed."""
         found = self.copy(self.fields)
-        found._integrals = {}
         return found
 
     def key(self, node: Formula) -> Key | None:
@@ -174,7 +176,8 @@ class Sample:
                 finally:
                     self._busy.discard(key)
             number = random.Random(f"{self.seed} {key}").randrange(500, 1500)
-            self.values[key] = acb(number) / 1000
+            scale = self.scaled[1] if self.scaled and self.scaled[0] == key else 1
+            self.values[key] = acb(number) / 1000 * scale
         self.touched.add(key)
         return self.values[key]
 
@@ -197,15 +200,20 @@ class Sample:
         function = node.function
         match node.arguments:
             case (first, last, Name(by), body) if function == INTEGRAL:
-                if node not in self._integrals:
-                    self._integrals[node] = self._integral(self._ends(first, last), by, body)
-                return self._integrals[node]
+                found, at = self._integrals.get(node, (None, {}))
+                if found is None or any(self.atom(key) is not value for key, value in at.items()):
+                    before, self.touched = self.touched, set()
+                    found, touched = self._integral(self._ends(first, last), by, body)
+                    at = {key: self.atom(key) for key in touched | self.touched}
+                    self.touched |= before
+                    self._integrals[node] = found, at
+                return found
         arguments = [self.value(one) for one in node.arguments]
         if function in _FUNCTIONS and len(arguments) == 1:
-            found = _FUNCTIONS[function](arguments[0])
-            if not found.is_finite():
+            value = _FUNCTIONS[function](arguments[0])
+            if not value.is_finite():
                 raise Valueless(function)
-            return found
+            return value
         key = (function, "(", *(one.str(DIGITS, radius=False) for one in arguments))
         if self._moved and key not in self.values:
             raise Valueless(function)
@@ -217,8 +225,10 @@ class Sample:
         """The ends of an integral, of which the last one may be infinite."""
         return self.value(first), None if last == Name(INFINITE) else self.value(last)
 
-    def _integral(self, ends: tuple[acb, acb | None], by: str, body: Formula) -> acb:
-        """An integral by the rule of tanh and sinh.
+    def _integral(
+        self, ends: tuple[acb, acb | None], by: str, body: Formula
+    ) -> tuple[acb, frozenset[Key]]:
+        """An integral by the rule of tanh and sinh, and of what the integrand is made.
 
         To infinity it is any sum over values of the integrand: what is equal by its linearity alone
         is equal then.
@@ -226,19 +236,22 @@ class Sample:
         first, last = ends
         inner = self._moving()
         constant = inner.value(body)
+        own = frozenset(inner.touched - {(by,)})
         if (by,) not in inner.touched and last is not None:
-            return (last - first) * constant
+            return (last - first) * constant, own
         found = acb(0)
         for place, weight in nodes() if last is not None else ANY_NODES:
             inner = self._moving()
             inner.values[by,] = first + (place if last is None else (last - first) * place)
             found += weight * inner.value(body)
-        return found if last is None else found * (last - first)
+        return (found if last is None else found * (last - first)), own
 
     # -- derivatives -----------------------------------------------------------------------
 
     def _derivative(self, node: Formula, inner: Formula, by: str) -> acb:
         key = self.key(node)
+        if key == (by, by):
+            return acb(1)
         if key is not None and (key in self.values or key in self.given):
             return self.atom(key)
         below = self.key(inner)

@@ -85,8 +85,8 @@ def without_new_names(texts: Iterable[str]) -> list[str]:
 
     They are as long as before: errors point at places of the text as it was printed.
 
-    >>> without_new_names([r"L=T-V=\dot x^2-x^2"])
-    ['L=    \\dot x^2-x^2']
+    >>> without_new_names([r"L=T-V=\dot x^2-x^2", r"f=\sin2u=2\sin u\cos u"])
+    ['L=    \\dot x^2-x^2', 'f=\\sin2u=2\\sin u\\cos u']
     """
     texts = [*texts]
     found = []
@@ -101,7 +101,7 @@ def without_new_names(texts: Iterable[str]) -> list[str]:
             others = " , ".join((*texts[:k], *texts[k + 1 :], without(tex, [(start, end)])))
             for middle in members[1:-1]:
                 whole = rf"(?<=[=&\s]){re.escape(middle)}\s*&?\s*="
-                is_new = names_in(middle) and not _is_given(middle)
+                is_new = names_in(middle) - names_in(members[-1]) and not _is_given(middle)
                 if is_new and not any(name in others for name in names_in(middle)):
                     tex = re.sub(whole, lambda one: " " * len(one[0]), tex, count=1)
         found.append(tex)

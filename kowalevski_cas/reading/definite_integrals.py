@@ -8,13 +8,18 @@ from __future__ import annotations
 import re
 
 from kowalevski_cas.algebra.quadrature import INFINITE, INTEGRAL
-from kowalevski_cas.notation import Application, Formula, Name, Number, to_latex
+from kowalevski_cas.notation import Application, Derivative, Formula, Name, Number, times, to_latex
+
+DIFFERENTIAL = "d"
+"""The sign of a differential, and the mark of the derivative that it is read as."""
 
 _SIGN = re.compile(r"\\int\s*(?:\\limits\s*)?_")
 _DIFFERENTIAL = re.compile(
     r"(?:\\[,;!:]\s*)*(?:\\mathrm\s*\{\s*d\s*\}|(?<![A-Za-z\\])d)\s*"
-    r"(?P<by>\\[a-z]+|[a-z])(?![a-z])"
+    r"(?P<by>\\[a-z]+|[a-z])(?![a-z])(?P<prime>'?)"
 )
+_PRIMED = "_{998}"
+"""The index of a name that stands for that with a prime over which it is integrated."""
 
 
 def without_integrals(tex: str) -> str:
@@ -36,9 +41,18 @@ def without_integrals(tex: str) -> str:
             body += f"1{behind[:stop]}"
             behind = behind[stop:]
         last = INFINITE if last.strip() == r"\infty" else last
-        read = rf"{INTEGRAL}\left({first}, {last}, {end['by']}, {body or '1'}\right)"
+        by = end["by"]
+        if end["prime"]:
+            body, by = _renamed(body, f"{by}'", by + _PRIMED), by + _PRIMED
+        read = rf"{INTEGRAL}\left({first}, {last}, {by}, {body or '1'}\right)"
         tex = tex[: sign.start()] + read + behind
     return tex
+
+
+def _renamed(tex: str, name: str, other: str) -> str:
+    """A text in which a letter with a prime has another name."""
+    pattern = rf"{re.escape(name)}|\\[A-Za-z]+|."
+    return re.sub(pattern, lambda m: other if m[0] == name else m[0], tex, flags=re.DOTALL)
 
 
 def _argument(tex: str, at: int) -> tuple[str, int]:
@@ -57,12 +71,14 @@ def _argument(tex: str, at: int) -> tuple[str, int]:
 
 
 def with_integrals(formula: Formula) -> Formula:
-    """A formula to be printed, with its integrals as they are printed."""
+    """A formula to be printed, with its integrals and differentials as they are printed."""
     formula = formula.map_children(with_integrals)
     match formula:
+        case Derivative(inner, mark) if mark == DIFFERENTIAL:
+            return times(Name(DIFFERENTIAL), inner)
         case Application(function, (first, last, by, body)) if function == INTEGRAL:
             end = r"\infty" if last == Name(INFINITE) else to_latex(last)
             ends = rf"\int_{{{to_latex(first)}}}^{{{end}}}"
             inner = "" if body == Number(1) else to_latex(body)
-            return Name(rf"{ends}{inner}\,d{to_latex(by)}")
+            return Name(rf"{ends}{inner}\,d{to_latex(by)}".replace(_PRIMED, "'"))
     return formula

@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from kowalevski_cas.algebra.keys import is_initial
 from kowalevski_cas.algebra.quadrature import INFINITE
 from kowalevski_cas.algebra.samples import precisely
 from kowalevski_cas.notation import (
@@ -29,9 +30,10 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.notation.edits import replace, subtree
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.expansions import expansions_of
 from kowalevski_cas.reading.free_formulas import free_formulas, single_functions
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, NOTATION, OTHER, Known
-from kowalevski_cas.reading.premises import pairs_of
+from kowalevski_cas.reading.premises import has_integral, pairs_of
 from kowalevski_cas.reading.slips import KINDS, is_integrated, may_be, slips
 from kowalevski_cas.reading.statements import SourceStatement, is_numerical
 from kowalevski_cas.reading.steps import DerivationStep, PrintedBefore
@@ -153,6 +155,8 @@ class _Section:
         A total derivative by partial ones follows from nothing.
         """
         words, formula = f"{item.before} ", self.formulas[item]
+        if expansions_of(formula):
+            return not (item.typed.inline or _ANOTHER.search(words))
         if cue("when", words) or cue("place", words) or _ANOTHER.search(words):
             return False
         if _FORCE.search(self._behind(item)):
@@ -165,7 +169,7 @@ class _Section:
         derives = derived != pairs[0][0] and any(pairs_of(one)[0][0] == derived for one in given)
         partial = {node.argument for node in formula.nodes() if isinstance(node, Partial)}
         told = cue("claim", words) or _STEP.search(words) or says_rates(item)
-        said = len(pairs) > 1 or derives or told
+        said = len(pairs) > 1 or derives or told or any(map(has_integral, pairs[0]))
         return not item.typed.inline and bool(said or derived in partial)
 
     def _behind(self, item: SourceStatement) -> str:
@@ -225,6 +229,7 @@ class _Section:
         left = set[str]().union(*(one.names() for one, _ in step.pairs[:1]))
         others = (one.names for one in self.known.items if one.formula != step.formula)
         lost = own - left - step.before.known - set[str]().union(*others) - {PI, INFINITE}
+        lost -= {one for one in lost if is_initial(one)}  # a constant of integration
         return frozenset(lost if len(lost) == 1 and step.before.known else ())
 
 
@@ -235,9 +240,13 @@ def _has_root(node: Formula) -> bool:
 def _says(item: SourceStatement, formula: Formula, known: Known) -> bool:
     """Whether a statement holds wherever its section speaks of its letters."""
     role = known.roles.get(item)
+    if role is not None and role.name != NOTATION and expansions_of(formula):
+        return True
     if role is None or role.name in (OTHER, NOTATION) or not pairs_of(formula):
         return False
-    if role.name == ASSUMPTION and (item.typed.inline or role.kind not in ("", OF_SENTENCE)):
+    if role.name == ASSUMPTION and role.kind not in ("", OF_SENTENCE):
+        return False
+    if role.name == ASSUMPTION and item.typed.inline and not _gives(item, formula):
         return False
     if role.name == CLAIM and role.kind not in _OF_ALL:
         return False
@@ -245,6 +254,13 @@ def _says(item: SourceStatement, formula: Formula, known: Known) -> bool:
     numbers = any(map(is_numerical, members)) and (item.typed.inline or role.name == CLAIM)
     bare = all(isinstance(one, Name | Number) for one in members)
     return not (numbers and bare) and not (item.typed.inline and numbers)
+
+
+def _gives(item: SourceStatement, formula: Formula) -> bool:
+    """Whether what is supposed inline gives a name by others, and no words make it a case."""
+    names = [one for one in getattr(formula, "members", ()) if isinstance(one, Name)]
+    more = formula.names() - {one.name for one in names}
+    return bool(names) and len(more) > 1 and not cue("when", f"{item.lead} ")
 
 
 def _length(formula: Formula) -> tuple[int, str]:

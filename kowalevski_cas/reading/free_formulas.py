@@ -8,12 +8,13 @@ behind a letter are arguments, and so is what always stands in brackets behind a
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
 from kowalevski_cas.algebra.quadrature import INTEGRAL
 from kowalevski_cas.notation import (
+    Derivative,
     Formula,
     Name,
     NotationError,
@@ -29,7 +30,8 @@ from kowalevski_cas.notation.layout import statements as placed
 from kowalevski_cas.notation.open import OpenParser, independent
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.summation import expand_sum, without_sums
-from kowalevski_cas.reading.definite_integrals import without_integrals
+from kowalevski_cas.reading.definite_integrals import DIFFERENTIAL, without_integrals
+from kowalevski_cas.reading.expansions import with_ellipses
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 
 TERMS = 2
@@ -72,7 +74,8 @@ def free_formulas(
         functions=words.functions - applied - functions - single | {INTEGRAL},
     )
     for one in items:
-        tex = without_integrals(_without_arguments(one.printed.display.tex, functions | single))
+        tex = _without_arguments(one.printed.display.tex, functions | single)
+        tex = without_integrals(with_ellipses(tex))
         if one.formula is not None:
             found[one] = one.formula
             if tex == one.printed.display.tex and "d" not in one.names:
@@ -85,8 +88,10 @@ def free_formulas(
             with suppress(NotationError, RecursionError, IndexError):
                 found[one] = _read(tex, one.printed.number, own)
                 break
-    alone = any(Name(_DELTA) in _alone(tree) for tree in found.values())
-    return found if alone else {one: _with_differences(tree) for one, tree in found.items()}
+    for sign, of in ((Name(_DELTA), _difference), (Name(DIFFERENTIAL), _differential)):
+        if not any(sign in _alone(tree, sign) for tree in found.values()):
+            found = {one: _with_signs(tree, sign, of) for one, tree in found.items()}
+    return found
 
 
 def single_functions(paper: SourcePaper) -> dict[str, str]:
@@ -171,11 +176,11 @@ def _bold_functions(texts: list[str]) -> set[str]:
     return {name for name in at if len(at[name]) == 1 and count[name] == whole[name] > 1}
 
 
-# -- differences ---------------------------------------------------------------------------
+# -- differences and differentials ---------------------------------------------------------
 
 
-def _alone(formula: Formula) -> Iterator[Formula]:
-    r"""The names in a formula, but for each Δ that stands before a letter in a product."""
+def _alone(formula: Formula, sign: Name) -> Iterator[Formula]:
+    r"""The names in a formula, but for each Δ, or d, that stands before a letter in a product."""
     waiting = [formula]
     while waiting:
         node = waiting.pop()
@@ -185,7 +190,7 @@ def _alone(formula: Formula) -> Iterator[Formula]:
             children = tuple(
                 one
                 for one, other in zip(children, behind, strict=True)
-                if one != Name(_DELTA) or _letter(other) is None
+                if one != sign or _letter(other) is None
             )
         yield node
         waiting += children
@@ -196,20 +201,29 @@ def _letter(node: Formula) -> Name | None:
     return base if isinstance(base, Name) else None
 
 
-def _with_differences(formula: Formula) -> Formula:
-    """A formula in which each difference is one name."""
-    formula = formula.map_children(_with_differences)
-    if not isinstance(formula, Product) or Name(_DELTA) not in formula.factors:
+def _with_signs(formula: Formula, sign: Name, of: Callable[[Name], Formula]) -> Formula:
+    """A formula in which each sign and the letter behind it are one."""
+    formula = formula.map_children(lambda child: _with_signs(child, sign, of))
+    if not isinstance(formula, Product) or sign not in formula.factors:
         return formula
     found: list[Formula] = []
     for factor in formula.factors:
         letter = _letter(factor)
-        if found[-1:] == [Name(_DELTA)] and letter is not None:
-            whole = Name(f"{_DELTA} {letter.name}")
+        if found[-1:] == [sign] and letter is not None:
+            whole = of(letter)
             found[-1] = Power(whole, factor.exponent) if isinstance(factor, Power) else whole
         else:
             found.append(factor)
     return times(*found)
+
+
+def _difference(letter: Name) -> Formula:
+    return Name(f"{_DELTA} {letter.name}")
+
+
+def _differential(letter: Name) -> Formula:
+    """A differential is a derivative, by what nobody prints."""
+    return Derivative(letter, DIFFERENTIAL)
 
 
 # -- sums ----------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from itertools import pairwise
 
@@ -31,6 +31,18 @@ Pair = tuple[Formula, Formula]
 """The sides of an equation."""
 
 
+Change = Callable[[acb], acb]
+
+
+def _same(value: acb) -> acb:
+    return value
+
+
+_ITSELF: tuple[Change, Change] = (_same, _same)
+_INVERSE: tuple[Change, Change] = (acb(1).__truediv__, acb(1).__truediv__)
+_SQUARE: tuple[Change, Change] = (lambda value: value * value, acb.sqrt)
+
+
 class SolvedSample:
     """A sample at which what stands before a step holds, as far as it can be solved."""
 
@@ -40,10 +52,14 @@ class SolvedSample:
         self.sample, self.fixed, self.squared = sample, set[Key](), squared
         self.given: dict[Key, Formula] = {}
         sample.given = self.given
-        rest: list[Pair] = []
-        for left, right in reversed(premises):
-            if not self._gives(left, right) and not self._gives(right, left):
-                rest.append((left, right))
+        kept: dict[int, Key | None] = {}
+        for place in reversed(range(len(premises))):
+            kept[place] = self._given_by(*premises[place])
+        for place, key in kept.items():
+            if key and not self._stays(key):
+                del self.given[key]
+                kept[place] = None
+        rest = [premises[place] for place, key in kept.items() if key is None]
         self.determined = {*self.given}
         sample.values.clear()
         for pair in reversed(rest):
@@ -64,7 +80,7 @@ class SolvedSample:
                 continue
             said, true = True, true and holds
             used |= sample.touched | self._given_in(left) | self._given_in(right)
-        alone = any(_has_integral(side) for pair in pairs for side in pair)
+        alone = any(has_integral(side) for pair in pairs for side in pair)
         alone |= any(_is_total(left, fields) for left, _ in pairs)
         return true if said and (alone or used & self.determined) else None
 
@@ -78,18 +94,36 @@ class SolvedSample:
         keys = {self.sample.key(node) for node in side.nodes()}
         return {key for key in keys if key is not None and key in self.sample.given}
 
-    def _gives(self, name: Formula, by: Formula) -> bool:
-        """Whether a name can be given by a formula that does not rest on it."""
-        given, key = self.given, self.sample.key(name)
-        if key is None or any(key[:length] in given for length in range(1, len(key) + 1)):
+    def _stays(self, key: Key) -> bool:
+        """Whether what is given rests on nothing that was given later, and on itself.
+
+        The rate of what is given is that of what gives it.
+        """
+        if any(key[:length] in self.given for length in range(1, len(key))):
             return False
-        given[key] = by
+        self.sample.values.clear()  # what is given now may have been free before
         try:
             self.sample.atom(key)
         except NO_VALUE:
-            del given[key]
             return False
         return True
+
+    def _given_by(self, left: Formula, right: Formula) -> Key | None:
+        """What an equation gives, on either side."""
+        if self._gives(left, right):
+            return self.sample.key(left)
+        return self.sample.key(right) if self._gives(right, left) else None
+
+    def _gives(self, name: Formula, by: Formula) -> bool:
+        """Whether a name can be given by a formula that does not rest on it."""
+        given, key = self.given, self.sample.key(name)
+        if key is None or key in given:
+            return False
+        given[key] = by
+        stays = self._stays(key)
+        if not stays:
+            del given[key]
+        return stays
 
     def _solve(self, pair: Pair) -> None:
         """Give what stands linearly in an equation the value by which it holds.
@@ -121,12 +155,23 @@ class SolvedSample:
         self.fixed |= touched
 
     def _root(self, key: Key, pair: Pair, start: acb) -> acb | None:
-        """The value of what stands linearly in an equation, whose sides differ by ``start``."""
+        """The value of what stands linearly in an equation, whose sides differ by ``start``.
+
+        So may its inverse, or its square.
+        """
+        even = len(key) == 1 and key[0] in self.squared
+        for there, back in (_SQUARE,) if even else (_ITSELF, _INVERSE):
+            with suppress(ZeroDivisionError):
+                if (value := self._linear(key, pair, start, there, back)) is not None:
+                    return value
+        return None
+
+    def _linear(self, key: Key, pair: Pair, start: acb, there: Change, back: Change) -> acb | None:
+        """The value at which an equation holds in which a change of it stands linearly."""
         sample, (left, right) = self.sample, pair
         value, ends = sample.values[key], []
-        even = len(key) == 1 and key[0] in self.squared
         for step in (1, 2):
-            sample.values[key] = (value * value + step).sqrt() if even else value + step
+            sample.values[key] = back(there(value) + step)
             with suppress(Valueless):
                 ends.append(sample.value(left) - sample.value(right))
         sample.values[key] = value
@@ -135,8 +180,8 @@ class SolvedSample:
         slope = ends[0] - start
         if is_zero(slope):
             return None
-        solved = (value * value if even else value) - start / slope
-        return solved.sqrt() if even else solved
+        found = there(value) - start / slope
+        return back(found) if there is _ITSELF[0] or not is_zero(found) else None
 
 
 def _solved_first(key: Key) -> tuple[object, ...]:
@@ -164,7 +209,7 @@ def _is_total(left: Formula, fields: Mapping[str, frozenset[str]]) -> bool:
     return len(fields.get(left.argument.name, ())) > 1
 
 
-def _has_integral(side: Formula) -> bool:
+def has_integral(side: Formula) -> bool:
     """Whether a definite integral stands there: it need not rest on anything else."""
     nodes = side.nodes()
     return any(isinstance(node, Application) and node.function == INTEGRAL for node in nodes)

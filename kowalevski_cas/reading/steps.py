@@ -5,18 +5,35 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from functools import cached_property
+from itertools import product
 
+from flint import acb
+
+from kowalevski_cas.algebra.keys import Key
 from kowalevski_cas.algebra.quadrature import INFINITE
 from kowalevski_cas.algebra.samples import Sample, is_zero
 from kowalevski_cas.notation import Derivative, Formula, Name, Number, Partial, Power
 from kowalevski_cas.paper.transcendental import PI
-from kowalevski_cas.reading.premises import NO_VALUE, Pair, SolvedSample, pairs_of, written_out
+from kowalevski_cas.reading.expansions import SMALL, Expansion, by_likelihood, expansions_of, holds
+from kowalevski_cas.reading.premises import (
+    NO_VALUE,
+    Pair,
+    SolvedSample,
+    has_integral,
+    pairs_of,
+    written_out,
+)
 
 SAMPLES = 3
 """At how many samples a step holds that is said to follow."""
 
+POLES = 2
+"""At how many more samples one is looked at with an integral, which may have a pole on its way."""
+
 MANY = 60
 """How many equations before a step are looked at."""
+
+Samples = list[Sample]
 
 _VARIABLES = (("t", r"\tau", "x"), ("s", r"\xi", r"\theta"))
 """By what a prime may derive, the likelier ones first."""
@@ -39,13 +56,29 @@ class PrintedBefore:
         given = (side for pair in self.premises for side in pair)
         self.known = frozenset[str]().union(*(side.names() for side in given))
         self.rates = {node for node in self.nodes if isinstance(node, Derivative)}
-        self._solved: dict[int, SolvedSample] = {}
+        self._solved: dict[tuple[int, tuple[Key, float] | None], SolvedSample] = {}
+        self._expanded: dict[tuple[Formula, int], list[tuple[Samples, list[acb]]]] = {}
 
-    def solved(self, seed: int) -> SolvedSample:
-        """A sample at which the premises hold."""
-        if seed not in self._solved:
-            self._solved[seed] = SolvedSample(self.sample(seed), self.premises, self.squared)
-        return self._solved[seed]
+    def solved(self, seed: int, scaled: tuple[Key, float] | None = None) -> SolvedSample:
+        """A sample at which the premises hold, and something is small, or large."""
+        if (seed, scaled) not in self._solved:
+            sample = self.sample(seed)
+            sample.scaled = scaled
+            self._solved[seed, scaled] = SolvedSample(sample, self.premises, self.squared)
+        return self._solved[seed, scaled]
+
+    def expanded(self, expansion: Expansion, seed: int) -> list[tuple[Samples, list[acb]]]:
+        """What is expanded, at samples where some letter is small, or large, for each of them."""
+        whole = expansion.whole
+        if (whole, seed) not in self._expanded:
+            found = self._expanded[whole, seed] = []
+            for name, factors in product(by_likelihood(self.names, expansion.terms), SMALL):
+                with suppress(*NO_VALUE):
+                    samples = [self.solved(seed, ((name,), factor)) for factor in factors]
+                    if not any((name,) in one.determined for one in samples):
+                        values = [one.sample.value(whole) for one in samples]
+                        found.append(([one.sample for one in samples], values))
+        return self._expanded[whole, seed]
 
     @cached_property
     def squared(self) -> frozenset[str]:
@@ -98,18 +131,51 @@ class DerivationStep:
         return self._at(0) is False
 
     def follows(self) -> bool:
-        """Whether it says something of what is known, and that is true."""
-        return all(self._at(seed) is True for seed in range(SAMPLES))
+        """Whether it says something of what is known, and that is true.
+
+        So it is at all samples, but for some with an integral.
+        """
+        missed = 0
+        for seed in range(SAMPLES + POLES):
+            missed += self._at(seed) is not True
+            if missed > (POLES if self._integrated else 0):
+                return False
+            if seed + 1 - missed == SAMPLES:
+                return True
+        return False
 
     def _at(self, seed: int) -> bool | None:
         """Whether the step holds at a sample; ``None`` if it says nothing there."""
         with suppress(*NO_VALUE):
-            if (name := self._solving) is not None:
-                return self._solves(name, seed)
-            return self.before.solved(seed).holds(
-                self._integral or [*self._telling()], self._fields
-            )
+            if (given := self._solving) is not None:
+                return self._solves(given, seed)
+            solved = self.before.solved(seed)
+            exact = solved.holds(self._integral or [*self._telling()], self._fields)
+            if self._expansions and exact is not False:
+                return all(self._expands(one, seed) for one in self._expansions)
+            if self._rates and (exact is None or (not exact and self._integrated)):
+                return solved.holds(self._rates, self._fields)
+            return exact
         return None
+
+    @cached_property
+    def _expansions(self) -> list[Expansion]:
+        """What it expands, unless that is a new name."""
+        written = (each for one in written_out(self.formula) for each in expansions_of(one))
+        return [
+            one
+            for one in written
+            if not isinstance(one.whole, Name) or one.whole.name in self.before.known
+        ]
+
+    def _expands(self, expansion: Expansion, seed: int) -> bool:
+        """Whether an expansion holds where some letter is small, or large."""
+        for samples, whole in self.before.expanded(expansion, seed):
+            with suppress(*NO_VALUE):
+                terms = [[one.value(term) for one in samples] for term in expansion.terms]
+                if holds(whole, terms):
+                    return True
+        return False
 
     def _telling(self) -> Iterator[Pair]:
         """The equations that say more than what a new name on the right is."""
@@ -121,19 +187,38 @@ class DerivationStep:
                 yield left, right
 
     @cached_property
-    def _solving(self) -> str | None:
-        """The name of which only equations for its derivatives stand before what gives it."""
+    def _integrated(self) -> bool:
+        """Whether an integral stands in the step, which may be one by what moves."""
+        return any(has_integral(side) for pair in self.pairs for side in pair)
+
+    @cached_property
+    def _rates(self) -> list[Pair]:
+        """The derivatives of both sides, by what derives before: a step may integrate them."""
+        marks = {rate.mark for rate in self.before.rates}
+        if len(marks) != 1 or len(self.pairs) != 1:
+            return []
+        (mark,), ((left, right),) = marks, self.pairs
+        if isinstance(left, Name | Derivative | Number):
+            return []
+        return [(Derivative(left, mark), Derivative(right, mark))]
+
+    @cached_property
+    def _solving(self) -> Formula | None:
+        """What is given by the step, and of which only derivatives stand before it."""
         match self.pairs:
-            case [(Name(name), right)] if name not in right.names():
-                others = [pair for pair in self.before.premises if Name(name) in pair]
-                if not others and any(_derives(name, pair) for pair in self.before.premises):
-                    return name
+            case [(Name() | Derivative() as left, right)] if left not in right.nodes():
+                others = [pair for pair in self.before.premises if left in pair]
+                if not others and any(_derives(left, pair) for pair in self.before.premises):
+                    return left
         return None
 
-    def _solves(self, name: str, seed: int) -> bool | None:
-        """Whether what gives a name solves the last equation of its derivatives."""
-        equations = [pair for pair in self.before.premises if _derives(name, pair)]
-        rest = [pair for pair in self.before.premises if pair not in equations]
+    def _solves(self, given: Formula, seed: int) -> bool | None:
+        """Whether what is given solves the last equation of its derivatives."""
+        equations = [pair for pair in self.before.premises if _derives(given, pair)]
+        own = given
+        while isinstance(own, Derivative):
+            own = own.argument
+        rest = [pair for pair in self.before.premises if pair not in equations and own not in pair]
         found = SolvedSample(self.before.sample(seed), [*rest, *self.pairs])
         return found.holds(equations[-1:], {})
 
@@ -160,9 +245,9 @@ class DerivationStep:
         return found
 
 
-def _derives(name: str, pair: Pair) -> bool:
-    """Whether a name is derived in an equation."""
+def _derives(given: Formula, pair: Pair) -> bool:
+    """Whether a name, or a derivative of one, is derived in an equation."""
     for node in (node for side in pair for node in side.nodes()):
-        if isinstance(node, Derivative | Partial) and node.argument == Name(name):
+        if isinstance(node, Derivative | Partial) and node.argument == given:
             return True
     return False
