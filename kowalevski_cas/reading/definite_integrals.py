@@ -74,8 +74,8 @@ def with_integrals(formula: Formula) -> Formula:
     """A formula to be printed, with its integrals and differentials as they are printed."""
     formula = formula.map_children(with_integrals)
     match formula:
-        case Derivative(inner, mark) if mark == DIFFERENTIAL:
-            return times(Name(DIFFERENTIAL), inner)
+        case Derivative(derived, mark) if mark == DIFFERENTIAL:
+            return times(Name(DIFFERENTIAL), derived)
         case Application(function, (first, last, by, body)) if function == INTEGRAL:
             end = r"\infty" if last == Name(INFINITE) else to_latex(last)
             ends = rf"\int_{{{to_latex(first)}}}^{{{end}}}"

@@ -6,7 +6,6 @@ each printed term where some letter is small, or large: which one is not asked o
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from itertools import product
 from math import log2
@@ -26,6 +25,7 @@ from kowalevski_cas.notation import (
     times,
 )
 from kowalevski_cas.notation.formula import EQUALITIES
+from kowalevski_cas.reading.premises import leaves_out
 
 ABOUT = frozenset({r"\approx", r"\simeq"})
 """The signs between what is approximately equal."""
@@ -39,31 +39,12 @@ _SAME = 2.0**-56
 _CLEARLY = 0.5
 """By how much one order is higher than another one."""
 
-_REST = re.compile(
-    r"(?P<sign>[+-])\s*(?:\\mathcal\s*\{?\s*O\s*\}?|[Oo])\s*"
-    r"(?:\\left\s*\(.*?\\right\s*\)|\([^()]*\))"
-)
-_LIMIT = re.compile(
-    r"\\lim(?:\\limits)?\s*_\s*\{\s*(?:[A-Za-z]|\\[a-z]+)\s*\\(?:to|rightarrow)\s*"
-    r"(?:0|\\infty)\s*\}(?P<of>[^=]*)="
-)
-
 
 class Expansion(NamedTuple):
     """What is expanded, and the terms that are printed of it."""
 
     whole: Formula
     terms: tuple[Formula, ...]
-
-
-def with_ellipses(tex: str) -> str:
-    r"""A display with dots for terms of an order, and ≈ for a limit.
-
-    >>> with_ellipses(r"\lim_{k\to0} T=2\pi, f=x+O(x^3)")
-    '\\; T\\approx2\\pi, f=x+\\dots '
-    """
-    tex = _REST.sub(lambda m: rf"{m['sign']}\dots ", tex)
-    return _LIMIT.sub(lambda m: rf"\;{m['of']}\approx", tex)
 
 
 def expansions_of(formula: Formula) -> list[Expansion]:
@@ -74,21 +55,17 @@ def expansions_of(formula: Formula) -> list[Expansion]:
     whole = formula.members[0]
     for sign, member in zip(formula.signs, formula.members[1:], strict=True):
         terms = tuple(_terms(member))
-        leaves_out = any(isinstance(term, Unwritten) for term in terms)
+        dotted = any(isinstance(term, Unwritten) for term in terms)
         terms = tuple(term for term in terms if not isinstance(term, Unwritten))
-        if sign not in ABOUT | EQUALITIES or any(map(_leaves_out, (whole, *terms))):
+        if sign not in ABOUT | EQUALITIES or any(map(leaves_out, (whole, *terms))):
             break
-        if (sign in ABOUT or leaves_out) and terms:
+        if (sign in ABOUT or dotted) and terms:
             found.append(Expansion(whole, terms))
         elif found:
             break
         else:
             whole = member
     return found
-
-
-def _leaves_out(formula: Formula) -> bool:
-    return any(isinstance(node, Unwritten) for node in formula.nodes())
 
 
 def _terms(formula: Formula) -> Iterator[Formula]:

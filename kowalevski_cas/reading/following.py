@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from kowalevski_cas.algebra.keys import is_initial
+from kowalevski_cas.algebra.keys import is_initial, variable_of
 from kowalevski_cas.algebra.quadrature import INFINITE
 from kowalevski_cas.algebra.samples import precisely
 from kowalevski_cas.notation import (
@@ -229,8 +229,9 @@ class _Section:
         left = set[str]().union(*(one.names() for one, _ in step.pairs[:1]))
         others = (one.names for one in self.known.items if one.formula != step.formula)
         lost = own - left - step.before.known - set[str]().union(*others) - {PI, INFINITE}
-        lost -= {one for one in lost if is_initial(one)}  # a constant of integration
-        return frozenset(lost if len(lost) == 1 and step.before.known else ())
+        alone = lost if len(lost) == 1 and step.before.known else set[str]()
+        times = {variable_of(rate.mark, "") for rate in step.before.rates}
+        return frozenset(one for one in alone if one not in times and not is_initial(one))
 
 
 def _has_root(node: Formula) -> bool:

@@ -31,7 +31,6 @@ from kowalevski_cas.notation.open import OpenParser, independent
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.summation import expand_sum, without_sums
 from kowalevski_cas.reading.definite_integrals import DIFFERENTIAL, without_integrals
-from kowalevski_cas.reading.expansions import with_ellipses
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 
 TERMS = 2
@@ -53,6 +52,14 @@ _TWICE = re.compile(r"\\sum_\{\s*([a-z])\s*,\s*([a-z])\s*=\s*(\d)\s*\}\s*\^(\w|\
 _OF_RATE = re.compile(r"\\partial\s*(?P<of>[A-Za-z])'")
 _RATE = "_{999}"
 """The index of a name that stands for that with a prime by which something is derived."""
+_REST = re.compile(
+    r"(?P<sign>[+-])\s*(?:\\mathcal\s*\{?\s*O\s*\}?|[Oo])\s*"
+    r"(?:\\left\s*\(.*?\\right\s*\)|\([^()]*\))"
+)
+_LIMIT = re.compile(
+    r"\\lim(?:\\limits)?\s*_\s*\{\s*(?:[A-Za-z]|\\[a-z]+)\s*\\(?:to|rightarrow)\s*"
+    r"(?:0|\\infty)\s*\}(?P<of>[^=]*)="
+)
 _DELTA = r"\Delta"
 
 
@@ -75,7 +82,7 @@ def free_formulas(
     )
     for one in items:
         tex = _without_arguments(one.printed.display.tex, functions | single)
-        tex = without_integrals(with_ellipses(tex))
+        tex = without_integrals(_with_ellipses(tex))
         if one.formula is not None:
             found[one] = one.formula
             if tex == one.printed.display.tex and "d" not in one.names:
@@ -155,6 +162,12 @@ def _always_applied(texts: list[str]) -> set[str]:
     """The capital letters that have a bracket behind them wherever they stand."""
     bare = {m[1] for tex in texts for m in _CAPITAL.finditer(tex) if not m[2]}
     return {m[1] for tex in texts for m in _CAPITAL.finditer(tex) if m[2]} - bare
+
+
+def _with_ellipses(tex: str) -> str:
+    """A display with dots for terms of an order, and ≈ for a limit."""
+    tex = _REST.sub(lambda m: rf"{m['sign']}\dots ", tex)
+    return _LIMIT.sub(lambda m: rf"\;{m['of']}\approx", tex)
 
 
 def _with_single_sums(tex: str) -> str:

@@ -197,7 +197,7 @@ def pairs_of(formula: Formula) -> list[Pair]:
     kept = [
         (one, sign in EQUALITIES)
         for one, sign in zip(formula.members, signs, strict=True)
-        if not _leaves_out(one)
+        if not leaves_out(one)
     ]
     return [(one, other) for (one, _), (other, equal) in pairwise(kept) if equal]
 
@@ -215,7 +215,8 @@ def has_integral(side: Formula) -> bool:
     return any(isinstance(node, Application) and node.function == INTEGRAL for node in nodes)
 
 
-def _leaves_out(member: Formula) -> bool:
+def leaves_out(member: Formula) -> bool:
+    """Whether dots, or the word for a constant, stand in a formula."""
     return any(isinstance(node, Unwritten | Constant) for node in member.nodes())
 
 

@@ -30,6 +30,7 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.notation.edits import subtree
 from kowalevski_cas.notation.errors import closeness
 from kowalevski_cas.notation.misprints import Misprint, factors_of, misprints
+from kowalevski_cas.reading.premises import leaves_out
 from kowalevski_cas.reading.steps import DerivationStep
 from kowalevski_cas.verify.vacuous import ALIKE
 
@@ -83,6 +84,8 @@ def _of_two(path: tuple[int, ...], node: Formula) -> Iterator[Misprint]:
     match node:
         case Sum(terms):
             for k in range(1, len(terms)):
+                if leaves_out(terms[k]):
+                    continue
                 joined = times(*factors_of(terms[k - 1]), *factors_of(terms[k]))
                 yield "operation", path, total((*terms[: k - 1], joined, *terms[k + 1 :])), ""
         case Derivative(Derivative(_, mark) as inner, other) if mark == other:

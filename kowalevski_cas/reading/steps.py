@@ -27,7 +27,7 @@ from kowalevski_cas.reading.premises import (
 SAMPLES = 3
 """At how many samples a step holds that is said to follow."""
 
-POLES = 2
+POLES = 9
 """At how many more samples one is looked at with an integral, which may have a pole on its way."""
 
 MANY = 60
@@ -128,19 +128,20 @@ class DerivationStep:
 
     def fails(self) -> bool:
         """Whether it says something of what is known, and that is false."""
-        return self._at(0) is False
+        seeds = range(1 + POLES if self._integrated else 1)
+        return next((found for found in map(self._at, seeds) if found is not None), True) is False
 
     def follows(self) -> bool:
-        """Whether it says something of what is known, and that is true.
+        """Whether it says something of what is known, and that is true, at all samples.
 
-        So it is at all samples, but for some with an integral.
+        At some of them an integral may have no value.
         """
-        missed = 0
-        for seed in range(SAMPLES + POLES):
-            missed += self._at(seed) is not True
-            if missed > (POLES if self._integrated else 0):
+        held, seeds = 0, range(SAMPLES + POLES if self._integrated else SAMPLES)
+        for found in map(self._at, seeds):
+            if found is False or (found is None and not self._integrated):
                 return False
-            if seed + 1 - missed == SAMPLES:
+            held += bool(found)
+            if held == SAMPLES:
                 return True
         return False
 

@@ -1,8 +1,8 @@
 """Letters of a claim that nothing has on which it stands: no edit of another formula cancels them.
 
 What has to vanish is a sum over their powers, of which each term would have to vanish by itself. So
-another formula is to blame only if an edit brings them there, or if they are but a factor of all,
-as where a mass stands before each term.
+another formula is to blame only if an edit brings them there, if it defines what stands beside them
+in a term, or if they are but a factor of all, as where a mass stands before each term.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from __future__ import annotations
 from kowalevski_cas.notation import Name
 from kowalevski_cas.notation.scales import MODULUS, Scales
 from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Follows
 from kowalevski_cas.problem.mentions import mentions
 from kowalevski_cas.problem.prune import Reach
@@ -32,6 +33,25 @@ def own_letters(statement: Statement) -> frozenset[str]:
     degrees = (sum(scale.get(name, 0) for name in own) for one in said for scale in one.alike)
     under = any(own & scale.keys() for one in said for scale in one.pure)
     return own if under or any(degree % MODULUS for degree in degrees) else frozenset()
+
+
+def defined_beside(statement: Statement, letters: frozenset[str]) -> frozenset[Printed]:
+    """The definitions of what stands in a claim in a term with one of these letters.
+
+    With another one of them such a term may vanish by itself.
+    """
+    texts, defined = statement.on.texts, statement.claim.scene.definitions
+    formulas = statement.claim.formulas(texts) if letters else ()
+    members = (side for one in formulas for side in getattr(one, "members", (one,)))
+    terms = (term for side in members for term in getattr(side, "terms", (side,)))
+    waiting = {name for term in terms if letters & term.names() for name in term.names()}
+    found = set[Printed]()
+    while waiting:
+        place = defined.get(waiting.pop())
+        if place is not None and place not in found:
+            found.add(place)
+            waiting |= texts.formula(place).names()
+    return frozenset(found)
 
 
 def _behind(goal: Follows, space: Elaboration) -> set[str]:

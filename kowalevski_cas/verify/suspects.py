@@ -27,7 +27,7 @@ from kowalevski_cas.verify.corrections import unlikeliness
 from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.missing_numbers import missing_numbers
 from kowalevski_cas.verify.outcome import Correction
-from kowalevski_cas.verify.own_letters import own_letters
+from kowalevski_cas.verify.own_letters import defined_beside, own_letters
 from kowalevski_cas.verify.relations import ConstantRelation, relations, supposes
 
 KINDS = (
@@ -129,10 +129,16 @@ def changes(
         if not changes_subject(edit)
     ]
     several += _common_changes(_suspected(failing, interpretation, right()), least, texts)
-    own = {claim: own_letters(interpretation.statement(claim)) for claim in failing}
+    statements = {claim: interpretation.statement(claim) for claim in failing}
+    own = {claim: own_letters(statement) for claim, statement in statements.items()}
+    beside = {claim: defined_beside(statements[claim], own[claim]) for claim in failing}
     for suspect, edit, place, standing in sorted(several, key=lambda one: (slip(one[1]), one[0])):
         there = edit.formula.names()
-        mended = [c for c in standing if place in {*c.establishes()} or own[c] <= there]
+        mended = [
+            claim
+            for claim in standing
+            if place in {*claim.establishes()} | beside[claim] or own[claim] <= there
+        ]
         if len(mended) >= least:
             yield suspect, edit, place, mended
 
@@ -170,11 +176,13 @@ def numbers(
     """
     suspects = _suspects(failing, least, interpretation, right())
     first, *_ = failing
-    own = own_letters(interpretation.statement(first))
+    statement = interpretation.statement(first)
+    own = own_letters(statement)
+    own_places = {*first.establishes()} | defined_beside(statement, own)
     several = [
         (suspect, edit, place, [claim for claim in failing if place in claim.reads()])
         for place, suspect in suspects.items()
-        if place in first.reads() and (not own or place in {*first.establishes()})
+        if place in first.reads() and (not own or place in own_places)
         for edit in missing_numbers(first, place, interpretation.on(first))
         if not changes_subject(edit)
     ]

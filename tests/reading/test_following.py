@@ -177,7 +177,77 @@ With the constant $k = \mu\rho^2\dot\varphi$ the energy is
 where
 \[ W(\rho) = V(\rho) + \frac{k^2}{%s\mu\rho^2} . \]
 """
+SERIES = r"""
+The energy is
+\[ T = \frac{\mu c^2}{\sqrt{1 - v^2/c^2}} - \mu c^2 . \]
+For small speeds
+\[ T \approx \frac12\mu v^2 + %s\frac{\mu v^4}{c^2} . \]
+"""
+SWING = r"""
+The period is
+\[ S = 4\sqrt{\frac{b}{g}}\int_0^{\pi/2}\frac{d\beta}{\sqrt{1 - k^2\sin^2\beta}} . \]
+We expand it,
+\[ S = 2\pi\sqrt{\frac{b}{g}}\left(1 + %sk^2 + \dots\right) . \]
+"""
+ORDER = r"""
+The force is
+\[ P(z) = -b\sin z . \]
+Near the place of rest it is
+\[ P(z) = -bz + \frac{bz^3}{%s} + O(z^5) . \]
+"""
+LIMIT = r"""
+The speed is
+\[ w = \frac{g}{\beta}(1 - e^{-\beta t}) . \]
+At first there is little resistance,
+\[ \lim_{\beta\to0} w = %s . \]
+"""
+SEPARATED = r"""
+A body falls,
+\[ \mu\frac{dw}{dt} = \mu g - bw . \]
+Separating the variables,
+\[ \int_0^w\frac{dw'}{g - bw'/\mu} = %s . \]
+"""
+LOGARITHM = r"""
+The rocket obeys
+\[ \mu\frac{dw}{dt} = -b\frac{d\mu}{dt} . \]
+Integrating from $\mu_0$ to $\mu$ we have
+\[ w = w_0 + b\ln\frac{\mu_0}{%s} . \]
+"""
+DIFFERENTIAL = r"""
+The energy is
+\[ U = \frac12kz^2 + azy . \]
+Its differential is
+\[ dU = (kz + ay)\,dz + a%s\,dy . \]
+"""
+MANY_BODIES = r"""
+Let
+\[ G = \sum_{i=1}^N\mathbf p_i\cdot\mathbf r_i , \qquad \mathbf p_i = m_i\dot{\mathbf r}_i , \qquad
+ \dot{\mathbf p}_i = \mathbf F_i , \qquad T = \frac12\sum_{i=1}^N m_i\dot{\mathbf r}_i^2 . \]
+Then
+\[ \frac{dG}{dt} = %sT + \sum_{i=1}^N\mathbf F_i\cdot\mathbf r_i . \]
+"""
+TURNING = r"""
+With $z = x + iy$ the equations
+\[ \ddot x = 2\nu\dot y , \qquad \ddot y = -2\nu\dot x \]
+become $\ddot z = -2i\nu\dot z$. Therefore
+\[ \dot z = \dot z_0e^{-%si\nu t} . \]
+"""
+AREA = r"""
+The area is $S = \pi ab$, with $b = a\sqrt{1 - e^2}$, and the parameter is
+$p = a(1 - e^2)$, $p = \frac{k^2}{\mu\beta}$. From $S = \frac{k}{2\mu}T$ we get
+\[ T^2 = \frac{4\pi^2\mu a^%s}{\beta} . \]
+"""
 CASES = [
+    (SERIES, r"\frac38", r"\frac34"),
+    (SWING, r"\frac14", r"\frac12"),
+    (ORDER, "6", "3"),
+    (LIMIT, "gt", "2gt"),
+    (SEPARATED, "t", "2t"),
+    (LOGARITHM, r"\mu", r"\mu^2"),
+    (DIFFERENTIAL, "z", "z^2"),
+    (MANY_BODIES, "2", ""),
+    (TURNING, "2", ""),
+    (AREA, "3", "2"),
     (HAMILTON, "q_2", "q_1"),
     (CONSERVED, "cos", "sin"),
     (LAGRANGE, "^3", "^2"),
