@@ -9,7 +9,7 @@ from itertools import product
 
 from flint import acb
 
-from kowalevski_cas.algebra.keys import Key
+from kowalevski_cas.algebra.keys import Key, variable_of
 from kowalevski_cas.algebra.quadrature import INFINITE
 from kowalevski_cas.algebra.samples import Sample, is_zero
 from kowalevski_cas.notation import Derivative, Formula, Name, Number, Partial, Power
@@ -148,14 +148,17 @@ class DerivationStep:
     def _at(self, seed: int) -> bool | None:
         """Whether the step holds at a sample; ``None`` if it says nothing there."""
         with suppress(*NO_VALUE):
-            if (given := self._solving) is not None:
+            if isinstance(given := self._solving, Name):
                 return self._solves(given, seed)
             solved = self.before.solved(seed)
             exact = solved.holds(self._integral or [*self._telling()], self._fields)
-            if self._expansions and exact is not False:
+            if self._expansions and exact is None:
                 return all(self._expands(one, seed) for one in self._expansions)
-            if self._rates and (exact is None or (not exact and self._integrated)):
-                return solved.holds(self._rates, self._fields)
+            if given is not None and exact is None:
+                return self._solves(given, seed)
+            if exact is None or (not exact and self._integrated):
+                moving = [pair for pair in self._rates if not is_zero(solved.sample.value(pair[0]))]
+                return solved.holds(moving, self._fields) if moving else exact
             return exact
         return None
 
@@ -201,6 +204,9 @@ class DerivationStep:
         (mark,), ((left, right),) = marks, self.pairs
         if isinstance(left, Name | Derivative | Number):
             return []
+        constant = isinstance(right, Name) and right.name != variable_of(mark, "")
+        if constant and Derivative(right, mark) not in self.before.rates:
+            return [(Derivative(left, mark), Number(0))]
         return [(Derivative(left, mark), Derivative(right, mark))]
 
     @cached_property
