@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.audited import Audited
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.paper.transcendental import PI
-from kowalevski_cas.reading import ASSUMPTION, CONVENTION, DEFINITION
+from kowalevski_cas.reading import ASSUMPTION, CONVENTION, DEFINITION, Reading
 
 
 class Assumed(NamedTuple):
@@ -22,10 +22,12 @@ class Assumed(NamedTuple):
 
 
 def assumptions_of(audit: Audit) -> Iterator[Assumed]:
-    """What an audit takes for granted: assumptions, conventions, and names taken for constants."""
+    """What an audit takes for granted: assumptions, conventions, numbers, names of constants."""
     reading = audit.reading
     assert reading is not None
     claiming = [formula for formula in reading.formulas if formula.claim is not None]
+    if numbers := reading.paper.numbers:
+        yield Assumed("number", f"${shown_numbers(numbers)}$", None, claims_of_numbers(reading))
     for formula in reading.formulas:
         if formula.role.name == ASSUMPTION:
             claims = (f.claim.id for f in claiming if f.claim and formula.item in f.on)
@@ -41,6 +43,20 @@ def assumptions_of(audit: Audit) -> Iterator[Assumed]:
     for name in (one for one in names if one != PI):
         claims = (f.claim.id for f in claiming if f.claim and name in f.constants)
         yield Assumed("constant", f"${name}$ is defined nowhere", None, tuple(claims))
+
+
+def shown_numbers(numbers: Mapping[str, int]) -> str:
+    """The letters that count with the numbers for which a paper is read."""
+    return r",\ ".join(f"{letter}={number}" for letter, number in numbers.items())
+
+
+def claims_of_numbers(reading: Reading) -> tuple[str, ...]:
+    """The claims that are decided for these numbers alone."""
+    counted = reading.paper.counted
+    several = {f.item.printed for f in reading.formulas if f.item.typed.start in counted}
+    judged = (*reading.formulas, *reading.statements)
+    claims = [one.claim for one in judged if one.claim is not None]
+    return tuple(claim.id for claim in claims if not several.isdisjoint(claim.reads()))
 
 
 def unchecked(audit: Audit) -> list[Audited]:

@@ -11,6 +11,7 @@ from contextlib import suppress
 from functools import cached_property
 from time import perf_counter
 
+from kowalevski_cas.audit.assumed import claims_of_numbers, shown_numbers
 from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.audited import GIVEN, OPEN, UNREADABLE, Audited
 from kowalevski_cas.audit.author import AuthorSession
@@ -292,6 +293,7 @@ def audit_reading(session: ReadingSession) -> Audit:
     for audited in found:
         _as_read(audited, by_place.get(audited.place) if audited.place else skipped.get(audited.id))
     point_at(found, session.repairs, reading)
+    _tell_numbers(found, reading)
     tell_scales(found, reading)
     tell_steps(found, session.repairs, reading)
     said = (*paper.source.refused, *paper.expanded.notes)
@@ -300,6 +302,14 @@ def audit_reading(session: ReadingSession) -> Audit:
         paper.source, paper.expanded, places, found, author, notes, _regions(reading),
         perf_counter() - start, reading, uncovered(reading),
     )  # fmt: skip
+
+
+def _tell_numbers(found: Sequence[Audited], reading: Reading) -> None:
+    """Say of what is decided for a number alone for which one, as :math:`N=3`."""
+    counted = {*claims_of_numbers(reading)}
+    for audited in found:
+        if not audited.message and not counted.isdisjoint(audited.claims):
+            audited.message = f"for ${shown_numbers(reading.paper.numbers)}$"
 
 
 def _regions(reading: Reading) -> dict[str, Region]:

@@ -125,19 +125,44 @@ def without_idle_terms(tokens: Sequence[Token], at: Values) -> list[Token]:
 def _is_idle(term: Sequence[Token], at: Values) -> bool:
     r"""Whether a factor :math:`(1-\delta_{jk})` of a term vanishes: behind names and numbers only.
 
-    It is no argument, no divisor and no base of a power.
+    It may be a factor of what stands above a line; it is no argument, no divisor and no base of a
+    power.
     """
     for tensor in _tensors(term):
         before, around = term[: max(0, tensor.first - 3)], term[max(0, tensor.first - 3) :]
         behind = around[tensor.end - len(before) :]
         complement = [token.text for token in around[:3]] == ["(", "1", "-"]
         complement = complement and [token.text for token in behind[:1]] == [")"]
-        by_itself = all(t.kind in _NAMES and t.text not in FUNCTIONS for t in before)
+        outside, inside = _above_line(before)
+        if len(inside) < len(before):
+            rest = _to_line(behind[1:])
+            complement = complement and {token.kind for token in rest} <= _NAMES
+        factors = (*outside, *inside)
+        by_itself = all(t.kind in _NAMES and t.text not in FUNCTIONS for t in factors)
         by_itself = by_itself and [token.kind for token in behind[1:2]] != ["^"]
         known = tensor.value(at) == 1 and len(tensor.indices) == 2
         if complement and by_itself and known and not {*at}.isdisjoint(tensor.indices):
             return True
     return False
+
+
+def _above_line(tokens: Sequence[Token]) -> tuple[Sequence[Token], Sequence[Token]]:
+    """Tokens before a fraction that is not closed, and those above its line; if there is one."""
+    place = next((k for k, token in enumerate(tokens) if token.kind == "frac"), None)
+    if place is None or [token.kind for token in tokens[place + 1 : place + 2]] != ["{"]:
+        return (), tokens
+    above = tokens[place + 2 :]
+    return (tokens[:place], above) if not any(t.kind == "}" for t in above) else ((), tokens)
+
+
+def _to_line(tokens: Sequence[Token]) -> Sequence[Token]:
+    """The tokens that stand above a line yet, at whose end a group is closed."""
+    depth = 0
+    for k, token in enumerate(tokens):
+        depth += (token.kind == "{") - (token.kind == "}")
+        if depth < 0:
+            return tokens[:k]
+    return tokens
 
 
 def put_tensors(tokens: Sequence[Token], at: Values) -> Iterator[Token]:

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from kowalevski_cas.notation.ranges import index_letters
+from kowalevski_cas.reading.counted import PERIOD
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.tokens import tokens_of
 
@@ -38,11 +39,14 @@ _COMPARED = re.compile(
 )
 """Two indices of a sum that are compared: they have the same values."""
 _SHIFTED = re.compile(r"_\s*\{\s*([a-z])\s*[+-]")
+_RUNNING = re.compile(
+    r"\\(?:sum|prod)\s*(?:\\limits\s*)?_\s*(?:\{\s*)?([a-z])(?![A-Za-z\s]*=)|_\s*\{\s*([a-z])\s*[+-]\s*\d"
+)
+"""Letters that run: below the sign of a sum, or shifted."""
+_CLOSED = re.compile(r"([A-Za-z])_\{\s*[a-z]\s*\+\s*(?P<number>\d)\s*\}\s*&?=\s*\1_")
 _NUMBERS = {"two": 2, "three": 3, "four": 4, "five": 5, "двум": 2, "трем": 3, "трём": 3}
 _PERIOD = re.compile(
-    r"\b(?:ind(?:ex|ices)|индекс\w*)\b[^.;]{0,60}?\b(?:modulo|mod|по\s+модулю)[\s~]*"
-    rf"\$?(?P<number>[2-9]|{'|'.join(_NUMBERS)})\b",
-    re.IGNORECASE,
+    rf"{PERIOD}\$?\s*(?P<number>[2-9]|{'|'.join(_NUMBERS)}|[a-z])\b", re.IGNORECASE
 )
 """Words that give indices a period."""
 _BRACKET = re.compile(
@@ -72,27 +76,39 @@ def is_range(formula: TypedFormula) -> bool:
     return _ALONE.fullmatch(formula.tex) is not None
 
 
-def period_in(words: str) -> int:
-    """By how much words say that indices may be changed; 0 if they do not.
+def period_in(words: str, texts: Iterable[str], numbers: Mapping[str, int]) -> int:
+    r"""By how much words, or an equation, say that indices may be changed; 0 if they do not.
 
-    >>> period_in("the indices are taken modulo three")
+    ``numbers`` are those for letters.
+
+    >>> period_in("the indices are taken modulo three", [], {})
     3
+    >>> period_in("periodic boundary conditions", [r"c_{k+4}=c_k"], {})
+    4
     """
-    found = _PERIOD.search(words)
-    if found is None:
-        return 0
-    number = found["number"].lower()
-    return int(number) if number.isdigit() else _NUMBERS[number]
+    if (found := _PERIOD.search(words)) is None:
+        closed = filter(None, map(_CLOSED.search, texts))
+        return next((int(one["number"]) for one in closed), 0)
+    number = found["number"]
+    known = {**_NUMBERS, **numbers}
+    return int(number) if number.isdigit() else known.get(number, known.get(number.lower(), 0))
 
 
-def with_ranges(formulas: Sequence[TypedFormula], text: str, period: int = 0) -> Iterator[str]:
+def with_ranges(
+    formulas: Sequence[TypedFormula], text: str, period: int = 0, most: int = 0
+) -> Iterator[str]:
     """The TeX of each formula of a text, with the ranges of its indices that stand elsewhere.
 
-    An index that is shifted, as in a chain, may leave its range: nobody says what stands there,
-    unless indices have a period.
+    If a letter says how many there are, it is read as ``most``: so far goes an index of which
+    nothing is said. An index that is shifted, as in a chain, may leave its range: nobody says what
+    stands there, unless indices have a period.
     """
     said = [_said(formula.tex) for formula in formulas]
     usual = _by_numbers([formula.tex for formula in formulas])
+    running = (letter for one in formulas for pair in _RUNNING.findall(one.tex) for letter in pair)
+    ranges = {values for ranges in said for values in ranges.values()}
+    whole = ranges.pop() if len(ranges) == 1 else (*range(1, most + 1),)
+    usual |= {letter: whole for letter in running if letter and most}
     pairs = {
         pair.groups()
         for formula in formulas

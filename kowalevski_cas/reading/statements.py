@@ -23,9 +23,11 @@ from kowalevski_cas.paper.jets import Unknown
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.times import time_change
 from kowalevski_cas.paper.transcendental import PI
+from kowalevski_cas.reading.counted import counts, stands_in, with_counts
 from kowalevski_cas.reading.cues import cue, cues
 from kowalevski_cas.reading.derivations import with_derivations
 from kowalevski_cas.reading.elements import with_elements
+from kowalevski_cas.reading.ellipses import without_ellipses
 from kowalevski_cas.reading.formulas import by_names, read_formula, vocabulary_of, without_maps
 from kowalevski_cas.reading.free_functions import free_functions, names_of, with_names_alone
 from kowalevski_cas.reading.index_ranges import period_in, with_ranges
@@ -183,6 +185,10 @@ class SourcePaper:
     """The functions of which nothing is said but their arguments."""
     orbits: frozenset[int] = frozenset()
     """The offsets of the formulas that print derivatives along orbits."""
+    numbers: Mapping[str, int] = field(default_factory=dict)
+    """The letters that count, each with the number for which the paper is read."""
+    counted: frozenset[int] = frozenset()
+    """The offsets of the formulas that are read for these numbers."""
 
     @cached_property
     def functions_by_name(self) -> dict[str, list[Unknown]]:
@@ -299,7 +305,10 @@ class SourcePaper:
 def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> SourcePaper:
     """The statements of a source, read in the names that it uses, some of which are ``primed``."""
     expanded, typed = typed_formulas(source)
-    typed = [*with_variations([*with_elements([*without_maps(typed)], expanded.text)])]
+    numbers = counts(typed, expanded.text)
+    counted = [*without_ellipses(with_counts(typed, numbers))]
+    several = {one.start for one in typed if any(stands_in(name, one.tex) for name in numbers)}
+    typed = [*with_variations([*with_elements([*without_maps(counted)], expanded.text)])]
     typed = [*with_derivations(typed, expanded.text)]
     named = [*without_set_names(typed)]
     printed = [formula for formula, _ in named]
@@ -316,10 +325,13 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     words = replace(words, scalars=words.scalars | others, moving=words.moving | others)
     displays: list[tuple[Display, TypedFormula]] = []
     items: list[SourceStatement] = []
-    period = period_in(expanded.text[prose.start :])
+    texts = [formula.tex for formula in formulas]
+    period = period_in(expanded.text[prose.start :], texts, numbers)
     lines: dict[str, int] = {}
     ids: Counter[str] = Counter()
-    for formula, tex in zip(formulas, with_ranges(formulas, expanded.text, period), strict=True):
+    ranged = with_ranges(formulas, expanded.text, period, max(numbers.values(), default=0))
+    for formula, tex in zip(formulas, ranged, strict=True):
+        several |= {formula.start} if numbers and tex != formula.tex else set()
         path = prose.path(formula.start)
         if any(one.title == "thebibliography" for one in path):
             continue
@@ -357,6 +369,7 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     return SourcePaper(
         source, prose, words, tuple(displays), tuple(items), lines, expanded, primed, period,
         {formula.start: name for formula, name in named if name}, functions, orbits,
+        numbers, frozenset(several),
     )  # fmt: skip
 
 

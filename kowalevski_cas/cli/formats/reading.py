@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from kowalevski_cas.audit.assumed import unchecked
+from kowalevski_cas.audit.assumed import shown_numbers, unchecked
 from kowalevski_cas.audit.audited import OPEN
 from kowalevski_cas.cli import plain
 from kowalevski_cas.report.document import Equations, Paragraph
@@ -28,7 +28,9 @@ def answer(audit: Audit) -> Iterator[str]:
     laws = audit.reading.parts.laws
     named = (f"{law.kind} {law.labels or f'of {_place(audit, law.first)}'}" for law in laws)
     equations = f", with {'; '.join(named)}" if laws else _NO_LAW
-    yield from plain.wrap(f"{audit.source.path}, read by itself{equations}.")
+    numbers = audit.reading.paper.numbers
+    counted = f" for {shown_numbers(numbers)}" if numbers else ""
+    yield from plain.wrap(f"{audit.source.path}, read by itself{counted}{equations}.")
     yield ""
     verdicts = [outcome.verdict for outcome in audit.outcomes.values()]
     green = sum(verdict.green for verdict in verdicts)

@@ -1,0 +1,146 @@
+r"""Numbers for letters that count: what is printed of :math:`N` bodies is read of three.
+
+Where indices are shifted, as in a chain, there are four: of three each is a neighbour of each. A
+letter counts if a range, a sum or a list ends with it, and nothing else is said of it. What is then
+proved holds for this number alone, and the audit says so; what fails for it fails.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from kowalevski_cas.source.displays import TypedFormula
+from kowalevski_cas.source.tokens import tokens_of
+
+SEVERAL = 3
+"""How many bodies there are where a letter says how many."""
+
+LARGEST = 5
+"""No larger number is put for a letter."""
+
+_LETTER = r"(?P<letter>[A-Za-z])(?![A-Za-z_'(])"
+_DOTS = r"(?:\\[lc]?dots[bcio]?(?![A-Za-z])|\.\.\.)"
+_LE = r"(?:<|\\leq?(?:slant)?(?![A-Za-z]))"
+_INDEX = r"[a-z](?:\s*,\s*[a-z])*"
+_ENDS = [
+    re.compile(pattern)
+    for pattern in (
+        rf"(?<![A-Za-z\\]){_INDEX}\s*=\s*\d\s*,\s*(?:\d\s*,\s*)*{_DOTS}\s*,\s*{_LETTER}",
+        rf"\\(?:sum|prod)\s*(?:\\limits\s*)?_\s*\{{\s*{_INDEX}\s*=\s*\d\s*\}}\s*\^\s*"
+        r"(?:(?P<letter>[A-Za-z])|\{\s*(?P<braced>[A-Za-z])(?![A-Za-z_'(]))",
+        rf"\d\s*{_LE}\s*{_INDEX}(?:\s*{_LE}\s*[a-z])*\s*{_LE}\s*{_LETTER}",
+        rf"(?P<base>[A-Za-z])\s*\}}?\s*_\s*\{{?\s*\d\s*\}}?[^=;]{{0,30}}?{_DOTS}[^=;]{{0,20}}?"
+        r"(?P=base)\s*\}?\s*_\s*(?:(?P<letter>[A-Za-z])|\{\s*(?P<braced>[A-Za-z]))",
+        r"(?P<base>[A-Za-z])_\{\s*[a-z]\s*\+\s*(?P<letter>[A-Za-z])\s*\}\s*&?=\s*(?P=base)_",
+    )
+]
+"""Where a range, a sum, a list or a period ends with a letter."""
+PERIOD = r"\b(?:ind(?:ex|ices)|индекс\w*)\b[^.;]{0,60}?\b(?:modulo|mod|по\s+модулю)[\s~]*"
+_MODULO = re.compile(rf"{PERIOD}\$\s*{_LETTER}", re.IGNORECASE)
+_RUNNING = re.compile(
+    r"(?:_\s*\{\s*|(?<![A-Za-z\\]))(?P<letters>[a-z](?:\s*,\s*[a-z])*)\s*=\s*\d\s*[,}]"
+)
+"""Letters that are indices: they run."""
+_SHIFTED = re.compile(r"_\s*\{\s*([a-z])\s*[+-]\s*\d\s*\}")
+_SAID = r"(?<![A-Za-z\\]){}\s*(?P<sign>=|\\geq?(?:slant)?(?![A-Za-z])|>)\s*(?P<number>\d+)"
+_ADDED = r"(?P<before>[_^{{(,=]\s*){}\s*(?P<sign>[+-])\s*(?P<number>\d)(?P<after>\s*[}}),]|\s*$)"
+_MORE = r"""(?x)
+    (?<![A-Za-z\\])(?:\\d?dot\s*\{{?|\\partial|d)\s*{0}(?![A-Za-z])     # it moves
+    |(?<![A-Za-z\\]){0}\s*(?:_|'|\\to|\\gg|\\(?:long)?rightarrow)       # it has an index or a limit
+    |^\s*{0}\s*&?=(?!\s*\d+[\s.,;]*$|\s*\d+\s*,)                        # it is defined
+"""
+"""What is said of a letter that does more than count."""
+_PARITY = r"(?:odd|even|prime|неч[её]тн\w*|ч[её]тн\w*)"
+_SOME = rf"(?:{_PARITY}[\s~]*\$\s*{{0}}\b|\$\s*{{0}}\s*\$[\s~]*(?:(?:is|be|are)[\s~]+)?{_PARITY}\b)"
+"""Words that say for which numbers only something holds."""
+_RUNS = re.compile(r"\\(?:sum|prod|[lc]?dots)(?![A-Za-z])|\.\.\.")
+_USUAL = "N"
+"""The letter that counts also where it is a factor by itself."""
+
+
+def counts(formulas: Sequence[TypedFormula], text: str) -> dict[str, int]:
+    """The letters that count in a paper, each with the number for which it is read."""
+    texts = [formula.tex for formula in formulas]
+    running = {
+        letter.strip()
+        for tex in texts
+        for match in _RUNNING.finditer(tex)
+        for letter in match["letters"].split(",")
+    }
+    found = dict.fromkeys(_MODULO.findall(text))
+    for match in (match for tex in texts for end in _ENDS for match in end.finditer(tex)):
+        found[match["letter"] or match["braced"]] = None
+    letters = [letter for letter in found if letter not in running]
+    shifted = {letter for tex in texts for letter in _SHIFTED.findall(tex)} - {*letters}
+    numbers = {letter: _number(letter, texts, text, SEVERAL + bool(shifted)) for letter in letters}
+    return {letter: number for letter, number in numbers.items() if number}
+
+
+def _number(letter: str, texts: Sequence[str], text: str, usual: int) -> int:
+    """The number for a letter; 0 if it may be something else, or if it is several numbers."""
+    if any(_is_more(letter, tex) for tex in texts) or re.search(_SOME.format(letter), text):
+        return 0
+    said = [match for tex in texts for match in re.finditer(_SAID.format(letter), tex)]
+    exact = {int(match["number"]) for match in said if match["sign"] == "="}
+    least = [int(m["number"]) + (m["sign"] == ">") for m in said if m["sign"] != "="]
+    number = exact.pop() if len(exact) == 1 else max([usual, *least])
+    return number if not exact and 1 < number <= LARGEST else 0
+
+
+def _is_more(letter: str, tex: str) -> bool:
+    """Whether a letter is more than a number in a formula, or may be a quantity of its own."""
+    if re.search(_MORE.format(letter), tex):
+        return True
+    if letter == _USUAL or not _has_others(letter, tex):
+        return False
+    counts_here = _RUNS.search(tex) or any(end.search(tex) for end in _ENDS)
+    outside = re.sub(r"_\s*(?:[A-Za-z]|\{[^{}]*\})", "", tex)
+    return not counts_here and stands_in(letter, outside)
+
+
+def _has_others(letter: str, tex: str) -> bool:
+    """Whether other letters stand in a formula."""
+    return any(token.kind == "letter" and token.text != letter for token in tokens_of(tex))
+
+
+def with_counts(
+    formulas: Sequence[TypedFormula], numbers: Mapping[str, int]
+) -> Iterator[TypedFormula]:
+    """The formulas with these numbers for the letters that count, but where nothing else stands."""
+    for formula in formulas:
+        tex = formula.tex
+        for letter, number in numbers.items():
+            if _has_others(letter, tex):
+                tex = _with_number(tex, letter, number)
+        yield formula if tex == formula.tex else replace(formula, tex=tex)
+
+
+def _with_number(tex: str, letter: str, number: int) -> str:
+    r"""A formula with a number for a letter.
+
+    >>> _with_number(r"x_{N+1}=2Nx_N", "N", 3)
+    'x_{4}=2\\cdot 3x_3'
+    """
+
+    def added(match: re.Match[str]) -> str:
+        more = int(match["number"]) * (1 if match["sign"] == "+" else -1)
+        return f"{match['before']}{number + more}{match['after']}"
+
+    tex = re.sub(_ADDED.format(letter), added, tex)
+    tokens = tokens_of(tex)
+    for k in reversed(range(len(tokens))):
+        if tokens[k].text == letter:
+            before, behind = [t.kind for t in tokens[max(0, k - 2) : k]], tokens[k + 1 : k + 2]
+            argument = before[-1:] == ["frac"] or before == ["frac", "number"]
+            left = r"\cdot " if before[-1:] == ["number"] and not argument else ""
+            right = r"\cdot " if behind and behind[0].kind == "number" and not argument else ""
+            shown = f"{{{number}}}" if argument else f"{left}{number}{right}"
+            tex = f"{tex[: tokens[k].start]}{shown}{tex[tokens[k].end :]}"
+    return tex
+
+
+def stands_in(letter: str, tex: str) -> bool:
+    """Whether a letter stands in a formula."""
+    return any(token.text == letter for token in tokens_of(tex))
