@@ -75,7 +75,7 @@ CUES: dict[str, str] = {
         \bfor\b(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?\s*(?:§[^§]*)*$
         \bпри\b(?:\s+\w+){0,2}\s*(?:§[^§]*)*$""",
     "where": r"""
-        \bwhere\b \bhere\b (?<!\bcase\s)(?<!\bone\s)(?<!\bthat\s)\bin\s+which\b
+        \bwhere\b \bhere\b(?!\s+(?:are|is)\b) (?<!\bcase\s)(?<!\bone\s)(?<!\bthat\s)\bin\s+which\b
         \bгде\b \bздесь\b""",
     "claim": r"""
         therefore hence thus follow\w* whence we\s+(?:have|find|get|obtain)
@@ -239,6 +239,7 @@ CUES: dict[str, str] = {
         \bmultipliers?\b множител\w+""",
     "system": r"""
         equations?\s+of\s+motion equations?\s+(?:are|read|take|have) \bsystem\b \bmodel\b
+        \bthe\s+equations[\s~]*$ \bуравнения[\s~]*$
         now\s+consider reduced\s+(?:system|equations) in\s+polar\s+coordinates another\s+system
         obey\w* governed\s+by described\s+by euler\w*\s+equations hamilton\w*\s+equations
         уравнени\w+\s+движени\w+ систем\w+ уравнени\w+ описыва\w+""",

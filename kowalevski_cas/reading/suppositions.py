@@ -44,7 +44,10 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
         others = (one for one in known.paper.items if one.typed is item.typed)
         beside = not item.typed.inline and len([*others]) > 1
         deduced = item.derives and "=" in item.formula.signs and not cue("when", item.lead)
-        supposed = not deduced and (beside or bool(supposing(item)) or _is_of_new(item, known))
+        ordered = all(isinstance(one, Name) for one in item.formula.members)
+        told = item.typed.inline and ordered and not cue("claim", item.before)
+        told = told or beside or bool(supposing(item))
+        supposed = not deduced and (told or _is_of_new(item, known))
     else:
         words = item.lead[-30:] if item.typed.inline else item.before
         claimed = last_cue("claim", words) > last_cue("suppose", words)

@@ -47,7 +47,7 @@ def test_what_is_claimed_for_all_values_is_judged_for_each():
 @pytest.mark.parametrize(
     "text",
     [
-        r"where $i=1,\ldots,n$, and $q_1,q_2$ are the first. \[\dot q_i=p_i,\ \dot p_i=-q_i.\]",
+        r"where $i=1,\ldots,n$ with odd $n$, and $q_1,q_2$ are two. \[\dot q_i=p_i,\ \dot p_i=-q_i.\]",
         r"for $i=1,2$ with \[\dot q_i=p_i,\qquad \dot p_i=q_{i+1}-q_i.\]",
     ],
 )
