@@ -212,3 +212,17 @@ def test_an_inequality_is_supposed_in_the_general_case_as_well():
     assert [str(one) for one in verdicts(law + words).values()] == ["proved"]
     bare = law.replace(r"Let $a\ne0$. ", "")
     assert [str(one) for one in verdicts(bare + words).values()] == ["conditional"]
+
+
+@pytest.mark.parametrize(
+    ("words", "role"),
+    [
+        ("The particles $q<p$ move by ROWS", ASSUMPTION),
+        ("They are ordered, $q<p$, and move by ROWS", ASSUMPTION),
+        ("They move by ROWS Hence $q<p$.", CLAIM),
+    ],
+)
+def test_an_order_of_names_is_supposed_unless_it_is_deduced(words, role):
+    found = reading(words.replace("ROWS", r"\[\dot q=p,\quad\dot p=-q.\]"))
+    (order,) = (f for f in found.formulas if not f.item.members and f.item.formula is not None)
+    assert order.role.name == role
