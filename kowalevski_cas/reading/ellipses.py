@@ -99,10 +99,10 @@ def _numbers(first: Sequence[Token], last: Sequence[Token]) -> tuple[int, int] |
     }
     if len(pairs) > 1 or None in pairs or not any(one.kind == "_" for one in first):
         return None
+    numbers = {one.text for one in first if _is_index(first, one)}
+    if not pairs and len(numbers) == 1:
+        pairs = {(number, number) for number in numbers}
     found = pairs.pop() if pairs else None
-    if found is None:
-        numbers = {one.text for one in first if _is_index(first, one)}
-        found = (*numbers, *numbers) if len(numbers) == 1 else None
     if found is None or not all(map(str.isdecimal, found)):
         return None
     changed = [one for one, other in zip(first, last, strict=True) if one.text != other.text]

@@ -9,7 +9,10 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import product
 
+from kowalevski_cas.notation import Vocabulary
 from kowalevski_cas.notation.ranges import index_letters
 from kowalevski_cas.reading.counted import PERIOD
 from kowalevski_cas.source.displays import TypedFormula
@@ -55,6 +58,7 @@ _BRACKET = re.compile(
 )
 _TENSOR_INDEX = re.compile(r"\\(?:var)?(?:epsilon|delta)_\{\s*([a-z])\s*([a-z])\s*([a-z]?)\s*\}")
 _INDEX = re.compile(r"_(?:\{[a-z\s]+\}|[a-z])")
+_OF_FAMILY = re.compile(r"(?P<of>.+)_(?:(?P<letter>[a-z])|\{(?P<letters>[a-z]+)\})")
 _TENSOR = re.compile(r"\\(?:var)?epsilon\s*_")
 
 
@@ -138,6 +142,34 @@ def with_ranges(
         ]
         behind += _conditions_beside(formulas, place, text)
         yield tex + "".join(f",{one}" for one in behind)
+
+
+def with_values(words: Vocabulary, texts: Iterable[str]) -> Vocabulary:
+    r"""The names, and those with numbers in the place of indices of which texts give the values.
+
+    So :math:`\mathbf r_1` is a vector, if :math:`\mathbf r_i` is one and :math:`i=1,2`.
+    """
+    values: dict[str, set[int]] = defaultdict(set)
+    for letter, own in (pair for tex in texts for pair in _said(tex).items()):
+        values[letter].update(own)
+
+    def every(names: frozenset[str]) -> frozenset[str]:
+        found = {*names}
+        for name in names:
+            match = _OF_FAMILY.fullmatch(name)
+            letters = (match["letter"] or match["letters"]) if match else ""
+            if match and {*letters} <= values.keys():
+                for numbers in product(*(sorted(values[letter]) for letter in letters)):
+                    index = "".join(map(str, numbers))
+                    found.add(f"{match['of']}_{index if len(index) == 1 else f'{{{index}}}'}")
+        return frozenset(found)
+
+    return replace(
+        words,
+        scalars=every(words.scalars),
+        vectors=every(words.vectors),
+        matrices=every(words.matrices),
+    )
 
 
 def with_usual_indices(tex: str) -> str:

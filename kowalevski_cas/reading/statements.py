@@ -30,7 +30,7 @@ from kowalevski_cas.reading.elements import with_elements
 from kowalevski_cas.reading.ellipses import without_ellipses
 from kowalevski_cas.reading.formulas import by_names, read_formula, vocabulary_of, without_maps
 from kowalevski_cas.reading.free_functions import free_functions, names_of, with_names_alone
-from kowalevski_cas.reading.index_ranges import period_in, with_ranges
+from kowalevski_cas.reading.index_ranges import period_in, with_ranges, with_values
 from kowalevski_cas.reading.initially import moving_names, time_of_value, with_initial_values
 from kowalevski_cas.reading.named_sets import without_set_names
 from kowalevski_cas.reading.numbers import numbers_of
@@ -320,16 +320,17 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     begun, starts = with_initial_values([formula for formula, _ in along], moving)
     formulas = [*by_names(begun)]
     prose = Prose(expanded.text, expanded.body, formulas)
-    words = vocabulary_of(formulas)
+    texts = [formula.tex for formula in formulas]
+    period = period_in(expanded.text[prose.start :], texts, numbers)
+    most = max(numbers.values(), default=0)
+    ranged = [*with_ranges(formulas, expanded.text, period, most)]
+    words = with_values(vocabulary_of(formulas), ranged)
     others = primed | names_of(functions)
     words = replace(words, scalars=words.scalars | others, moving=words.moving | others)
     displays: list[tuple[Display, TypedFormula]] = []
     items: list[SourceStatement] = []
-    texts = [formula.tex for formula in formulas]
-    period = period_in(expanded.text[prose.start :], texts, numbers)
     lines: dict[str, int] = {}
     ids: Counter[str] = Counter()
-    ranged = with_ranges(formulas, expanded.text, period, max(numbers.values(), default=0))
     for formula, tex in zip(formulas, ranged, strict=True):
         several |= {formula.start} if numbers and tex != formula.tex else set()
         path = prose.path(formula.start)
