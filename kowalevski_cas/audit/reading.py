@@ -289,7 +289,8 @@ def audit_reading(session: ReadingSession) -> Audit:
             role.own[formula.claim.id] = role.claims[formula.claim.id] = None
     found = [formula for place in places for formula in describe.formulas(place)]
     by_place = {formula.item.printed: formula for formula in reading.formulas}
-    skipped = {one.item.printed.display.id: one for one in _skipped(reading)}
+    no_formulas = [one for one in reading.formulas if one.item.trouble and one.role.name != UNREAD]
+    skipped = {one.item.printed.display.id: one for one in (*no_formulas, *_skipped(reading))}
     for audited in found:
         _as_read(audited, by_place.get(audited.place) if audited.place else skipped.get(audited.id))
     point_at(found, session.repairs, reading)

@@ -174,10 +174,10 @@ class Definitions:
         for one in others:
             match one:
                 case Product((Number() as factor, multiple)) if multiple == own:
-                    rest = next(other for other in others if other != one)
+                    rest = next((other for other in others if other != one), Number(0))
                     return Quotient(rest, factor)
                 case Negative(opposite) if opposite == own:
-                    return Negative(next(other for other in others if other != one))
+                    return Negative(next((o for o in others if o != one), Number(0)))
         if not others or (name in printed.heads.names and own not in members):
             raise Meaningless(f"no expression stands for {name} in its definition", name)
         given = (m for m in others if getattr(m, "name", "") not in self.setting.scene.definitions)

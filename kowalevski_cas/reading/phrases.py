@@ -174,11 +174,21 @@ _PHRASE = re.compile(
 """A noun with what belongs to it, and no verb, as it stands before a formula in a list."""
 
 
+_KIND = r"of\s+(?:the\s+)?(?:\w+[\s~]+){0,3}\w+[\s~]*"
+_INTEGRALS_OF = re.compile(rf"\bintegrals\s+{_KIND}$", re.IGNORECASE)
+_OF_KIND = re.compile(rf"[\s,;~]*(?:and\s+)?{_KIND}", re.IGNORECASE)
+"""Of what integrals are, as it stands before each of a list."""
+
+
 def _in_list(item: SourceStatement) -> str:
     """The words by which a list behind a colon is announced, or that end it, as one of integrals.
 
-    So it is in “Two quantities are conserved: the mass, M=m, and the energy, E=h”.
+    So it is in “Two quantities are conserved: the mass, M=m, and the energy, E=h”, and in “the
+    integrals of momentum P=p and of energy E=h”.
     """
+    first, *kinds = item.before.split("§")
+    if kinds and _INTEGRALS_OF.search(first) and all(map(_OF_KIND.fullmatch, kinds)):
+        return "" if cue("denied", first) else cue("integral", first)
     announcing, colon, listed = item.before.rpartition(":")
     if colon and "§" not in announcing and all(map(_PHRASE.fullmatch, listed.split("§"))):
         return "" if cue("denied", announcing) else cue("integral", last_clause(announcing))

@@ -26,6 +26,7 @@ from kowalevski_cas.reading.definitions import (
 )
 from kowalevski_cas.reading.factors import roots
 from kowalevski_cas.reading.flows import divergence, measure
+from kowalevski_cas.reading.idle import idle
 from kowalevski_cas.reading.index_ranges import is_range
 from kowalevski_cas.reading.jets import gives_derivative, special_function
 from kowalevski_cas.reading.known import (
@@ -257,9 +258,9 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 RULES: tuple[Rule, ...] = (
-    unread, beginning, eigenvalue, of_flow, expression, named_set, law, radius, solved, constraint,
-    together, unit, bracket_of_momenta, bracket, bracket_of_functions, unjudged, inequality,
-    repeated, gives_derivative, special_function, change, roots,
+    unread, beginning, idle, eigenvalue, of_flow, expression, named_set, law, radius, solved,
+    constraint, together, unit, bracket_of_momenta, bracket, bracket_of_functions, unjudged,
+    inequality, repeated, gives_derivative, special_function, change, roots,
     claimed_set, point, solution, constant_of_solution, energy, on_place, definition, square,
     assumption, value, approximate, set_of_rates, of_some_motions, rate, zero_set,
     level, integral, identity, other,

@@ -13,6 +13,7 @@ from kowalevski_cas.notation import (
     Formula,
     Modulus,
     Name,
+    Negative,
     Number,
     PoissonBracket,
     Power,
@@ -508,7 +509,9 @@ def with_assumption(scene: Scene, item: SourceStatement, known: Known) -> Scene:
     names = [name for name in item.bare if name in scene.constants]
     rest = (m for m in item.members if not (isinstance(m, Name) and m.name in names))
     others = {name for member in rest for name in member.names()}
-    names = [name for name in names if name not in others]
+    # what is its own opposite is zero, as in a_{11}=-a_{11}
+    zero = [name for name in names if {*item.members} == {Name(name), Negative(Name(name))}]
+    names = zero or [name for name in names if name not in others]
     names = names[:-1] if len(names) == len(item.members) else names
     given = dict.fromkeys((*vectors, *matrices, *names), place)
     if not given:

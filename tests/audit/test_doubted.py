@@ -16,7 +16,7 @@ LAW = r"""The equations of motion are
 
 def audited(text):
     source = decode("paper.tex", (r"\begin{document}" + text + r"\end{document}").encode())
-    return audit_reading(ReadingSession(read(source), timeout=5))
+    return audit_reading(ReadingSession(read(source), timeout=20))
 
 
 def claim(found, label):

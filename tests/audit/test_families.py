@@ -37,7 +37,7 @@ PAPERS = [
 @pytest.mark.parametrize(("text", "label", "mended"), sampled(PAPERS, 1))
 def test_what_several_claims_share_is_blamed_once_for_all_values_of_the_index(text, label, mended):
     source = decode("paper.tex", (r"\begin{document}" + text + r"\end{document}").encode())
-    found = audit_reading(ReadingSession(read(source), timeout=5))
+    found = audit_reading(ReadingSession(read(source), timeout=20))
     failing = [one for one in found.formulas if one.verdict == Verdict.REFUTED]
     assert len(failing) == 3
     for one in failing:
@@ -52,5 +52,5 @@ def test_the_patch_types_it_once_and_no_range_that_stands_elsewhere():
     text = OSCILLATORS.replace("(i=1,2,3).", "", 2) % "K_i=v_i^2-c_iu_i^2" + r"Then $\dot K_i=0$."
     text = "Here $i=1,2,3$. " + text.replace(r"\qquad\end", r".\end")
     source = decode("paper.tex", (r"\begin{document}" + text + r"\end{document}").encode())
-    mended = repair_source(audit_reading(ReadingSession(read(source), timeout=5))).text
+    mended = repair_source(audit_reading(ReadingSession(read(source), timeout=20))).text
     assert mended == source.text.replace("v_i^2-c_iu_i^2", "v_i^2+c_iu_i^2")

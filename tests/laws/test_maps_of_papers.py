@@ -16,7 +16,7 @@ pytestmark = pytest.mark.usefixtures("uncorrected")
 def in_words(text):
     """The verdicts of what sentences claim, by the names of the claims without their numbers."""
     found = reading(text)
-    outcomes = ReadingSession(found, timeout=5).outcomes
+    outcomes = ReadingSession(found, timeout=20).outcomes
     return [
         (f.claim.id.partition("-in-words")[0], outcomes[f.claim.id].verdict)
         for f in found.statements

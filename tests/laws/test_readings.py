@@ -22,7 +22,7 @@ JOINED = (
 
 def outcomes_of(text):
     found = reading(text)
-    outcomes = ReadingSession(found, timeout=5).outcomes
+    outcomes = ReadingSession(found, timeout=20).outcomes
     claims = [formula for formula in found.formulas if formula.claim is not None]
     return [(f.item.printed.tex.strip(" .,"), outcomes[f.claim.id]) for f in claims]
 

@@ -23,7 +23,7 @@ We write $y=k\sin\theta$, $z=k\cos\theta$. Then
 
 def judged(text):
     found = read(decode("paper.tex", (r"\begin{document}" + text + r"\end{document}").encode()))
-    outcomes = ReadingSession(found, timeout=5).outcomes
+    outcomes = ReadingSession(found, timeout=20).outcomes
     return {
         f.item.printed.tex.strip(" .,\n"): (f.role.name, f.claim and outcomes[f.claim.id].verdict)
         for f in found.formulas

@@ -294,7 +294,7 @@ def test_every_kind_that_formulas_and_names_make_can_be_stated():
 def told_all(source):
     """All that a reading says, and the verdicts."""
     reading = read(source)
-    outcomes = ReadingSession(reading, timeout=5).outcomes
+    outcomes = ReadingSession(reading, timeout=20).outcomes
     said = [(f.item.printed.place, f.role[0], f.role[2:], f.on and [i.printed.place for i in f.on])
             for f in reading.formulas]  # fmt: skip
     return said, {id: (one.verdict, one.message, one.conditions) for id, one in outcomes.items()}

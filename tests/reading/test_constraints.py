@@ -21,7 +21,7 @@ $$\ddot x=-v^2x,\quad\ddot y=-v^2y,\quad\ddot z=-v^2z,$$ where $v^2=\dot x^2+\do
 def judged(text):
     """Whether what formulas claim is green, and whether the motion is found to keep its constraints."""
     found = reading(text)
-    outcomes = ReadingSession(found, timeout=5).outcomes
+    outcomes = ReadingSession(found, timeout=20).outcomes
     return tuple(
         [outcomes[one.claim.id].verdict.green for one in every if one.claim is not None]
         for every in (found.formulas, found.statements)

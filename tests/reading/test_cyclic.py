@@ -20,7 +20,7 @@ RING = r"""Let $i=1,2,3$; the index is taken modulo three. The equations are
     ],
 )
 def test_words_give_indices_a_period(words, period):
-    assert period_in(words) == period
+    assert period_in(words, [], {}) == period
 
 
 def test_a_closed_chain_has_the_integrals_of_its_period():

@@ -15,7 +15,7 @@ The canonical equations are \[ \dot u=\frac{p_u}M,\qquad \dot v=\frac{p_v}{%s},\
 
 def ends(text):
     found = reading(text)
-    outcomes = ReadingSession(found, timeout=5).outcomes
+    outcomes = ReadingSession(found, timeout=20).outcomes
     return [outcomes[one.claim.id] for one in found.statements if one.claim is not None]
 
 
@@ -35,7 +35,7 @@ def test_rows_are_those_of_the_printed_energy(text, right, wrong):
 
 @pytest.mark.slow
 def test_a_row_with_another_sign_is_blamed():
-    found = ReadingSession(reading(LAGRANGIAN % "-c(u-v)+b"), timeout=5)
+    found = ReadingSession(reading(LAGRANGIAN % "-c(u-v)+b"), timeout=20)
     assert found.outcomes
     (edit,) = found.causes.misprints.values()
     assert r"\ddot{u} = -c(u - v) - b" in str(edit.words) or edit.formula is not None

@@ -19,7 +19,7 @@ The functions \begin{equation}\label{T} T=2p^2+q^2 \end{equation} and
 def said(text):
     """What the sentences claim, and what became of it."""
     found = reading(LAW + text)
-    outcomes = ReadingSession(found, timeout=5).outcomes
+    outcomes = ReadingSession(found, timeout=20).outcomes
     return [
         (one.role.kind, outcomes[one.claim.id].verdict) for one in found.statements if one.claim
     ]
@@ -75,13 +75,13 @@ def test_a_number_of_states_of_rest_is_claimed():
     law = r"The equations are $$\dot p=p^2-1,\quad \dot q=-q.$$ "
     for number, green in (("two", True), ("three", False)):
         found = reading(law + rf"The system has exactly {number} equilibria.")
-        (outcome,) = ReadingSession(found, timeout=5).outcomes.values()
+        (outcome,) = ReadingSession(found, timeout=20).outcomes.values()
         assert outcome.verdict.green is green
 
 
 def test_a_claim_in_words_has_its_place_and_is_covered():
     words = r"$T$ and $G$ are independent."
-    found = audit_reading(ReadingSession(reading(LAW + words), timeout=5))
+    found = audit_reading(ReadingSession(reading(LAW + words), timeout=20))
     (region,) = found.sentences.values()
     assert region.line == 5
     assert not [one for one in found.uncovered if "independen" in one.words]
@@ -96,8 +96,8 @@ def test_a_claim_in_words_has_its_place_and_is_covered():
     ],
 )
 def test_headings_and_names_of_constants_claim_nothing(words):
-    before = audit_reading(ReadingSession(reading(LAW), timeout=5)).uncovered
-    found = audit_reading(ReadingSession(reading(LAW + words), timeout=5)).uncovered
+    before = audit_reading(ReadingSession(reading(LAW), timeout=20)).uncovered
+    found = audit_reading(ReadingSession(reading(LAW + words), timeout=20)).uncovered
     assert [one.words for one in found] == [one.words for one in before]
 
 

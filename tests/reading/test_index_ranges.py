@@ -20,7 +20,7 @@ def reading(text):
 
 def verdicts(text):
     found = reading(text)
-    outcomes = ReadingSession(found, timeout=5).outcomes
+    outcomes = ReadingSession(found, timeout=20).outcomes
     return [
         (f.item.printed.tex.strip(" .,\n"), outcomes[f.claim.id].verdict)
         for f in found.formulas

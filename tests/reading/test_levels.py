@@ -57,7 +57,7 @@ def test_what_is_found_by_an_integral_is_none():
 
 def test_an_audit_says_of_the_printed_formula_what_is_claimed_of_the_value():
     energy = RIGHT.replace("h-", "h+")
-    session = ReadingSession(reading(PLANE.replace("ENERGY", energy)), timeout=5)
+    session = ReadingSession(reading(PLANE.replace("ENERGY", energy)), timeout=20)
     found = {one.tex: one.verdict for one in audit_reading(session).formulas}
     assert found[energy] in ("refuted", "undecided")
     assert found[r"u\dot v=c+v\dot u"] == "proved"

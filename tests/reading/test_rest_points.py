@@ -115,7 +115,7 @@ def test_upper_signs_go_together_and_lower_ones(words):
 def listed(text):
     """The verdicts on what a text claims, with what it prints, in its order."""
     found = reading(text)
-    outcomes = ReadingSession(found, timeout=5).outcomes
+    outcomes = ReadingSession(found, timeout=20).outcomes
     judged = (*found.formulas, *found.statements)
     return [(f.item.printed.tex, outcomes[f.claim.id].verdict) for f in judged if f.claim]
 

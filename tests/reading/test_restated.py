@@ -16,7 +16,7 @@ def reading(text):
     return read(decode("paper.tex", (r"\begin{document}" + text + r"\end{document}").encode()))
 
 
-def verdicts(text, timeout=5):
+def verdicts(text, timeout=20):
     found = reading(text)
     outcomes = ReadingSession(found, timeout=timeout).outcomes
     return {

@@ -55,7 +55,7 @@ def test_what_is_supposed_for_all_that_follows_holds_in_its_section(
 @pytest.mark.slow
 def test_a_claim_that_holds_by_what_is_supposed_elsewhere_names_it():
     text = OSCILLATOR + BRIEF[0].format(r"\omega=1", "x^2+y^2") + "The sum $x^2+y^2$ is constant."
-    audit = audit_reading(ReadingSession(reading(text), timeout=5))
+    audit = audit_reading(ReadingSession(reading(text), timeout=20))
     *_, last = audit.formulas
     assert r"it holds with $\omega=1$" in last.message
 

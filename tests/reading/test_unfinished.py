@@ -100,7 +100,7 @@ def test_what_holds_for_small_angles_is_not_false_because_it_is_approximate(word
 def test_constants_that_differ_for_all_indices_are_supposed_and_nothing_is_missing():
     text = r"""\[ \dot x_1=a_1x_2,\qquad \dot x_2=-a_2x_1 . \] Let $a_i\ne a_j$ for $i\ne j$. The energy
     $H=a_2x_1^2+a_1x_2^2$ is conserved."""
-    found = audit_reading(ReadingSession(reading(text), timeout=5))
+    found = audit_reading(ReadingSession(reading(text), timeout=20))
     assert not [one for one in found.formulas if one.verdict in WRONG]
 
 

@@ -26,6 +26,8 @@ STATEMENTS = [
     (ENZYME + r"Two quantities are conserved: the total enzyme, $e+c=e_0$, and the total substrate, ${}=s_0$.",
      "s+c+p", "s+e+p"),
     (ENZYME + r"The functions $e+c$ and ${}$ are conserved.", "s+c+p", "s+e+p"),
+    (ENZYME + r"There are the integrals of the enzyme $e+c=e_0$ and of the substrate ${}=s_0$.",
+     "s+c+p", "s+e+p"),
     (ENZYME + r"Then $e+c=e_0$ is constant. Putting $\dot c=0$ (quasi-steady state) one finds "
      r"$c={}$, where $K=\frac{l+n}k$ is the constant of Michaelis.",
      r"\frac{e_0s}{K+s}", r"\frac{e_0s}{K-s}"),
@@ -83,7 +85,7 @@ STATEMENTS = [
 
 def verdicts(text):
     found = reading(text)
-    outcomes = ReadingSession(found, timeout=5).outcomes
+    outcomes = ReadingSession(found, timeout=20).outcomes
     claims = [one.claim for one in (*found.formulas, *found.statements) if one.claim is not None]
     return [outcomes[claim.id].verdict for claim in claims]
 

@@ -13,7 +13,7 @@ BODY = r"Уравнения Эйлера \[A\dot p=(B-C)qr,\quad B\dot q=(C-A)rp
 def of_volume(text):
     """The verdicts of what words claim of the volume."""
     found = reading(text)
-    outcomes = ReadingSession(found, timeout=5).outcomes
+    outcomes = ReadingSession(found, timeout=20).outcomes
     return [outcomes[one.claim.id].verdict for one in found.statements if one.claim]
 
 
