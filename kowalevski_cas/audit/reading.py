@@ -35,6 +35,7 @@ from kowalevski_cas.reading.uncovered import Uncovered, sentences
 from kowalevski_cas.source.text import Region
 from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.certificate import Stored
+from kowalevski_cas.verify.counterexamples import CONSTANT
 from kowalevski_cas.verify.decider import Decider
 from kowalevski_cas.verify.interpretation import Interpretation
 from kowalevski_cas.verify.outcome import FALSE_AS_READ, Correction, Outcome, Run, Verdict
@@ -97,7 +98,26 @@ class ReadingSession:
         self._doubt(found)
         explained = {*self.causes.places, *self._searched}
         self.repairs = repairs_of_doubted(self._session, found, explained)
+        self._spare_constants(found)
         return {id: self._told(outcome) for id, outcome in found.items()}
+
+    def _spare_constants(self, found: dict[str, Outcome]) -> None:
+        r"""Leave open what is constant by itself for some values of its indices only.
+
+        So it is with the integrals :math:`\operatorname{tr}L^k` of a matrix without a trace.
+        """
+        green = {self._printed(id) for id, outcome in found.items() if outcome.verdict.green}
+        for id, outcome in found.items():
+            if outcome.message == CONSTANT and self._printed(id) in green:
+                found[id] = outcome._replace(
+                    verdict=Verdict.UNDECIDED, message=f"for these values of indices {CONSTANT}",
+                    certificate="", divided=(), correction=None, alternatives=(),
+                )  # fmt: skip
+
+    def _printed(self, id: str) -> tuple[int, tuple[int, int]]:
+        """Where the statement is printed that makes a claim, for all values of its indices."""
+        item = self.claiming[id].item
+        return item.typed.start, item.span
 
     def _told(self, outcome: Outcome) -> Outcome:
         """An outcome as it is told: no error, and with the letters that were taken as free."""

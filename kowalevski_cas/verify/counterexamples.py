@@ -202,6 +202,9 @@ def _component(goal: Follows, place: PointEvaluation) -> str:
     return f"the {ORDINALS[[*differ].index(True)]} component of "
 
 
+CONSTANT = "the function is constant by itself"
+
+
 def _number(statement: Statement, sides: tuple[Formula, Formula]) -> str:
     """The number of an equation of a critical set, as its paper prints it, if it has one."""
     claim = statement.claim
@@ -218,7 +221,7 @@ def why(claim: Claim, goal: Goal, evidence: Evidence) -> str:
         case Fails(conclusions=()), Entailment():
             return "no real point is such that the function has this value"
         case Fails(), Entailment() if claim.is_kind("FirstIntegral"):
-            return "the function is constant by itself"
+            return CONSTANT
         case Fails(), Entailment() if claim.is_kind("LaxPair"):
             return "all invariants of the matrix are constant by themselves: it gives no integral"
         case Fails(), Entailment():
@@ -228,7 +231,7 @@ def why(claim: Claim, goal: Goal, evidence: Evidence) -> str:
         case Follows(conclusions=()), At():
             return "there is a real point where none is said to be"
         case Rank(functions=(own,)), Minors() if _is_constant(own, goal.space):
-            return "the function is constant by itself"
+            return CONSTANT
         case Rank(functions=(_,)), Minors() if claim.is_kind("FirstIntegral"):
             return "on this set the function is constant by the equations of the set alone"
         case Rank(), Minors():

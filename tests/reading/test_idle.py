@@ -48,3 +48,15 @@ def test_what_is_its_own_opposite_is_supposed_to_be_zero():
     supposed = [f for f in reading(SPECIES + words).formulas if f.role.name == ASSUMPTION]
     assert len(supposed) == 5
     assert decided(SPECIES + words.replace("-a_{ji}", "a_{ji}")) == [False]
+
+
+def test_of_integrals_that_are_constant_for_some_indices_only_none_is_refuted():
+    text = r"""The quantities $I_k=\operatorname{tr}L^k$, $k=1,2$, are integrals of
+    \[\dot a=ab,\quad \dot b=-a^2.\] Here \[L=\begin{pmatrix}b&a\\a&-b\end{pmatrix}.\]"""
+    verdicts = [f.verdict for f in audited(text).formulas if f.claims]
+    assert verdicts == ["undecided", "proved"]
+    alone = text.replace(
+        r"quantities $I_k=\operatorname{tr}L^k$, $k=1,2$, are integrals",
+        r"quantity $I=\operatorname{tr}L$ is an integral",
+    )
+    assert [f.verdict for f in audited(alone).formulas if f.claims] == ["refuted"]
