@@ -16,6 +16,9 @@ from kowalevski_cas.verify.run import Session, correct_together
 AS_FREE = "taken as free"
 """The words for letters of which nothing is known."""
 
+OF_A_PLACE = "it does not hold always, and its words may say where, or when, it does"
+"""The words for what may be said of one place, or of one time."""
+
 SECONDS = 2.0
 """For the search of what would mend a claim."""
 

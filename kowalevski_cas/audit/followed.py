@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from kowalevski_cas.audit.audited import GIVEN, OPEN, Audited
-from kowalevski_cas.audit.doubted import AS_FREE
+from kowalevski_cas.audit.doubted import AS_FREE, OF_A_PLACE
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.reading import CLAIM, Reading
 from kowalevski_cas.reading.dimensions import AS_THE_REST
@@ -58,6 +58,8 @@ def _may_be_wrong(audited: Audited) -> bool:
 def _is_doubted(audited: Audited) -> bool:
     """Whether a formula may be wrong by what is said of it."""
     doubted = audited.verdict == Verdict.UNDECIDED and bool(audited.message)
+    if OF_A_PLACE in audited.message:
+        return False
     return audited.wrong or (audited.role == CLAIM and doubted) or AS_THE_REST in audited.message
 
 

@@ -17,7 +17,13 @@ from kowalevski_cas.audit.audited import GIVEN, OPEN, UNREADABLE, Audited
 from kowalevski_cas.audit.author import AuthorSession
 from kowalevski_cas.audit.causes import Causes
 from kowalevski_cas.audit.describe import Describer
-from kowalevski_cas.audit.doubted import how_read, is_false_as_read, point_at, repairs_of_doubted
+from kowalevski_cas.audit.doubted import (
+    OF_A_PLACE,
+    how_read,
+    is_false_as_read,
+    point_at,
+    repairs_of_doubted,
+)
 from kowalevski_cas.audit.followed import tell_steps
 from kowalevski_cas.audit.places import Correspondence
 from kowalevski_cas.audit.scaled import edits_by_scales, tell_scales
@@ -28,6 +34,7 @@ from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.texts import Printed, Texts, edited_formulas
 from kowalevski_cas.processes import each
 from kowalevski_cas.reading import CLAIM, UNREAD, JudgedStatement, Reading
+from kowalevski_cas.reading.doubts import is_of_a_place
 from kowalevski_cas.reading.energies import OF_ENERGY
 from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.obey import SAID, SKIPPED
@@ -96,10 +103,18 @@ class ReadingSession:
         found = {outcome.claim: self._blaming(outcome) for outcome in run.outcomes}
         self._mend(found)
         self._doubt(found)
+        self._leave_places(found)
         explained = {*self.causes.places, *self._searched}
         self.repairs = repairs_of_doubted(self._session, found, explained)
         self._spare_constants(found)
         return {id: self._told(outcome) for id, outcome in found.items()}
+
+    def _leave_places(self, found: dict[str, Outcome]) -> None:
+        """Call nothing false that may be said of one place, or of one time."""
+        for id, outcome in found.items():
+            item = self.claiming[id].item
+            if is_false_as_read(outcome) and is_of_a_place(item, self.reading.parts.of(item)):
+                found[id] = outcome._replace(message=OF_A_PLACE)
 
     def _spare_constants(self, found: dict[str, Outcome]) -> None:
         r"""Leave open what is constant by itself for some values of its indices only.

@@ -95,6 +95,7 @@ def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
         )
         or _is_of_another(item, known)
         or _is_not_deduced(item, known)
+        or _is_given_again(item, known)
         or bool(cue("ideal case", item.words))
         or _is_below_other_rates(item, known)
         or _is_before_its_law(item, known)
@@ -107,8 +108,7 @@ def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
 
 def _is_of_another(item: SourceStatement, known: Known) -> bool:
     """Whether a letter is given once more, and words speak of another thing: of that it may be."""
-    first = item.members[0] if item.members else None
-    if not isinstance(first, Name) or known.definition(first.name, item) in (None, item):
+    if not _gives_again(item, known):
         return False
     return bool(_ANOTHER.search(f"{item.earlier[0] if item.earlier else ''} {item.words}"))
 
@@ -120,6 +120,37 @@ def _is_not_deduced(item: SourceStatement, known: Known) -> bool:
     """
     said = any(cue(name, f"{item.before} ") for name in ("claim", "follows", "deduced"))
     return is_row(item) and all(map(known.moves, item.rates)) and not said
+
+
+_AT_TIMES = re.compile(
+    r"\b(?:at|when|if|initially|finally|during|while|before|after)\b"
+    r"|\bin\s+(?:the|its|this|that|a)\s+(?:\w+\s+)?(?:positions?|states?|limits?|ends?|middle|beginning)\b"
+    r"|\b(?:если|когда|при|вначале|сначала|в\s+(?:\w+\s+)?(?:точк|положени|состояни|момент|предел|начал|конц)\w+)\b",
+    re.IGNORECASE,
+)
+"""Words for a place, or a time, of which something may be said alone."""
+
+
+def _is_given_again(item: SourceStatement, known: Known) -> bool:
+    """Whether a name that is defined is given once more, and words do not deduce it for all times.
+
+    It may be its value somewhere: “at the lowest point the tension is …”.
+    """
+    again = _gives_again(item, known)
+    return again and (not cue("deduced", f"{item.before} ") or is_of_a_place(item, known))
+
+
+def is_of_a_place(item: SourceStatement, known: Known) -> bool:
+    """Whether a name that is defined is given once more, and words may say where, or when."""
+    return _gives_again(item, known) and _AT_TIMES.search(item.before) is not None
+
+
+def _gives_again(item: SourceStatement, known: Known) -> bool:
+    """Whether an equation gives a name that another one defines."""
+    first = item.members[0] if item.members else None
+    if not isinstance(first, Name):
+        return False
+    return known.definition(first.name, item) not in (None, item)
 
 
 def _is_of_a_motion(item: SourceStatement, known: Known) -> bool:

@@ -2,7 +2,9 @@
 
 import pytest
 
-from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.audit.audited import SUSPECT
+from kowalevski_cas.verify.outcome import FALSE_AS_READ, Verdict
+from tests.audit.test_doubted import audited
 from tests.reading.test_reading import verdicts
 from tests.sample import sampled
 
@@ -75,3 +77,33 @@ def test_rates_that_vanish_side_by_side_are_no_set(words, verdict):
     found = verdicts(TURN + words + r"\[ \dot x=0,\quad \dot y=0,\quad \dot z=0 . \]")
     assert not any(one.green for one in found.values())
     assert verdict is None or verdict in found.values()
+
+
+TENSION = r"""The pendulum obeys \[\ddot\theta=-\frac gl\sin\theta,\] and the tension of its rod is
+\[T=mg\cos\theta+ml\dot\theta^2.\] """
+
+
+@pytest.mark.parametrize(
+    "words",
+    sampled(
+        [
+            "At the lowest point",
+            "In its lowest position it equals",
+            "When the rod is vertical,",
+            "Hence, at the bottom,",
+            "It is largest at the lowest point, where",
+            "В нижней точке",
+            "При вертикальном положении получаем",
+        ],
+        2,
+    ),
+)
+def test_a_name_that_is_given_once_more_may_be_its_value_somewhere(words):
+    found = audited(TENSION + words + r" \[T=mg+ml\dot\theta^2.\]").formulas
+    assert [f.verdict for f in found if f.claims] == [Verdict.UNDECIDED]
+    assert not any(FALSE_AS_READ in f.message or f.verdict == SUSPECT for f in found)
+
+
+def test_what_is_deduced_of_a_name_for_all_times_is_refuted():
+    found = audited(TENSION + r"Hence \[\frac Tm=g\cos\theta-l\dot\theta^2.\]").formulas
+    assert [f.verdict for f in found if f.claims] == [Verdict.REFUTED]
