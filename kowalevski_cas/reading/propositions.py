@@ -17,7 +17,7 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.deviations import is_linear_in_deviations
-from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, Known, StatementRole
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, Known, StatementRole
 from kowalevski_cas.reading.phrases import (
     integral_words,
     is_level,
@@ -249,8 +249,25 @@ def integral(item: SourceStatement, known: Known) -> StatementRole | None:
 
 def identity(item: SourceStatement, known: Known) -> StatementRole | None:
     """What else is printed as an equation, of names that are known."""
-    return (
-        StatementRole(CLAIM, "an equation between what is known", "identity")
-        if item.members
-        else None
-    )
+    if not item.members:
+        return None
+    first = item.members[0]
+    squared = isinstance(first, Power) and first.exponent == Number(2)
+    given = first.base if isinstance(first, Power) and squared else first
+    if isinstance(given, Name) and _is_given_here_alone(given.name, item, known):
+        why = f"the only equation that gives {plain(given.name)}"
+        return StatementRole(DEFINITION, why, "square" if squared else "", (given.name,))
+    return StatementRole(CLAIM, "an equation between what is known", "identity")
+
+
+def _is_given_here_alone(name: str, item: SourceStatement, known: Known) -> bool:
+    """Whether nothing but an equation says what a name is, though it stood before.
+
+    It is none that a law has, or that moves by it; what words deduce is no definition.
+    """
+    others = [one for one in known.later.get(name, ()) if one is not item]
+    moving = any(name in law.variables for law in known.laws)
+    rest = len(item.members) == 2 and name not in item.members[1].names()
+    deduced = cue("deduced", f"{item.before} ") or cue("follows", f"{item.lead} ")
+    new = rest and not (others or moving or known.is_defined(name))
+    return bool(new and not deduced and known.untied((name,)))
