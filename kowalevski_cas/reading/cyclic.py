@@ -6,6 +6,7 @@ import re
 
 from kowalevski_cas.reading.known import CONVENTION, StatementRole
 from kowalevski_cas.reading.parts import Parts
+from kowalevski_cas.reading.statements import is_closing
 from kowalevski_cas.reading.unprinted import unprinted
 
 _INDEXED = re.compile(r"(?P<letter>.+)_\{?(?P<index>\d+)\}?")
@@ -16,7 +17,8 @@ def enter_cyclic_names(parts: Parts) -> None:
     period = parts.paper.period
     for place, known in enumerate(parts.known) if period else ():
         names = frozenset().union(*(item.names for item in known.items))
-        for name in sorted(names):
+        closed = {name for item in known.items if is_closing(item) for name in item.bare}
+        for name in sorted(names - closed):
             found = _INDEXED.fullmatch(name)
             if (
                 found is None
