@@ -21,8 +21,9 @@ from kowalevski_cas.notation import (
     to_latex,
 )
 from kowalevski_cas.notation.misprints import factors_of
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.reading.known import DEFINITION, OTHER, Known, StatementRole
-from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.statements import SourceStatement, is_closing
 
 ZERO = "zero for these values of its indices"
 SAME = "says the same as for other values of its indices"
@@ -31,6 +32,9 @@ SAME = "says the same as for other values of its indices"
 def idle(item: SourceStatement, known: Known) -> StatementRole | None:
     """What says for other values of its indices more than for these, or the same."""
     family = [one for one in known.paper.items if one.typed is item.typed and one.span == item.span]
+    if name := _closed(item, known.paper.period):
+        why = f"indices are taken modulo {known.paper.period}"
+        return StatementRole(DEFINITION, why, "", (name,))
     turned = _turned(item.formula)
     if turned is not None and any(o.formula == turned for o in family if o.order < item.order):
         return StatementRole(OTHER, SAME)
@@ -39,6 +43,15 @@ def idle(item: SourceStatement, known: Known) -> StatementRole | None:
     named = isinstance(item.formula, Relation)
     role = DEFINITION if named else OTHER
     return StatementRole(role, ZERO, "", item.bare[:1] if named else ())
+
+
+def _closed(item: SourceStatement, period: int) -> str:
+    """The name beside a chain that an equation gives by one of its links, which stands first."""
+    if not period or not is_closing(item):
+        return ""
+    first, last = (symbol(name).index for name in item.bare)
+    beside = first.isdecimal() and last.isdecimal() and not 1 <= int(last) <= period
+    return item.bare[1] if beside and 1 <= int(first) <= period else ""
 
 
 def _turned(formula: Formula | None) -> Formula | None:

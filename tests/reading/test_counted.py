@@ -66,6 +66,10 @@ LATTICE = r"""
 In the periodic lattice of Toda (indices mod $n$, $n\ge3$)
 \[ \dot a_k=a_k(b_{k+1}-b_k),\qquad \dot b_k=2(a_k^2-a_{k-1}^2). \]
 """
+VOLTERRA = r"""
+The lattice with the periodic condition $c_{k+n}=c_k$, $n\ge3$, is
+\[ \dot c_k=c_k(c_{k+1}-c_{k-1}). \]
+"""
 
 
 def decided(text):
@@ -98,6 +102,10 @@ def decided(text):
                 LATTICE + r"The function \[\sum_k\left(\tfrac13b_k^3+a_k^2TERM\right)\]"
                 " is an integral.",
                 "(b_k+b_{k+1})", "(b_k+b_{k+2})",
+            ),
+            (
+                VOLTERRA + r"The function \[\sum_k\left(\tfrac12c_k^2+TERM\right)\] is an integral.",
+                "c_kc_{k+1}", "c_kc_{k+2}",
             ),
         ],
         2,
