@@ -269,5 +269,6 @@ def _is_given_here_alone(name: str, item: SourceStatement, known: Known) -> bool
     moving = any(name in law.variables for law in known.laws)
     rest = len(item.members) == 2 and name not in item.members[1].names()
     deduced = cue("deduced", f"{item.before} ") or cue("follows", f"{item.lead} ")
-    new = rest and not (others or moving or known.is_defined(name))
+    resting = any(name in known.below(one) for one in item.names - {name})
+    new = rest and not (others or moving or resting or known.is_defined(name))
     return bool(new and not deduced and known.untied((name,)))

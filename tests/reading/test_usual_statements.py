@@ -26,6 +26,10 @@ STATEMENTS = [
     (ENZYME + r"Two quantities are conserved: the total enzyme, $e+c=e_0$, and the total substrate, ${}=s_0$.",
      "s+c+p", "s+e+p"),
     (ENZYME + r"The functions $e+c$ and ${}$ are conserved.", "s+c+p", "s+e+p"),
+    (r"The kinetic energy is \[ K=\tfrac12m(\dot x^2+\dot y^2) . \] With $x=r\cos\varphi$, $y=r\sin\varphi$ "
+     r"it becomes \[ K=\tfrac12m(\dot r^2+{}\dot\varphi^2) . \]", "r^2", "r"),
+    (r"The kinetic energy is \[ K=\tfrac12m(\dot x^2+\dot y^2) . \] Since $x=b\sin\vartheta$, $y=-b\cos\vartheta$, "
+     r"we get \[ K=\tfrac12mb{}\dot\vartheta^2 . \]", "^2", ""),
     (ENZYME + r"There are the integrals of the enzyme $e+c=e_0$ and of the substrate ${}=s_0$.",
      "s+c+p", "s+e+p"),
     (ENZYME + r"Then $e+c=e_0$ is constant. Putting $\dot c=0$ (quasi-steady state) one finds "
