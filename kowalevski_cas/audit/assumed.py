@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from kowalevski_cas.audit.audit import Audit
@@ -10,6 +10,7 @@ from kowalevski_cas.audit.audited import Audited
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading import ASSUMPTION, CONVENTION, DEFINITION, Reading
+from kowalevski_cas.reading.counted import shown_numbers
 
 
 class Assumed(NamedTuple):
@@ -43,11 +44,6 @@ def assumptions_of(audit: Audit) -> Iterator[Assumed]:
     for name in (one for one in names if one != PI):
         claims = (f.claim.id for f in claiming if f.claim and name in f.constants)
         yield Assumed("constant", f"${name}$ is defined nowhere", None, tuple(claims))
-
-
-def shown_numbers(numbers: Mapping[str, int]) -> str:
-    """The letters that count with the numbers for which a paper is read."""
-    return r",\ ".join(f"{letter}={number}" for letter, number in numbers.items())
 
 
 def claims_of_numbers(reading: Reading) -> tuple[str, ...]:

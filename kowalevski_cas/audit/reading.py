@@ -11,7 +11,7 @@ from contextlib import suppress
 from functools import cached_property
 from time import perf_counter
 
-from kowalevski_cas.audit.assumed import claims_of_numbers, shown_numbers
+from kowalevski_cas.audit.assumed import claims_of_numbers
 from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.audited import GIVEN, OPEN, UNREADABLE, Audited
 from kowalevski_cas.audit.author import AuthorSession
@@ -34,6 +34,7 @@ from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.texts import Printed, Texts, edited_formulas
 from kowalevski_cas.processes import each
 from kowalevski_cas.reading import CLAIM, UNREAD, JudgedStatement, Reading
+from kowalevski_cas.reading.counted import shown_numbers
 from kowalevski_cas.reading.doubts import is_of_a_place
 from kowalevski_cas.reading.energies import OF_ENERGY
 from kowalevski_cas.reading.kinematics import is_free

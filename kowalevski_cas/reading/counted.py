@@ -144,3 +144,8 @@ def _with_number(tex: str, letter: str, number: int) -> str:
 def stands_in(letter: str, tex: str) -> bool:
     """Whether a letter stands in a formula."""
     return any(token.text == letter for token in tokens_of(tex))
+
+
+def shown_numbers(numbers: Mapping[str, int]) -> str:
+    """The letters that count with the numbers for which a paper is read."""
+    return ", ".join(f"{letter}={number}" for letter, number in numbers.items())

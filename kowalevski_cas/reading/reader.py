@@ -30,6 +30,7 @@ from kowalevski_cas.reading.constraints import (
     unbound_multiplier,
 )
 from kowalevski_cas.reading.conventions import enter_conventions
+from kowalevski_cas.reading.counted import shown_numbers
 from kowalevski_cas.reading.cyclic import enter_cyclic_names
 from kowalevski_cas.reading.dimensions import Misscaled, misscaled
 from kowalevski_cas.reading.doubts import doubt_of
@@ -340,7 +341,11 @@ class _DerivationReader:
             section = sections[place.display.section]
             section.claim(claim)
             section.lines[claim.id] = (path, self.paper.lines.get(place.display.id, 0))
-        return Derivation(re.sub(r".*/|\.tex$", "", path), path, "", path, tuple(own))
+        numbers = shown_numbers(self.paper.numbers)
+        return Derivation(
+            re.sub(r".*/|\.tex$", "", path), path, "", path, tuple(own),
+            edition=f"{path}, for ${numbers}$" if numbers else "",
+        )  # fmt: skip
 
     def _names(self) -> dict[str, Scene]:
         """All names of the paper, so that each statement can be read, by each of its times."""

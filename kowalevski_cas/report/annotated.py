@@ -9,11 +9,12 @@ from hashlib import sha256
 from itertools import count
 from typing import Final
 
-from kowalevski_cas.audit.assumed import assumptions_of
+from kowalevski_cas.audit.assumed import assumptions_of, claims_of_numbers
 from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.audited import OPEN, Audited
 from kowalevski_cas.notation import Formula, NotationError, Vocabulary, read_display, split_display
 from kowalevski_cas.paper.texts import Display as Printed
+from kowalevski_cas.reading.counted import shown_numbers
 from kowalevski_cas.reading.numbers import numbers_of
 from kowalevski_cas.report.contents import Contents
 from kowalevski_cas.report.dependence import graph
@@ -322,12 +323,16 @@ def _with_reasons(audit: Audit) -> Run:
     """
     told = {claim: formula.message for formula in audit.formulas for claim in formula.claims}
     mended = audit.session.causes.corrections
+    reading = audit.reading
+    counted = claims_of_numbers(reading) if reading is not None else ()
+    number = f"for ${shown_numbers(reading.paper.numbers)}$" if reading is not None else ""
 
     def explained(outcome: Outcome) -> Outcome:
         if outcome.verdict is Verdict.REFUTED:
-            return outcome._replace(correction=outcome.correction or mended.get(outcome.claim))
-        if outcome.verdict.green:
-            return outcome
+            correction = outcome.correction or mended.get(outcome.claim)
+            outcome = outcome._replace(correction=correction)
+        if outcome.verdict.green or outcome.verdict is Verdict.REFUTED:
+            return outcome._replace(message=number) if outcome.claim in counted else outcome
         return outcome._replace(message=told.get(outcome.claim) or outcome.message)
 
     return audit.run._replace(outcomes=tuple(map(explained, audit.run.outcomes)))

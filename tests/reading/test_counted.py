@@ -5,6 +5,7 @@ import pytest
 from kowalevski_cas.audit.assumed import assumptions_of
 from kowalevski_cas.reading import read
 from kowalevski_cas.reading.counted import counts
+from kowalevski_cas.report.annotated import _with_reasons
 from kowalevski_cas.source.files import decode
 from kowalevski_cas.source.formulas import typed_formulas
 from tests.audit.test_doubted import audited
@@ -130,6 +131,17 @@ def test_the_number_stands_among_what_is_assumed_with_all_that_rests_on_it():
     (one,) = (one for one in assumptions_of(found) if one.kind == "number")
     assert one.words == "$N=3$"
     assert {*one.claims} == {claim for formula in found.formulas for claim in formula.claims}
+
+
+def test_each_verdict_of_the_page_and_the_text_that_was_read_say_the_number():
+    found = audited(
+        PARTICLES + r"The momentum \[P=p_1+\dots+p_N\] is an integral, and so is $p_1$."
+    )
+    assert [one.message for one in _with_reasons(found).outcomes] == ["for $N=3$"] * 2
+    assert found.reading.derivation.edition == "paper.tex, for $N=3$"
+    none = audited(r"The equations $\dot x=y$, $\dot y=-x$ have the integral \[x^2+y^2.\]")
+    assert not none.reading.derivation.edition
+    assert [one.message for one in _with_reasons(none).outcomes] == [""]
 
 
 def test_the_elements_of_a_matrix_are_not_divided_by_zero_on_its_diagonal():

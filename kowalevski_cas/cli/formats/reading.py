@@ -6,9 +6,10 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from kowalevski_cas.audit.assumed import shown_numbers, unchecked
+from kowalevski_cas.audit.assumed import unchecked
 from kowalevski_cas.audit.audited import OPEN
 from kowalevski_cas.cli import plain
+from kowalevski_cas.reading.counted import shown_numbers
 from kowalevski_cas.report.document import Equations, Paragraph
 from kowalevski_cas.report.sentences import Phrases
 from kowalevski_cas.verify.outcome import Verdict
