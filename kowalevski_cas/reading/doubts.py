@@ -95,7 +95,7 @@ def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
         )
         or _is_of_another(item, known)
         or _is_not_deduced(item, known)
-        or _is_given_again(item, known)
+        or is_of_a_place(item, known)
         or bool(cue("ideal case", item.words))
         or _is_below_other_rates(item, known)
         or _is_before_its_law(item, known)
@@ -131,17 +131,11 @@ _AT_TIMES = re.compile(
 """Words for a place, or a time, of which something may be said alone."""
 
 
-def _is_given_again(item: SourceStatement, known: Known) -> bool:
-    """Whether a name that is defined is given once more, and words do not deduce it for all times.
-
-    It may be its value somewhere: “at the lowest point the tension is …”.
-    """
-    again = _gives_again(item, known)
-    return again and (not cue("deduced", f"{item.before} ") or is_of_a_place(item, known))
-
-
 def is_of_a_place(item: SourceStatement, known: Known) -> bool:
-    """Whether a name that is defined is given once more, and words may say where, or when."""
+    """Whether a name that is defined is given once more, and words may say where, or when.
+
+    So they do in “at the lowest point the tension is …”.
+    """
     return _gives_again(item, known) and _AT_TIMES.search(item.before) is not None
 
 
