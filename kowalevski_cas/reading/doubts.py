@@ -23,7 +23,7 @@ from kowalevski_cas.reading.measures import differentials_of_images
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.permuted import has_more_rows
-from kowalevski_cas.reading.phrases import integral_words, is_conditional
+from kowalevski_cas.reading.phrases import AT_TIMES, integral_words, is_conditional
 from kowalevski_cas.reading.rest_points import MARKED, POINT
 from kowalevski_cas.reading.rows import is_row
 from kowalevski_cas.reading.rung import Rung
@@ -122,21 +122,12 @@ def _is_not_deduced(item: SourceStatement, known: Known) -> bool:
     return is_row(item) and all(map(known.moves, item.rates)) and not said
 
 
-_AT_TIMES = re.compile(
-    r"\b(?:at|when|if|initially|finally|during|while|before|after)\b"
-    r"|\bin\s+(?:the|its|this|that|a)\s+(?:\w+\s+)?(?:positions?|states?|limits?|ends?|middle|beginning)\b"
-    r"|\b(?:если|когда|при|вначале|сначала|в\s+(?:\w+\s+)?(?:точк|положени|состояни|момент|предел|начал|конц)\w+)\b",
-    re.IGNORECASE,
-)
-"""Words for a place, or a time, of which something may be said alone."""
-
-
 def is_of_a_place(item: SourceStatement, known: Known) -> bool:
     """Whether a name that is defined is given once more, and words may say where, or when.
 
     So they do in “at the lowest point the tension is …”.
     """
-    return _gives_again(item, known) and _AT_TIMES.search(item.before) is not None
+    return _gives_again(item, known) and AT_TIMES.search(item.before) is not None
 
 
 def _gives_again(item: SourceStatement, known: Known) -> bool:

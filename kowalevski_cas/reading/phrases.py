@@ -23,6 +23,15 @@ VERB = re.compile(
 """What says of the expression before it that it is something, or does something."""
 
 
+AT_TIMES = re.compile(
+    r"\b(?:at|when|if|initially|finally|during|while|before|after)\b"
+    r"|\bin\s+(?:the|its|this|that|a)\s+(?:\w+\s+)?(?:positions?|states?|limits?|ends?|middle|beginning)\b"
+    r"|\b(?:если|когда|при|вначале|сначала|в\s+(?:\w+\s+)?(?:точк|положени|состояни|момент|предел|начал|конц)\w+)\b",
+    re.IGNORECASE,
+)
+"""Words for a place, or a time, of which something may be said alone."""
+
+
 _AND = re.compile(r"[\s,;~]*(?:(?:and|or|и|или)[\s~]*)?(?:§[\s,;~]*(?:(?:and|or|и|или)[\s~]*)?)*")
 
 

@@ -19,6 +19,7 @@ from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.deviations import is_linear_in_deviations
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, Known, StatementRole
 from kowalevski_cas.reading.phrases import (
+    AT_TIMES,
     integral_words,
     is_level,
     is_value,
@@ -263,7 +264,8 @@ def identity(item: SourceStatement, known: Known) -> StatementRole | None:
 def _is_given_here_alone(name: str, item: SourceStatement, known: Known) -> bool:
     """Whether nothing but an equation says what a name is, though it stood before.
 
-    It is none that a law has, or that moves by it; what words deduce is no definition.
+    It is none that a law has, or that moves by it; what words deduce, or say of one place or time,
+    is no definition, and what is derived somewhere is given by what is derived as well.
     """
     others = [one for one in known.later.get(name, ()) if one is not item]
     moving = any(name in law.variables for law in known.laws)
@@ -271,4 +273,7 @@ def _is_given_here_alone(name: str, item: SourceStatement, known: Known) -> bool
     deduced = cue("deduced", f"{item.before} ") or cue("follows", f"{item.lead} ")
     resting = any(name in known.below(one) for one in item.names - {name})
     new = rest and not (others or moving or resting or known.is_defined(name))
-    return bool(new and not deduced and known.untied((name,)))
+    rates = {one for other in known.items for one in other.rates}
+    still = name in rates and rates.isdisjoint(item.names - {name})
+    told = deduced or AT_TIMES.search(item.before) or still
+    return bool(new and not told and known.untied((name,)))

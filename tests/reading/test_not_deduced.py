@@ -107,3 +107,10 @@ def test_a_name_that_is_given_once_more_may_be_its_value_somewhere(words):
 def test_what_is_deduced_of_a_name_for_all_times_is_refuted():
     found = audited(TENSION + r"Hence \[\frac Tm=g\cos\theta-l\dot\theta^2.\]").formulas
     assert [f.verdict for f in found if f.claims] == [Verdict.REFUTED]
+
+
+@pytest.mark.parametrize("words", ["At the end", "When the rod is vertical,", "В нижней точке"])
+def test_what_gives_a_name_at_one_place_defines_it_nowhere(words):
+    text = r"The kinetic energy is \[K=\frac12m(\dot x^2+\dot y^2).\] WORDS $x=b\sin\theta$, $y=-b\cos\theta$. Then \[K=\frac12mb^2\dot\theta^2.\]"
+    assert not any(f.verdict == "proved" for f in audited(text.replace("WORDS", words)).formulas)
+    assert audited(text.replace("WORDS", "With")).formulas[-1].verdict == "proved"
