@@ -83,15 +83,15 @@ def is_range(formula: TypedFormula) -> bool:
 def period_in(words: str, texts: Iterable[str], numbers: Mapping[str, int]) -> int:
     r"""By how much words, or an equation, say that indices may be changed; 0 if they do not.
 
-    ``numbers`` are those for letters.
+    ``numbers`` are those for letters; without any, an equation may as well be claimed.
 
     >>> period_in("the indices are taken modulo three", [], {})
     3
-    >>> period_in("periodic boundary conditions", [r"c_{k+4}=c_k"], {})
+    >>> period_in("periodic boundary conditions", [r"c_{k+4}=c_k"], {"n": 4})
     4
     """
     if (found := _PERIOD.search(words)) is None:
-        closed = filter(None, map(_CLOSED.search, texts))
+        closed = filter(None, map(_CLOSED.search, texts if numbers else ()))
         return next((int(one["number"]) for one in closed), 0)
     number = found["number"]
     known = {**_NUMBERS, **numbers}

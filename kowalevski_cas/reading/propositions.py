@@ -273,7 +273,9 @@ def _is_given_here_alone(name: str, item: SourceStatement, known: Known) -> bool
     deduced = cue("deduced", f"{item.before} ") or cue("follows", f"{item.lead} ")
     resting = any(name in known.below(one) for one in item.names - {name})
     new = rest and not (others or moving or resting or known.is_defined(name))
+    new = new and name in known.paper.words.scalars and not known.is_step(name)
     rates = {one for other in known.items for one in other.rates}
     still = name in rates and rates.isdisjoint(item.names - {name})
     told = deduced or AT_TIMES.search(item.before) or still
+    told = told or any(name in one.names for one in known.supposed(item))
     return bool(new and not told and known.untied((name,)))
