@@ -55,7 +55,7 @@ _MORE = r"""(?x)
 _PARITY = r"(?:odd|even|prime|неч[её]тн\w*|ч[её]тн\w*)"
 _SOME = rf"(?:{_PARITY}[\s~]*\$\s*{{0}}\b|\$\s*{{0}}\s*\$[\s~]*(?:(?:is|be|are)[\s~]+)?{_PARITY}\b)"
 """Words that say for which numbers only something holds."""
-_RUNS = re.compile(r"\\(?:sum|prod|[lc]?dots)(?![A-Za-z])|\.\.\.")
+_SUMS = re.compile(r"\\(?:sum|prod)(?![A-Za-z])")
 _USUAL = "N"
 """The letter that counts also where it is a factor by itself."""
 
@@ -95,9 +95,11 @@ def _is_more(letter: str, tex: str) -> bool:
         return True
     if letter == _USUAL or not _has_others(letter, tex):
         return False
-    counts_here = _RUNS.search(tex) or any(end.search(tex) for end in _ENDS)
-    outside = re.sub(r"_\s*(?:[A-Za-z]|\{[^{}]*\})", "", tex)
-    return not counts_here and stands_in(letter, outside)
+    outside = tex
+    for end in _ENDS:
+        outside = end.sub("", outside)
+    outside = re.sub(r"_\s*(?:[A-Za-z]|\{[^{}]*\})", "", outside)
+    return not _SUMS.search(tex) and stands_in(letter, outside)
 
 
 def _has_others(letter: str, tex: str) -> bool:

@@ -41,6 +41,8 @@ def test_a_letter_counts_with_which_a_range_a_sum_or_a_list_ends(text, expected)
     "text",
     [
         r"$\sum_{i=1}^nx_i$ and $n^2a^3=\mu$",  # a mean motion may have the same letter
+        r"$\ddot x_i=-n^2x_i$, $i=1,\dots,n$",  # a frequency may have it, too
+        r"$\ddot x_i=-n^2x_i,\quad i=1,\dots,n$",
         r"$\sum_{i=1}^n\dot n_i$",
         r"$\sum_{i=1}^nx_i$ with $n=2m$",
         r"$\sum_{i=1}^nx_i$ for odd $n$",
