@@ -94,6 +94,6 @@ section.states(
         "the determinant of a quadratic form that is an integral of the variation",
     ),
     on=across,
-    says=r"the determinant of the quadratic form has the sign of $s\tau_3Q''(s)$",
+    says=r"the determinant of the quadratic form has the sign of $s\tau_3Q''$",
     given=(*section.lemma("on-O4-itself", "e_1 = 0, \\quad e_2 = 0", "the set $O^4$"),),
 )

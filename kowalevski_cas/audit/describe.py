@@ -13,6 +13,7 @@ from kowalevski_cas.notation import Formula, NotationError, split_display, to_la
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.expanded import Expanded
+from kowalevski_cas.source.rewritten import Rewritten
 from kowalevski_cas.source.text import Region, Source
 from kowalevski_cas.verify.outcome import WORST
 
@@ -93,16 +94,19 @@ class Describer:
         verdict: str,
         message: str,
     ) -> Audited:
-        start, end = self.expanded.origin(*(typed.start + offset for offset in interval))
+        first, last = Rewritten(self.expanded.text[typed.start : typed.end], typed.tex).interval(
+            *interval
+        )
+        start, end = self.expanded.origin(typed.start + first, typed.start + last)
         tex = self.source.text[start:end].strip()
         role = self._role(display) if display else "none"
         label = typed.labels[0] if typed.labels else ""
-        region = self._region(typed, *interval)
+        region = self._region(typed, first, last)
         return Audited(id, label, region, tex, role, verdict, message=message)
 
     def _region(self, typed: TypedFormula, start: int, end: int) -> Region:
         """Where in its file a part of a formula stands, without the spaces around it."""
-        tex = typed.tex[start:end]
+        tex = self.expanded.text[typed.start + start : typed.start + end]
         last = typed.start + start + len(tex.rstrip())
         first = min(last, typed.start + start + len(tex) - len(tex.lstrip()))
         return self.source.region(*self.expanded.origin(first, last))

@@ -129,10 +129,7 @@ class _Member(Cursor):
         if self.tokens[self.at].text != r"\dot":
             return self.name()
         self.at += 1
-        braced = self.tokens[self.at].kind == "{"
-        self.at += braced
-        letter = self.take().text
-        self.at += braced
+        letter = self.in_braces()
         return rf"\dot{{{letter}}}" + (self.index() if self.tokens[self.at].kind == "_" else "")
 
     def bracket(self) -> str:
@@ -153,8 +150,15 @@ class _Member(Cursor):
     def power(self) -> str:
         """What stands in a power of one sign."""
         self.at += 1
+        return self.in_braces()
+
+    def in_braces(self) -> str:
+        """One sign, perhaps in braces."""
         braced = self.tokens[self.at].kind == "{"
         self.at += braced
+        if self.tokens[self.at].kind == END:
+            raise self.unexpected()
         text = self.take().text
-        self.at += braced
+        if braced and self.take().kind != "}":
+            raise self.unexpected()
         return text

@@ -8,14 +8,13 @@ from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import (
     Application,
     Derivative,
-    Formula,
     Name,
-    Number,
     Partial,
     Product,
     Quotient,
     Vector,
 )
+from kowalevski_cas.notation.values import is_rational
 
 _DIFFERENTIALS = ("d", r"\partial")
 
@@ -112,7 +111,7 @@ class Derivatives(Atoms):
         start, level = self.at, self.level
         if self.tokens[start].kind != "open":
             factor = self.factor()
-            if _is_rational(factor[0]) and self.starts():
+            if is_rational(factor[0]) and self.starts():
                 rest = self.operand(operator)
                 if self.starts():
                     raise self.error(f"how far does {operator} reach? set brackets")
@@ -251,14 +250,6 @@ class Derivatives(Atoms):
         digit = self.take()
         self.at += braced
         return int(digit.text) if len(digit.text) < 3 else 0
-
-
-def _is_rational(formula: Formula) -> bool:
-    """Whether it is printed as a whole number, or a fraction of two."""
-    match formula:
-        case Number() | Quotient(Number(), Number()):
-            return True
-    return False
 
 
 def _derivative(piece: Piece, d: str, by: list[str], start: int, end: int) -> Piece:

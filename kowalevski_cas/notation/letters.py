@@ -9,7 +9,7 @@ from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.notation.tokens import Token
 
-_STAR = r"(?: \^ (?:star|{ star }))?"
+_STAR = r"(?: \^ (?:(?:star|sign)|{ (?:star|sign) }))?"
 _INDEX = "(?: _ (?:[a-z]+|{ [^}]+ }))?"
 _MARKS = frozenset({"star", "sign"})
 """The kinds of tokens that are no power where they are raised alone."""

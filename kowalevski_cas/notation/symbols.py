@@ -24,7 +24,7 @@ from kowalevski_cas.notation.formula import (
 from kowalevski_cas.notation.functions import EXTREMES, LETTERS, OF_A_MATRIX
 from kowalevski_cas.notation.macros import GREEK, INSTEAD
 from kowalevski_cas.notation.tokens import DEEPEST, Token
-from kowalevski_cas.notation.values import rank
+from kowalevski_cas.notation.values import is_rational, rank
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 
 TRANSPOSED = frozenset({"T", r"\mathsf{T}", r"\mathrm{T}", r"\top", r"\intercal", "t"})
@@ -356,8 +356,8 @@ class Symbols(Cursor):
         token = self.tokens[self.at]
         named = operator in self.vocabulary.functions  # a derivative may reach over functions
         function = named and self.ends_argument(token)
-        if isinstance(piece[0], Number) and token.kind == "letter" and not function:
-            other = self.factor()  # as in \sin 2x
+        if is_rational(piece[0]) and token.kind == "letter" and not function:
+            other = self.factor()  # as in \sin 2x, and \sin\frac12x
             piece = (Product((piece[0], other[0])), piece[1], other[2], (piece, other))
             token = self.tokens[self.at]
             function = named and self.ends_argument(token)

@@ -69,12 +69,20 @@ def applies(left: Formula, right: Formula, raised: bool = False) -> bool:
 
     They do if the first is a name, with what stands on it, and a product would need no brackets.
     It needs those around a sum; and those that a power or a prime is ``raised`` on, around
-    whatever is no name or number.
+    whatever is no name or number, as around a derivative.
     """
     while isinstance(left, Derivative | Power | Conjugate | Changed):
         left = left.children()[0]
-    needed = (*_SUMS, Product, Quotient, Power, Root) if raised else _SUMS
+    needed = (*_SUMS, Product, Quotient, Power, Root, Derivative) if raised else _SUMS
     return isinstance(left, Name) and not isinstance(right, needed)
+
+
+def is_rational(formula: Formula) -> bool:
+    """Whether it is printed as a whole number, or a fraction of two."""
+    match formula:
+        case Number() | Quotient(Number(), Number()):
+            return True
+    return False
 
 
 _SUMS = (Sum, Summation, Negative, CrossProduct, ScalarProduct, PoissonBracket, Modulus, Commutator)

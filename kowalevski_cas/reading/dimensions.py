@@ -161,6 +161,8 @@ class _Dimensions:
         """Of what has a dimension by others that which has none by a statement."""
         with_it, own = self._span([item], others), self.said[item].names
         new = {name for name in own if self.counts[name] == 1}
+        if others.explains(self.said[item].all, new):
+            return []  # it says no more than how these scale
         found = [atom for atom in atoms if atom in with_it and not atom.keys() <= new]
         return sorted(found, key=lambda atom: own.isdisjoint(atom))
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 
 from kowalevski_cas.paper.chains import names_in
 from kowalevski_cas.source.displays import TypedFormula
@@ -33,7 +34,8 @@ def with_orbits(
     """The formulas with quotients of rates for derivatives along orbits, and whether some are.
 
     What is derived moves, or is given by one name that does; and so does that by which it is. By
-    its own name it is a partial derivative. Of a function of more names it may be one as well.
+    its own name it is a partial derivative, and so is a prime on what is given at its argument. Of
+    a function of more names it may be one as well.
     """
     parts = (_GIVEN.fullmatch(part) for one in formulas for part in _parts(one.tex))
     found = [one for one in parts if one]
@@ -59,10 +61,41 @@ def with_orbits(
             return rf"\frac1{{\dot{{{by}}}}}\frac d{{dt}}\left({slope}\right)"
         return slope
 
+    texts = [one.tex for one in formulas]
+    primed = [
+        (_with_primes(name, by), by)
+        for name, by in curves.items()
+        if by and at[name] == by and not any(re.search(rf"{_letter(by)}'", tex) for tex in texts)
+    ]
     for one in formulas:
         tex = _SLOPE.sub(rewritten, _SECOND.sub(rewritten, one.tex))
+        for pattern, by in primed:
+            tex = pattern.sub(partial(_by_name, by), tex)
         along = tex.count(r"\dot") > one.tex.count(r"\dot")
         yield (one, False) if tex == one.tex else (replace(one, tex=tex), along)
+
+
+def _letter(name: str) -> str:
+    """What a name is where it stands alone."""
+    return rf"(?<![A-Za-z\\]){re.escape(name)}"
+
+
+def _with_primes(name: str, by: str) -> re.Pattern[str]:
+    """A function with primes, and perhaps a power, at its argument or at none."""
+    at = rf"\s*(?:\\left\s*)?\(\s*{re.escape(by)}\s*(?:\\right\s*)?\)"
+    power = r"(?:\^(?:\d|\{\s*\d\s*\}))?"
+    return re.compile(
+        rf"(?P<of>{_letter(name)})(?P<primes>'+)(?P<power>{power})(?:{at}|(?!['\s]*(?:\\left)?\s*\())"
+        rf"(?P<behind>{power})"
+    )
+
+
+def _by_name(by: str, found: re.Match[str]) -> str:
+    """The derivative of a function by a name, for that with primes."""
+    order = f"^{{{len(found['primes'])}}}" if len(found["primes"]) > 1 else ""
+    derivative = rf"\frac{{\partial{order} {found['of']}}}{{\partial {by}{order}}}"
+    power = found["power"] or found["behind"]
+    return rf"\left({derivative}\right){power}" if power else derivative
 
 
 def _parts(tex: str) -> list[str]:

@@ -17,6 +17,7 @@ from kowalevski_cas.notation import (
     Derivative,
     Formula,
     Name,
+    Number,
     Relation,
     Unwritten,
 )
@@ -82,6 +83,7 @@ class SolvedSample:
             used |= sample.touched | self._given_in(left) | self._given_in(right)
         alone = any(has_integral(side) for pair in pairs for side in pair)
         alone |= any(_is_total(left, fields) for left, _ in pairs)
+        alone |= len(pairs) > 1 and any(map(_is_transformed, pairs))
         return true if said and (alone or used & self.determined) else None
 
     def _derived(self, key: Key, fields: Mapping[str, frozenset[str]]) -> bool:
@@ -207,6 +209,11 @@ def _is_total(left: Formula, fields: Mapping[str, frozenset[str]]) -> bool:
     if not isinstance(left, Derivative) or not isinstance(left.argument, Name):
         return False
     return len(fields.get(left.argument.name, ())) > 1
+
+
+def _is_transformed(pair: Pair) -> bool:
+    """Whether an equation of a chain transforms a formula, and gives no name."""
+    return not any(isinstance(side, Name | Derivative | Number) for side in pair)
 
 
 def has_integral(side: Formula) -> bool:

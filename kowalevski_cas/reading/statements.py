@@ -41,6 +41,7 @@ from kowalevski_cas.reading.variations import with_variations
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.formulas import typed_formulas
+from kowalevski_cas.source.rewritten import Rewritten
 from kowalevski_cas.source.text import Source
 
 LONGEST_ID = 32
@@ -352,10 +353,12 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
         ]
         start = formula.start + len(formula.tex) - len(formula.tex.lstrip())
         lines[display.id] = source.line(expanded.origin(start, start + 1)[0])
+        typed_as = Rewritten(expanded.text[formula.start : formula.end], formula.tex)
         for number, (tree, trouble, (start, end)) in enumerate(
             read_formula(formula, tex, words), 1
         ):
-            span = expanded.origin(formula.start + start, formula.start + end)
+            first, last = typed_as.interval(start, end)
+            span = expanded.origin(formula.start + first, formula.start + last)
             times = [time for place, time in starts[formula.start].items() if start <= place < end]
             said = (around.before, around.after)
             begins = times[0] if times else time_of_value(tree, moving, said, sentence)

@@ -454,7 +454,7 @@ class Reader:
         """The argument of a function without brackets, as in sin 2x and cos ωt."""
         start, found = self.at, []
         while isinstance(self.here, Letter | Box) or str(self.here).isdigit():
-            if str(self.here) in NAMED:
+            if str(self.here) in {*NAMED, *self.words.functions}:
                 break
             found.append(self.here)
             self.take()

@@ -30,6 +30,7 @@ from kowalevski_cas.notation import (
     Vector,
     Vocabulary,
 )
+from kowalevski_cas.notation.symbols import TRANSPOSED
 
 # The scalar d and the time t are there to be confused with the d and t of a derivative.
 WORDS = Vocabulary(
@@ -129,9 +130,14 @@ def _extended(kinds):
         st.builds(Product, _several(matrix)),
         st.builds(Commutator, matrix, matrix),
         _with_scalar(scalar, matrix),
-        st.builds(Power, matrix, scalar),
+        st.builds(Power, matrix, scalar.filter(_is_no_mark)),
     )
     return scalars, vectors, matrices
+
+
+def _is_no_mark(exponent):
+    """Whether an exponent does not look like the mark of a transposed matrix."""
+    return not isinstance(exponent, Name) or exponent.name not in TRANSPOSED
 
 
 _kinds = (st.one_of(_names[0], st.integers(0, 120).map(Number)), _names[1], _names[2])

@@ -115,7 +115,11 @@ def test_on_textbooks(tex):
     check(tex, textbooks.WORDS)
 
 
-@pytest.mark.parametrize("name", sampled(available(), 1, seed=9))
+# The second reader has no elliptic integrals, and nothing that is said for all indices.
+BY_BOTH = [name for name in available() if name != "leroy2020"]
+
+
+@pytest.mark.parametrize("name", sampled(BY_BOTH, 1, seed=9))
 def test_on_every_display_of_the_derivations(name):
     derivation = load(name)
     vocabulary = derivation.texts().vocabulary

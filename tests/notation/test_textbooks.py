@@ -71,6 +71,9 @@ ONE_READING = {
     ),
     "e^{-x}": Application(r"\exp", (Negative(x),)),
     r"\sin 2\theta": Application(r"\sin", (Product((two, theta)),)),
+    r"\sin\frac{1}{2}\theta": Application(r"\sin", (Product((Quotient(Number(1), two), theta)),)),
+    r"p(x')^2": Product((p, Power(Derivative(x, "prime"), two))),
+    r"p(\dot x)^2": Product((p, Power(Derivative(x, "dot"), two))),
     r"\sin\theta\cos\theta": Product(
         (Application(r"\sin", (theta,)), Application(r"\cos", (theta,)))
     ),

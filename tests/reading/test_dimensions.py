@@ -96,3 +96,10 @@ def test_a_law_that_disagrees_is_blamed_before_what_is_deduced_from_it():
     by_label = {formula.label: formula for formula in audited(text).formulas if formula.label}
     assert by_label["law"].verdict == "suspect" and r"\kappa^2y - " in by_label["law"].message
     assert by_label["rate"].causes and by_label["rate"].correction is None
+
+
+@pytest.mark.parametrize("law", [r"\ddot x=-x^3+x", r"\ddot x=x-\dot x^2", r"\dot x=x^2-1"])
+def test_a_law_may_say_alone_how_the_time_scales(law):
+    assert not found(
+        rf"Consider ${law}$. Put \[ U(x)=\frac14x^4-\frac12x^2 .\] Then $U'(x)=x^3-x$, $U''(x)=3x^2-1$."
+    )

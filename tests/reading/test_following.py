@@ -170,6 +170,11 @@ An ellipse has the half axes $a$ and $b$,
 Therefore
 \[ b^2 = a^2(1 %s k^2) . \]
 """
+BY_PARTS = r"""
+The integrand has no $z$. So
+\[ c = w - \kappa\sqrt{1 + (w')^2} %s \frac{\kappa (w')^2}{\sqrt{1 + (w')^2}}
+ = w - \frac{\kappa}{\sqrt{1 + (w')^2}} . \]
+"""
 EFFECTIVE = r"""
 With the constant $k = \mu\rho^2\dot\varphi$ the energy is
 \[ E = \frac12\mu\dot\rho^2 + \frac12\mu\rho^2\dot\varphi^2 + V(\rho)
@@ -260,6 +265,7 @@ CASES = [
     (DECAY, "-", ""),
     (LOST, "s", "z"),
     (ELLIPSE, "-", "+"),
+    (BY_PARTS, "+", "-"),
     (CENTRAL, "-P(1/w)", "P(1/w)"),
     (EXACT, "-2", "-3"),
     (BEAM, "b", "b^2"),

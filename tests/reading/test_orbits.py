@@ -39,6 +39,8 @@ POTENTIALS = [
     r"The motion is \[ m\ddot x=-\frac{dV}{dx},\qquad V=\frac14x^4 .\]",
     r"The motion is \[ m\ddot x=-\frac{dV}{dx} .\]",
     r"Let $V=\frac{l^2}{2mx^2}+W(x)$. The motion is \[ m\ddot x=-\frac{dV}{dx} .\]",
+    r"The motion is \[ m\ddot x=-V'(x),\qquad V(x)=\frac14x^4-\frac12x^2 .\]",
+    r"The motion is \[ m\ddot x=-V'(x) ,\] and $V(x)=\frac12kx^2$ is the potential.",
 ]
 
 
@@ -48,6 +50,23 @@ def test_a_force_is_the_slope_of_its_potential(law):
     wrong = verdicts(law + r" The energy $\frac12m\dot x^2-V$ is an integral.")
     assert [one.green for one in right.values()] == [True]
     assert not any(one.green for one in wrong.values())
+
+
+QUARTIC = r"The motion is \[ \ddot x=-V'(x),\quad V(x)=\frac14x^4-\frac12x^2 .\] "
+PRIMES = [
+    (QUARTIC, r"V''(x)=3x^2-1", r"V''(x)=3x^2"),
+    (QUARTIC, r"V'(x)^2=x^6-2x^4+x^2", r"V'(x)^2=x^6-x^4+x^2"),
+    (QUARTIC, r"\frac{d}{dt}V(x)=V'(x)\dot x", r"\frac{d}{dt}V(x)=V'(x)x"),
+    (QUARTIC, r"\ddot x=x-x^3", r"\ddot x=x^3-x"),
+]
+
+
+@pytest.mark.parametrize("law, true, false", sampled(PRIMES, 2))
+def test_a_prime_derives_what_is_given_at_its_argument(law, true, false):
+    (*_, right), (*_, wrong) = (
+        [*verdicts(rf"{law} Then \[ {one} .\]").values()] for one in (true, false)
+    )
+    assert right.green and not wrong.green
 
 
 @pytest.mark.parametrize(
