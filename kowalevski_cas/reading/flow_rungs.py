@@ -40,11 +40,13 @@ from kowalevski_cas.reading.rung import Rung, RungMaker, places
 from kowalevski_cas.reading.small_oscillations import (
     CHARACTERISTIC,
     FREQUENCY,
+    equation_of_root,
     may_be_of_frequencies,
     places_of,
     prints_square,
-    variable_of,
 )
+from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.tried import variable_of
 
 _OF_LINEAR_PART = (KIND, MATRIX, TRACE, DETERMINANT, FREQUENCY, CHARACTERISTIC)
 _OF_REST = (POINT, MARKED)
@@ -67,6 +69,7 @@ def _of_linear_part(at: RungMaker) -> Iterator[Rung]:
     item, known = at.item, at.known
     about: dict[str, Any] = {}
     kind: type[Claim]
+    equation: SourceStatement | None = None
     place = places_of
     if at.role.kind == FREQUENCY:
         kind, about = Frequency, {"is_square": prints_square(item)}
@@ -82,9 +85,11 @@ def _of_linear_part(at: RungMaker) -> Iterator[Rung]:
         kind, place = LinearPart, matrix_point
         says = "this is the matrix of the linear part"
     else:
-        kind, place = Eigenvalue, point_of
+        kind = Eigenvalue
+        if (equation := equation_of_root(item, known)) is None:
+            place = point_of
         says = "this is an eigenvalue of the linear part at this point"
-    point = place(item, known)
+    point = place(equation or item, known)
     law = next(law for law in known.laws if not law.images)
     kinds = [(kind, says)]
     if at.role.kind == CHARACTERISTIC and may_be_of_frequencies(item, known):

@@ -13,6 +13,7 @@ from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, SETS, Known
 from kowalevski_cas.reading.phrases import right_behind
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.tried import amplitude_equations
 from kowalevski_cas.reading.unprinted import unprinted
 
 EQUATIONS = ("integral", "identity")
@@ -22,14 +23,16 @@ EQUATIONS = ("integral", "identity")
 def hypotheses(item: SourceStatement, known: Known) -> list[SetOfEquations]:
     """What may be given: sets in force, what the sentence cites, and both.
 
-    What stands just before is given too, if the words say so.
+    What stands just before is given too, if the words say so; so is what is left of the law by
+    forms of solutions that are tried before.
     """
     sets = tuple(known.sets(item))
     cited = [one for one in known.cited(item) if _restricts(one, known)]
     if cue("on it", _place_words(item)):
         cited += just_before(item, known)
     cited += _named_before(item, known) or set_right_before(item, known)
-    found = (sets, tuple(cited), (*sets, *cited))
+    alone = ((one,) for one in amplitude_equations(item, known))
+    found = (sets, tuple(cited), (*sets, *cited), *alone)
     return [*dict.fromkeys(tuple(dict.fromkeys(one)) for one in found if one)]
 
 
@@ -190,7 +193,9 @@ def _last_place(item: SourceStatement, known: Known) -> SetOfEquations:
 
 
 def is_value(one: SourceStatement, known: Known) -> bool:
-    """Whether a statement gives variables by constants."""
+    """Whether a statement gives variables by constants, and not by a time."""
+    if one.names & known.times:
+        return False
     moving = [name for name in one.bare if known.moves(name)]
     others = [member for member in one.members if member not in [*map(Name, moving)]]
     names = {name for member in others for name in member.names()}

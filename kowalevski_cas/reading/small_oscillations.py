@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from kowalevski_cas.notation import Name, Number, Power, Relation
+from kowalevski_cas.notation import Name, Number, Power
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
@@ -18,6 +18,7 @@ from kowalevski_cas.reading.hypotheses import is_value
 from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.linear_parts import (
+    KIND,
     before_list,
     equations_of,
     gives_all,
@@ -26,6 +27,7 @@ from kowalevski_cas.reading.linear_parts import (
     point_at,
 )
 from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.tried import exponential, variable_of
 
 FREQUENCY, CHARACTERISTIC = "frequency", "characteristic"
 """The kinds of these claims."""
@@ -85,14 +87,17 @@ _COMPARED = re.compile(
 """Words that compare a system with another one."""
 _JOINED = re.compile(r"(?:[\s,;~]|\b(?:and|и)\b)*")
 _SMALL_ANGLES = re.compile(r"\bsmall\s+angles\b|\bмал\w+\s+угл\w+", re.IGNORECASE)
-_EXPONENTIAL = r"(?:e\s*\^\s*\{{\s*{0}\s*t\s*\}}|\\exp\s*\(?\s*{0}\s*t)"
-"""An exponential of the time with a factor."""
 
 
 def small_oscillation(item: SourceStatement, known: Known) -> StatementRole | None:
     """A frequency of small oscillations, or a characteristic equation, at a point that is said."""
     if item.formula is None or item.derives or known.varying(item.names):
         return None
+    equation = equation_of_root(item, known)
+    if equation is not None and not may_be_of_frequencies(equation, known):
+        if not isinstance(item.members[0], Name):
+            return None
+        return StatementRole(CLAIM, "a root of the characteristic equation before it", KIND)
     found = frequency(item, known) or characteristic(item, known)
     if found and places_of(item, known):
         kind, name, said = found
@@ -109,7 +114,8 @@ def frequency(item: SourceStatement, known: Known) -> tuple[str, str, str] | Non
     """
     if len(item.members) not in (0, 2) or PI in item.names:
         return None
-    is_root = _is_root_of_equation(item, known)
+    equation = equation_of_root(item, known)
+    is_root = equation is not None and may_be_of_frequencies(equation, known)
     if not _frequencies_before(item) and not is_root:
         return None
     match item.members[:1]:
@@ -130,10 +136,16 @@ _ROOTS = re.compile(
 """How words end behind which the roots of an equation are printed."""
 
 
-def _is_root_of_equation(item: SourceStatement, known: Known) -> bool:
-    """Whether a statement prints roots, as words say, of an equation for frequencies before it."""
-    if not item.members or not _ROOTS.search(before_list(item.before)):
-        return False
+def equation_of_root(item: SourceStatement, known: Known) -> SourceStatement | None:
+    """The characteristic equation before a statement of which that prints a root.
+
+    A display prints one of what the equation is for, unless words suppose it; inline words say so.
+    """
+    said = _ROOTS.search(before_list(item.before))
+    if len(item.members) != 2 or not (said or not (item.typed.inline or cue("when", item.lead))):
+        return None
+    if not isinstance(item.members[0], Name | Power) or not item.members[0].names():
+        return None
     letters = {symbol(name).letter for name in item.members[0].names()}
     before = (one for one in known.items if one.order < item.order)
     equations = [
@@ -141,11 +153,9 @@ def _is_root_of_equation(item: SourceStatement, known: Known) -> bool:
         for one in before
         if one.paragraph == item.paragraph and known.roles[one].kind == CHARACTERISTIC
     ]
-    return (
-        bool(equations)
-        and letters == {symbol(variable_of(equations[-1], known)).letter}
-        and (may_be_of_frequencies(equations[-1], known))
-    )
+    if not equations or letters != {symbol(variable_of(equations[-1], known)).letter}:
+        return None
+    return equations[-1]
 
 
 def _frequencies_before(item: SourceStatement) -> re.Match[str] | None:
@@ -173,24 +183,9 @@ def characteristic(item: SourceStatement, known: Known) -> tuple[str, str, str] 
     said = _EQUATION.search(item.before)
     if said and not _OF_MATRIX.search("".join(filter(None, said.groups()))):
         return CHARACTERISTIC, variable, "the characteristic equation"
-    own = re.compile(_EXPONENTIAL.format(re.escape(variable)))
-    beside = (one for one in known.of_sentence(item.sentence) if one.order < item.order)
-    if item.members and any(own.search(one.typed.tex) for one in beside):
+    if item.members and exponential(variable, item, known):
         return CHARACTERISTIC, variable, "the equation of the exponents"
     return None
-
-
-def variable_of(item: SourceStatement, known: Known) -> str:
-    """The only letter of a statement that no law has, and nothing before: λ; else none."""
-    if isinstance(item.formula, Relation) and not item.members:
-        return ""
-    mentioned = {n for law in known.laws for name in law.mentions for n in known.below(name)}
-    fresh = [
-        name
-        for name in sorted(item.names - mentioned)
-        if not (known.is_defined(name) or known.moves(name) or name in known.times)
-    ]
-    return fresh[0] if len(fresh) == 1 else ""
 
 
 def may_be_of_squares(item: SourceStatement, known: Known) -> bool:
@@ -209,8 +204,14 @@ def may_be_of_squares(item: SourceStatement, known: Known) -> bool:
 
 
 def may_be_of_frequencies(item: SourceStatement, known: Known) -> bool:
-    """Whether a characteristic equation may be one for a frequency: by its letter, or by words."""
-    letter = symbol(variable_of(item, known)).letter
+    """Whether a characteristic equation may be one for a frequency: by its letter, or by words.
+
+    It is no other one where the exponents are imaginary.
+    """
+    name = variable_of(item, known)
+    if tried := exponential(name, item, known):
+        return tried["i"] is not None
+    letter = symbol(name).letter
     return letter in _OF_FREQUENCIES or _SECULAR.search(item.words) is not None
 
 
