@@ -370,8 +370,7 @@ def _integral_that_defines(
     later = known.paper.items if item.theorem is None or not vanishing else ()
     for one in later[item.order + 1 : item.order + 12]:
         if ZERO in one.members or not vanishing:
-            rated = [m.argument for m in one.members if isinstance(m, Derivative)]
-            if any(isinstance(m, Name) and m.name in fresh for m in rated):
+            if not one.rates.keys().isdisjoint(fresh):
                 return None
     return StatementRole(
         CLAIM, f"“{said}” stands beside it; it names {plain(fresh[0])}", "integral", (*fresh,)

@@ -52,7 +52,7 @@ def _own_lead(item: SourceStatement) -> str:
 def clause(item: SourceStatement) -> str:
     """The words right around a statement; not those that say something of the one before it."""
     tail = item.tail.lstrip(" ,")
-    return f"{_own_lead(item)[-60:]} § {_CLAUSE.split(tail, maxsplit=1)[0][:30]}"
+    return f"{_own_lead(item)[-60:]} § {_CLAUSE.split(tail, maxsplit=1)[0][:40]}"
 
 
 def is_conditional(item: SourceStatement) -> bool:

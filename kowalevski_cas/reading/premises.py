@@ -67,8 +67,13 @@ class SolvedSample:
             with suppress(*NO_VALUE):
                 self._solve(pair)
 
-    def holds(self, pairs: Sequence[Pair], fields: Mapping[str, frozenset[str]]) -> bool | None:
-        """Whether some equations hold; ``None`` if they say nothing of what is determined."""
+    def holds(
+        self, pairs: Sequence[Pair], fields: Mapping[str, frozenset[str]], of_chain: bool = False
+    ) -> bool | None:
+        """Whether some equations hold; ``None`` if they say nothing of what is determined.
+
+        Those ``of_chain`` say something by themselves where they transform a formula.
+        """
         sample = self.sample.copy(fields)
         used, true, said = set[Key](), True, False
         for left, right in pairs:
@@ -83,7 +88,7 @@ class SolvedSample:
             used |= sample.touched | self._given_in(left) | self._given_in(right)
         alone = any(has_integral(side) for pair in pairs for side in pair)
         alone |= any(_is_total(left, fields) for left, _ in pairs)
-        alone |= len(pairs) > 1 and any(map(_is_transformed, pairs))
+        alone |= of_chain and any(map(_is_transformed, pairs))
         return true if said and (alone or used & self.determined) else None
 
     def _derived(self, key: Key, fields: Mapping[str, frozenset[str]]) -> bool:

@@ -151,7 +151,8 @@ class DerivationStep:
             if isinstance(given := self._solving, Name):
                 return self._solves(given, seed)
             solved = self.before.solved(seed)
-            exact = solved.holds(self._integral or [*self._telling()], self._fields)
+            telling = self._integral or [*self._telling()]
+            exact = solved.holds(telling, self._fields, of_chain=len(self.pairs) > 1)
             if self._expansions and exact is None:
                 return all(self._expands(one, seed) for one in self._expansions)
             if given is not None and exact is None:
