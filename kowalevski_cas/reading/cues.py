@@ -179,7 +179,8 @@ CUES: dict[str, str] = {
     "denied": r"""
         \bnot\s+(?:true|an?\s+integral|constant|conserved|the|valid|hold|correct|preserved|in\s+general)
         does\s+not\s+(?:hold|vanish|follow) (?:is|are)\s+not\s+(?:\w+\s+){0,2}§
-        §[\s,]*(?:\w+\s+){0,3}(?:is|are)\s+(?:not|impossible)\b \bno\s+longer\b never\b(?!\s+(?:in|de)creas|\s+grow)
+        §[\s,]*(?:\w+\s+){0,3}(?:is|are)\s+(?:not|impossible)\b \bno\s+longer\b
+        never\b(?!\s+(?:in|de)creas|\s+grow)
         \b(?:on|along|for|by)\s+no\b wrong\w* incorrect\w* erroneous\w* false\b
         mistak\w+ misprint\w* contrary impossible\s+that\b невозможно
         instead\s+of\s*(?:§|$) contradict\w+ if\s+it\s+were \bwere\b would\s+be fails?\b cannot\b

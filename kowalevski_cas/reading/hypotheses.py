@@ -14,6 +14,7 @@ from kowalevski_cas.reading.phrases import right_behind
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.tried import amplitude_equations
+from kowalevski_cas.reading.unknowns import equations_before
 from kowalevski_cas.reading.unprinted import unprinted
 
 EQUATIONS = ("integral", "identity")
@@ -24,7 +25,7 @@ def hypotheses(item: SourceStatement, known: Known) -> list[SetOfEquations]:
     """What may be given: sets in force, what the sentence cites, and both.
 
     What stands just before is given too, if the words say so; so is what is left of the law by
-    forms of solutions that are tried before.
+    forms of solutions that are tried before, and equations for unknowns.
     """
     sets = tuple(known.sets(item))
     cited = [one for one in known.cited(item) if _restricts(one, known)]
@@ -32,7 +33,8 @@ def hypotheses(item: SourceStatement, known: Known) -> list[SetOfEquations]:
         cited += just_before(item, known)
     cited += _named_before(item, known) or set_right_before(item, known)
     alone = ((one,) for one in amplitude_equations(item, known))
-    found = (sets, tuple(cited), (*sets, *cited), *alone)
+    unknowns = equations_before(item, known)
+    found = (sets, tuple(cited), (*sets, *cited), *alone, unknowns)
     return [*dict.fromkeys(tuple(dict.fromkeys(one)) for one in found if one)]
 
 

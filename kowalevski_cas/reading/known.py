@@ -44,6 +44,9 @@ CONSTRAINT = "constraint"
 BEGINNING = "beginning"
 """The kind of an assumption that holds at one time only."""
 
+UNKNOWNS = "equations for unknowns"
+"""The kind of an assumption that is given where its letters stand, or those of others with it."""
+
 FUNCTION = "function"
 """How the kind of an assumption begins that a function is a special one: to the end of its case."""
 
@@ -359,7 +362,7 @@ class Known:
     def reaches(self, one: SourceStatement, item: SourceStatement) -> bool:
         """Whether what is said at a statement is in force at another one."""
         kind = self.roles[one].kind
-        if kind.startswith("set") or kind in (CONSTRAINT, BEGINNING):
+        if kind.startswith("set") or kind in (CONSTRAINT, BEGINNING, UNKNOWNS):
             return False
         if kind.endswith("of the sentence"):
             return one.sentence == item.sentence

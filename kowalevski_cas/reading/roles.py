@@ -77,6 +77,7 @@ from kowalevski_cas.reading.suppositions import (
     value,
 )
 from kowalevski_cas.reading.tried import tried
+from kowalevski_cas.reading.unknowns import unknown
 
 _BELONGING = re.compile(r"\b(?:of|in|for|by|with|on)[\s~]*(?:the\s+)?(?:\w+\s+)?$")
 """How words end behind which something belongs to a name, and is spoken of itself."""
@@ -261,7 +262,7 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 RULES: tuple[Rule, ...] = (
     unread, beginning, idle, eigenvalue, of_flow, expression, named_set, law, radius, solved,
     constraint, together, unit, bracket_of_momenta, bracket, bracket_of_functions, unjudged,
-    inequality, repeated, gives_derivative, special_function, change, roots,
+    inequality, unknown, repeated, gives_derivative, special_function, change, roots,
     claimed_set, point, tried, solution, constant_of_solution, energy, on_place, definition, square,
     assumption, value, approximate, set_of_rates, of_some_motions, rate, zero_set,
     level, integral, identity, other,
