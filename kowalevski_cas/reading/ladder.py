@@ -6,6 +6,7 @@ and words say “on it”. No other one is ever tried.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -217,9 +218,11 @@ class _Ladder(RungMaker):
         return [to_latex(node) for node in nodes if isinstance(node, Root)]
 
     def _beside(self) -> list[SourceStatement]:
-        """The other statements of the same display."""
+        """The other statements of the same display, but for the one with the other sign of a ±."""
         items = self.known.paper.items
-        return [one for one in items if one.typed is self.item.typed and one is not self.item]
+        own = [one for one in items if one.typed is self.item.typed and one is not self.item]
+        either = re.search(r"\\(?:pm|mp)(?![A-Za-z])", self.item.typed.tex) is not None
+        return [one for one in own if not (either and one.span == self.item.span)]
 
     # -- integrals -------------------------------------------------------------------
 

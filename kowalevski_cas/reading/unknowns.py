@@ -5,12 +5,15 @@ They are supposed: what is said of these letters later follows from them.
 
 from __future__ import annotations
 
-from kowalevski_cas.notation import Formula, Name, Number, Relation
+import re
+
+from kowalevski_cas.notation import Name, Number, Power, Relation
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, UNKNOWNS, Known, StatementRole
 from kowalevski_cas.reading.phrases import plain
 from kowalevski_cas.reading.statements import SourceStatement
 
+_EQUATION = re.compile(r"\b(?:equations?|уравнени\w+)[\s~:]*$", re.IGNORECASE)
 _FEWEST = 2
 """So many equations of one display are a system."""
 
@@ -41,14 +44,15 @@ def equations_before(item: SourceStatement, known: Known) -> tuple[SourceStateme
 
 
 def _equation_for(item: SourceStatement, known: Known) -> StatementRole | None:
-    """One of the equations of a display for as many new letters, which are given by name later.
+    """One of the equations of a display for new letters, of which some are given by name later.
 
-    None of them gives a letter alone on a side: that would be a definition.
+    None of them gives a letter alone on a side: that would be a definition. One equation alone is
+    no linear one, and words call it an equation if it stands in a line.
     """
-    if item.typed.inline or not _is_equation(item, known):
+    if not _is_equation(item, known) or (item.typed.inline and not _EQUATION.search(item.lead)):
         return None
     display = [one for one in known.items if one.typed is item.typed]
-    if len(display) < _FEWEST or not all(_is_equation(one, known) for one in display):
+    if not all(_is_equation(one, known) for one in display):
         return None
     before = {
         name
@@ -57,28 +61,29 @@ def _equation_for(item: SourceStatement, known: Known) -> StatementRole | None:
         for name in one.names
     }
     letters = {name for one in display for name in one.names} - before
-    later = {name for name in letters if _is_given_behind(name, display[-1], known)}
-    own = sorted(later & item.names)
-    unknown = len(later) if later else 0
-    if not own or unknown > len(display) or not all(later & one.names for one in display):
+    unknown = sorted(name for name in letters if _is_given_behind(name, display[-1], known))
+    if not 0 < len(unknown) <= len(display) or not all(letters & one.names for one in display):
         return None
-    told = ", ".join(map(plain, own))
+    if len(display) < _FEWEST and not _is_raised(unknown[0], item):
+        return None
+    told = ", ".join(map(plain, unknown))
     return StatementRole(
-        ASSUMPTION, f"an equation for {told}, which nothing gives before", UNKNOWNS, (*own,)
+        ASSUMPTION, f"an equation for {told}, which nothing gives before", UNKNOWNS, (*unknown,)
     )
 
 
 def _is_equation(item: SourceStatement, known: Known) -> bool:
-    """Whether a statement is an equation between constants, and gives none of them alone."""
+    """Whether a statement is an equation between constants, and none stands alone on its left."""
     match item.formula:
-        case Relation((left, right), ("=",)):
-            fixed = not (item.derives or known.varying(item.names) or item.names & known.times)
-            return fixed and not any(_is_bare(one) for one in (left, right))
+        case Relation((left, _), ("=",)) if not isinstance(left, Name | Number):
+            return not (item.derives or known.varying(item.names) or item.names & known.times)
     return False
 
 
-def _is_bare(side: Formula) -> bool:
-    return isinstance(side, Name) or (isinstance(side, Number) and side.value != 0)
+def _is_raised(name: str, item: SourceStatement) -> bool:
+    """Whether a power of a letter stands in an equation."""
+    nodes = item.formula.nodes() if item.formula is not None else ()
+    return any(isinstance(node, Power) and name in node.base.names() for node in nodes)
 
 
 def _is_given_behind(name: str, item: SourceStatement, known: Known) -> bool:

@@ -31,13 +31,10 @@ class Rewritten:
     @cached_property
     def _blocks(self) -> list[tuple[int, int, int, int, bool]]:
         """Intervals of both texts, and whether they are equal."""
-        signs = [_SIGN.findall(text) for text in (self.written, self.typed)]
-        ends = [[0, *accumulate(map(len, one))] for one in signs]
-        found = SequenceMatcher(None, *signs, autojunk=False).get_opcodes()
-        return [
-            (ends[0][a], ends[0][b], ends[1][c], ends[1][d], kind == "equal")
-            for kind, a, b, c, d in found
-        ]
+        written, typed = _SIGN.findall(self.written), _SIGN.findall(self.typed)
+        new, old = ([0, *accumulate(map(len, signs))] for signs in (written, typed))
+        found = SequenceMatcher(None, written, typed, autojunk=False).get_opcodes()
+        return [(new[a], new[b], old[c], old[d], kind == "equal") for kind, a, b, c, d in found]
 
     def _place(self, offset: int, edge: int) -> int:
         """Where a beginning (0) or an end (1) was typed."""
