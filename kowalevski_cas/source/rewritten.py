@@ -14,7 +14,7 @@ _SIGN = re.compile(r"\\[A-Za-z]+|.", re.DOTALL)
 class Rewritten:
     r"""A text and what it was rewritten to, with the intervals that became one another.
 
-    >>> Rewritten(r"x=-U'(x), y=1", r"x=-\frac{dU}{dx}, y=1").interval(0, 17)
+    >>> Rewritten(r"x=-U'(x), y=1", r"x=-\frac{dU}{dx}, y=1").interval(0, 16)
     (0, 8)
     """
 
