@@ -34,7 +34,7 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
         if item.order <= law.order:  # what implies it stands beside it
             seen |= item.names
     later = [one for one in items if one.order > law.order]
-    rated = {name for one in later for name in one.rates}
+    rated = {*law.names.scalars(name for one in later for name in one.rates)}
     for _, group in groupby(later, key=lambda one: one.sentence):
         sentence = [*group]
         before = [one for one in items if one.order < sentence[0].order]
@@ -54,10 +54,11 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
             giving += [one for one in sentence if _renames(one, law, seen, rated)]
         given = {name for one in giving for name in _names(one, law)}
         new = dict.fromkeys(
-            name
+            part
             for one in giving
             for name in sorted(one.names)
             if name not in seen - lengths | {"t"}
+            for part in law.names.scalars([name])
         )
         timed = any("t" in one.names for one in giving)  # else it is a solution
         for names in ([] if timed else [*new], [name for name in new if name in rated]):

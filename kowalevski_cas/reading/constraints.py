@@ -5,6 +5,7 @@ The motion is on them wherever the paper speaks of it; what they give the multip
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator
 from itertools import islice
 
@@ -33,6 +34,7 @@ from kowalevski_cas.reading.unprinted import is_printed, unprinted
 
 SAYS = "the constraints give it"
 KEPT = "the motion stays on its constraints"
+_AND = re.compile(r"[\s,;~]*(?:and|и)?[\s~]*")
 UNBOUND = "${}$ may be a multiplier: print the constraint beside, or say that it is constant"
 
 
@@ -67,7 +69,11 @@ def is_constraint(item: SourceStatement, law: Law, known: Known) -> bool:
     if [*_multipliers(law, known)]:
         beside = any(row.typed is item.typed for row in law.rows)
         words = known.paper.prose.between(max(before), item.typed.start) if before else ""
-        return beside or _says_constraint(item) or bool(cue("where", words))
+        return (
+            beside
+            or _says_constraint(item)
+            or bool(cue("where", words) or _is_listed(item, law, known))
+        )
     if before:
         return bool(cue("where", item.lead)) and names <= {*law.variables, *law.mentions}
     return bool(rows) and _says_constraint(item)
@@ -81,6 +87,13 @@ def _moving(item: SourceStatement, law: Law, known: Known) -> set[str]:
 def _says_constraint(item: SourceStatement) -> bool:
     """Whether words beside a statement call it a constraint."""
     return any(cue(name, words) for name in BINDING for words in (item.lead, item.tail[:40]))
+
+
+def _is_listed(item: SourceStatement, law: Law, known: Known) -> bool:
+    """Whether a statement follows a constraint, with no more than a comma or “and” between."""
+    before = [one for one in known.items if one.order < item.order]
+    listed = before and before[-1].sentence == item.sentence and _AND.fullmatch(item.lead)
+    return bool(listed) and is_constraint(before[-1], law, known)
 
 
 def _orders_below(item: SourceStatement, law: Law, known: Known) -> int:

@@ -26,7 +26,7 @@ from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import is_printed, unprinted
 
 SPACE = 3
-_BASIS = re.compile(r"e_\{?([123])\}?")
+_BASIS = re.compile(r"e_\{?([123]|[xyz])\}?")
 _INERTIA = re.compile(r"\binerti|\bинерци", re.IGNORECASE)
 _IDENTITY = re.compile(r"\b(?:unit|identity)\b|\bединичн|\bтождествен", re.IGNORECASE)
 _CANONICAL = re.compile(r"\bcanonical|\bканоническ", re.IGNORECASE)
@@ -83,7 +83,8 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
         number = _BASIS.fullmatch(symbol(vector).without_type.name)
         free = not known.is_defined(vector) and not known.moves(vector)
         if number is not None and free and len(known.names.vectors[vector]) == SPACE:
-            entries = ",".join("1" if k == int(number[1]) else "0" for k in range(1, SPACE + 1))
+            axes = zip("123", AXES, strict=True)
+            entries = ",".join(str(int(number[1] in axis)) for axis in axes)
             item = unprinted(paper, f"basis-{number[1]}{suffix}", f"{vector}=({entries})")
             yield item, StatementRole(CONVENTION, "a vector of the basis", "basis", (vector,))
     yield from _along_axes(known, suffix)

@@ -22,6 +22,7 @@ from kowalevski_cas.notation import (
     Quotient,
     Relation,
     Sum,
+    Vector,
     to_latex,
 )
 from kowalevski_cas.notation.edits import replace, subtree
@@ -85,6 +86,12 @@ def misscaled(known: Known) -> list[Misscaled]:
     return found
 
 
+def _says_several_rates(item: SourceStatement) -> bool:
+    """Whether a statement gives the rates of a column: it says as much as several others."""
+    nodes = item.formula.nodes() if item.formula is not None else ()
+    return item.derives and any(isinstance(node, Vector) for node in nodes)
+
+
 class _Dimensions:
     """What some statements of a part say of how their names scale."""
 
@@ -131,6 +138,7 @@ class _Dimensions:
                         atoms
                         and one not in self.supposed
                         and not any(map(is_numerical, one.members))
+                        and not _says_several_rates(one)
                     ):
                         lost[one] = self._lost(one, atoms, spans[one])
             if len(lost) > MANY:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import NamedTuple
 
-from kowalevski_cas.notation import Formula, Name, NotationError
+from kowalevski_cas.notation import Formula, Name, NotationError, Number, Power, Quotient
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.reading.cases import is_told_apart, named_case
@@ -206,9 +206,31 @@ class Known:
         return used or self.moves(name) or self.is_defined(name)
 
     def is_length(self, name: str) -> bool:
-        """Whether a vector is given, or moves, that has this letter."""
+        r"""Whether a vector has this letter that moves, is given, or has its square beside it.
+
+        Where the letter gives the vector, as in :math:`\mathbf B=B\mathbf e_z`, it has either sign.
+        """
         own = (one for one in self.names.vectors if symbol(one).without_type.name == name)
-        return any(self.is_defined(one) or self.moves(one) for one in own)
+        return any(
+            name not in self.below(one)
+            and (self.is_defined(one) or self.moves(one) or self._is_divided(one, name))
+            for one in own
+        )
+
+    def _is_divided(self, vector: str, letter: str) -> bool:
+        r"""Whether a vector is divided by the square of its letter, which stands nowhere else.
+
+        So :math:`\mathbf E\times\mathbf B/B^2` is a velocity of drift.
+        """
+        formulas = [item.formula for item in self.items if item.formula is not None]
+        nodes = [node for formula in formulas for node in formula.nodes()]
+        square = Power(Name(letter), Number(2))
+        return nodes.count(Name(letter)) == nodes.count(square) and any(
+            isinstance(node, Quotient)
+            and vector in node.numerator.names()
+            and square in (node.denominator, *node.denominator.children())
+            for node in nodes
+        )
 
     def untied(self, constants: Iterable[str]) -> list[str]:
         """The constants that no law has, and nothing for which a name of a law stands."""

@@ -7,7 +7,8 @@ from collections.abc import Collection, Iterator, Sequence
 
 from kowalevski_cas.notation import Name, Number, PoissonBracket, Sum, Vector
 from kowalevski_cas.notation.symbol import symbol
-from kowalevski_cas.reading.areas import is_of_areas
+from kowalevski_cas.paper.amplitudes import UNIT
+from kowalevski_cas.reading.areas import completes_law, is_of_areas
 from kowalevski_cas.reading.changes import find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
@@ -27,9 +28,12 @@ from kowalevski_cas.reading.rows import (
     is_by_own_bracket,
     is_of_motion,
     is_row,
+    only_squared,
     rates_given,
 )
 from kowalevski_cas.reading.said_rows import (
+    row_of_value,
+    rows_of_columns,
     rows_of_conjugates,
     rows_of_differentials,
     rows_of_matrices,
@@ -68,6 +72,7 @@ def find_laws(paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] 
         return implied
     if rows and (_leaves_out(rows, found[0], paper) or _is_changed(found[0], implied)):
         return implied
+    found = found or [*_LawFinder(paper, names, said, integrals=True).laws()]
     found = found or [*_LawFinder(paper, names, said, inline=True).laws()]
     return found or free_motion(paper, names) or free_brackets(paper, names)
 
@@ -156,11 +161,20 @@ _MOVES = re.compile(
 class _LawFinder:
     """The equations with rates of a paper, and which of them belong together."""
 
-    def __init__(self, paper: SourcePaper, names: Names, said: Said, inline: bool = False) -> None:
+    def __init__(
+        self,
+        paper: SourcePaper,
+        names: Names,
+        said: Said,
+        inline: bool = False,
+        integrals: bool = False,
+    ) -> None:
         self.paper, self.names, self.said = paper, names, said
         self.inline = inline
         """Whether any words may have a law among them."""
         items = sorted((*paper.items, *said.rows), key=lambda item: item.order)
+        items = [one for item in items for one in rows_of_columns(paper, item)]
+        items = [row_of_value(paper, item) for item in items] if integrals else items
         rows = [item for item in items if self._may_be_row(item)]
         others = {name for row in rows if not is_by_own_bracket(row) for name in row.names}
         rows = [
@@ -170,6 +184,7 @@ class _LawFinder:
         ]
         rated = {name for row in rows for name in row.rates}
         given = rated | paper.functions_by_name.keys()
+        completing = [one for one in rows if integrals and completes_law(one, rows, paper)]
         rows = [
             row
             for row in rows
@@ -178,9 +193,12 @@ class _LawFinder:
             or _is_driven(row)
             or _is_pushed(row, rows)
             or is_of_areas(row, rows, paper)
+            or row in completing
         ]
         rows = [
-            row for row in rows if not (_names_integral(row, rows) or binds_velocities(row, rows))
+            row
+            for row in rows
+            if row in completing or not (_names_integral(row, rows) or binds_velocities(row, rows))
         ]
         entries = rows_of_matrices(paper, rows)
         rows = [one for row in rows for one in entries.get(row, [row])]
@@ -188,6 +206,7 @@ class _LawFinder:
         rows = sorted([*rows, *self.solutions], key=lambda row: row.order)
         rows = [*rows, *rows_of_differentials(paper)]
         self.rows = sorted([*rows, *permuted_rows(rows, paper)], key=lambda row: row.order)
+        self.rated = {name for row in self.rows for name in self.scalars(row)}
         self.multiples = [row for row in self.rows if isinstance(row.members[0], Name)]
         self.momenta = find_momenta(paper.items, self.rows, names)
         self.found: list[Law] = []
@@ -207,13 +226,14 @@ class _LawFinder:
         return self.said.verb(item) == "law"
 
     def _may_be_row(self, item: SourceStatement) -> bool:
-        if verb := self.said.verb(item):
+        printed = item.implied_by or item
+        if verb := self.said.verb(printed):
             return verb == "law" and bool(item.rates)
         paper = self.paper
         free = paper.functions_by_name.keys() & item.rates.keys()
         left = paper.approximate | paper.maps | paper.unfinished
         along = item.typed.start in paper.orbits
-        return is_row(item) and not (free or along) and item not in left
+        return is_row(item) and not (free or along) and printed not in left
 
     def _defines(self, item: SourceStatement) -> bool:
         """Whether a statement gives a name an expression, and is neither a row nor of one."""
@@ -225,6 +245,8 @@ class _LawFinder:
             return False
         if any(isinstance(member, PoissonBracket) for member in item.members):
             return False  # it gives the bracket
+        if UNIT in item.names and not self.rated & (item.names - {*item.bare}):
+            return False  # it names real parts, of which no rates are printed
         name = length_given(item) or item.bare[0]
         rated = [row for row in self.rows if row.order < item.order and name in row.rates]
         timed = bool(rated) and "t" in item.names  # it is a solution
@@ -454,20 +476,40 @@ class _LawFinder:
             rated = {name for row in own for name in self.scalars(row)}
             wanted = {name for row in own for name in self.names.scalars(row.names)}
             wanted -= {*self.names.scalars(self.momenta_of(rated).values())}
-            if rates_given(own, self.names) >= len(
-                rated
-            ):  # else a rate stands on a right side only
-                wanted -= rated
+            if rates_given(own, self.names) >= len(rated):  # else one stands on a right side only
+                wanted -= rated - {*self.names.scalars(only_squared(own))}
             more = self.following(own, wanted, apart, rows)
             if not more:
                 break
             own += more
         rated_names = {name for row in own for name in self.scalars(row)}
-        if rates_given(own, self.names) < len(rated_names):
+        if rates_given(own, self.names) < len(rated_names) or only_squared(own):
             return None
+        own += self.naming_rates(first, rated_names, apart, rows)
         momenta = self.momenta_of(rated_names)
         own += rows_of_conjugates(self.paper, own)
         return Law(tuple(sorted(own, key=lambda row: row.order)), self.names, momenta=momenta)
+
+    def naming_rates(
+        self,
+        first: SourceStatement,
+        moving: Collection[str],
+        apart: Collection[str],
+        rows: Sequence[SourceStatement],
+    ) -> list[SourceStatement]:
+        r"""The rows before a law by which what moves in it names a rate, as :math:`H=\dot a/a`.
+
+        Nothing else says how it moves of which this is the rate.
+        """
+        naming = [row for row in rows if row.order < first.order and {*row.bare[:1]} & {*moving}]
+        given = [{*self.scalars(row)} for row in rows]
+        return [
+            row
+            for row in naming
+            if row.members[0] == Name(row.bare[0])
+            and not {*self.scalars(row)} & {*moving, *apart}
+            and sum(bool(one & {*self.scalars(row)}) for one in given) == 1
+        ]
 
     def momenta_of(self, rated: Collection[str]) -> dict[SourceStatement, str]:
         """What gives vectors by others, if the rates of the former are there."""

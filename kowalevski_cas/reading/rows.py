@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from kowalevski_cas.notation import (
     Derivative,
@@ -14,6 +14,7 @@ from kowalevski_cas.notation import (
     PoissonBracket,
     Power,
     Product,
+    Quotient,
     Relation,
 )
 from kowalevski_cas.reading.cues import cue
@@ -74,7 +75,9 @@ def _is_chain(members: Sequence[Formula]) -> bool:
 
 
 def _is_multiple(formula: Formula) -> bool:
-    """Whether a formula is a rate with a factor."""
+    r"""Whether a formula is a rate with a factor, or over one, as in :math:`\dot a/a`."""
+    if isinstance(formula, Quotient) and not highest_order(formula.denominator):
+        formula = formula.numerator
     factors = formula.factors if isinstance(formula, Product) else (formula,)
     return sum(isinstance(factor, Derivative) for factor in factors) == 1
 
@@ -106,6 +109,33 @@ def binds_velocities(row: SourceStatement, rows: Sequence[SourceStatement]) -> b
             for name, order in row.rates.items()
         )
     )
+
+
+def linear_rates(formula: Formula) -> Iterator[tuple[str, int]]:
+    """The names of which a derivative stands under no power, with its order."""
+    inner, order = formula, 0
+    while isinstance(inner, Derivative):
+        inner, order = inner.argument, order + 1
+    if order and isinstance(inner, Name):
+        yield inner.name, order
+    for child in () if isinstance(inner, Power) else inner.children():
+        yield from linear_rates(child)
+
+
+def only_squared(rows: Sequence[SourceStatement]) -> set[str]:
+    r"""The names of which the highest rates stand under powers only, as :math:`r\dot\varphi^2`.
+
+    No row gives such a rate.
+    """
+    formulas = [row.formula for row in rows if row.formula is not None]
+    if any(isinstance(node, Partial) for one in formulas for node in one.nodes()):
+        return set()  # they are derived by rates
+    highest: dict[str, int] = {}
+    for row in rows:
+        highest |= {n: order for n, order in row.rates.items() if order > highest.get(n, 0)}
+    return {*highest} - {
+        name for one in formulas for name, order in linear_rates(one) if order == highest.get(name)
+    }
 
 
 def rates_given(rows: Sequence[SourceStatement], names: Names) -> int:

@@ -1,4 +1,4 @@
-r"""Rates that a paper says otherwise: by matrices, by differentials, and by complex amplitudes.
+r"""Rates that a paper says otherwise: by columns, matrices, differentials, complex amplitudes.
 
 From :math:`\dot L=[L,A]` follow the rates of entries, from :math:`i\dot a=\bar ab` that of
 :math:`\bar a`. A chain :math:`dx/P=dy/Q=dz/R` says how x, y, z move by a time that
@@ -8,12 +8,23 @@ is not printed.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import replace
 
-from kowalevski_cas.notation import Formula, PoissonBracket, read
+from kowalevski_cas.notation import (
+    Constant,
+    Formula,
+    Name,
+    PoissonBracket,
+    Vector,
+    equal,
+    read,
+    to_latex,
+)
 from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.amplitudes import UNIT, conjugate_equations, conjugate_name
+from kowalevski_cas.paper.columns import equations_by_entries
 from kowalevski_cas.paper.differentials import differentials, rates
 from kowalevski_cas.paper.matrix_equations import equations_of_entries
 from kowalevski_cas.paper.texts import Display, Printed
@@ -24,6 +35,37 @@ from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, is_c
 from kowalevski_cas.reading.unprinted import definitions_below
 
 SOURCE = "the equation that says it"
+
+
+def rows_of_columns(paper: SourcePaper, item: SourceStatement) -> Iterator[SourceStatement]:
+    """The equations between the entries of columns with rates; a statement itself if it has none.
+
+    A matrix may have a letter that the same sentence gives.
+    """
+    found: list[SourceStatement] = []
+    nodes = item.formula.nodes() if item.formula is not None and item.derives else ()
+    if item.formula is not None and any(isinstance(node, Vector) for node in nodes):
+        given = {
+            one.members[0].name: one.members[1]
+            for one in paper.items
+            if one.sentence == item.sentence and len(one.members) == 2
+            if isinstance(one.members[0], Name) and isinstance(one.members[1], Vector)
+        }
+        with suppress(Meaningless):
+            equations = equations_by_entries(item.formula, given, paper.words)
+            found = [_row(paper, item, k, to_latex(one)) for k, one in enumerate(equations, 1)]
+    yield from found or [item]
+
+
+def row_of_value(paper: SourcePaper, item: SourceStatement) -> SourceStatement:
+    r"""An equation of a rate with its value behind it, as :math:`p=mr^2\dot\varphi=\mathrm{const}`.
+
+    Any other statement is left alone.
+    """
+    kept = [member for member in item.members if not isinstance(member, Constant)]
+    if item.rates and len(kept) == 2 and isinstance(kept[0], Name):
+        return _row(paper, item, 1, to_latex(equal(kept[1], kept[0])))
+    return item
 
 
 def rows_of_matrices(

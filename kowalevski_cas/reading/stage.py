@@ -162,6 +162,9 @@ class Stage:
         derived = {name for item in (*items, *rows) for name in derived_names(item)}
         if lost := derived & {*scene.constants}:
             raise ValueError(f"nothing says what {min(lost)} is, of which derivatives are printed")
+        rated = self.known.names.scalars(name for item in items for name in item.rates)
+        if still := {*rated} & {*scene.constants}:
+            raise ValueError(f"no equation says how ${min(still)}$ moves")
         if law is not None and (beside := shifted({*scene.constants}, law.variables)):
             raise ValueError(f"{beside} is one of those that move, and no equation says how")
         given = {name for one in self.known.assumptions for name in self.known.roles[one].names}
@@ -515,17 +518,18 @@ def with_assumption(scene: Scene, item: SourceStatement, known: Known) -> Scene:
     names = names[:-1] if len(names) == len(item.members) else names
     given = dict.fromkeys((*vectors, *matrices, *names), place)
     if not given:
-        return _with_relation(scene, item)
+        return _with_relation(scene, item, known)
     kept = tuple(name for name in scene.constants if name not in {*names, *parts})
     return replace(scene, constants=kept, definitions={**scene.definitions, **given})
 
 
-def _with_relation(scene: Scene, item: SourceStatement) -> Scene:
+def _with_relation(scene: Scene, item: SourceStatement, known: Known) -> Scene:
     r"""A scene with an equation of its constants, solved for one of them; itself, if it is none.
 
     What is defined by constants may stand in it, as in :math:`\mu=3` behind :math:`\mu=M/m`.
     """
-    if len(item.members) != 2 or not item.names <= {*scene.constants, *scene.definitions}:
+    undefined = known.names.scalars(item.names - scene.definitions.keys())
+    if len(item.members) != 2 or not {*undefined} <= {*scene.constants, *scene.definitions}:
         return scene
     display = item.printed.display
     with suppress(ValueError):
