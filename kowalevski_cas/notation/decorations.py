@@ -48,3 +48,8 @@ RATES = {
 
 RAISED = {"*": RaisedSign("*", "*", "ast"), "+": RaisedSign("+", "⁺"), "-": RaisedSign("−", "⁻")}
 """By the sign, or its macro."""
+
+
+def raised_sign(shown: str) -> RaisedSign:
+    """What is raised on a letter, by how it is shown: a sign, or the name of a frame."""
+    return RAISED.get(shown) or RaisedSign(shown, f"^{shown}")

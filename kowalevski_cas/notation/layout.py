@@ -30,6 +30,18 @@ _SINGLE = frozenset({"letter", "number"})
 """The kinds of tokens that may be one of two indices."""
 _RATES = frozenset({"accent", "frac"})
 _ORDERS = frozenset({"<", ">", r"\le", r"\ge", r"\ne"})
+_IMPLICATIONS = frozenset(
+    {
+        r"\Rightarrow",
+        r"\Longrightarrow",
+        r"\implies",
+        r"\Leftrightarrow",
+        r"\Longleftrightarrow",
+        r"\iff",
+    }
+)
+"""The arrows with which a row may begin that follows from what stands above."""
+_ROWS = frozenset({"row", "block"})
 
 
 def _is_rate(tokens: list[Token]) -> bool:
@@ -205,6 +217,9 @@ def _runs(tokens: list[Token], tex: str) -> list[_Run]:
         elif kind in _BREAKS and kind != "comma" and not matrix:
             broken = _stronger(broken, kind)
         else:
+            if token.text in _IMPLICATIONS and not run.tokens and run.before in _ROWS:
+                run.before = "comma"
+                continue
             run.relation |= kind == "relation" and not depth
             if broken:
                 if broken != "gap" and not _runs_on(run.tokens[-1], token):

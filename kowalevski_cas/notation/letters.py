@@ -6,10 +6,10 @@ import re
 from collections.abc import Sequence
 
 from kowalevski_cas.notation.errors import NotationError
-from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.notation.symbol import is_frame, symbol
 from kowalevski_cas.notation.tokens import Token
 
-_STAR = r"(?: \^ (?:(?:star|sign)|{ (?:star|sign) }))?"
+_STAR = r"(?: \^ (?:star|sign|{ (?:star|sign) }))?"
 _INDEX = "(?: _ (?:[a-z]+|{ [^}]+ }))?"
 _MARKS = frozenset({"star", "sign"})
 """The kinds of tokens that are no power where they are raised alone."""
@@ -17,6 +17,16 @@ _ONE_LETTER = re.compile(
     rf"(?:accent (?:{{ )*)*letter(?: }})*(?:{_STAR}{_INDEX}|{_INDEX}{_STAR})(?: prime)*"
 )
 """The kinds of the tokens over which an accent can stand, for it stands over their letter."""
+
+
+def _kinds(tokens: Sequence[Token]) -> list[str]:
+    """The kinds of tokens, where the name of a frame that is raised is as a star."""
+    found = [token.kind for token in tokens]
+    for at, token in enumerate(tokens):
+        if found[at] == "letter" and is_frame(token.text):
+            if found[max(at - 1, 0)] == "^" or found[max(at - 2, 0) : at] == ["^", "{"]:
+                found[at] = "star"
+    return found
 
 
 def set_over(accents: Sequence[str], letter: str) -> str:
@@ -35,7 +45,7 @@ def set_accents(accents: Sequence[str], tokens: Sequence[Token], tex: str, start
 
     The word const under an arrow says that a vector is constant.
     """
-    kinds = [token.kind for token in tokens]
+    kinds = _kinds(tokens)
     if kinds == ["const"] and [*accents] == [r"\vec"]:
         return
     if not _ONE_LETTER.fullmatch(" ".join(kinds)):
@@ -48,25 +58,26 @@ def with_stars(tokens: list[Token]) -> list[Token]:
     r"""The tokens, with each star, plus or minus that is raised on a letter in the letter.
 
     It may stand behind the index. A sign right before a number, as in x^-1, may be meant to raise
-    that too, and so may one on e.
+    that too, and so may one on e. So is the name of a frame, as in
+    :math:`\mathbf q^{\mathcal R}`.
     """
-    if all(token.kind not in _MARKS for token in tokens):
+    if _MARKS.isdisjoint(_kinds(tokens)):
         return tokens
     found: list[Token] = []
     for token, behind in zip(tokens, [*tokens[1:], None], strict=True):
         found.append(token)
-        size = _size_of_mark(found, behind)
+        size = _size_of_mark(_kinds(found[-4:]), behind)
         letter = _letter_before(found, len(found) - size) if size else None
         if letter is not None and (letter.text != "e" or found[-size + size // 2].kind == "star"):
-            letter.text += f"^{found[-1 - (size == 4)].text}"
+            mark = found[-1 - (size == 4)]
+            letter.text += f"^{{{mark.text}}}" if mark.kind == "letter" else f"^{mark.text}"
             del found[-size:]
             found[-1].end = token.end
     return found
 
 
-def _size_of_mark(tokens: Sequence[Token], behind: Token | None) -> int:
-    """How many tokens at the end raise a mark, in braces or without; 0 if they do not."""
-    kinds = [token.kind for token in tokens[-4:]]
+def _size_of_mark(kinds: Sequence[str], behind: Token | None) -> int:
+    """How many of the last tokens raise a mark, in braces or without; 0 if they do not."""
     if kinds[:2] == ["^", "{"] and kinds[2:3] and kinds[2] in _MARKS and kinds[3:] == ["}"]:
         return 4
     if kinds[-2:-1] != ["^"] or kinds[-1] not in _MARKS:

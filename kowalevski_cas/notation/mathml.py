@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from html import escape
 
 from kowalevski_cas.notation.brackets import is_unmarked
-from kowalevski_cas.notation.decorations import ACCENTS, RAISED, RATES
+from kowalevski_cas.notation.decorations import ACCENTS, RATES, raised_sign
 from kowalevski_cas.notation.formula import Conjugate, Formula, Name, Number
 from kowalevski_cas.notation.printer import Printer
 from kowalevski_cas.notation.unicode import SIGNS, glyphs, styled_letter
@@ -57,7 +57,7 @@ class MathML(Printer):
             dots -= min(dots, 4)
         primes = primes or (parts.primes and _PRIMES.format(parts.primes))
         index = "".join(map(_atom, parts.indices))
-        sign = f"<mo>{RAISED[parts.raised].shown}</mo>" if parts.raised else ""
+        sign = f"<mo>{raised_sign(parts.raised).shown}</mo>" if parts.raised else ""
         if index and primes:
             primes = f'<mpadded width="0">{primes}</mpadded>'
         text += primes

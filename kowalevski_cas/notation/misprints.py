@@ -83,6 +83,7 @@ def misprints(
         partial(_partials, names, vocabulary),
         partial(_terms, names, vocabulary),
         partial(_additions, names, vocabulary),
+        partial(_rates, _rates_of(formula), vocabulary),
         _exchanges,
     ):
         for place in places:
@@ -300,6 +301,24 @@ def _additions(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> I
         at = max(alike, default=first)
         words = f"insert the factor ${name}$ in ${tex}$"
         yield "missing", place.path, times(*factors[:at], Name(name), *factors[at:]), words
+
+
+def _rates_of(formula: Formula) -> list[Formula]:
+    """The rates of numbers that stand in a formula, as a list without repetition."""
+    nodes = (node for node in formula.nodes() if isinstance(node, Derivative))
+    return [*dict.fromkeys(node for node in nodes if isinstance(node.argument, Name))]
+
+
+def _rates(rates: list[Formula], vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
+    """A rate that stands elsewhere in the formula: it may be missing as a factor of a term."""
+    node = place.node
+    if isinstance(place.parent, Sum | Negative) and isinstance(node, Product | Name):
+        factors = factors_of(node)
+        first = sum(rank(factor, vocabulary) == SCALAR for factor in factors)
+        for rate in rates:
+            if rate not in factors and rank(rate, vocabulary) == SCALAR:
+                words = f"insert the factor ${to_latex(rate)}$ in ${to_latex(node)}$"
+                yield "missing", place.path, times(*factors[:first], rate, *factors[first:]), words
 
 
 def _has_letter(factor: Formula, letter: str) -> bool:

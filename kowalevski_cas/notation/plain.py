@@ -6,7 +6,7 @@ import unicodedata
 from collections.abc import Iterable, Sequence
 from functools import cache
 
-from kowalevski_cas.notation.decorations import ACCENTS, RAISED, RATES
+from kowalevski_cas.notation.decorations import ACCENTS, RATES, raised_sign
 from kowalevski_cas.notation.formula import (
     Conjugate,
     CrossProduct,
@@ -96,7 +96,7 @@ def _name_under(name: str, marks: str = "") -> str:
         low = f"_{index}" if len(index) == 1 else f"_({index})"
     above = "".join(_MARKS[accent] for accent in reversed(parts.accents)) + marks
     above = above.replace(2 * _DOT, _MARKS[r"\ddot"])
-    raised = RAISED[parts.raised].plain if parts.raised else ""
+    raised = raised_sign(parts.raised).plain if parts.raised else ""
     return unicodedata.normalize("NFC", letter + above) + low + raised + parts.primes
 
 

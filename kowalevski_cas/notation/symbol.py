@@ -30,11 +30,13 @@ STAR = "^*"
 _ACCENTS = "|".join(map(re.escape, (*DOTS, *DIACRITICS)))
 _RAISED = "|".join(rf"{re.escape(sign)}(?![A-Za-z])" for sign in RAISED)
 _ACCENT = re.compile(rf"({_ACCENTS})\{{")
+_FRAME = r"\{\\math(?:cal|scr)\{[A-Za-z]\}\}"
+"""The name of a frame that is raised on a letter: no power is printed in such type."""
 _SYMBOL = re.compile(
     rf"""(?P<accents>(?:(?:{_ACCENTS})\{{)*)
     (?:(?P<font>{"|".join(map(re.escape, FONTS))})\{{(?P<styled>[^{{}}]+)\}}
       | (?P<letter>\\[A-Za-z]+|[A-Za-z]))
-    (?P<closing>\}}*)(?P<raised>\^(?:{_RAISED}))?(?:_(?:\{{(?P<low>.+)\}}|(?P<sign>[^{{])))?(?P<primes>'*)""",
+    (?P<closing>\}}*)(?P<raised>\^(?:{_RAISED}|{_FRAME}))?(?:_(?:\{{(?P<low>.+)\}}|(?P<sign>[^{{])))?(?P<primes>'*)""",
     re.VERBOSE | re.DOTALL,
 )
 _VALUE = re.compile(
@@ -102,6 +104,15 @@ class Symbol:
             replace(plain, accents=(*plain.accents, r"\vec")),
         ]
         return [other for other in types if other != self] if self in types else []
+
+
+def is_frame(text: str) -> bool:
+    r"""Whether a letter is the name of a frame where it is raised.
+
+    >>> is_frame(r"\mathcal{P}"), is_frame(r"\mathrm{T}"), is_frame("n")
+    (True, False, False)
+    """
+    return re.fullmatch(_FRAME, f"{{{text}}}") is not None
 
 
 @cache

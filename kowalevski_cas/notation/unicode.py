@@ -60,6 +60,9 @@ def glyphs(name: str) -> Glyphs:
     elif not font and parts.letter[:1] == "\\" and parts.letter not in _LETTERS:
         font = r"\mathrm"  # a macro of its own, as \sin, is an upright word
     raised = parts.raised.removeprefix("^")
+    if raised[:1] == "{":
+        of = symbol(raised[1:-1])
+        raised = styled_letter(of.letter, of.font)
     primes = "′" * len(parts.primes)
     return Glyphs(letter, font, parts.accents, raised, _index(parts.index), primes)
 

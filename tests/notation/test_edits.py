@@ -84,6 +84,10 @@ def test_a_factor_may_be_missing_in_a_term_a_denominator_and_a_root():
     assert r"x_1 + \frac{1}{\sqrt{x_2a}}" in found
 
 
+def test_a_rate_may_be_missing_that_stands_elsewhere():
+    assert r"a = \dot x_1x_2 + y_1\dot{x}_1" in made(r"a = \dot x_1x_2 + y_1", "missing")
+
+
 def test_the_misprint_of_the_time_variable_is_one_sign_away():
     words = Vocabulary(scalars=frozenset(["i"]))
     assert "i^2=-1" in made("i^2=1", "sign", words)

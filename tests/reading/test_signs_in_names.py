@@ -70,3 +70,14 @@ def test_a_function_may_have_digits_behind_its_power():
     found = verdicts(text + r"Then $\sin^23s+\cos^23s=1$, and $\sin^23s=9\sin^2s$.")
     assert found[r"\sin^23s+\cos^23s=1"].green
     assert not found[r"\sin^23s=9\sin^2s"].green
+
+
+ROTATING = r"""The motion is
+\[ \dot{\mathbf q}^{\mathcal R} = \mathbf k\times\mathbf q^{\mathcal R},\qquad \dot{\mathbf k} = 0 . \]
+"""
+
+
+def test_the_name_of_a_frame_makes_another_name_of_a_vector():
+    claims = r"With $\mathbf q^{\mathcal P}=2\mathbf q^{\mathcal R}$ we have \[ \dot{\mathbf q}^{\mathcal P} = 2\mathbf k\times\mathbf q^{\mathcal R} . \] Moreover, \[ \dot{\mathbf q}^{\mathcal P} = \mathbf k\times\mathbf q^{\mathcal R} . \]"
+    *_, right, wrong = verdicts(ROTATING + claims).values()
+    assert right.green and wrong is Verdict.REFUTED
