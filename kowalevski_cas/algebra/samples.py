@@ -93,6 +93,8 @@ class Sample:
     ) -> None:
         self.seed, self.given, self.rated, self.fields = seed, given, frozenset(rated), fields
         self.primed = primed
+        self.slopes: frozenset[tuple[str, str]] = frozenset()
+        """The names of which partial derivatives are printed, each with a variable."""
         self.values: dict[Key, acb] = {}
         self.touched: set[Key] = set()
         self._busy: set[Key] = set()
@@ -105,7 +107,7 @@ class Sample:
         """The same numbers, with functions that are derived by some names."""
         found = Sample(self.seed, self.given, self.rated, fields, self.primed)
         found.values, found._integrals = dict(self.values), dict(self._integrals)
-        found.scaled = self.scaled
+        found.scaled, found.slopes = self.scaled, self.slopes
         return found
 
     def _moving(self) -> Sample:
@@ -285,9 +287,14 @@ class Sample:
         at = self.key(rated(by))
         if at is None:
             raise Valueless(by)
+        before, self.touched = self.touched, set()
         self.value(inner)
+        own, self.touched = self.touched, before | self.touched
         self.atom(at)
-        return self._slope(inner, {at: acb(1)})
+        slopes = {
+            key: self.atom((PARTIAL, *key, by)) for key in sorted(own) if (*key, by) in self.slopes
+        }
+        return self._slope(inner, {**slopes, at: acb(1)})
 
     def _directions(self, node: Formula, by: str) -> dict[Key, acb]:
         """How all that moves by a variable moves, of which a formula is made."""

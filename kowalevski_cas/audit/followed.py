@@ -46,8 +46,10 @@ def tell_steps(
             if audited.message not in said and audited.role != "unread":
                 said += filter(None, [audited.message])
             audited.verdict = Verdict.UNDECIDED
-            audited.message = "; ".join([*said, f"{FROM_BEFORE} {shown}"])
-            audited.causes = (audited.name,)
+            cause = at[one.of or one.item]
+            there = "" if cause is audited else f" with this in line {cause.line}:"
+            audited.message = "; ".join([*said, f"{FROM_BEFORE}{there} {shown}"])
+            audited.causes = (cause.name,)
 
 
 def _may_be_wrong(audited: Audited) -> bool:

@@ -8,7 +8,8 @@ follows when one token of it is another one: what else it may rest on is not kno
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from kowalevski_cas.algebra.keys import is_initial, variable_of
@@ -27,21 +28,23 @@ from kowalevski_cas.notation import (
     Vocabulary,
     to_latex,
 )
-from kowalevski_cas.notation.edits import replace, subtree
+from kowalevski_cas.notation.edits import subtree
+from kowalevski_cas.notation.layout import statements
 from kowalevski_cas.paper.transcendental import PI
+from kowalevski_cas.reading.components import usual_meanings
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.expansions import expansions_of
-from kowalevski_cas.reading.free_formulas import free_formulas, single_functions
+from kowalevski_cas.reading.free_formulas import free_formulas, single_functions, with_gradients
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, NOTATION, OTHER, Known
 from kowalevski_cas.reading.premises import has_integral, pairs_of
-from kowalevski_cas.reading.slips import KINDS, is_integrated, may_be, slips
+from kowalevski_cas.reading.slips import KINDS, LIKELY, is_integrated, may_be, slips, with_slip
 from kowalevski_cas.reading.statements import SourceStatement, is_numerical
 from kowalevski_cas.reading.steps import DerivationStep, PrintedBefore
 from kowalevski_cas.reading.variational import rates_behind, says_rates
 from kowalevski_cas.verify.vacuous import is_trivial
 
 _ANOTHER = re.compile(
-    r"\b(?:instead|replac\w+|without|twice|double\w*|half(?![\s-]ax)|(?<!each\s)other|another|new"
+    r"\b(?:instead|replac\w+|without(?!\s+(?:\w+\s+){0,3}(?:comput|calculat)\w+)|twice|double\w*|half(?![\s-]ax)|(?<!each\s)other|another|new"
     r"|inverted|upside|opposite|revers\w+"
     r"|(?:second|third)\s+(?:spring|mass|bod(?:y|ies)|force|particle|charge|case))\b"
     r"|\b(?:вместо|замен\w+|друг\w+|нов\w+|вдвое)\b",
@@ -52,8 +55,21 @@ _ANOTHER = re.compile(
 _FORCE = re.compile(r"\b(?:friction|damp\w+|трени\w+)\b", re.IGNORECASE)
 """Words for what may come to what stands before, unless a formula behind them has it."""
 
+_VANISHES = re.compile(
+    r"[\s~]*(?:vanish(?:es)?|is\s+zero|равн[оаы]?\s+нулю)\s*[.,;]", re.IGNORECASE
+)
+"""Words behind what is zero."""
+
+_ARROW = re.compile(r"\\(?:(?:Long)?(?:[Ll]eft)?[Rr]ightarrow|implies|iff)(?:[\s&]|\\q?quad)*\Z")
+
+_SIGNS = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|±|∓")
+"""The signs of two statements, of which one may follow."""
+
 MOST = 3
 """How many repairs are told."""
+
+NEAR = 3
+"""In how many displays before a step that fails the reason is looked for."""
 
 _OF_ALL = ("identity", "integral", "solution", "constant", "energy")
 """The kinds of claims that are made of no set."""
@@ -78,6 +94,8 @@ class Step(NamedTuple):
     item: SourceStatement
     repairs: tuple[Formula, ...]
     follows: bool = False
+    of: SourceStatement | None = None
+    """What is repaired: the step, or what stands before it; nothing rests on it if it is none."""
 
 
 def steps(
@@ -110,7 +128,7 @@ class _Section:
         self.known = known
         self.formulas = {one: formulas[one] for one in items if one in formulas}
         self.said = [one for one in self.formulas if _says(one, self.formulas[one], known)]
-        self.words: Vocabulary = known.paper.words
+        self.words: Vocabulary = with_gradients(known.paper.words, self.formulas.values())
 
     def steps(
         self,
@@ -122,24 +140,114 @@ class _Section:
 
         Where what words explain behind a step is wrong, the step may be right.
         """
-        mended: dict[SourceStatement, Formula] = {}
+        found: dict[SourceStatement, Step] = {}
         for item in self.said:
-            formula = self.formulas[item]
-            if item not in asked or not (item in doubted or self._is_step(item)):
+            if not (item in doubted or self._is_step(item)):
                 continue
-            sure = [one for one in self._before(item) if one in mended or one not in left]
-            premises = [mended.get(one, self.formulas[one]) for one in sure]
-            premises += rates_behind(item, sure, self.formulas, self.known)
-            premises += self._at_arguments([formula, *premises])
-            before = PrintedBefore(formula, premises, self._terms(item))
-            if repairs := self._repairs(formula, before):
-                if all(one.order < item.order for one in sure):
-                    mended[item] = repairs[0]
-                yield Step(item, repairs)
-            elif item in doubted:
-                with precisely():
-                    if DerivationStep(formula, before).follows():
-                        yield Step(item, (), follows=True)
+            sure = [one for one in self._before(item) if one in _mended(found) or one not in left]
+            self._reconsider(item, sure, asked, found)
+            if item not in asked:
+                continue
+            before = self._printed_before(item, sure, _mended(found))
+            if repairs := self._repairs(self.formulas[item], before):
+                whole = all(one.order < item.order for one in sure)
+                found[item] = Step(item, repairs, of=item if whole else None)
+            elif item in doubted and _follows(self.formulas[item], before):
+                found[item] = Step(item, (), follows=True)
+            elif step := self._elsewhere(item, sure, asked, _mended(found)):
+                found[item] = step
+        yield from found.values()
+
+    def _reconsider(
+        self,
+        item: SourceStatement,
+        sure: Sequence[SourceStatement],
+        asked: frozenset[SourceStatement],
+        found: dict[SourceStatement, Step],
+    ) -> None:
+        """Look elsewhere for what is wrong with a step on which another one rests as printed."""
+        mended, formula = _mended(found), self.formulas[item]
+        doubted = [one for one in sure if one in mended and one in found]
+        if not doubted or not _fails(formula, self._printed_before(item, sure, mended)):
+            return
+        for one in doubted:
+            others = {place: other for place, other in mended.items() if place is not one}
+            if _follows(formula, self._printed_before(item, sure, others)):
+                own = [other for other in self._before(one) if other in sure]
+                if step := self._elsewhere(one, own, asked, others):
+                    found[one] = step
+
+    def _printed_before(
+        self,
+        item: SourceStatement,
+        sure: Sequence[SourceStatement],
+        mended: Mapping[SourceStatement, Formula],
+    ) -> PrintedBefore:
+        """What a statement may rest on, some of it as it was mended."""
+        premises = [mended.get(one, self.formulas[one]) for one in sure]
+        ends = [self.formulas[one] for one in sure if _VANISHES.match(one.tail)]
+        premises += [
+            Relation((pair[1], Number(0)), ("=",)) for one in ends for pair in pairs_of(one)
+        ]
+        premises += rates_behind(item, sure, self.formulas, self.known)
+        premises += self._at_arguments([self.formulas[item], *premises])
+        premises += usual_meanings([self.formulas[item], *premises], self.words)
+        return PrintedBefore(self.formulas[item], premises, self._terms(item), self.words)
+
+    def _elsewhere(
+        self,
+        item: SourceStatement,
+        sure: Sequence[SourceStatement],
+        asked: frozenset[SourceStatement],
+        mended: Mapping[SourceStatement, Formula],
+    ) -> Step | None:
+        """A step that fails, with the changes of one display before it by which it would follow.
+
+        All that follows from that display as it is has to follow from it then.
+        """
+        formula = self.formulas[item]
+        before = self._printed_before(item, sure, mended)
+        with precisely():
+            fails = before.has_all_of(formula) and DerivationStep(formula, before).fails()
+            if not fails or not before.agrees():
+                return None
+        given = Counter(map(self._given, self.said))
+        places = [
+            one
+            for one in sure
+            if one in asked and one not in mended and one.order < item.order
+            if not one.typed.inline and given[self._given(one)] == 1
+            if self._is_near(one, item)
+        ]
+        for place in reversed(places[-NEAR:]):
+            between = [one for one in sure if place.order < one.order < item.order]
+            resting = [one for one in between if self._follows(one, sure, mended)]
+
+            def holds(edited: Formula, place: SourceStatement = place) -> bool:
+                changed = {**mended, place: edited}
+                return all(self._follows(one, sure, changed) for one in (item, *resting))  # noqa: B023
+
+            if found := self._changes(self.formulas[place], before, frozenset(), holds, LIKELY):
+                return Step(item, found, of=place)
+        return None
+
+    def _follows(
+        self,
+        item: SourceStatement,
+        sure: Sequence[SourceStatement],
+        mended: Mapping[SourceStatement, Formula],
+    ) -> bool:
+        """Whether a statement follows from what is sure before it, some of it as it was mended."""
+        own = [one for one in self._before(item) if one in sure]
+        return _follows(self.formulas[item], self._printed_before(item, own, mended))
+
+    def _given(self, one: SourceStatement) -> Formula:
+        """What a statement gives: where it is given twice there are several cases."""
+        return pairs_of(self.formulas[one])[0][0]
+
+    def _is_near(self, one: SourceStatement, item: SourceStatement) -> bool:
+        """Whether a display has letters of a step."""
+        return not self.formulas[one].names().isdisjoint(self.formulas[item].names())
 
     def _at_arguments(self, formulas: Sequence[Formula]) -> Iterator[Formula]:
         """What unknown functions without an argument are, beside others at one, as F and F(1/u)."""
@@ -159,7 +267,7 @@ class _Section:
             return not (item.typed.inline or _ANOTHER.search(words))
         if cue("when", words) or cue("place", words) or _ANOTHER.search(words):
             return False
-        if _FORCE.search(self._behind(item)):
+        if _FORCE.search(self._behind(item)) or _SIGNS.search(item.printed.tex):
             return False
         pairs = pairs_of(formula)
         derived = pairs[0][0]
@@ -168,7 +276,9 @@ class _Section:
         given = (self.formulas[one] for one in self.said if one.order < item.order)
         derives = derived != pairs[0][0] and any(pairs_of(one)[0][0] == derived for one in given)
         partial = {node.argument for node in formula.nodes() if isinstance(node, Partial)}
-        told = cue("claim", words) or _STEP.search(words) or says_rates(item)
+        if _is_varied(formula):
+            return False
+        told = cue("claim", words) or _STEP.search(words) or says_rates(item) or _is_concluded(item)
         said = len(pairs) > 1 or derives or told or any(map(has_integral, pairs[0]))
         return not item.typed.inline and bool(said or derived in partial)
 
@@ -199,28 +309,52 @@ class _Section:
         return sorted({term for node in sums for term in node.terms}, key=_length)
 
     def _repairs(self, formula: Formula, before: PrintedBefore) -> tuple[Formula, ...]:
-        """The changes by which a step follows that does not, the likelier ones first."""
-        found: dict[Formula, tuple[object, ...]] = {}
+        """The changes by which a step follows that does not, the likelier ones first.
+
+        Of vectors that stand nowhere before it nobody prints how they are directed.
+        """
+        if not before.has_vectors_of(formula):
+            return ()
         with precisely():
             step = DerivationStep(formula, before)
+            lost = frozenset() if step.fails() else self._lost(step)
+            if not lost and not step.fails():
+                return ()
+        return self._changes(
+            formula, before, lost, lambda edited: DerivationStep(edited, before).follows()
+        )
+
+    def _changes(
+        self,
+        formula: Formula,
+        before: PrintedBefore,
+        lost: frozenset[str],
+        holds: Callable[[Formula], bool],
+        kinds: Collection[str] = KINDS,
+    ) -> tuple[Formula, ...]:
+        """The changes of a formula with which something holds, the likelier ones first."""
+        found: dict[Formula, tuple[object, ...]] = {}
+        with precisely():
             own = formula.names()
             offered = {name for name in own | before.names if not before.is_unit(name)}
             offered &= self.words.scalars
-            lost = frozenset() if step.fails() else self._lost(step)
-            tried = slips(step, self.words, offered) if lost or step.fails() else ()
-            for place, slip in enumerate(tried):
+            step = DerivationStep(formula, before)
+            for place, slip in enumerate(slips(step, self.words, offered)):
                 kind, path, new, _ = slip
-                edited = replace(formula, path, new)
-                if edited in found or edited in before.formulas or is_integrated(formula, path):
+                if kind not in kinds or is_integrated(formula, path):
                     continue
-                if lost and not lost.isdisjoint(edited.names()):
+                if not may_be(formula, slip, lost):
                     continue
                 if kind == "sign" and before.squared and _has_root(subtree(formula, path)):
                     continue  # of a square the root may be either
-                possible = may_be(formula, slip, lost) and not is_trivial(edited)
-                if possible and DerivationStep(edited, before).follows():
-                    order = not new.names() <= own, path[:1] == (0,), KINDS.index(kind), place
-                    found[edited] = order
+                for edited in with_slip(formula, path, new):
+                    if edited in found or edited in before.formulas:
+                        continue
+                    if is_trivial(edited) and not is_trivial(formula):
+                        continue
+                    if lost.isdisjoint(edited.names()) and holds(edited):
+                        order = not new.names() <= own, path[:1] == (0,), KINDS.index(kind), place
+                        found[edited] = order
         return tuple(sorted(found, key=lambda edited: found[edited])[:MOST])
 
     def _lost(self, step: DerivationStep) -> frozenset[str]:
@@ -232,6 +366,37 @@ class _Section:
         alone = lost if len(lost) == 1 and step.before.known else set[str]()
         times = {variable_of(rate.mark, "") for rate in step.before.rates}
         return frozenset(one for one in alone if one not in times and not is_initial(one))
+
+
+def _is_concluded(item: SourceStatement) -> bool:
+    """Whether an arrow in its display lets a statement follow."""
+    tex = item.printed.display.tex
+    start = statements(tex)[item.printed.number - 1].start
+    return _ARROW.search(tex, 0, start) is not None
+
+
+def _is_varied(formula: Formula) -> bool:
+    """Whether it has the form of Lagrange's equations, which follow from no function."""
+    nodes = [node for node in formula.nodes() if isinstance(node, Derivative | Partial)]
+    members = [one for one in getattr(formula, "members", ()) if one != Number(0)]
+    if not any(isinstance(one, Derivative) and one.argument in nodes for one in nodes):
+        return False
+    return all(any(isinstance(one, Partial) for one in side.nodes()) for side in members)
+
+
+def _fails(formula: Formula, before: PrintedBefore) -> bool:
+    with precisely():
+        return DerivationStep(formula, before).fails()
+
+
+def _follows(formula: Formula, before: PrintedBefore) -> bool:
+    with precisely():
+        return DerivationStep(formula, before).follows()
+
+
+def _mended(found: Mapping[SourceStatement, Step]) -> dict[SourceStatement, Formula]:
+    """What is to be read with its repair by those that follow."""
+    return {one.of: one.repairs[0] for one in found.values() if one.of is not None}
 
 
 def _has_root(node: Formula) -> bool:

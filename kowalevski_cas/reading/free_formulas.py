@@ -8,7 +8,7 @@ behind a letter are arguments, and so is what always stands in brackets behind a
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -27,9 +27,11 @@ from kowalevski_cas.notation import (
     times,
 )
 from kowalevski_cas.notation.layout import statements as placed
+from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.open import OpenParser, independent
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.summation import expand_sum, without_sums
+from kowalevski_cas.reading.components import NABLA
 from kowalevski_cas.reading.definite_integrals import DIFFERENTIAL, without_integrals
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 
@@ -61,6 +63,13 @@ _LIMIT = re.compile(
     r"(?:0|\\infty)\s*\}(?P<of>[^=]*)="
 )
 _DELTA = r"\Delta"
+_IN_BOLD = r"\\(?:mathbf|boldsymbol|bm|vec)(?:\s*\{[^{}]*\}|\s+[A-Za-z]|\s*\\[A-Za-z]+)"
+_OF_NABLA = re.compile(
+    rf"\\nabla\s*(?P<curl>\\times\s*(?=\\))?(?P<of>{_IN_BOLD}|{_LETTER}(?![A-Za-z]))(?!\s*[_^'(])"
+)
+"""A gradient, or a curl, of what is named by a letter."""
+_FIRST_GRADIENT = 900
+"""The index of a vector that stands for the first one."""
 
 
 def free_formulas(
@@ -80,9 +89,10 @@ def free_formulas(
         times=words.times | by,
         functions=words.functions - applied - functions - single | {INTEGRAL},
     )
+    gradients: dict[str, str] = {}
     for one in items:
         tex = _without_arguments(one.printed.display.tex, functions | single)
-        tex = without_integrals(_with_ellipses(tex))
+        tex = _without_gradients(without_integrals(_with_ellipses(tex)), gradients)
         if one.formula is not None:
             found[one] = one.formula
             if tex == one.printed.display.tex and "d" not in one.names:
@@ -93,7 +103,8 @@ def free_formulas(
             _with_functions(words, single_functions(paper)),
         ):
             with suppress(NotationError, RecursionError, IndexError):
-                found[one] = _read(tex, one.printed.number, own)
+                own = replace(own, vectors=own.vectors | {*gradients})
+                found[one] = _named(_read(tex, one.printed.number, own), gradients)
                 break
     for sign, of in ((Name(_DELTA), _difference), (Name(DIFFERENTIAL), _differential)):
         if not any(sign in _alone(tree, sign) for tree in found.values()):
@@ -117,6 +128,36 @@ def _with_one_component(words: Vocabulary) -> Vocabulary:
     """The names, with numbers for vectors and matrices: then a vector and a matrix are added."""
     scalars = words.scalars | words.vectors | words.matrices
     return replace(words, scalars=scalars, vectors=frozenset(), matrices=frozenset())
+
+
+def with_gradients(words: Vocabulary, formulas: Iterable[Formula]) -> Vocabulary:
+    """The names, with those of gradients among the vectors."""
+    names = {name for one in formulas for name in one.names() if name.startswith(NABLA)}
+    return replace(words, vectors=words.vectors | names)
+
+
+def _without_gradients(tex: str, gradients: dict[str, str]) -> str:
+    """A display with letters for its gradients and curls, which are entered."""
+
+    def letter(found: re.Match[str]) -> str:
+        (of,) = (token.text for token in scan(found["of"]))
+        curl = r"\times " if found["curl"] else ""
+        named = gradients.items()
+        name = next((name for name, one in named if one == f"{NABLA}{curl}{of}"), "")
+        name = name or rf"\mathbf{{N}}_{{{_FIRST_GRADIENT + len(gradients)}}}"
+        gradients[name] = f"{NABLA}{curl}{of}"
+        return name
+
+    with suppress(NotationError, ValueError):
+        return _OF_NABLA.sub(letter, tex)
+    return tex
+
+
+def _named(formula: Formula, names: Mapping[str, str]) -> Formula:
+    """A formula with other names."""
+    if isinstance(formula, Name):
+        return Name(names[formula.name]) if formula.name in names else formula
+    return formula.map_children(lambda child: _named(child, names))
 
 
 def _read(tex: str, number: int, words: Vocabulary) -> Formula:

@@ -21,7 +21,7 @@ from kowalevski_cas.notation import (
     Relation,
     Unwritten,
 )
-from kowalevski_cas.notation.formula import EQUALITIES
+from kowalevski_cas.notation.formula import EQUALITIES, once
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.reading.free_formulas import instances
 
@@ -67,6 +67,14 @@ class SolvedSample:
             with suppress(*NO_VALUE):
                 self._solve(pair)
 
+    def agrees(self, premises: Sequence[Pair]) -> bool:
+        """Whether all that stands before a step holds together, as far as it has values."""
+        for left, right in premises:
+            with suppress(*NO_VALUE):
+                if not self.sample.holds(left, right):
+                    return False
+        return True
+
     def holds(
         self, pairs: Sequence[Pair], fields: Mapping[str, frozenset[str]], of_chain: bool = False
     ) -> bool | None:
@@ -79,8 +87,9 @@ class SolvedSample:
         for left, right in pairs:
             key = sample.key(left)
             sample.touched = set()
+            sample.value(right)  # what it rests on is not given by it
+            bound = self.determined | self.fixed | sample.touched
             holds = sample.holds(left, right)
-            bound = self.determined | self.fixed
             fresh = key is not None and key not in bound and not self._derived(key, fields)
             if fresh:
                 continue
@@ -154,7 +163,8 @@ class SolvedSample:
             sample.values[key] = value
             break
         else:
-            if zero is None:
+            again = any(sample.key(side) in self.given for side in pair)
+            if zero is None or again:  # of what is given once more the earlier value is of a case
                 return
             key, value = zero
             sample.values[key] = value
@@ -171,7 +181,26 @@ class SolvedSample:
             with suppress(ZeroDivisionError):
                 if (value := self._linear(key, pair, start, there, back)) is not None:
                     return value
-        return None
+        return self._quadratic(key, pair, start)
+
+    def _quadratic(self, key: Key, pair: Pair, start: acb) -> acb | None:
+        """The root next to its value of an equation in which something has the second power."""
+        sample, (left, right) = self.sample, pair
+        value, ends = sample.values[key], [start]
+        with suppress(*NO_VALUE):
+            for step in (1, 2, 3):
+                sample.values[key] = value + step
+                ends.append(sample.value(left) - sample.value(right))
+        sample.values[key] = value
+        if len(ends) < 4 or not is_zero(ends[3] - 3 * ends[2] + 3 * ends[1] - ends[0]):
+            return None
+        square = (ends[2] - 2 * ends[1] + ends[0]) / 2
+        slope = ends[1] - ends[0] - square
+        if is_zero(square):
+            return None
+        root = (slope * slope - 4 * square * start).sqrt()
+        steps = ((sign * root - slope) / (2 * square) for sign in (1, -1))
+        return value + min(steps, key=lambda step: abs(complex(step)))
 
     def _linear(self, key: Key, pair: Pair, start: acb, there: Change, back: Change) -> acb | None:
         """The value at which an equation holds in which a change of it stands linearly."""
@@ -232,6 +261,7 @@ def leaves_out(member: Formula) -> bool:
     return any(isinstance(node, Unwritten | Constant) for node in member.nodes())
 
 
+@once
 def written_out(formula: Formula) -> list[Formula]:
     """The formulas that one is, with its sums written out; none where that cannot be done."""
     with suppress(*NO_VALUE):

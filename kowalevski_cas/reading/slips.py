@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from dataclasses import replace as fields_replaced
 from math import gcd
 
 from kowalevski_cas.algebra.quadrature import INTEGRAL
@@ -27,9 +29,10 @@ from kowalevski_cas.notation import (
     to_latex,
     total,
 )
-from kowalevski_cas.notation.edits import subtree
+from kowalevski_cas.notation.edits import replace, subtree
 from kowalevski_cas.notation.errors import closeness
-from kowalevski_cas.notation.misprints import Misprint, factors_of, misprints
+from kowalevski_cas.notation.misprints import HALF, TWO, Misprint, Path, factors_of, misprints
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.reading.premises import leaves_out
 from kowalevski_cas.reading.steps import DerivationStep
 from kowalevski_cas.verify.vacuous import ALIKE
@@ -39,6 +42,9 @@ KINDS = (
     "operation", "end",
 )  # fmt: skip
 """The kinds of slips, the likelier ones first."""
+
+LIKELY = frozenset({"sign", "exponent", "index", "letter", "coefficient", "factor"})
+"""Those that are looked for in what a step rests on."""
 
 LARGEST = 4
 """No number of a coefficient that is tried is larger."""
@@ -51,27 +57,88 @@ RATIOS = tuple(
 )
 """The numbers that a coefficient may be."""
 
+_FIRST = re.compile(r"(?<!\d)1(?!\d)")
+"""The first value of an index."""
+
 
 def slips(step: DerivationStep, words: Vocabulary, offered: set[str]) -> Iterator[Misprint]:
     """The slips of a step: of one token, or a term or a factor of what stands before it."""
     yield from (slip for slip in misprints(step.formula, words, offered) if slip[0] in KINDS)
-    waiting: list[tuple[tuple[int, ...], Formula, Formula | None]] = [((), step.formula, None)]
+    waiting: list[tuple[Path, Formula, Formula | None]] = [((), step.formula, None)]
     while waiting:
         path, node, parent = waiting.pop()
         waiting += [((*path, k), child, node) for k, child in enumerate(node.children())]
         if _is_ratio(node):
             yield from (("coefficient", path, number, "") for number in RATIOS if number != node)
         yield from (*_of_two(path, node), *_roots(path, node, parent), *_ends(path, node, offered))
-        yield from _squares(path, node, offered)
-        if isinstance(parent, Sum | Negative | Relation) and isinstance(node, Name):
-            for rate in sorted(step.before.rates, key=to_latex):
-                yield "missing", path, times(node, rate), ""
-        if isinstance(parent, Relation) and not isinstance(node, Constant | Unwritten):
-            own = node.terms if isinstance(node, Sum) else (node,)
-            for number in RATIOS:
-                yield "coefficient", path, times(number, *factors_of(node)), ""
-            for term in step.before.terms:
-                yield "missing", path, Sum((term, *own)), ""
+        yield from (*_squares(path, node, offered), *_from_before(path, node, parent, step))
+
+
+def _from_before(
+    path: Path, node: Formula, parent: Formula | None, step: DerivationStep
+) -> Iterator[Misprint]:
+    """A factor of a term, or a term of a member, that stands before; a number before either."""
+    if isinstance(parent, Sum | Negative | Relation) and isinstance(node, Name | Product):
+        before = step.before
+        rates = {one for one in before.printed if isinstance(one, Derivative)}
+        factors = before.factors | (rates if isinstance(node, Name) else set())
+        for factor in sorted(factors - {*factors_of(node)}, key=to_latex):
+            yield "missing", path, times(*factors_of(node), factor), ""
+    if isinstance(parent, Sum | Negative) and isinstance(node, Sum) and _is_summed(node):
+        yield from (("coefficient", path, times(number, node), "") for number in (TWO, HALF))
+    if isinstance(parent, Relation) and not isinstance(node, Constant | Unwritten):
+        own = node.terms if isinstance(node, Sum) else (node,)
+        for number in RATIOS:
+            yield "coefficient", path, times(number, *factors_of(node)), ""
+        for term in step.before.terms:
+            yield "missing", path, Sum((term, *own)), ""
+
+
+def with_slip(formula: Formula, path: Path, new: Formula) -> list[Formula]:
+    """A formula with a slip; of the first term of a sum over an index, also with it in all."""
+    if isinstance(formula, Relation) and path == (0,) and new == Negative(formula.members[0]):
+        first, *others = formula.members  # no formula begins with a minus
+        return [fields_replaced(formula, members=(first, *map(_negated, others)))]
+    found = [replace(formula, path, new)]
+    for length, place in enumerate(path):
+        node = subtree(formula, path[:length])
+        if isinstance(node, Sum) and not place and _is_summed(node):
+            term = subtree(found[-1], path[: length + 1])
+            terms = (_of_index(term, number) for number in range(1, len(node.terms) + 1))
+            every = fields_replaced(node, terms=(*terms,))
+            found.append(replace(found[-1], path[:length], every))
+    return found
+
+
+def _negated(formula: Formula) -> Formula:
+    """A member with the other signs."""
+    if isinstance(formula, Sum):
+        return Sum((*map(_negated, formula.terms),))
+    return formula.argument if isinstance(formula, Negative) else Negative(formula)
+
+
+def _is_summed(node: Sum) -> bool:
+    """Whether its terms are the first one for each value of an index, from 1 on."""
+    first, *others = node.terms
+    return first != others[0] and all(
+        _of_index(first, number) == one for number, one in enumerate(others, 2)
+    )
+
+
+def _of_index(formula: Formula, number: int) -> Formula:
+    """A formula with another index for 1."""
+    if isinstance(formula, Name):
+        return Name(_with_index(formula.name, number))
+    found = formula.map_children(lambda child: _of_index(child, number))
+    if isinstance(found, Partial):
+        return fields_replaced(found, by=_with_index(found.by, number))
+    return found
+
+
+def _with_index(name: str, number: int) -> str:
+    parts = symbol(name)
+    index = _FIRST.sub(str(number), parts.index)
+    return fields_replaced(parts, index=index).name
 
 
 def _is_ratio(node: Formula) -> bool:
@@ -79,9 +146,11 @@ def _is_ratio(node: Formula) -> bool:
     return isinstance(node, Quotient) and all(isinstance(n, Number) for n in node.children())
 
 
-def _of_two(path: tuple[int, ...], node: Formula) -> Iterator[Misprint]:
-    """A plus for a product, and a second derivative for the square of the first one."""
+def _of_two(path: Path, node: Formula) -> Iterator[Misprint]:
+    """A plus for a product, or a product for it; a second derivative for a square of the first."""
     match node:
+        case Product((Name(), Name()) as factors):
+            yield "operation", path, Sum(factors), ""
         case Sum(terms):
             for k in range(1, len(terms)):
                 if leaves_out(terms[k]):
@@ -94,7 +163,7 @@ def _of_two(path: tuple[int, ...], node: Formula) -> Iterator[Misprint]:
             yield "letter", path, Partial(inner, f"{by}'"), ""
 
 
-def _roots(path: tuple[int, ...], node: Formula, parent: Formula | None) -> Iterator[Misprint]:
+def _roots(path: Path, node: Formula, parent: Formula | None) -> Iterator[Misprint]:
     """A square root more, of a member or a factor, or one less."""
     if isinstance(node, Root):
         yield "root", path, node.argument, ""
@@ -103,7 +172,7 @@ def _roots(path: tuple[int, ...], node: Formula, parent: Formula | None) -> Iter
             yield "root", path, Root(node), ""
 
 
-def _squares(path: tuple[int, ...], node: Formula, offered: set[str]) -> Iterator[Misprint]:
+def _squares(path: Path, node: Formula, offered: set[str]) -> Iterator[Misprint]:
     """The square of a name that is missing above or below a line."""
     if isinstance(node, Quotient) and not _is_ratio(node):
         above, below = factors_of(node.numerator), factors_of(node.denominator)
@@ -112,7 +181,7 @@ def _squares(path: tuple[int, ...], node: Formula, offered: set[str]) -> Iterato
             yield "missing", path, Quotient(times(*above, square), node.denominator), ""
 
 
-def _ends(path: tuple[int, ...], node: Formula, offered: set[str]) -> Iterator[Misprint]:
+def _ends(path: Path, node: Formula, offered: set[str]) -> Iterator[Misprint]:
     """Another name at an end of an integral."""
     match node:
         case Application(function, (_, _, by, _)) if function == INTEGRAL:
@@ -121,7 +190,7 @@ def _ends(path: tuple[int, ...], node: Formula, offered: set[str]) -> Iterator[M
                     yield "end", (*path, end), Name(name), ""
 
 
-def is_integrated(formula: Formula, path: tuple[int, ...]) -> bool:
+def is_integrated(formula: Formula, path: Path) -> bool:
     """Whether a place is in an integral: other integrands take long, and are not tried."""
     above = (subtree(formula, path[:length]) for length in range(len(path) - 1))
     inner = any(isinstance(node, Application) and node.function == INTEGRAL for node in above)

@@ -11,9 +11,20 @@ from flint import acb
 
 from kowalevski_cas.algebra.keys import Key, variable_of
 from kowalevski_cas.algebra.quadrature import INFINITE
-from kowalevski_cas.algebra.samples import Sample, is_zero
-from kowalevski_cas.notation import Derivative, Formula, Name, Number, Partial, Power
+from kowalevski_cas.algebra.samples import Sample, Valueless, is_zero
+from kowalevski_cas.notation import (
+    Application,
+    Derivative,
+    Formula,
+    Name,
+    Number,
+    Partial,
+    Power,
+    Relation,
+    Vocabulary,
+)
 from kowalevski_cas.paper.transcendental import PI
+from kowalevski_cas.reading.components import by_components, multiplies_vectors
 from kowalevski_cas.reading.expansions import SMALL, Expansion, by_likelihood, expansions_of, holds
 from kowalevski_cas.reading.premises import (
     NO_VALUE,
@@ -23,6 +34,7 @@ from kowalevski_cas.reading.premises import (
     pairs_of,
     written_out,
 )
+from kowalevski_cas.reading.printed_brackets import printed_bracket, with_bracket
 
 SAMPLES = 3
 """At how many samples a step holds that is said to follow."""
@@ -43,13 +55,19 @@ class PrintedBefore:
     """What stands before a step, solved once at each sample."""
 
     def __init__(
-        self, formula: Formula, before: Sequence[Formula], terms: Sequence[Formula]
+        self,
+        formula: Formula,
+        before: Sequence[Formula],
+        terms: Sequence[Formula],
+        words: Vocabulary,
     ) -> None:
-        self.formulas, self.terms = frozenset(before), terms
-        self.premises = [
-            pair for one in before for each in written_out(one) for pair in pairs_of(each)
-        ][-MANY:]
-        own = (side for one in written_out(formula) for pair in pairs_of(one) for side in pair)
+        self.formulas, self.terms, self._words = frozenset(before), terms, words
+        printed = [*before, formula]
+        self.in_space = multiplies_vectors(printed)
+        self._bracket = printed_bracket(before)
+        self.printed = {node for one in printed for node in one.nodes()}
+        self.premises = [pair for one in before for pair in self.pairs(one)][-MANY:]
+        own = (side for pair in self.pairs(formula) for side in pair)
         sides = [*(side for pair in self.premises for side in pair), *own]
         self.nodes = [node for side in sides for node in side.nodes()]
         self.names = {node.name for node in self.nodes if isinstance(node, Name)}
@@ -58,6 +76,26 @@ class PrintedBefore:
         self.rates = {node for node in self.nodes if isinstance(node, Derivative)}
         self._solved: dict[tuple[int, tuple[Key, float] | None], SolvedSample] = {}
         self._expanded: dict[tuple[Formula, int], list[tuple[Samples, list[acb]]]] = {}
+
+    def pairs(self, formula: Formula) -> list[Pair]:
+        """The equations that a formula is, by components where vectors are multiplied."""
+        formula = formula if self._bracket is None else with_bracket(formula, self._bracket)
+        found = [pair for one in written_out(formula) for pair in pairs_of(one)]
+        if not self.in_space:
+            return found
+        with suppress(Valueless):
+            return [
+                own
+                for pair in found
+                for one in by_components(Relation(pair, ("=",)), self._words)
+                for own in pairs_of(one)
+            ]
+        return []
+
+    @property
+    def factors(self) -> set[Formula]:
+        """The functions of one argument that are printed: each may be a factor."""
+        return {node for node in self.printed if _is_of_one(node)}
 
     def solved(self, seed: int, scaled: tuple[Key, float] | None = None) -> SolvedSample:
         """A sample at which the premises hold, and something is small, or large."""
@@ -94,6 +132,32 @@ class PrintedBefore:
         alone = [node.name for node in self.nodes if isinstance(node, Name)]
         return frozenset(name for name in even if even.count(name) == alone.count(name))
 
+    def has_vectors_of(self, formula: Formula) -> bool:
+        """Whether the vectors in a step that multiplies them stand before it, but for a new one."""
+        pairs = self.pairs(formula) if self.in_space else []
+        new = {left.name for left, _ in pairs if isinstance(left, Name)}
+        own = {name for pair in pairs for side in pair for name in side.names()}
+        return {name for name in own if "[" in name} <= self.known | new
+
+    def has_all_of(self, formula: Formula) -> bool:
+        """Whether all that stands in a step stands before it, but for a new name that it gives."""
+        given = {node for pair in self.premises for side in pair for node in side.nodes()}
+        pairs = self.pairs(formula)
+        new = {left for left, _ in pairs if isinstance(left, Name)}
+        own = (node for pair in pairs for side in pair for node in side.nodes())
+        atoms = {node for node in own if isinstance(node, Name | Derivative | Partial)}
+        rated = {node.argument for node in atoms if isinstance(node, Derivative)}
+        total = {node for node in atoms if isinstance(node, Partial) and node.argument in rated}
+        return atoms - rated - total <= given | new | {Name(PI), *self._total(pairs)}
+
+    def _total(self, pairs: Sequence[Pair]) -> set[Formula]:
+        """The rates of functions that a step gives by their partial derivatives."""
+        return {left for left, right in pairs if isinstance(left, Derivative)}
+
+    def agrees(self) -> bool:
+        """Whether what stands before a step holds together: else it may be of several cases."""
+        return self.solved(0).agrees(self.premises)
+
     def is_unit(self, name: str) -> bool:
         """Whether a name stands for 0, 1 or -1: nobody sees whether it is a factor."""
         with suppress(*NO_VALUE):
@@ -105,7 +169,12 @@ class PrintedBefore:
         """A sample at which all is free."""
         sample = Sample(seed, {}, (), {}, self._primed)
         keys = [sample.key(rate) for rate in self.rates]
-        return Sample(seed, {}, {(key[0], key[-1]) for key in keys if key}, {}, self._primed)
+        found = Sample(seed, {}, {(key[0], key[-1]) for key in keys if key}, {}, self._primed)
+        partials = (node for node in self.nodes if isinstance(node, Partial))
+        found.slopes = frozenset(
+            (one.argument.name, one.by) for one in partials if isinstance(one.argument, Name)
+        )
+        return found
 
     @cached_property
     def _primed(self) -> str:
@@ -124,7 +193,7 @@ class DerivationStep:
 
     def __init__(self, formula: Formula, before: PrintedBefore) -> None:
         self.formula, self.before = formula, before
-        self.pairs = [pair for one in written_out(formula) for pair in pairs_of(one)]
+        self.pairs = before.pairs(formula)
 
     def fails(self) -> bool:
         """Whether it says something of what is known, and that is false."""
@@ -251,6 +320,11 @@ class DerivationStep:
                 name = node.argument.name
                 found[name] = found.get(name, frozenset()) | {node.by}
         return found
+
+
+def _is_of_one(node: Formula) -> bool:
+    """Whether a node is a function of one argument, but an integral: it may be a factor."""
+    return isinstance(node, Application) and len(node.arguments) == 1
 
 
 def _derives(given: Formula, pair: Pair) -> bool:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
 
 from kowalevski_cas.notation import (
     Derivative,
@@ -49,9 +50,10 @@ def rates_behind(
 ) -> Iterator[Formula]:
     """What is known of the rates in an equation by what stands before it."""
     rated = [node for node in formulas[item].nodes() if isinstance(node, Derivative)]
-    if not rated or any(node.mark != "dot" for node in rated):
+    if not rated or any(node.mark not in ("dot", "t") for node in rated):
         return
     named = {name: one for one in before for name in one.bare}
+    yield from _energies([formulas[one] for one in before])
     for one in before:
         if known.roles[one].kind == "integral" and one.bare:
             yield _equal(Derivative(formulas[one].children()[-1], "dot"), Number(0))
@@ -64,6 +66,22 @@ def rates_behind(
         for rate in (one for one in twice if isinstance(one, Derivative)):
             if isinstance(rate.argument, Name):
                 yield _lagrange(action, rate.argument.name)
+
+
+def _energies(before: Sequence[Formula]) -> Iterator[Formula]:
+    """How the energy of a Lagrangian changes: by less its partial derivative by the time.
+
+    It is printed as the sum of the velocities times the momenta, less the Lagrangian.
+    """
+    for one in before:
+        members = one.members if isinstance(one, Relation) else ()
+        for energy, legendre in pairwise(members):
+            nodes = {*legendre.nodes()}
+            for action in LAGRANGIANS:
+                less = isinstance(legendre, Sum) and Negative(Name(action)) in legendre.terms
+                momenta = (p.argument for p in nodes if isinstance(p, Partial))
+                if less and Name(action) in momenta and isinstance(energy, Name):
+                    yield _equal(Derivative(energy, "dot"), Negative(Partial(Name(action), "t")))
 
 
 def _hamilton(energy: str, names: Sequence[str]) -> Iterator[Formula]:

@@ -5,6 +5,7 @@ import pytest
 from kowalevski_cas.audit.followed import FOLLOWS, FROM_BEFORE
 from kowalevski_cas.reading import read
 from kowalevski_cas.reading.following import steps
+from kowalevski_cas.reading.free_formulas import free_formulas
 from kowalevski_cas.source.text import Source
 from tests.audit.test_doubted import audited
 from tests.sample import sampled
@@ -242,7 +243,85 @@ The area is $S = \pi ab$, with $b = a\sqrt{1 - e^2}$, and the parameter is
 $p = a(1 - e^2)$, $p = \frac{k^2}{\mu\beta}$. From $S = \frac{k}{2\mu}T$ we get
 \[ T^2 = \frac{4\pi^2\mu a^%s}{\beta} . \]
 """
+FRAME = r"""
+The frame $\mathcal K$ grows with $b$,
+\[ \mathbf z^{\mathcal K} = \frac{\mathbf z^{\mathcal S}}{b} . \]
+Differentiating we have
+\[ \dot{\mathbf z}^{\mathcal K} = \frac1b\dot{\mathbf z}^{\mathcal S}
+ - \frac{\dot b}{b}\mathbf z^{%s} . \]
+"""
+SPHERICAL = r"""
+The path is
+\[ \mathbf w = \dot\rho\,\mathbf e_1 + \rho\dot\varphi\,\mathbf e_2 . \]
+With $\mathbf e_1\times\mathbf e_2 = \mathbf e_3$ the moment is
+\[ \mathbf G = \rho\,\mathbf e_1\times\mu\mathbf w = \mu\rho%s\dot\varphi\,\mathbf e_3 . \]
+"""
+LORENTZ = r"""
+An ion moves by
+\[ \mu\mathbf a = e\mathbf E + e\mathbf v\times\mathbf B , \qquad \mathbf E = -\nabla\psi . \]
+With the energy
+\[ W = \frac12\mu\mathbf v^2 + e\psi \]
+we have
+\[ \frac{dW}{dt} = \mu\mathbf v\cdot\mathbf a + e\mathbf v\cdot\nabla\psi
+ = e\mathbf v\cdot(\mathbf E %s \nabla\psi) . \]
+"""
+PARTICLES = r"""
+The momenta in the frame of the centre are
+\[ \mathbf P = \sum_{i=1}^N\mu_i\mathbf u_i , \qquad \mathbf w_i = \mathbf u_i + \mathbf b . \]
+The whole momentum is
+\[ \sum_{i=1}^N\mu_i\mathbf w_i = \mathbf P + \sum_{i=1}^N\mu_i%s . \]
+"""
+KOENIG = r"""
+The sum $\mathbf Q = \sum_{i=1}^N\mu_i\mathbf u_i$ vanishes. With $W = \sum_{i=1}^N\mu_i$ we have
+\[ T = \frac12\sum_{i=1}^N\mu_i(\mathbf w + \mathbf u_i)^2 = \frac12W\mathbf w^2
+ + %s\sum_{i=1}^N\mu_i\mathbf u_i^2 . \]
+"""
+ENERGY_OF_TIME = r"""
+A bead on a wire has the Lagrangian
+\[ L = \frac12\mu\dot s^2 - \psi(s, t) , \]
+and the energy
+\[ W = \dot s\frac{\partial L}{\partial\dot s} - L . \]
+Hence
+\[ \frac{dW}{dt} = %s\frac{\partial\psi}{\partial t} . \]
+"""
+BRACKETS = r"""
+The motion is
+\[ \dot x_j = \frac{\partial K}{\partial y_j} , \qquad \dot y_j = -\frac{\partial K}{\partial x_j} . \]
+Inserting it we find
+\[ \frac{dS}{dt} = \sum_{j=1}^n\left(\frac{\partial S}{\partial x_j}\frac{\partial K}{\partial y_j}
+ %s \frac{\partial S}{\partial y_j}\frac{\partial K}{\partial x_j}\right)
+ + \frac{\partial S}{\partial t} . \]
+"""
+CONSEQUENCE = r"""
+We have
+\begin{align*}
+\sigma &= \mu\dot z + \nu\dot y = \text{const.} \\
+\Rightarrow \dot z &= \frac{\sigma - \nu\dot y}{%s} .
+\end{align*}
+"""
+PLUS = r"""
+The centre is given by
+\[ z = -\frac{b}{a + b}\lambda . \]
+Its end is
+\[ y = z + \lambda = \frac{a}{a %s b}\lambda . \]
+"""
+MISSING = r"""
+A cart with a pendulum has the Lagrangian
+\[ L = \frac12a\dot z^2 + b\dot z\dot\beta\cos\beta + c\cos\beta . \]
+The momentum is
+\[ \pi_z = \frac{\partial L}{\partial\dot z} = a\dot z + b\dot\beta%s . \]
+"""
 CASES = [
+    (FRAME, r"\mathcal K", r"\mathcal S"),
+    (SPHERICAL, "^2", ""),
+    (LORENTZ, "+", "-"),
+    (PARTICLES, r"\mathbf b", r"2\mathbf b"),
+    (KOENIG, r"\frac12", ""),
+    (ENERGY_OF_TIME, "", "-"),
+    (BRACKETS, "-", "+"),
+    (CONSEQUENCE, r"\mu", r"\mu^2"),
+    (PLUS, "+", ""),
+    (MISSING, r"\cos\beta", ""),
     (SERIES, r"\frac38", r"\frac34"),
     (SWING, r"\frac14", r"\frac12"),
     (ORDER, "6", "3"),
@@ -307,6 +386,61 @@ def test_of_a_step_and_what_it_is_explained_by_either_may_be_wrong():
     assert len(doubted) == 2 and all(doubted.values())
 
 
+WEIGHTS = r"""
+Two weights hang on a thread,
+\begin{align*}
+U &= -(cy + %sz)g, \\
+K &= \frac12(c\dot y^2 + C\dot z^2) .
+\end{align*}
+The thread has the length $b = y + z$, so that $z = b - y$ and $\dot z = -\dot y$. The Lagrangian is
+\[ L = K - U = \frac12(c + C)\dot y^2 + c gy + C g(b - y) , \]
+and the equation of motion
+\[ \ddot y = \frac{c - C}{c + C}g . \]
+"""
+ANY_TWO = r"""
+The motion is
+\[ \dot x_j = \frac{\partial K}{\partial y_j} , \qquad \dot y_j = -\frac{\partial K}{\partial x_j} . \]
+The bracket of two functions is
+\[ \{R, S\} = \sum_{j=1}^n\left(\frac{\partial R}{\partial x_j}\frac{\partial S}{\partial y_j}
+ %s \frac{\partial R}{\partial y_j}\frac{\partial S}{\partial x_j}\right) . \]
+With it we have
+\[ \dot x_j = \{x_j, K\} , \qquad \frac{dR}{dt} = \{R, K\} + \frac{\partial R}{\partial t} . \]
+"""
+
+
+@pytest.mark.parametrize(("body", "right", "wrong"), [(WEIGHTS, "C", "c"), (ANY_TWO, "-", "+")])
+def test_where_a_step_fails_what_it_rests_on_may_be_wrong(body, right, wrong):
+    assert found(body % right) == []
+    (one,) = found(body % wrong)
+    assert one.of.order < one.item.order and one.repairs[0] == found_first(body % right, one.of)
+
+
+def found_first(body, place):
+    """The formula that stands at a place of another page."""
+    (known,) = read(page(body)).parts.known
+    item = known.items[place.order]
+    return free_formulas(known.paper, known.items)[item]
+
+
+TWO_CASES = r"""
+On the left we have
+\[ \psi = \dot b y , \]
+and on the right
+\[ \psi = -\dot b y . \]
+Therefore
+\[ \chi = \psi + b = b - \dot b y . \]
+"""
+UNSAID_DIRECTIONS = r"""
+Let $G = \mu\rho^2\dot\varphi$. The moment is
+\[ \mathbf G = \mu\mathbf x\times\dot{\mathbf x} = \mu\rho\hat{\mathbf x}\times
+ (\dot\rho\hat{\mathbf x} + \rho\dot\varphi\hat{\mathbf n}) = \mu\rho^2\dot\varphi\,\hat{\mathbf k} . \]
+"""
+EITHER_SIGN = r"""
+On the line
+\[ \frac{y}{z} = -\tan\beta . \]
+Hence
+\[ y\cos\beta = \pm z\sin\beta . \]
+"""
 BRAKED = r"""
 A bead has the Lagrangian
 \[ L = \frac12\mu\dot s^2 - \frac12\kappa s^2 . \]
@@ -420,6 +554,9 @@ We have $w = 0$ when $z = 0$ and when $z = a$. The solution is
         LIMITS,
         ANOTHER_HAMILTONIAN,
         NEGATIVE_ROOT,
+        TWO_CASES,
+        UNSAID_DIRECTIONS,
+        EITHER_SIGN,
     ],
 )
 def test_what_need_not_follow_is_not_doubted(body):

@@ -1,0 +1,160 @@
+r"""Vectors in steps of derivations, by components of which nobody needs to know the directions.
+
+Where a vector product stands, each vector has three components; else one does, and what fails with
+one is false.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from kowalevski_cas.algebra.samples import Valueless
+from kowalevski_cas.notation import (
+    CrossProduct,
+    Derivative,
+    Formula,
+    Modulus,
+    Name,
+    Negative,
+    Number,
+    Partial,
+    Power,
+    Product,
+    Quotient,
+    Relation,
+    Root,
+    ScalarProduct,
+    Sum,
+    Vector,
+    Vocabulary,
+    rank,
+    times,
+)
+from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.notation.vocabulary import MATRIX, SCALAR, VECTOR
+
+SPACE = range(3)
+ZERO = Number(0)
+NABLA = r"\nabla "
+"""How the name of a gradient, or of a curl, begins."""
+_LENGTHS = frozenset({"v", "r", "p", "u", r"\omega", r"\Omega"})
+"""The letters of vectors of which the same letters in other type are the lengths."""
+
+
+def multiplies_vectors(formulas: Sequence[Formula]) -> bool:
+    """Whether a vector product stands in formulas."""
+    return any(isinstance(node, CrossProduct) for one in formulas for node in one.nodes())
+
+
+def by_components(formula: Formula, words: Vocabulary) -> list[Formula]:
+    """What an equation says of the components of its vectors.
+
+    Raises:
+        Valueless: it cannot be written by them.
+    """
+    if not isinstance(formula, Relation):
+        return [formula]
+    ranks = {rank(one, words) for one in formula.members if one != ZERO}
+    if ranks == {SCALAR} or not ranks:
+        return [Relation((*(_number(one, words) for one in formula.members),), formula.signs)]
+    if ranks != {VECTOR}:
+        raise Valueless("members of several kinds")
+    members = [_vector(one, words) for one in formula.members]
+    return [Relation(row, formula.signs) for row in zip(*members, strict=True)]
+
+
+def _number(formula: Formula, words: Vocabulary) -> Formula:
+    """A number, with its vectors by components."""
+    match formula:
+        case ScalarProduct(left, right):
+            sides = zip(_vector(left, words), _vector(right, words), strict=True)
+            return Sum((*(Product(pair) for pair in sides),))
+        case Power(base, Number(2)) if rank(base, words) == VECTOR:
+            return _square(base, words)
+        case Modulus(inner) if rank(inner, words) == VECTOR:
+            return Root(_square(inner, words))
+    by_vector = isinstance(formula, Partial) and words.rank(formula.by) != SCALAR
+    if by_vector or rank(formula, words) != SCALAR:
+        raise Valueless("no number")
+    return formula.map_children(lambda child: _number(child, words))
+
+
+def _square(formula: Formula, words: Vocabulary) -> Formula:
+    return Sum((*(Power(one, Number(2)) for one in _vector(formula, words)),))
+
+
+def _vector(formula: Formula, words: Vocabulary) -> tuple[Formula, ...]:
+    """The components of a vector."""
+    if formula == ZERO:
+        return (ZERO,) * len(SPACE)
+    if rank(formula, words) == MATRIX or rank(formula, words) == SCALAR:
+        raise Valueless("no vector")
+
+    def of(part: Formula, k: int) -> Formula:
+        return _vector(part, words)[k] if rank(part, words) == VECTOR else _number(part, words)
+
+    match formula:
+        case Name(name):
+            return (*(Name(f"{name}[{k}]") for k in SPACE),)
+        case Vector(entries) if len(entries) == len(SPACE):
+            return (*(_number(one, words) for one in entries),)
+        case CrossProduct(left, right):
+            a, b = _vector(left, words), _vector(right, words)
+            pairs = ((a[k - 2], b[k - 1], a[k - 1], b[k - 2]) for k in SPACE)
+            return (*(Sum((times(p, q), Negative(times(r, s)))) for p, q, r, s in pairs),)
+        case Partial(inner, by) if rank(inner, words) == SCALAR:
+            return (*(Partial(_number(inner, words), f"{by}[{k}]") for k in SPACE),)
+        case Negative() | Derivative() | Partial() | Sum() | Product() | Quotient():
+            return (*(formula.map_children(lambda part, k=k: of(part, k)) for k in SPACE),)  # type: ignore[misc]
+    raise Valueless(type(formula).__name__)
+
+
+# -- what is usually meant ------------------------------------------------------------------
+
+
+def usual_meanings(formulas: Sequence[Formula], words: Vocabulary) -> Iterator[Formula]:
+    r"""What the usual letters of vectors mean, where nothing gives them.
+
+    The acceleration is the rate of the velocity; a length is that of its vector; a function of the
+    place changes by its gradient times the velocity, and :math:`\mathbf r=r\mathbf e_r`.
+    """
+    nodes = {node for one in formulas for node in one.nodes()}
+    names = {node.name for node in nodes if isinstance(node, Name)}
+    firsts = (one.members[0] for one in formulas if isinstance(one, Relation))
+    given = {one.name for one in firsts if isinstance(one, Name)}
+    for name in sorted(name for name in names if words.rank(name) == VECTOR):
+        parts = symbol(name)
+        velocity = replace(parts, letter="v").name
+        plain, radial = parts.without_type.name, replace(parts, letter="e", index="r").name
+        if parts.letter == "a" and velocity in names - {name} and name not in given:
+            yield _equal(Name(name), Derivative(Name(velocity), "dot"))
+        for primes in range(3) if parts.letter in _LENGTHS else ():
+            pair = [_primed(Name(one), primes) for one in (plain, name)]
+            if nodes.issuperset(pair):
+                yield _equal(*(Power(one, Number(2)) for one in pair))
+        if parts.letter == "r" and {plain, radial} <= names and name not in given | {radial}:
+            yield _equal(Name(name), Product((Name(plain), Name(radial))))
+    yield from _gradients(names, nodes, words)
+
+
+def _primed(formula: Formula, primes: int) -> Formula:
+    return _primed(Derivative(formula, "prime"), primes - 1) if primes else formula
+
+
+def _gradients(names: set[str], nodes: set[Formula], words: Vocabulary) -> Iterator[Formula]:
+    """How functions of which gradients are printed change where something moves."""
+    letters = ((name, symbol(name)) for name in sorted(names) if words.rank(name) == VECTOR)
+    moving = [Name(name) for name, parts in letters if (parts.letter, parts.index) == ("v", "")]
+    for name in sorted(names):
+        function = Name(name.removeprefix(NABLA))
+        if name == function.name or len(moving) != 1 or words.rank(function.name):
+            continue
+        along: Formula = ScalarProduct(moving[0], Name(name))
+        slope = Partial(function, "t")
+        whole = Sum((slope, along)) if slope in nodes else along
+        yield _equal(Derivative(function, "dot"), whole)
+
+
+def _equal(left: Formula, right: Formula) -> Formula:
+    return Relation((left, right), ("=",))
