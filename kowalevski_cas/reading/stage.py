@@ -165,7 +165,8 @@ class Stage:
         rated = self.known.names.scalars(name for item in items for name in item.rates)
         if still := {*rated} & {*scene.constants}:
             raise ValueError(f"no equation says how ${min(still)}$ moves")
-        if law is not None and (beside := shifted({*scene.constants}, law.variables)):
+        images = {name for row in rows if law and law.images for name in row.names}
+        if law and (beside := shifted({*scene.constants} - images, law.variables)):
             raise ValueError(f"{beside} is one of those that move, and no equation says how")
         given = {name for one in self.known.assumptions for name in self.known.roles[one].names}
         mentioned = self.known.names.scalars(law.mentions) if law is not None else ()
