@@ -61,6 +61,9 @@ def solution_of(
             rows += [other for other in _rows_of([name], every) if other not in rows]
             if name in given:
                 continue
+            if (fixed := _fixed(name, item, known)) is not None:
+                given[name] = fixed
+                continue
             by = _rate_of(name, every, given.keys())
             if by is None:
                 raise ValueError(
@@ -150,6 +153,17 @@ def _rows_of(names: Sequence[str], rows: Sequence[SourceStatement]) -> Iterator[
 def _highest(row: SourceStatement) -> list[str]:
     most = max(row.rates.values(), default=0)
     return [name for name, order in row.rates.items() if order == most]
+
+
+def _fixed(name: str, item: SourceStatement, known: Known) -> SourceStatement | None:
+    """The statement before another one, in its paragraph, that gives a variable by constants."""
+    for one in known.items:
+        match one.members:
+            case (Name(own), value) if own == name and one.order < item.order:
+                moving = known.varying(value.names()) or value.names() & known.times
+                if one.paragraph == item.paragraph and not (one.derives or one.begins or moving):
+                    return one
+    return None
 
 
 def _rate_of(name: str, rows: Sequence[SourceStatement], given: Collection[str]) -> Formula | None:

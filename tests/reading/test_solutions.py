@@ -35,6 +35,16 @@ def test_what_no_equation_gives_is_missing():
     assert green(rf"{PULSE} \[ c=1-2\,\mathrm{{sech}}^2t . \]") == []
 
 
+TOP = r"The motion is \[ \dot x=yz,\qquad\dot y=-xz,\qquad\dot z={} . \] If $z=2$, then $x=\sin {}t$, $y=\cos {}t$."
+
+
+@pytest.mark.parametrize(
+    ("rate", "number", "true"), [("0", "2", True), ("0", "3", False), ("x", "2", False)]
+)
+def test_what_is_constant_need_not_be_given_by_the_time(rate, number, true):
+    assert green(TOP.format(rate, number, number)) == [true, true]
+
+
 @pytest.mark.parametrize(("power", "true"), [("^2", True), ("", False)])
 def test_a_chain_gives_all_its_names(power, true):
     text = rf"{CUBE} \[ x=y=\frac1{{t-t_0}},\qquad z=\frac1{{t-t_0}}+\frac c{{(t-t_0){power}}} . \]"
