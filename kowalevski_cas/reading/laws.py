@@ -174,7 +174,9 @@ class _LawFinder:
         """Whether any words may have a law among them."""
         items = sorted((*paper.items, *said.rows), key=lambda item: item.order)
         items = [one for item in items for one in rows_of_columns(paper, item)]
-        items = [row_of_value(paper, item) for item in items] if integrals else items
+        with_values = dict(self._completing(items)) if integrals else {}
+        completing = [*with_values.values()]
+        items = [with_values.get(item, item) for item in items]
         rows = [item for item in items if self._may_be_row(item)]
         others = {name for row in rows if not is_by_own_bracket(row) for name in row.names}
         rows = [
@@ -184,7 +186,6 @@ class _LawFinder:
         ]
         rated = {name for row in rows for name in row.rates}
         given = rated | paper.functions_by_name.keys()
-        completing = [one for one in rows if integrals and completes_law(one, rows, paper)]
         rows = [
             row
             for row in rows
@@ -215,6 +216,16 @@ class _LawFinder:
             name = length_given(item) or next(iter(item.bare), "")
             if name and self._defines(item):
                 self.defining.setdefault(name, []).append(item)
+
+    def _completing(
+        self, items: Sequence[SourceStatement]
+    ) -> Iterator[tuple[SourceStatement, SourceStatement]]:
+        """The integrals that say how something moves, each with the row that it is then."""
+        rows = [item for item in items if self._may_be_row(item)]
+        for item in items:
+            row = row_of_value(self.paper, item)
+            if self._may_be_row(row) and completes_law(row, rows, self.paper):
+                yield item, row
 
     def _may_set_up(self, item: SourceStatement) -> bool:
         """Whether a law may begin with a row: with a display, or as the words right before say."""
