@@ -204,10 +204,12 @@ class Symbols(Cursor):
         if not by or not (by not in times or times <= {"t", by}):
             message = f"by what is {name} derived? print \\partial {name}/\\partial x"
             raise self.error(message, token)
-        piece = self.application(name, start, None)
+        piece, power = self.application(name, start, None), None
+        if isinstance(piece[0], Power):  # of the derivative, and not of what is derived
+            piece, power = piece[3]
         for _ in range(on.primes):
             piece = (Partial(piece[0], by), start, piece[2], (piece,))
-        return self.scripts(piece)
+        return self.scripts(piece if power is None else self.with_power(piece, power))
 
     def named_argument(self) -> str:
         """The name in brackets that stands here alone, as an argument by which is derived."""

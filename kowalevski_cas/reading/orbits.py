@@ -25,6 +25,8 @@ _GIVEN = re.compile(
     rf"\s*\{{?\s*(?P<name>{_NAME})\s*\}}?\s*(?:\(\s*(?P<at>{_NAME})\s*\))?\s*=(?P<by>[^=,;]+)"
 )
 """A name alone on the left of one equation, perhaps at an argument."""
+_RATED = re.compile(r"\\d{1,3}ot(?![A-Za-z])|d\s*t\s*\}")
+"""A rate."""
 _APART = re.compile(r"\\q?quad(?![A-Za-z])|\\\\|[,;&]")
 
 
@@ -34,8 +36,8 @@ def with_orbits(
     """The formulas with quotients of rates for derivatives along orbits, and whether some are.
 
     What is derived moves, or is given by one name that does; and so does that by which it is. By
-    its own name it is a partial derivative, and so is a prime on what is given at its argument. Of
-    a function of more names it may be one as well.
+    its own name it is a partial derivative, and beside rates so is a prime on what is given at its
+    argument. Of a function of more names it may be one as well.
     """
     parts = (_GIVEN.fullmatch(part) for one in formulas for part in _parts(one.tex))
     found = [one for one in parts if one]
@@ -69,7 +71,7 @@ def with_orbits(
     ]
     for one in formulas:
         tex = _SLOPE.sub(rewritten, _SECOND.sub(rewritten, one.tex))
-        for pattern, by in primed:
+        for pattern, by in primed if _RATED.search(tex) else ():
             tex = pattern.sub(partial(_by_name, by), tex)
         along = tex.count(r"\dot") > one.tex.count(r"\dot")
         yield (one, False) if tex == one.tex else (replace(one, tex=tex), along)

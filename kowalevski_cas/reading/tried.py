@@ -73,7 +73,8 @@ def tried(item: SourceStatement, known: Known) -> StatementRole | None:
     for one in known.items:
         if one.order > item.order and one.paragraph == item.paragraph and len(one.members) == 2:
             name = variable_of(one, known)
-            gives = one.derives or known.varying(one.names) or Name(name) in one.members
+            square = Power(Name(name), Number(2)) in one.members and Number(0) not in one.members
+            gives = one.derives or known.varying(one.names) or Name(name) in one.members or square
             if name in item.names and not gives and exponential(name, one, known):
                 why = f"is tried: an equation is printed for {plain(name)}"
                 return StatementRole(OTHER, why, TRIED)

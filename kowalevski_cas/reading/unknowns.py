@@ -13,7 +13,7 @@ from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, UNKNOWNS, Known, Sta
 from kowalevski_cas.reading.phrases import plain
 from kowalevski_cas.reading.statements import SourceStatement
 
-_EQUATION = re.compile(r"\b(?:equations?|уравнени\w+)[\s~:]*$", re.IGNORECASE)
+_EQUATION = re.compile(r"\b(?:equation|уравнени\w+)\b[^.§]*$", re.IGNORECASE)
 _FEWEST = 2
 """So many equations of one display are a system."""
 
@@ -47,9 +47,9 @@ def _equation_for(item: SourceStatement, known: Known) -> StatementRole | None:
     """One of the equations of a display for new letters, of which some are given by name later.
 
     None of them gives a letter alone on a side: that would be a definition. One equation alone is
-    no linear one, and words call it an equation if it stands in a line.
+    no linear one, and words call it an equation.
     """
-    if not _is_equation(item, known) or (item.typed.inline and not _EQUATION.search(item.lead)):
+    if not _is_equation(item, known):
         return None
     display = [one for one in known.items if one.typed is item.typed]
     if not all(_is_equation(one, known) for one in display):
@@ -64,11 +64,13 @@ def _equation_for(item: SourceStatement, known: Known) -> StatementRole | None:
     unknown = sorted(name for name in letters if _is_given_behind(name, display[-1], known))
     if not 0 < len(unknown) <= len(display) or not all(letters & one.names for one in display):
         return None
-    if len(display) < _FEWEST and not _is_raised(unknown[0], item):
-        return None
-    told = ", ".join(map(plain, unknown))
+    told = _EQUATION.search(item.lead) and _is_raised(unknown[0], item)
+    if item.typed.inline or len(display) < _FEWEST:
+        if len(display) > 1 or not told:
+            return None
+    letter = ", ".join(map(plain, unknown))
     return StatementRole(
-        ASSUMPTION, f"an equation for {told}, which nothing gives before", UNKNOWNS, (*unknown,)
+        ASSUMPTION, f"an equation for {letter}, which nothing gives before", UNKNOWNS, (*unknown,)
     )
 
 

@@ -15,6 +15,7 @@ from kowalevski_cas.notation import (
     Negative,
     NotationError,
     Number,
+    Partial,
     PoissonBracket,
     Power,
     Product,
@@ -242,3 +243,11 @@ def test_a_number_behind_a_derivative_goes_with_what_is_derived(number, derived)
     assert bare == in_brackets
     with pytest.raises(NotationError, match="how far does the derivative"):
         read(rf"\frac{{d}}{{d\tau}}{number}{derived}a", WORDS)
+
+
+def test_a_power_behind_the_argument_is_that_of_the_derivative():
+    words = Vocabulary(scalars=frozenset({"x"}), functions=frozenset({"V"}))
+    slope = Partial(Application("V", (Name("x"),)), "x")
+    assert read("V'(x)", words) == slope
+    assert read("V'(x)^2", words) == Power(slope, Number(2))
+    assert read("V''(x)^3", words) == Power(Partial(slope, "x"), Number(3))
