@@ -9,6 +9,7 @@ from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading import CLAIM, JudgedStatement, Reading
 from kowalevski_cas.reading.known import Known
 from kowalevski_cas.reading.oddities import oddities, stranger
+from kowalevski_cas.reading.small_oscillations import letters_for
 from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.outcome import FALSE_AS_READ, Correction, Outcome, Verdict, in_latex
 from kowalevski_cas.verify.run import Session, correct_together
@@ -46,10 +47,12 @@ def how_read(formula: JudgedStatement, known: Known) -> str:
     """That a claim is false as it was read, and which of its letters were taken as free.
 
     These are constants that no equation defines or supposes anything of, and no law has: any value
-    may stand for them. The number π is none of them, though it has no value either.
+    may stand for them. The number π is none of them, though it has no value either, nor the letter
+    of what is said to be an eigenvalue.
     """
     assert formula.claim is not None
     supposed = {name for one in formula.on for name in one.names}
+    supposed |= letters_for(formula.item, known)
     untied = known.untied(formula.claim.scene.constants)
     free = [name for name in untied if name not in supposed | {PI}]
     if not free:

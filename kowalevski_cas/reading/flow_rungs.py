@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import product
 from typing import Any
 
@@ -41,6 +42,7 @@ from kowalevski_cas.reading.small_oscillations import (
     CHARACTERISTIC,
     FREQUENCY,
     equation_of_root,
+    letters_for,
     may_be_of_frequencies,
     places_of,
     prints_square,
@@ -94,11 +96,13 @@ def _of_linear_part(at: RungMaker) -> Iterator[Rung]:
     kinds = [(kind, says)]
     if at.role.kind == CHARACTERISTIC and may_be_of_frequencies(item, known):
         kinds.append((FrequencyEquation, "this is the equation of the frequencies near this point"))
+    letters = letters_for(item, known)
     for (own, words), assumptions in product(kinds, at.ways()):
-        yield at.rung(
+        rung = at.rung(
             own, words, assumptions, (), (item, *law.rows, *point),
             printed=item.printed, relations=places(point), **about,
         )  # fmt: skip
+        yield replace(rung, constants=tuple(one for one in rung.constants if one not in letters))
 
 
 def _of_rest(at: RungMaker) -> Iterator[Rung]:

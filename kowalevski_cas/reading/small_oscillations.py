@@ -188,6 +188,14 @@ def characteristic(item: SourceStatement, known: Known) -> tuple[str, str, str] 
     return None
 
 
+def letters_for(item: SourceStatement, known: Known) -> set[str]:
+    """The letter of an eigenvalue, or of a frequency, in what is said of one."""
+    kind = known.roles[item].kind
+    if kind == CHARACTERISTIC:
+        return {variable_of(item, known)}
+    return item.members[0].names() if kind in (KIND, FREQUENCY) and item.members else set()
+
+
 def may_be_of_squares(item: SourceStatement, known: Known) -> bool:
     """Whether what is said of a linear part may be meant of squares, or by another time.
 

@@ -156,8 +156,8 @@ def _words(
         return f"{rate}, and its bracket with the Hamiltonian ${other}$"
     if statement.claim.is_kind("EverywhereIndependent"):
         return "there the differentials are dependent"
-    if right == Number(0) and any(isinstance(node, Partial) for node in left.nodes()):
-        return f"a derivative of the function is ${value}$, so the point is not critical"
+    if right == Number(0) and (said := _of_vanishing(statement, left, value)):
+        return said
     sides = to_latex(equal(left, right))
     number = _number(statement, (left, right))
     what = f" of {number}${sides}${',' * bool(number)}" if not order and len(sides) < SHORT else ""
@@ -172,6 +172,15 @@ def _words(
         surface = to_latex(equal(*(printed_formula(side, setting) for side in goal.given[-1])))
         return f"{words}, though this is a critical point on ${surface}$"
     return f"{words}, though the hypotheses hold" if goal.given else words
+
+
+def _of_vanishing(statement: Statement, left: Formula, value: str) -> str:
+    """What it means that something does not vanish of which no reader knows; empty if he does."""
+    if statement.claim.is_kind("Eigenvalue", "Frequency"):
+        return f"the determinant that has to vanish is ${value}$"
+    if any(isinstance(node, Partial) for node in left.nodes()):
+        return f"a derivative of the function is ${value}$, so the point is not critical"
+    return ""
 
 
 def _failing_equation(goal: Follows, place: PointEvaluation) -> tuple[Formula, Formula]:
