@@ -243,7 +243,8 @@ class _Section:
 
     def _given(self, one: SourceStatement) -> Formula:
         """What a statement gives: where it is given twice there are several cases."""
-        return pairs_of(self.formulas[one])[0][0]
+        pairs = pairs_of(self.formulas[one])
+        return pairs[0][0] if pairs else self.formulas[one]
 
     def _is_near(self, one: SourceStatement, item: SourceStatement) -> bool:
         """Whether a display has letters of a step."""

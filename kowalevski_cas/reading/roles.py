@@ -72,6 +72,7 @@ from kowalevski_cas.reading.statements import SourceStatement, is_dependence, is
 from kowalevski_cas.reading.suppositions import (
     assumption,
     inequality,
+    of_place,
     of_some_motions,
     on_place,
     value,
@@ -263,8 +264,8 @@ RULES: tuple[Rule, ...] = (
     unread, beginning, idle, eigenvalue, of_flow, expression, named_set, law, radius, solved,
     constraint, together, unit, bracket_of_momenta, bracket, bracket_of_functions, unjudged,
     inequality, unknown, repeated, gives_derivative, special_function, change, roots,
-    claimed_set, point, tried, solution, constant_of_solution, energy, on_place, definition, square,
-    assumption, value, approximate, set_of_rates, of_some_motions, rate, zero_set,
-    level, integral, identity, other,
+    claimed_set, point, tried, solution, constant_of_solution, energy, of_place, on_place,
+    definition, square, assumption, value, approximate, set_of_rates, of_some_motions, rate,
+    zero_set, level, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

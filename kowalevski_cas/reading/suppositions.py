@@ -175,6 +175,30 @@ def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
     return None
 
 
+_AT_PLACE = re.compile(r"[\s~]*(?:at|when|where|for|при|в)[\s~]*", re.IGNORECASE)
+
+
+def of_place(item: SourceStatement, known: Known) -> StatementRole | None:
+    """A number for a name at one for another name, as “with x=0 at y=0”: so it is there only.
+
+    If it were supposed, what is printed behind would hold because both sides vanish.
+    """
+    if not item.typed.inline or not _is_number_of_name(item):
+        return None
+    for one in known.items:
+        first, second = sorted((one, item), key=lambda each: each.order)
+        near = one.sentence == item.sentence and second.order == first.order + 1
+        if near and one.typed.inline and _is_number_of_name(one):
+            if _AT_PLACE.fullmatch(first.tail) and _AT_PLACE.fullmatch(second.lead):
+                return StatementRole(OTHER, "a value at one place: nothing is supposed elsewhere")
+    return None
+
+
+def _is_number_of_name(one: SourceStatement) -> bool:
+    members = one.members
+    return len(members) == 2 and isinstance(members[0], Name) and is_number(members[1:])
+
+
 _SOME = (
     r"\b(?:if|when|whenever|suppos\w+|assum\w+|seek|sought|impossible)\b"
     r"|\b(?:motions?|solutions?|points?|states?|moments?|instants?|times?|orbits?|trajector(?:y|ies)|curves?)"

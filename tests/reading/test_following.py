@@ -583,3 +583,13 @@ def test_what_follows_is_not_called_false_though_no_equation_gives_its_letters()
     assert (right.verdict, right.message) == ("open", FOLLOWS)
     *_, wrong = audited(KEPLER % "a^2").formulas
     assert wrong.verdict == "undecided" and r"\frac{\Gamma M}{a^3}" in wrong.message
+
+
+def test_a_step_beside_equations_that_leave_out_terms_is_looked_at():
+    text = r"""In first order
+    \[ \ddot{\mathbf r} = \mathbf g - 2\boldsymbol\omega\times\dot{\mathbf r} + O(\omega^2) . \]
+    Integrating it we have
+    \[ \dot{\mathbf r} = \mathbf gt - 2\boldsymbol\omega\times\mathbf r + O(\omega^2) . \]
+    Put back into the equation it gives
+    \[ \ddot{\mathbf r} = \mathbf g\,\boldsymbol\omega\times\mathbf gt + O(\omega^2) . \]"""
+    assert not [one for one in found(text) if one.follows]

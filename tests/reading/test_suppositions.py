@@ -226,3 +226,10 @@ def test_an_order_of_names_is_supposed_unless_it_is_deduced(words, role):
     found = reading(words.replace("ROWS", r"\[\dot q=p,\quad\dot p=-q.\]"))
     (order,) = (f for f in found.formulas if not f.item.members and f.item.formula is not None)
     assert order.role.name == role
+
+
+@pytest.mark.parametrize("at", ["at", "when", "where", "for"])
+def test_a_value_at_one_place_is_supposed_nowhere_else(at):
+    """Else what is printed behind would be true because both sides vanish."""
+    text = rf"The motion is $\ddot q=-q$. This is integrated with $x=0$ {at} $y=0$: \[ x=2a(y-\sin y) . \]"
+    assert not any(verdict.green for verdict in verdicts(text).values())
