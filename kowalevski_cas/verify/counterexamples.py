@@ -156,8 +156,8 @@ def _words(
         return f"{rate}, and its bracket with the Hamiltonian ${other}$"
     if statement.claim.is_kind("EverywhereIndependent"):
         return "there the differentials are dependent"
-    if right == Number(0) and (said := _of_vanishing(statement, left, value)):
-        return said
+    if right == Number(0) and (meaning := _of_vanishing(statement, left, value)):
+        return meaning
     sides = to_latex(equal(left, right))
     number = _number(statement, (left, right))
     what = f" of {number}${sides}${',' * bool(number)}" if not order and len(sides) < SHORT else ""
