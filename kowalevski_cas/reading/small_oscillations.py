@@ -190,7 +190,8 @@ def characteristic(item: SourceStatement, known: Known) -> tuple[str, str, str] 
 
 def letters_for(item: SourceStatement, known: Known) -> set[str]:
     """The letter of an eigenvalue, or of a frequency, in what is said of one."""
-    kind = known.roles[item].kind
+    role = known.roles.get(item)  # what the paper does not print has none
+    kind = role.kind if role is not None else ""
     if kind == CHARACTERISTIC:
         return {variable_of(item, known)}
     return item.members[0].names() if kind in (KIND, FREQUENCY) and item.members else set()
