@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 
 from kowalevski_cas.algebra.samples import Valueless
 from kowalevski_cas.notation import (
@@ -106,7 +107,7 @@ def _vector(formula: Formula, words: Vocabulary) -> tuple[Formula, ...]:
         case Partial(inner, by) if rank(inner, words) == SCALAR:
             return (*(Partial(_number(inner, words), f"{by}[{k}]") for k in SPACE),)
         case Negative() | Derivative() | Partial() | Sum() | Product() | Quotient():
-            return (*(formula.map_children(lambda part, k=k: of(part, k)) for k in SPACE),)  # type: ignore[misc]
+            return (*(formula.map_children(partial(of, k=k)) for k in SPACE),)
     raise Valueless(type(formula).__name__)
 
 

@@ -223,9 +223,13 @@ class _Section:
             between = [one for one in sure if place.order < one.order < item.order]
             resting = [one for one in between if self._follows(one, sure, mended)]
 
-            def holds(edited: Formula, place: SourceStatement = place) -> bool:
+            def holds(
+                edited: Formula,
+                place: SourceStatement = place,
+                own: Sequence[SourceStatement] = (item, *resting),
+            ) -> bool:
                 changed = {**mended, place: edited}
-                return all(self._follows(one, sure, changed) for one in (item, *resting))  # noqa: B023
+                return all(self._follows(one, sure, changed) for one in own)
 
             if found := self._changes(self.formulas[place], before, frozenset(), holds, LIKELY):
                 return Step(item, found, of=place)
