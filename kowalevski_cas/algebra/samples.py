@@ -8,7 +8,7 @@ free. Vectors and matrices have one component: what fails there is false.
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from math import prod
 
@@ -40,10 +40,13 @@ from kowalevski_cas.notation import (
     ScalarProduct,
     Sum,
 )
+from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.symbol import name_of_rate
 
 BITS = 300
 """The precision of values."""
+DEGREE = 4
+"""So many derivatives has a function of which nothing is known."""
 DIGITS = 30
 """So many digits say at which value an unknown function is taken."""
 _STEP = 2.0**-70
@@ -68,6 +71,15 @@ _FUNCTIONS: Mapping[str, Callable[[acb], acb]] = {
     r"\arcsin": acb.asin,
     r"\arccos": acb.acos,
     r"\arctan": acb.atan,
+    r"\cot": acb.cot,
+    r"\sec": acb.sec,
+    r"\csc": acb.csc,
+    r"\coth": acb.coth,
+    r"\mathrm{sech}": acb.sech,
+    r"\mathrm{csch}": acb.csch,
+    r"\mathrm{arsinh}": acb.asinh,
+    r"\mathrm{arcosh}": acb.acosh,
+    r"\mathrm{artanh}": acb.atanh,
 }
 
 
@@ -95,6 +107,10 @@ class Sample:
         self.primed = primed
         self.slopes: frozenset[tuple[str, str]] = frozenset()
         """The names of which partial derivatives are printed, each with a variable."""
+        self.bound: set[str] = set()
+        """The unknown functions of which a value is given: nothing is known of others beside it."""
+        self.arguments: Mapping[str, str] = {}
+        """The names of functions of one argument, each with it: primes derive by it."""
         self.values: dict[Key, acb] = {}
         self.touched: set[Key] = set()
         self._busy: set[Key] = set()
@@ -107,7 +123,8 @@ class Sample:
         """The same numbers, with functions that are derived by some names."""
         found = Sample(self.seed, self.given, self.rated, fields, self.primed)
         found.values, found._integrals = dict(self.values), dict(self._integrals)
-        found.scaled, found.slopes = self.scaled, self.slopes
+        found.scaled, found.slopes, found.bound = self.scaled, self.slopes, self.bound
+        found.arguments = self.arguments
         return found
 
     def _moving(self) -> Sample:
@@ -117,7 +134,11 @@ class Sample:
 
     def key(self, node: Formula) -> Key | None:
         """The key of a name, of a derivative of one, or of what is printed like one; or none."""
-        return key_of(node, self.primed)
+        found = key_of(node, self.primed)
+        primes = len(found) - 1 if found and isinstance(node, Derivative) else 0
+        if found and primes and found[0] in self.arguments and _is_primed(node):
+            return (found[0] + "'" * primes,)
+        return found
 
     def value(self, node: Formula) -> acb:
         """The value of a formula.
@@ -138,8 +159,8 @@ class Sample:
                 return self._power(node)
             case Derivative(inner, mark):
                 return self._derivative(node, inner, variable_of(mark, self.primed))
-            case Partial(inner, by):
-                return self._partial(node, inner, by)
+            case Partial():
+                return self._partial(node)
             case Application():
                 return self._applied(node)
         return self._simple(node)
@@ -170,6 +191,8 @@ class Sample:
 
     def atom(self, key: Key) -> acb:
         """The value of a key: that of what gives it, or any number."""
+        if key not in self.values and (slope := self.slope_of_given(key)):
+            return self.value(slope)
         if key not in self.values:
             if key in self.given:
                 if key in self._busy:
@@ -184,6 +207,19 @@ class Sample:
             self.values[key] = acb(number) / 1000 * scale
         self.touched.add(key)
         return self.values[key]
+
+    def slope_of_given(self, key: Key) -> Formula | None:
+        """The derivative that a name with primes is, of what is given; or none."""
+        below, primes = key[0], 0
+        while len(key) == 1 and below.endswith("'") and (below,) not in self.given:
+            below, primes = below[:-1], primes + 1
+        argument = self._argument((below,))
+        if not primes or not argument or (below,) not in self.given:
+            return None
+        found: Formula = Name(below)
+        for _ in range(primes):
+            found = Partial(found, argument)
+        return found
 
     def _named(self, node: Formula) -> acb:
         key = self.key(node)
@@ -219,9 +255,21 @@ class Sample:
                 raise Valueless(function)
             return value
         key = (function, "(", *(one.str(DIGITS, radius=False) for one in arguments))
-        if self._moved and key not in self.values:
-            raise Valueless(function)
+        if key not in self.values:
+            if self._moved and (function in self.bound or function in FUNCTIONS):
+                raise Valueless(function)
+            self.values[key] = self._unknown(function, arguments)
         return self.atom(key)
+
+    def _unknown(self, function: str, arguments: Sequence[acb]) -> acb:
+        """The value of a function of which nothing is known: of any one with derivatives."""
+        numbers = random.Random(f"{self.seed} {function}")
+        total = acb(0)
+        for _ in range(1 + len(arguments)):
+            along = sum((one * numbers.randrange(500, 1500) / 1000 for one in arguments), acb(0))
+            for power in range(DEGREE + 1):
+                total += along**power * numbers.randrange(500, 1500) / 1000
+        return total
 
     # -- integrals ------------------------------------------------------------------------
 
@@ -266,7 +314,8 @@ class Sample:
         if below is not None and below[0] in self.fields and below[:1] not in self.given:
             return self._along_all(below[0], by)
         directions = self._directions(inner, by)
-        if key is not None and (below in self.values or not directions):
+        known = below in self.values and below not in directions
+        if key is not None and (known or not directions):
             return self.atom(key)
         return self._slope(inner, directions)
 
@@ -280,8 +329,12 @@ class Sample:
             found += self.atom((PARTIAL, function, name)) * rate
         return found
 
-    def _partial(self, node: Formula, inner: Formula, by: str) -> acb:
+    def _partial(self, node: Partial) -> acb:
+        inner, by = node.argument, node.by
         key = self.key(node)
+        if isinstance(inner, Name) and self._argument((inner.name,)) == by:
+            if (inner.name,) not in self.given:
+                return self.atom((f"{inner.name}'",))
         if key is not None and key[1:2] not in self.given:
             return self.atom(key)
         at = self.key(rated(by))
@@ -294,7 +347,16 @@ class Sample:
         slopes = {
             key: self.atom((PARTIAL, *key, by)) for key in sorted(own) if (*key, by) in self.slopes
         }
+        for key in sorted(own):
+            argument = self._argument(key)
+            if argument == by or (argument,) in self.given:
+                slope = self.value(Partial(Name(argument), by)) if argument != by else acb(1)
+                slopes[key] = self.atom((f"{key[0]}'",)) * slope
         return self._slope(inner, {**slopes, at: acb(1)})
+
+    def _argument(self, key: Key) -> str:
+        """The argument of an unknown function, or of a derivative with primes; or none."""
+        return self.arguments.get(key[0].rstrip("'"), "") if len(key) == 1 else ""
 
     def _directions(self, node: Formula, by: str) -> dict[Key, acb]:
         """How all that moves by a variable moves, of which a formula is made."""
@@ -303,8 +365,14 @@ class Sample:
         own, self.touched = self.touched, before | self.touched
         found: dict[Key, acb] = {}
         for key in sorted(own):
+            argument = self._argument(key)
+            if argument != by and (argument, by) not in self.rated and (argument,) not in self.given:
+                argument = ""  # it does not move
             if key == (by,):
                 found[key] = acb(1)
+            elif argument:
+                rate = acb(1) if argument == by else self.value(rate_of(argument, by))
+                found[key] = self.atom((f"{key[0]}'",)) * rate
             elif (key[0], by) in self.rated and key[1:2] != ("(",) and not is_initial(key[0]):
                 found[key] = self.atom((*key, by))
         return found
@@ -319,6 +387,13 @@ class Sample:
                 moved.values[key] = self.atom(key) + direction * sign * _STEP
             ends.append(moved.value(node))
         return (ends[0] - ends[1]) / (2 * _STEP)
+
+
+def _is_primed(node: Formula) -> bool:
+    """Whether a derivative is printed with primes alone."""
+    while isinstance(node, Derivative) and node.mark == "prime":
+        node = node.argument
+    return not isinstance(node, Derivative)
 
 
 def _divisor(value: acb) -> acb:

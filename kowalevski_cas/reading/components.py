@@ -124,19 +124,35 @@ def usual_meanings(formulas: Sequence[Formula], words: Vocabulary) -> Iterator[F
     names = {node.name for node in nodes if isinstance(node, Name)}
     firsts = (one.members[0] for one in formulas if isinstance(one, Relation))
     given = {one.name for one in firsts if isinstance(one, Name)}
+    lengths = {name for one in formulas for name in _by_squares(one)}
     for name in sorted(name for name in names if words.rank(name) == VECTOR):
         parts = symbol(name)
         velocity = replace(parts, letter="v").name
         plain, radial = parts.without_type.name, replace(parts, letter="e", index="r").name
         if parts.letter == "a" and velocity in names - {name} and name not in given:
             yield _equal(Name(name), Derivative(Name(velocity), "dot"))
-        for primes in range(3) if parts.letter in _LENGTHS else ():
+        for primes in range(3) if parts.letter in _LENGTHS and plain not in lengths else ():
             pair = [_primed(Name(one), primes) for one in (plain, name)]
             if nodes.issuperset(pair):
                 yield _equal(*(Power(one, Number(2)) for one in pair))
         if parts.letter == "r" and {plain, radial} <= names and name not in given | {radial}:
             yield _equal(Name(name), Product((Name(plain), Name(radial))))
     yield from _gradients(names, nodes, words)
+
+
+def _by_squares(formula: Formula) -> Iterator[str]:
+    r"""The lengths by their components, as r in :math:`r^2=x^2+y^2`: a vector is not one number."""
+    members = getattr(formula, "members", ())
+    if any(isinstance(one, Sum) and all(map(_squared, one.terms)) for one in members):
+        yield from filter(None, map(_squared, members))
+
+
+def _squared(formula: Formula) -> str:
+    """The name of which a formula is the square, or none."""
+    match formula:
+        case Power(Name(name), Number(2)):
+            return name
+    return ""
 
 
 def _primed(formula: Formula, primes: int) -> Formula:

@@ -34,7 +34,12 @@ from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.components import usual_meanings
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.expansions import expansions_of
-from kowalevski_cas.reading.free_formulas import free_formulas, single_functions, with_gradients
+from kowalevski_cas.reading.free_formulas import (
+    arguments,
+    free_formulas,
+    single_functions,
+    with_gradients,
+)
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, NOTATION, OTHER, Known
 from kowalevski_cas.reading.premises import has_integral, pairs_of
 from kowalevski_cas.reading.slips import KINDS, LIKELY, is_integrated, may_be, slips, with_slip
@@ -44,7 +49,7 @@ from kowalevski_cas.reading.variational import rates_behind, says_rates
 from kowalevski_cas.verify.vacuous import is_trivial
 
 _ANOTHER = re.compile(
-    r"\b(?:instead|replac\w+|without(?!\s+(?:\w+\s+){0,3}(?:comput|calculat)\w+)|twice|double\w*|half(?![\s-]ax)|(?<!each\s)other|another|new"
+    r"\b(?:instead|replac\w+|without(?!\s+(?:\w+\s+){0,3}(?:comput|calculat)\w+)|twice|double\w*(?![\s-]angle)|half(?![\s-]a(?:x|ngle))|(?<!each\s)other|another|new"
     r"|inverted|upside|opposite|revers\w+"
     r"|(?:second|third)\s+(?:spring|mass|bod(?:y|ies)|force|particle|charge|case))\b"
     r"|\b(?:вместо|замен\w+|друг\w+|нов\w+|вдвое)\b",
@@ -129,6 +134,7 @@ class _Section:
         self.formulas = {one: formulas[one] for one in items if one in formulas}
         self.said = [one for one in self.formulas if _says(one, self.formulas[one], known)]
         self.words: Vocabulary = with_gradients(known.paper.words, self.formulas.values())
+        self._arguments = arguments(known.paper, items)
 
     def steps(
         self,
@@ -192,7 +198,9 @@ class _Section:
         premises += rates_behind(item, sure, self.formulas, self.known)
         premises += self._at_arguments([self.formulas[item], *premises])
         premises += usual_meanings([self.formulas[item], *premises], self.words)
-        return PrintedBefore(self.formulas[item], premises, self._terms(item), self.words)
+        return PrintedBefore(
+            self.formulas[item], premises, self._terms(item), self.words, self._arguments
+        )
 
     def _elsewhere(
         self,
@@ -296,7 +304,10 @@ class _Section:
         return self.known.paper.expanded.text[start : item.typed.start]
 
     def _before(self, item: SourceStatement) -> list[SourceStatement]:
-        """What stands before a statement, and what its sentence says behind it of its letters."""
+        """What stands before a statement, and what its sentence says behind it of its letters.
+
+        What it gives may be given behind it once more, and follows from it.
+        """
         behind = [
             one
             for one in self.said
@@ -304,6 +315,7 @@ class _Section:
             and one.sentence == item.sentence
             and one.typed is not item.typed
             and cue("where", one.before[-400:])
+            and self._given(one) != self._given(item)
         ]
         return [one for one in self.said if one.order < item.order] + behind
 
@@ -322,7 +334,8 @@ class _Section:
             return ()
         with precisely():
             step = DerivationStep(formula, before)
-            lost = frozenset() if step.fails() else self._lost(step)
+            solves = step.solving is not None  # with new constants
+            lost = frozenset() if solves or step.fails() else self._lost(step)
             if not lost and not step.fails():
                 return ()
         return self._changes(

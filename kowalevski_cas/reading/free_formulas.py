@@ -43,6 +43,8 @@ _ARGUMENTS = re.compile(rf"(?P<of>{_LETTER}'*)\s*\(\s*{_LETTER}(?:\s*,\s*{_LETTE
 """A list of letters behind a letter: it is at these that a function is taken."""
 _CAPITAL = re.compile(r"(?<![A-Za-z\\])([A-Z])(?![A-Za-z])\s*(\()?")
 _AT_LETTER = re.compile(rf"(?P<of>{_LETTER}(?:_\w)?)\s*\(\s*{_LETTER}\s*\)")
+_PRIMED_AT = re.compile(rf"(?P<of>{_LETTER}(?:_\w)?)'*\s*\((?P<at>\s*{_LETTER}(?:_\w)?\s*)\)")
+_DOTTED = re.compile(rf"\\d?dot\s*\{{?\s*({_LETTER}(?:_\w)?)")
 _BOLD = r"\\(?:mathbf|boldsymbol|bm|vec)\s*\{\s*(?:[A-Za-z]|\\[A-Za-z]+)\s*\}(?:_\{?\w+\}?)?"
 _LISTED = rf"(?:{_BOLD}|\\d?dot\s*\{{\s*{_BOLD}\s*\}})"
 _BOLD_FUNCTION = re.compile(
@@ -116,6 +118,20 @@ def single_functions(paper: SourcePaper) -> dict[str, str]:
     """The unknown functions of one argument, by their names, with what they are functions of."""
     every = {name: {one.by for one in own} for name, own in paper.functions_by_name.items()}
     return {name: by[0] for name, own in every.items() for by in own if len(own) == len(by) == 1}
+
+
+def arguments(paper: SourcePaper, items: Sequence[SourceStatement]) -> dict[str, str]:
+    """The functions that stand at one letter wherever they are applied, each with it.
+
+    None is a function of the time, nor printed with a dot: then it moves.
+    """
+    at: dict[str, set[str]] = {name: {by} for name, by in single_functions(paper).items()}
+    texts = [one.typed.tex for one in items]
+    for match in (match for tex in texts for match in _PRIMED_AT.finditer(tex)):
+        at.setdefault(match["of"], set()).add(match["at"].strip())
+    dotted = {found[1] for tex in texts for found in _DOTTED.finditer(tex)}
+    found = {name: min(by) for name, by in at.items() if len(by) == 1 and "'" not in name}
+    return {name: by for name, by in found.items() if by != "t" and name not in dotted}
 
 
 def _with_functions(words: Vocabulary, functions: Collection[str]) -> Vocabulary:

@@ -18,6 +18,7 @@ from kowalevski_cas.notation import (
     Formula,
     Name,
     Number,
+    Power,
     Relation,
     Unwritten,
 )
@@ -85,7 +86,7 @@ class SolvedSample:
         sample = self.sample.copy(fields)
         used, true, said = set[Key](), True, False
         for left, right in pairs:
-            key = sample.key(left)
+            key = sample.key(_rooted(left))
             sample.touched = set()
             sample.value(right)  # what it rests on is not given by it
             bound = self.determined | self.fixed | sample.touched
@@ -102,6 +103,8 @@ class SolvedSample:
 
     def _derived(self, key: Key, fields: Mapping[str, frozenset[str]]) -> bool:
         """Whether a key is the derivative of what is given."""
+        if self.sample.slope_of_given(key) is not None:
+            return True
         return any(key[:length] in self.sample.given for length in range(1, len(key))) or (
             key[0] in fields or key[1:2] in self.sample.given
         )
@@ -168,6 +171,8 @@ class SolvedSample:
                 return
             key, value = zero
             sample.values[key] = value
+        if key[1:2] == ("(",):
+            sample.bound.add(key[0])
         self.determined.add(key)
         self.fixed |= touched
 
@@ -223,6 +228,12 @@ class SolvedSample:
 def _solved_first(key: Key) -> tuple[object, ...]:
     """The order in which something is solved for: derivatives, functions, names."""
     return key[1:2] != ("(",) and len(key) == 1, -len(key), key
+
+
+def _rooted(formula: Formula) -> Formula:
+    """What is squared, if a formula is a square: it is given by it."""
+    squares = isinstance(formula, Power) and formula.exponent == Number(2)
+    return formula.children()[0] if squares else formula
 
 
 def pairs_of(formula: Formula) -> list[Pair]:

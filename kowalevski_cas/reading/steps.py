@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
 from itertools import product
@@ -60,8 +60,10 @@ class PrintedBefore:
         before: Sequence[Formula],
         terms: Sequence[Formula],
         words: Vocabulary,
+        arguments: Mapping[str, str],
     ) -> None:
         self.formulas, self.terms, self._words = frozenset(before), terms, words
+        self._arguments = arguments
         printed = [*before, formula]
         self.in_space = multiplies_vectors(printed)
         self._bracket = printed_bracket(before)
@@ -72,7 +74,9 @@ class PrintedBefore:
         self.nodes = [node for side in sides for node in side.nodes()]
         self.names = {node.name for node in self.nodes if isinstance(node, Name)}
         given = (side for pair in self.premises for side in pair)
-        self.known = frozenset[str]().union(*(side.names() for side in given))
+        known = set[str]().union(*(side.names() for side in given))
+        slopes = {name for name in self.names if "'" in name and name.rstrip("'") in arguments}
+        self.known = frozenset(known | {name for name in slopes if name.rstrip("'") in known})
         self.rates = {node for node in self.nodes if isinstance(node, Derivative)}
         self._solved: dict[tuple[int, tuple[Key, float] | None], SolvedSample] = {}
         self._expanded: dict[tuple[Formula, int], list[tuple[Samples, list[acb]]]] = {}
@@ -170,6 +174,7 @@ class PrintedBefore:
         sample = Sample(seed, {}, (), {}, self._primed)
         keys = [sample.key(rate) for rate in self.rates]
         found = Sample(seed, {}, {(key[0], key[-1]) for key in keys if key}, {}, self._primed)
+        found.arguments = self._arguments
         partials = (node for node in self.nodes if isinstance(node, Partial))
         found.slopes = frozenset(
             (one.argument.name, one.by) for one in partials if isinstance(one.argument, Name)
@@ -217,7 +222,7 @@ class DerivationStep:
     def _at(self, seed: int) -> bool | None:
         """Whether the step holds at a sample; ``None`` if it says nothing there."""
         with suppress(*NO_VALUE):
-            if isinstance(given := self._solving, Name):
+            if isinstance(given := self.solving, Name):
                 return self._solves(given, seed)
             solved = self.before.solved(seed)
             telling = self._integral or [*self._telling()]
@@ -280,7 +285,7 @@ class DerivationStep:
         return [(Derivative(left, mark), Derivative(right, mark))]
 
     @cached_property
-    def _solving(self) -> Formula | None:
+    def solving(self) -> Formula | None:
         """What is given by the step, and of which only derivatives stand before it."""
         match self.pairs:
             case [(Name() | Derivative() as left, right)] if left not in right.nodes():

@@ -7,8 +7,8 @@ rates are those of Hamilton, and of :math:`L` there is the equation of Lagrange.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
-from itertools import pairwise
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from itertools import pairwise, permutations
 
 from kowalevski_cas.notation import (
     Derivative,
@@ -17,12 +17,16 @@ from kowalevski_cas.notation import (
     Negative,
     Number,
     Partial,
+    Product,
     Relation,
+    ScalarProduct,
     Sum,
 )
 from kowalevski_cas.notation.symbol import rate_name
 from kowalevski_cas.paper.implied import HAMILTONIANS, LAGRANGIANS, conjugate_pairs
+from kowalevski_cas.reading.free_formulas import single_functions
 from kowalevski_cas.reading.known import Known
+from kowalevski_cas.reading.premises import written_out
 from kowalevski_cas.reading.statements import SourceStatement
 
 _BY_HAMILTON = re.compile(
@@ -48,7 +52,9 @@ def rates_behind(
     formulas: Mapping[SourceStatement, Formula],
     known: Known,
 ) -> Iterator[Formula]:
-    """What is known of the rates in an equation by what stands before it."""
+    """What is known of the rates, or the momenta, in an equation by what stands before it."""
+    given = {name for one in before for name in one.bare}
+    yield from _momenta(formulas[item], given)
     rated = [node for node in formulas[item].nodes() if isinstance(node, Derivative)]
     if not rated or any(node.mark not in ("dot", "t") for node in rated):
         return
@@ -59,13 +65,34 @@ def rates_behind(
             yield _equal(Derivative(formulas[one].children()[-1], "dot"), Number(0))
     energy = next((name for name in HAMILTONIANS if name in named), "")
     if energy and _BY_HAMILTON.search(item.before):
-        yield from _hamilton(energy, [*formulas[named[energy]].names() - {energy}])
+        names = formulas[named[energy]].names() - {energy}
+        functions = single_functions(known.paper)
+        yield from _hamilton(energy, [*names, *{functions[one] for one in names & {*functions}}])
     action = next((name for name in LAGRANGIANS if name in named), "")
     if action and _BY_LAGRANGE.search(item.before):
-        twice = dict.fromkeys(node.argument for node in rated)
+        twice = dict.fromkeys(inner for node in rated for inner in node.argument.nodes())
         for rate in (one for one in twice if isinstance(one, Derivative)):
             if isinstance(rate.argument, Name):
                 yield _lagrange(action, rate.argument.name)
+
+
+def _momenta(formula: Formula, given: Collection[str]) -> Iterator[Formula]:
+    r"""The momenta that nothing gives, in :math:`H=p\dot q-L` of a Lagrangian that is given."""
+    sums = (node for one in written_out(formula) for node in one.nodes() if isinstance(node, Sum))
+    for terms in map(_terms, sums):
+        for action in (name for name in LAGRANGIANS if Negative(Name(name)) in terms):
+            products = (one for one in terms if isinstance(one, Product | ScalarProduct))
+            for pair in (pair for one in products for pair in permutations(one.children())):
+                match pair:
+                    case Name(p), Derivative(Name(q), "dot") if action in given and p not in given:
+                        yield _equal(Name(p), Partial(Name(action), rate_name(q)))
+
+
+def _terms(formula: Formula) -> list[Formula]:
+    """The terms of a sum, and of the sums in it."""
+    if not isinstance(formula, Sum):
+        return [formula]
+    return [term for one in formula.terms for term in _terms(one)]
 
 
 def _energies(before: Sequence[Formula]) -> Iterator[Formula]:
