@@ -21,7 +21,7 @@ END = "end of formula"
 STARTS = frozenset(
     """letter number open frac sqrt accent operator const dots begin sum product""".split()
 )
-_INDEX = frozenset({"letter", "number", "sign", "comma", "star", "prime", "_"})
+_INDEX = frozenset({"letter", "number", "sign", "comma", "star", "prime", "slash", "_"})
 
 
 class Cursor:

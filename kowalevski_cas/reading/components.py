@@ -6,7 +6,7 @@ one is false.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -43,72 +43,105 @@ _LENGTHS = frozenset({"v", "r", "p", "u", r"\omega", r"\Omega"})
 """The letters of vectors of which the same letters in other type are the lengths."""
 
 
+AXES = ("x", "y", "z")
+
+
 def multiplies_vectors(formulas: Sequence[Formula]) -> bool:
-    """Whether a vector product stands in formulas."""
-    return any(isinstance(node, CrossProduct) for one in formulas for node in one.nodes())
+    """Whether a vector product, or a unit vector of an axis, stands in formulas."""
+    return any(
+        isinstance(node, CrossProduct) or (isinstance(node, Name) and axis_of(node.name))
+        for one in formulas
+        for node in one.nodes()
+    )
 
 
-def by_components(formula: Formula, words: Vocabulary) -> list[Formula]:
-    """What an equation says of the components of its vectors.
-
-    Raises:
-        Valueless: it cannot be written by them.
-    """
-    if not isinstance(formula, Relation):
-        return [formula]
-    ranks = {rank(one, words) for one in formula.members if one != ZERO}
-    if ranks == {SCALAR} or not ranks:
-        return [Relation((*(_number(one, words) for one in formula.members),), formula.signs)]
-    if ranks != {VECTOR}:
-        raise Valueless("members of several kinds")
-    members = [_vector(one, words) for one in formula.members]
-    return [Relation(row, formula.signs) for row in zip(*members, strict=True)]
+def axis_of(name: str) -> str:
+    r"""The axis of a unit vector, as x of :math:`\mathbf e_x` and of :math:`\hat{\mathbf x}`."""
+    parts = symbol(name)
+    hat = r"\hat" in parts.accents
+    axis = parts.index if parts.letter == "e" else "" if parts.index or not hat else parts.letter
+    return axis if parts.is_bold and axis in AXES else ""
 
 
-def _number(formula: Formula, words: Vocabulary) -> Formula:
-    """A number, with its vectors by components."""
-    match formula:
-        case ScalarProduct(left, right):
-            sides = zip(_vector(left, words), _vector(right, words), strict=True)
-            return Sum((*(Product(pair) for pair in sides),))
-        case Power(base, Number(2)) if rank(base, words) == VECTOR:
-            return _square(base, words)
-        case Modulus(inner) if rank(inner, words) == VECTOR:
-            return Root(_square(inner, words))
-    by_vector = isinstance(formula, Partial) and words.rank(formula.by) != SCALAR
-    if by_vector or rank(formula, words) != SCALAR:
-        raise Valueless("no number")
-    return formula.map_children(lambda child: _number(child, words))
+class Components:
+    """Vectors by their components, of which some are printed beside them: others are new names."""
 
+    def __init__(self, words: Vocabulary, names: Collection[str]) -> None:
+        self._words, self._names = words, {*names}
 
-def _square(formula: Formula, words: Vocabulary) -> Formula:
-    return Sum((*(Power(one, Number(2)) for one in _vector(formula, words)),))
+    def of(self, formula: Formula) -> list[Formula]:
+        """What an equation says of the components of its vectors.
 
+        Raises:
+            Valueless: it cannot be written by them.
+        """
+        if not isinstance(formula, Relation):
+            return [formula]
+        ranks = {rank(one, self._words) for one in formula.members if one != ZERO}
+        if ranks == {SCALAR} or not ranks:
+            return [Relation((*map(self._number, formula.members),), formula.signs)]
+        if ranks != {VECTOR}:
+            raise Valueless("members of several kinds")
+        members = map(self._vector, formula.members)
+        return [Relation(row, formula.signs) for row in zip(*members, strict=True)]
 
-def _vector(formula: Formula, words: Vocabulary) -> tuple[Formula, ...]:
-    """The components of a vector."""
-    if formula == ZERO:
-        return (ZERO,) * len(SPACE)
-    if rank(formula, words) == MATRIX or rank(formula, words) == SCALAR:
-        raise Valueless("no vector")
+    def _number(self, formula: Formula) -> Formula:
+        """A number, with its vectors by components."""
+        match formula:
+            case ScalarProduct(left, right):
+                sides = zip(self._vector(left), self._vector(right), strict=True)
+                return Sum((*(Product(pair) for pair in sides),))
+            case Power(base, Number(2)) if rank(base, self._words) == VECTOR:
+                return self._square(base)
+            case Modulus(inner) if rank(inner, self._words) == VECTOR:
+                return Root(self._square(inner))
+        by_vector = isinstance(formula, Partial) and self._words.rank(formula.by) != SCALAR
+        if by_vector or rank(formula, self._words) != SCALAR:
+            raise Valueless("no number")
+        return formula.map_children(self._number)
 
-    def of(part: Formula, k: int) -> Formula:
-        return _vector(part, words)[k] if rank(part, words) == VECTOR else _number(part, words)
+    def _square(self, formula: Formula) -> Formula:
+        return Sum((*(Power(one, Number(2)) for one in self._vector(formula)),))
 
-    match formula:
-        case Name(name):
-            return (*(Name(f"{name}[{k}]") for k in SPACE),)
-        case Vector(entries) if len(entries) == len(SPACE):
-            return (*(_number(one, words) for one in entries),)
-        case CrossProduct(left, right):
-            a, b = _vector(left, words), _vector(right, words)
-            pairs = ((a[k - 2], b[k - 1], a[k - 1], b[k - 2]) for k in SPACE)
-            return (*(Sum((times(p, q), Negative(times(r, s)))) for p, q, r, s in pairs),)
-        case Partial(inner, by) if rank(inner, words) == SCALAR:
-            return (*(Partial(_number(inner, words), f"{by}[{k}]") for k in SPACE),)
-        case Negative() | Derivative() | Partial() | Sum() | Product() | Quotient():
-            return (*(formula.map_children(partial(of, k=k)) for k in SPACE),)
-    raise Valueless(type(formula).__name__)
+    def _vector(self, formula: Formula) -> tuple[Formula, ...]:
+        """The components of a vector."""
+        if formula == ZERO:
+            return (ZERO,) * len(SPACE)
+        if rank(formula, self._words) in (MATRIX, SCALAR):
+            raise Valueless("no vector")
+
+        def of(part: Formula, k: int) -> Formula:
+            is_vector = rank(part, self._words) == VECTOR
+            return self._vector(part)[k] if is_vector else self._number(part)
+
+        match formula:
+            case Name(name):
+                return self._named(name)
+            case Vector(entries) if len(entries) == len(SPACE):
+                return (*map(self._number, entries),)
+            case CrossProduct(left, right):
+                a, b = self._vector(left), self._vector(right)
+                pairs = ((a[k - 2], b[k - 1], a[k - 1], b[k - 2]) for k in SPACE)
+                return (*(Sum((times(p, q), Negative(times(r, s)))) for p, q, r, s in pairs),)
+            case Derivative(Name(name)) if axis_of(name):
+                raise Valueless("axes that turn")
+            case Partial(inner, by) if rank(inner, self._words) == SCALAR:
+                return (*(Partial(self._number(inner), f"{by}[{k}]") for k in SPACE),)
+            case Negative() | Derivative() | Partial() | Sum() | Product() | Quotient():
+                return (*(formula.map_children(partial(of, k=k)) for k in SPACE),)
+        raise Valueless(type(formula).__name__)
+
+    def _named(self, name: str) -> tuple[Formula, ...]:
+        """The components of a vector, as they are named if more than one of them is printed."""
+        if axis := axis_of(name):
+            return (*(Number(int(one == axis)) for one in AXES),)
+        parts = symbol(name)
+        printed = [parts.component(one).name for one in AXES]
+        if parts.without_type.name == "r" and len({*AXES} & self._names) > 1:
+            printed = [*AXES]
+        if len({*printed} & self._names) > 1:
+            return (*map(Name, printed),)
+        return (*(Name(f"{name}[{k}]") for k in SPACE),)
 
 
 # -- what is usually meant ------------------------------------------------------------------

@@ -85,6 +85,7 @@ _STEP = re.compile(
     r"\bor\W*$|\bi\.\s*e\b|\bthat\s+is\b|\bnamely\b|\bsol(?:ved?|utions?|ving)\b|\bsubstitut\w*"
     r"|\badding\s+(?:both|them|these|the\s+(?:two\s+)?equations|up)\b|\bsubtracting\b|\beliminat\w+"
     r"|\b(?:this|which|it|that)\s+(?:reads|says|means)\b|\bthe\s+equation\s+reads\b"
+    r"|\bas\s+(?:a\s+)?vectors?\b|\bin\s+(?:vector|component)s?\b|\bby\s+components\b"
     r"|\binsert\w*|\binto\b|\bmultipl\w+|\bdivid\w+|\bintegrat\w+|\bdifferentiat\w+|\bor\b"
     r"|\bили\b|\bто\s+есть\b|\bреш\w+|\bподстав\w*|\bумнож\w*|\bделя\w*|\bразделив\w*"
     r"|\bскладывая\b|\bвычитая\b|\bисключ\w+",
@@ -220,22 +221,28 @@ class _Section:
             if not fails or not before.agrees():
                 return None
         given = Counter(map(self._given, self.said))
+        own = {name for pair in before.pairs(formula) for one in pair for name in one.names()}
         places = [
             one
             for one in sure
             if one in asked and one not in mended and one.order < item.order
             if not one.typed.inline and given[self._given(one)] == 1
-            if self._is_near(one, item)
+            if not own.isdisjoint(self.formulas[one].names())
         ]
         for place in reversed(places[-NEAR:]):
             between = [one for one in sure if place.order < one.order < item.order]
             resting = [one for one in between if self._follows(one, sure, mended)]
+            subject = pairs_of(self.formulas[place])[0][0]
+            subject = subject if isinstance(subject, Name | Derivative) else None
 
             def holds(
                 edited: Formula,
                 place: SourceStatement = place,
                 own: Sequence[SourceStatement] = (item, *resting),
+                subject: Formula | None = subject,
             ) -> bool:
+                if subject not in (None, pairs_of(edited)[0][0]):
+                    return False  # it would say nothing of it
                 changed = {**mended, place: edited}
                 return all(self._follows(one, sure, changed) for one in own)
 
@@ -257,10 +264,6 @@ class _Section:
         """What a statement gives: where it is given twice there are several cases."""
         pairs = pairs_of(self.formulas[one])
         return pairs[0][0] if pairs else self.formulas[one]
-
-    def _is_near(self, one: SourceStatement, item: SourceStatement) -> bool:
-        """Whether a display has letters of a step."""
-        return not self.formulas[one].names().isdisjoint(self.formulas[item].names())
 
     def _at_arguments(self, formulas: Sequence[Formula]) -> Iterator[Formula]:
         """What unknown functions without an argument are, beside others at one, as F and F(1/u)."""

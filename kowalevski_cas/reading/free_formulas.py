@@ -44,6 +44,7 @@ _ARGUMENTS = re.compile(rf"(?P<of>{_LETTER}'*)\s*\(\s*{_LETTER}(?:\s*,\s*{_LETTE
 _CAPITAL = re.compile(r"(?<![A-Za-z\\])([A-Z])(?![A-Za-z])\s*(\()?")
 _AT_LETTER = re.compile(rf"(?P<of>{_LETTER}(?:_\w)?)\s*\(\s*{_LETTER}\s*\)")
 _PRIMED_AT = re.compile(rf"(?P<of>{_LETTER}(?:_\w)?)'*\s*\((?P<at>\s*{_LETTER}(?:_\w)?\s*)\)")
+_OF_TIME = re.compile(rf"(?P<of>{_LETTER}(?:_(?:\w|\{{\w+\}}))?)\s*\(\s*t\s*\)")
 _DOTTED = re.compile(rf"\\d?dot\s*\{{?\s*({_LETTER}(?:_\w)?)")
 _BOLD = r"\\(?:mathbf|boldsymbol|bm|vec)\s*\{\s*(?:[A-Za-z]|\\[A-Za-z]+)\s*\}(?:_\{?\w+\}?)?"
 _LISTED = rf"(?:{_BOLD}|\\d?dot\s*\{{\s*{_BOLD}\s*\}})"
@@ -99,14 +100,15 @@ def free_formulas(
             found[one] = one.formula
             if tex == one.printed.display.tex and "d" not in one.names:
                 continue
-        for own in (
-            words,
-            _with_one_component(words),
-            _with_functions(words, single_functions(paper)),
+        for own, printed in (
+            (words, tex),
+            (_with_one_component(words), tex),
+            (_with_functions(words, single_functions(paper)), tex),
+            (words, _OF_TIME.sub(lambda m: m["of"], tex)),
         ):
             with suppress(NotationError, RecursionError, IndexError):
                 own = replace(own, vectors=own.vectors | {*gradients})
-                found[one] = _named(_read(tex, one.printed.number, own), gradients)
+                found[one] = _named(_read(printed, one.printed.number, own), gradients)
                 break
     for sign, of in ((Name(_DELTA), _difference), (Name(DIFFERENTIAL), _differential)):
         if not any(sign in _alone(tree, sign) for tree in found.values()):

@@ -18,6 +18,7 @@ from kowalevski_cas.notation import (
     Formula,
     Name,
     Number,
+    Partial,
     Power,
     Relation,
     Unwritten,
@@ -53,6 +54,7 @@ class SolvedSample:
     ) -> None:
         self.sample, self.fixed, self.squared = sample, set[Key](), squared
         self.given: dict[Key, Formula] = {}
+        self.fields = sample.fields
         sample.given = self.given
         kept: dict[int, Key | None] = {}
         for place in reversed(range(len(premises))):
@@ -67,6 +69,7 @@ class SolvedSample:
         for pair in reversed(rest):
             with suppress(*NO_VALUE):
                 self._solve(pair)
+        sample.fields = self.fields
 
     def agrees(self, premises: Sequence[Pair]) -> bool:
         """Whether all that stands before a step holds together, as far as it has values."""
@@ -83,7 +86,7 @@ class SolvedSample:
 
         Those ``of_chain`` say something by themselves where they transform a formula.
         """
-        sample = self.sample.copy(fields)
+        sample = self.sample.copy({**self.fields, **fields})
         used, true, said = set[Key](), True, False
         for left, right in pairs:
             key = sample.key(_rooted(left))
@@ -150,11 +153,11 @@ class SolvedSample:
         Of what is ``squared`` wherever it stands the square is given, and any root of it.
         """
         sample, (left, right) = self.sample, pair
-        sample.touched = set()
+        sample.touched, sample.fields = set(), {**self.fields, **fields_of([pair])}
         start = sample.value(left) - sample.value(right)
         touched = {*sample.touched}
-        if is_zero(start):
-            self.fixed |= touched
+        if is_zero(start):  # else nothing was given by then: it holds whatever its letters are
+            self.fixed |= touched if touched & self.fixed else set()
             return
         zero: tuple[Key, acb] | None = None
         for key in sorted(touched - self.fixed, key=_solved_first):
@@ -234,6 +237,16 @@ def _rooted(formula: Formula) -> Formula:
     """What is squared, if a formula is a square: it is given by it."""
     squares = isinstance(formula, Power) and formula.exponent == Number(2)
     return formula.children()[0] if squares else formula
+
+
+def fields_of(pairs: Sequence[Pair]) -> dict[str, frozenset[str]]:
+    """The unknown functions that some equations derive, with what they derive them by."""
+    found: dict[str, frozenset[str]] = {}
+    for node in (node for pair in pairs for side in pair for node in side.nodes()):
+        if isinstance(node, Partial) and isinstance(node.argument, Name):
+            name = node.argument.name
+            found[name] = found.get(name, frozenset()) | {node.by}
+    return found
 
 
 def pairs_of(formula: Formula) -> list[Pair]:

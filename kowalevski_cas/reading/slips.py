@@ -70,6 +70,8 @@ def slips(step: DerivationStep, words: Vocabulary, offered: set[str]) -> Iterato
         waiting += [((*path, k), child, node) for k, child in enumerate(node.children())]
         if _is_ratio(node):
             yield from (("coefficient", path, number, "") for number in RATIOS if number != node)
+        if isinstance(node, Quotient) and path != (0,):
+            yield "factor", path, node.numerator, ""
         yield from (*_of_two(path, node), *_roots(path, node, parent), *_ends(path, node, offered))
         yield from (*_squares(path, node, offered), *_from_before(path, node, parent, step))
 

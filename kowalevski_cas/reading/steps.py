@@ -24,12 +24,13 @@ from kowalevski_cas.notation import (
     Vocabulary,
 )
 from kowalevski_cas.paper.transcendental import PI
-from kowalevski_cas.reading.components import by_components, multiplies_vectors
+from kowalevski_cas.reading.components import Components, multiplies_vectors
 from kowalevski_cas.reading.expansions import SMALL, Expansion, by_likelihood, expansions_of, holds
 from kowalevski_cas.reading.premises import (
     NO_VALUE,
     Pair,
     SolvedSample,
+    fields_of,
     has_integral,
     pairs_of,
     written_out,
@@ -62,10 +63,12 @@ class PrintedBefore:
         words: Vocabulary,
         arguments: Mapping[str, str],
     ) -> None:
-        self.formulas, self.terms, self._words = frozenset(before), terms, words
+        self.formulas, self.terms = frozenset(before), terms
         self._arguments = arguments
         printed = [*before, formula]
         self.in_space = multiplies_vectors(printed)
+        letters = {node.name for one in printed for node in one.nodes() if isinstance(node, Name)}
+        self._components = Components(words, letters)
         self._bracket = printed_bracket(before)
         self.printed = {node for one in printed for node in one.nodes()}
         self.premises = [pair for one in before for pair in self.pairs(one)][-MANY:]
@@ -91,7 +94,7 @@ class PrintedBefore:
             return [
                 own
                 for pair in found
-                for one in by_components(Relation(pair, ("=",)), self._words)
+                for one in self._components.of(Relation(pair, ("=",)))
                 for own in pairs_of(one)
             ]
         return []
@@ -170,16 +173,25 @@ class PrintedBefore:
         return False
 
     def sample(self, seed: int) -> Sample:
-        """A sample at which all is free."""
+        """A sample at which all is free; a function of what moves does so, too."""
         sample = Sample(seed, {}, (), {}, self._primed)
-        keys = [sample.key(rate) for rate in self.rates]
-        found = Sample(seed, {}, {(key[0], key[-1]) for key in keys if key}, {}, self._primed)
-        found.arguments = self._arguments
         partials = (node for node in self.nodes if isinstance(node, Partial))
-        found.slopes = frozenset(
+        slopes = frozenset(
             (one.argument.name, one.by) for one in partials if isinstance(one.argument, Name)
         )
+        keys = [sample.key(rate) for rate in self.rates]
+        rated = {(key[0], key[-1]) for key in keys if key}
+        rated |= {(function, by) for function, at in slopes for name, by in rated if name == at}
+        found = Sample(seed, {}, rated, self._fields, self._primed)
+        found.slopes, found.arguments = slopes, self._arguments
         return found
+
+    @cached_property
+    def _fields(self) -> dict[str, frozenset[str]]:
+        """The functions of which a rate is printed by those of all that they are functions of."""
+        total = (pair for pair in self.premises if isinstance(pair[0], Derivative))
+        found = [fields_of([pair]) for pair in total]
+        return {name: by for one in found for name, by in one.items() if len(by) > 1}
 
     @cached_property
     def _primed(self) -> str:
@@ -318,13 +330,7 @@ class DerivationStep:
 
     @cached_property
     def _fields(self) -> dict[str, frozenset[str]]:
-        """The unknown functions that it derives, with what it derives them by."""
-        found: dict[str, frozenset[str]] = {}
-        for node in (node for pair in self.pairs for side in pair for node in side.nodes()):
-            if isinstance(node, Partial) and isinstance(node.argument, Name):
-                name = node.argument.name
-                found[name] = found.get(name, frozenset()) | {node.by}
-        return found
+        return fields_of(self.pairs)
 
 
 def _is_of_one(node: Formula) -> bool:
