@@ -105,8 +105,8 @@ class Sample:
     ) -> None:
         self.seed, self.given, self.rated, self.fields = seed, given, frozenset(rated), fields
         self.primed = primed
-        self.slopes: frozenset[tuple[str, str]] = frozenset()
-        """The names of which partial derivatives are printed, each with a variable."""
+        self.slopes: frozenset[Key] = frozenset()
+        """The keys of which partial derivatives are printed, each with a variable."""
         self.bound: set[str] = set()
         """The unknown functions of which a value is given: nothing is known of others beside it."""
         self.arguments: Mapping[str, str] = {}
@@ -335,7 +335,8 @@ class Sample:
         if isinstance(inner, Name) and self._argument((inner.name,)) == by:
             if (inner.name,) not in self.given:
                 return self.atom((f"{inner.name}'",))
-        if key is not None and key[1:2] not in self.given:
+        below = () if key is None else (key[1:2], *(key[:n] for n in range(3, len(key))))
+        if key is not None and (key in self.given or self.given.keys().isdisjoint(below)):
             return self.atom(key)
         at = self.key(rated(by))
         if at is None:
@@ -345,7 +346,9 @@ class Sample:
         own, self.touched = self.touched, before | self.touched
         self.atom(at)
         slopes = {
-            key: self.atom((PARTIAL, *key, by)) for key in sorted(own) if (*key, by) in self.slopes
+            key: self.atom((*([] if key[0] == PARTIAL else [PARTIAL]), *key, by))
+            for key in sorted(own)
+            if (*key, by) in self.slopes
         }
         for key in sorted(own):
             argument = self._argument(key)
@@ -366,7 +369,11 @@ class Sample:
         found: dict[Key, acb] = {}
         for key in sorted(own):
             argument = self._argument(key)
-            if argument != by and (argument, by) not in self.rated and (argument,) not in self.given:
+            if (
+                argument != by
+                and (argument, by) not in self.rated
+                and (argument,) not in self.given
+            ):
                 argument = ""  # it does not move
             if key == (by,):
                 found[key] = acb(1)

@@ -37,13 +37,19 @@ from kowalevski_cas.notation.vocabulary import MATRIX, SCALAR, VECTOR
 
 SPACE = range(3)
 ZERO = Number(0)
-NABLA = r"\nabla "
-"""How the name of a gradient, or of a curl, begins."""
+NABLA, CURL, LAPLACE = r"\nabla ", r"\nabla\times ", r"\nabla^2 "
+"""How the names of a gradient, of a curl, and of what Laplace's operator makes begin."""
 _LENGTHS = frozenset({"v", "r", "p", "u", r"\omega", r"\Omega"})
 """The letters of vectors of which the same letters in other type are the lengths."""
 
 
 AXES = ("x", "y", "z")
+
+
+def is_derived_vector(name: str) -> bool:
+    """Whether it is the name of a gradient, of a curl, or of a vector from Laplace's operator."""
+    bold = symbol(name.removeprefix(LAPLACE)).is_bold
+    return name.startswith((NABLA, CURL)) or (name.startswith(LAPLACE) and bold)
 
 
 def multiplies_vectors(formulas: Sequence[Formula]) -> bool:

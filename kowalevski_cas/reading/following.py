@@ -232,8 +232,8 @@ class _Section:
         for place in reversed(places[-NEAR:]):
             between = [one for one in sure if place.order < one.order < item.order]
             resting = [one for one in between if self._follows(one, sure, mended)]
-            subject = pairs_of(self.formulas[place])[0][0]
-            subject = subject if isinstance(subject, Name | Derivative) else None
+            first = pairs_of(self.formulas[place])[0][0]
+            subject = first if isinstance(first, Name | Derivative) else None
 
             def holds(
                 edited: Formula,

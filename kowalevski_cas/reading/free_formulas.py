@@ -30,8 +30,9 @@ from kowalevski_cas.notation.layout import statements as placed
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.open import OpenParser, independent
 from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.claims.measure import DIVERGENCE
 from kowalevski_cas.paper.summation import expand_sum, without_sums
-from kowalevski_cas.reading.components import NABLA
+from kowalevski_cas.reading.components import NABLA, is_derived_vector
 from kowalevski_cas.reading.definite_integrals import DIFFERENTIAL, without_integrals
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 
@@ -68,11 +69,14 @@ _LIMIT = re.compile(
 _DELTA = r"\Delta"
 _IN_BOLD = r"\\(?:mathbf|boldsymbol|bm|vec)(?:\s*\{[^{}]*\}|\s+[A-Za-z]|\s*\\[A-Za-z]+)"
 _OF_NABLA = re.compile(
-    rf"\\nabla\s*(?P<curl>\\times\s*(?=\\))?(?P<of>{_IN_BOLD}|{_LETTER}(?![A-Za-z]))(?!\s*[_^'(])"
+    rf"\\nabla\s*(?P<sign>\\times\s*(?=\\)|\\cdot\s*(?=\\)|\^\s*\{{?\s*2\s*\}}?\s*)?"
+    rf"(?P<of>{_IN_BOLD}|{_LETTER}(?![A-Za-z]))(?!\s*[_^'(])"
 )
-"""A gradient, or a curl, of what is named by a letter."""
+"""A gradient, curl or divergence of what is named by a letter, or what Laplace's operator makes."""
+_AT_VALUE = re.compile(rf"(?P<of>{_LETTER}'+)\s*\(\s*(?P<at>{_LETTER}_(?:\w|\{{\w+\}}))\s*\)")
+"""The derivative of a function at a value that has an index."""
 _FIRST_GRADIENT = 900
-"""The index of a vector that stands for the first one."""
+"""The index of what stands for the first one."""
 
 
 def free_formulas(
@@ -94,7 +98,8 @@ def free_formulas(
     )
     gradients: dict[str, str] = {}
     for one in items:
-        tex = _without_arguments(one.printed.display.tex, functions | single)
+        tex = _with_divergence(one.printed.display.tex, whole[one.typed.start : one.typed.end])
+        tex = _without_arguments(tex, functions | single)
         tex = _without_gradients(without_integrals(_with_ellipses(tex)), gradients)
         if one.formula is not None:
             found[one] = one.formula
@@ -107,7 +112,8 @@ def free_formulas(
             (words, _OF_TIME.sub(lambda m: m["of"], tex)),
         ):
             with suppress(NotationError, RecursionError, IndexError):
-                own = replace(own, vectors=own.vectors | {*gradients})
+                vectors = {one for one in gradients if symbol(one).is_bold}
+                own = replace(own, vectors=own.vectors | vectors)
                 found[one] = _named(_read(printed, one.printed.number, own), gradients)
                 break
     for sign, of in ((Name(_DELTA), _difference), (Name(DIFFERENTIAL), _differential)):
@@ -150,24 +156,37 @@ def _with_one_component(words: Vocabulary) -> Vocabulary:
 
 def with_gradients(words: Vocabulary, formulas: Iterable[Formula]) -> Vocabulary:
     """The names, with those of gradients among the vectors."""
-    names = {name for one in formulas for name in one.names() if name.startswith(NABLA)}
+    names = {name for one in formulas for name in one.names() if is_derived_vector(name)}
     return replace(words, vectors=words.vectors | names)
 
 
-def _without_gradients(tex: str, gradients: dict[str, str]) -> str:
-    """A display with letters for its gradients and curls, which are entered."""
+def _with_divergence(tex: str, printed: str) -> str:
+    """A display with the divergence that is printed, where it is read as that of the motion."""
+    found = re.search(rf"\\nabla\s*\\cdot\s*{_IN_BOLD}", printed)
+    return tex if found is None else tex.replace(DIVERGENCE, found[0])
 
-    def letter(found: re.Match[str]) -> str:
+
+def _without_gradients(tex: str, names: dict[str, str]) -> str:
+    """A display with letters for what is named by one: gradients and the like, which are entered.
+
+    So are derivatives at values.
+    """
+
+    def letter(name: str) -> str:
+        known = next((one for one, named in names.items() if named == name), "")
+        bold = r"\mathbf{N}" if is_derived_vector(name) else "N"
+        known = known or f"{bold}_{{{_FIRST_GRADIENT + len(names)}}}"
+        names[known] = name
+        return f" {known}"
+
+    def of_nabla(found: re.Match[str]) -> str:
         (of,) = (token.text for token in scan(found["of"]))
-        curl = r"\times " if found["curl"] else ""
-        named = gradients.items()
-        name = next((name for name, one in named if one == f"{NABLA}{curl}{of}"), "")
-        name = name or rf"\mathbf{{N}}_{{{_FIRST_GRADIENT + len(gradients)}}}"
-        gradients[name] = f"{NABLA}{curl}{of}"
-        return name
+        sign = re.sub(r"[\s{}]", "", found["sign"] or "")
+        return letter(f"{NABLA.strip()}{sign} {of}")
 
     with suppress(NotationError, ValueError):
-        return _OF_NABLA.sub(letter, tex)
+        tex = _AT_VALUE.sub(lambda m: letter(f"{m['of']}({m['at']})"), tex)
+        return _OF_NABLA.sub(of_nabla, tex)
     return tex
 
 

@@ -176,12 +176,11 @@ class PrintedBefore:
         """A sample at which all is free; a function of what moves does so, too."""
         sample = Sample(seed, {}, (), {}, self._primed)
         partials = (node for node in self.nodes if isinstance(node, Partial))
-        slopes = frozenset(
-            (one.argument.name, one.by) for one in partials if isinstance(one.argument, Name)
-        )
+        pairs = ((sample.key(one.argument), one.by) for one in partials)
+        slopes = frozenset((*key, by) for key, by in pairs if key)
         keys = [sample.key(rate) for rate in self.rates]
         rated = {(key[0], key[-1]) for key in keys if key}
-        rated |= {(function, by) for function, at in slopes for name, by in rated if name == at}
+        rated |= {(key[0], by) for key in slopes for name, by in rated if (name,) == key[1:]}
         found = Sample(seed, {}, rated, self._fields, self._primed)
         found.slopes, found.arguments = slopes, self._arguments
         return found
@@ -234,11 +233,11 @@ class DerivationStep:
     def _at(self, seed: int) -> bool | None:
         """Whether the step holds at a sample; ``None`` if it says nothing there."""
         with suppress(*NO_VALUE):
-            if isinstance(given := self.solving, Name):
-                return self._solves(given, seed)
-            solved = self.before.solved(seed)
+            solved, given = self.before.solved(seed), self.solving
             telling = self._integral or [*self._telling()]
             exact = solved.holds(telling, self._fields, of_chain=len(self.pairs) > 1)
+            if isinstance(given, Name):
+                return exact or self._solves(given, seed)
             if self._expansions and exact is None:
                 return all(self._expands(one, seed) for one in self._expansions)
             if given is not None and exact is None:

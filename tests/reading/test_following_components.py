@@ -36,12 +36,7 @@ Therefore
 
 @pytest.mark.parametrize(
     ("body", "right", "wrong"),
-    [
-        (SPINNING, "x", "y"),
-        (ARM, "-", ""),
-        (HATS, "2", "3"),
-        (TIMES, "", "t"),
-    ],
+    [(SPINNING, "x", "y"), (ARM, "-", ""), (HATS, "2", "3"), (TIMES, "", "t")],
 )
 def test_a_step_is_doubted_that_follows_with_one_change_only(body, right, wrong):
     assert found(body % right) == []
