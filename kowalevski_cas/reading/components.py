@@ -31,6 +31,7 @@ from kowalevski_cas.notation import (
     Vocabulary,
     rank,
     times,
+    total,
 )
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.notation.vocabulary import MATRIX, SCALAR, VECTOR
@@ -177,6 +178,25 @@ def usual_meanings(formulas: Sequence[Formula], words: Vocabulary) -> Iterator[F
         if parts.letter == "r" and {plain, radial} <= names and name not in given | {radial}:
             yield _equal(Name(name), Product((Name(plain), Name(radial))))
     yield from _gradients(names, nodes, words)
+
+
+def chain_rules(formulas: Sequence[Formula]) -> Iterator[Formula]:
+    r"""How derivatives by old variables are those by new ones, where both are printed.
+
+    So is :math:`\partial_qH=\partial_QH\,\partial_qQ+\partial_PH\,\partial_qP`, beside
+    a product of such derivatives.
+    """
+    nodes = {node for one in formulas for node in one.nodes()}
+    partials = {node for node in nodes if isinstance(node, Partial)}
+    printed = {(one.argument.name, one.by) for one in partials if isinstance(one.argument, Name)}
+    products = [{*node.factors} & partials for node in nodes if isinstance(node, Product)]
+    for function, old in sorted(printed):
+        by = {name for one, name in printed if one == function}
+        new = [name for name in sorted(by) if (name, old) in printed]
+        olds = {one for name, one in printed if name in new}
+        terms = [(Partial(Name(function), name), Partial(Name(name), old)) for name in new]
+        if by - olds == {*new} and any(one >= {*term} for one in products for term in terms):
+            yield _equal(Partial(Name(function), old), total(map(Product, terms)))
 
 
 def _by_squares(formula: Formula) -> Iterator[str]:

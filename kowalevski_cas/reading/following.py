@@ -60,6 +60,13 @@ _ANOTHER = re.compile(
 _FORCE = re.compile(r"\b(?:friction|damp\w+|трени\w+)\b", re.IGNORECASE)
 """Words for what may come to what stands before, unless a formula behind them has it."""
 
+_ASKED = re.compile(
+    r"\b(?:ask(?:s|ed)?|asking|question|find(?:\s+out)?|determine|see|check|know|conditions?)\s+"
+    r"(?:when|whether|if|under|for\s+(?:which|what))\b|\bспрос\w+|\bвопрос",
+    re.IGNORECASE,
+)
+"""Words before what is asked."""
+
 _VANISHES = re.compile(
     r"[\s~]*(?:vanish(?:es)?|is\s+zero|равн[оаы]?\s+нулю)\s*[.,;]", re.IGNORECASE
 )
@@ -430,6 +437,8 @@ def _says(item: SourceStatement, formula: Formula, known: Known) -> bool:
     if role is not None and role.name != NOTATION and expansions_of(formula):
         return True
     if role is None or role.name in (OTHER, NOTATION) or not pairs_of(formula):
+        return False
+    if _ASKED.search(item.before):
         return False
     if role.name == ASSUMPTION and role.kind not in ("", OF_SENTENCE):
         return False

@@ -222,6 +222,7 @@ def _independent(tex: str) -> list[str]:
 def _without_arguments(tex: str, bold: set[str]) -> str:
     """A display without the arguments of its functions."""
     tex = _ARGUMENTS.sub(lambda m: m["of"], _with_single_sums(tex))
+    tex = _ARGUMENTS.sub(lambda m: m["of"], tex)  # of what was an argument itself
     tex = _AT_LETTER.sub(lambda m: m["of"] if m["of"] in bold else m[0], tex)
     return _BOLD_FUNCTION.sub(
         lambda m: m["of"] + (m["raised"] or "") if m["of"] in bold else m[0], tex

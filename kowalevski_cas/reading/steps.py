@@ -24,7 +24,7 @@ from kowalevski_cas.notation import (
     Vocabulary,
 )
 from kowalevski_cas.paper.transcendental import PI
-from kowalevski_cas.reading.components import Components, multiplies_vectors
+from kowalevski_cas.reading.components import Components, chain_rules, multiplies_vectors
 from kowalevski_cas.reading.expansions import SMALL, Expansion, by_likelihood, expansions_of, holds
 from kowalevski_cas.reading.premises import (
     NO_VALUE,
@@ -71,7 +71,8 @@ class PrintedBefore:
         self._components = Components(words, letters)
         self._bracket = printed_bracket(before)
         self.printed = {node for one in printed for node in one.nodes()}
-        self.premises = [pair for one in before for pair in self.pairs(one)][-MANY:]
+        supposed = [*before, *chain_rules(printed)]
+        self.premises = [pair for one in supposed for pair in self.pairs(one)][-MANY:]
         own = (side for pair in self.pairs(formula) for side in pair)
         sides = [*(side for pair in self.premises for side in pair), *own]
         self.nodes = [node for side in sides for node in side.nodes()]
