@@ -93,7 +93,7 @@ _STEP = re.compile(
     r"|\badding\s+(?:both|them|these|the\s+(?:two\s+)?equations|up)\b|\bsubtracting\b|\beliminat\w+"
     r"|\b(?:this|which|it|that)\s+(?:reads|says|means)\b|\bthe\s+equation\s+reads\b"
     r"|\bas\s+(?:a\s+)?vectors?\b|\bin\s+(?:vector|component)s?\b|\bby\s+components\b"
-    r"|\binsert\w*|\binto\b|\bmultipl\w+|\bdivid\w+|\bintegrat\w+|\bdifferentiat\w+|\bor\b"
+    r"|\bconversely\b|\binsert\w*|\binto\b|\bmultipl\w+|\bdivid\w+|\bintegrat\w+|\bdifferentiat\w+|\bor\b"
     r"|\bили\b|\bто\s+есть\b|\bреш\w+|\bподстав\w*|\bумнож\w*|\bделя\w*|\bразделив\w*"
     r"|\bскладывая\b|\bвычитая\b|\bисключ\w+",
     re.IGNORECASE,
@@ -444,12 +444,17 @@ def _says(item: SourceStatement, formula: Formula, known: Known) -> bool:
         return False
     if role.name == ASSUMPTION and item.typed.inline and not _gives(item, formula):
         return False
-    if role.name == CLAIM and role.kind not in _OF_ALL:
+    if role.name == CLAIM and role.kind not in _OF_ALL and not _begins_with_equality(formula):
         return False
     members = getattr(formula, "members", ())
     numbers = any(map(is_numerical, members)) and (item.typed.inline or role.name == CLAIM)
     bare = all(isinstance(one, Name | Number) for one in members)
     return not (numbers and bare) and not (item.typed.inline and numbers)
+
+
+def _begins_with_equality(formula: Formula) -> bool:
+    """Whether an equation stands before an inequality in a chain."""
+    return isinstance(formula, Relation) and len(formula.signs) > 1 and formula.signs[0] == "="
 
 
 def _gives(item: SourceStatement, formula: Formula) -> bool:
