@@ -28,6 +28,7 @@ from kowalevski_cas.notation.formula import (
     Root,
     Sum,
     Unwritten,
+    Vector,
     times,
 )
 from kowalevski_cas.notation.latex import to_latex
@@ -124,9 +125,9 @@ def _prints(formula: Formula) -> bool:
 
 
 def _term(place: _NodePlace) -> bool:
-    """Whether the node is a term with a sign of its own, or a side of a relation."""
+    """Whether the node is a term with a sign of its own, a component, or a side of a relation."""
     node = place.node
-    whole = place.parent is None or isinstance(place.parent, Relation | Sum | Negative)
+    whole = place.parent is None or isinstance(place.parent, Relation | Sum | Negative | Vector)
     return whole and _prints(node) and not isinstance(node, Negative)
 
 

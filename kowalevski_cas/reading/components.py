@@ -9,9 +9,11 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import chain
 
 from kowalevski_cas.algebra.samples import Valueless
 from kowalevski_cas.notation import (
+    Application,
     CrossProduct,
     Derivative,
     Formula,
@@ -27,16 +29,17 @@ from kowalevski_cas.notation import (
     Root,
     ScalarProduct,
     Sum,
+    Transposed,
     Vector,
     Vocabulary,
     rank,
     times,
+    to_latex,
     total,
 )
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.notation.vocabulary import MATRIX, SCALAR, VECTOR
 
-SPACE = range(3)
 ZERO = Number(0)
 NABLA, CURL, LAPLACE = r"\nabla ", r"\nabla\times ", r"\nabla^2 "
 """How the names of a gradient, of a curl, and of what Laplace's operator makes begin."""
@@ -53,13 +56,34 @@ def is_derived_vector(name: str) -> bool:
     return name.startswith((NABLA, CURL)) or (name.startswith(LAPLACE) and bold)
 
 
-def multiplies_vectors(formulas: Sequence[Formula]) -> bool:
-    """Whether a vector product, or a unit vector of an axis, stands in formulas."""
-    return any(
-        isinstance(node, CrossProduct) or (isinstance(node, Name) and axis_of(node.name))
-        for one in formulas
-        for node in one.nodes()
-    )
+Row = tuple[Formula, ...]
+"""The components of a vector, or a row of a matrix."""
+
+
+def dimension(formulas: Sequence[Formula]) -> int:
+    """How many components vectors have in formulas; one, if nothing tells that they have more.
+
+    A vector product tells it, a unit vector of an axis, and a matrix that is printed.
+    """
+    nodes = {node for one in formulas for node in one.nodes()}
+    if any(isinstance(one, CrossProduct) for one in nodes):
+        return len(AXES)
+    matrices = [one for one in nodes if isinstance(one, Vector) and _is_matrix(one)]
+    sizes = {
+        len(row) for one in matrices for row in (one.components, *map(_entries, one.components))
+    }
+    if len(sizes) == 1:
+        return sizes.pop()
+    named = any(isinstance(one, Name) and axis_of(one.name) for one in nodes)
+    return len(AXES) if named else 1
+
+
+def _is_matrix(formula: Vector) -> bool:
+    return all(isinstance(one, Vector) for one in formula.components)
+
+
+def _entries(row: Formula) -> Row:
+    return row.components if isinstance(row, Vector) else ()
 
 
 def axis_of(name: str) -> str:
@@ -71,10 +95,13 @@ def axis_of(name: str) -> str:
 
 
 class Components:
-    """Vectors by their components, of which some are printed beside them: others are new names."""
+    """Vectors by their components, of which some are printed beside them: others are new names.
 
-    def __init__(self, words: Vocabulary, names: Collection[str]) -> None:
-        self._words, self._names = words, {*names}
+    So are matrices by their entries.
+    """
+
+    def __init__(self, words: Vocabulary, names: Collection[str], size: int) -> None:
+        self._words, self._names, self._places = words, {*names}, range(size)
 
     def of(self, formula: Formula) -> list[Formula]:
         """What an equation says of the components of its vectors.
@@ -84,71 +111,135 @@ class Components:
         """
         if not isinstance(formula, Relation):
             return [formula]
-        ranks = {rank(one, self._words) for one in formula.members if one != ZERO}
-        if ranks == {SCALAR} or not ranks:
+        if any(map(_turns, formula.nodes())):
+            raise Valueless("axes that turn")
+        members = [one for one in formula.members if one != ZERO]
+        ranks = {self._rank(one) for one in members}
+        if MATRIX in ranks and all(self._is_matrix(one) for one in members):
+            matrices = [[*chain(*self._matrix(one))] for one in formula.members]
+            return [Relation(row, formula.signs) for row in zip(*matrices, strict=True)]
+        if ranks <= {SCALAR}:
             return [Relation((*map(self._number, formula.members),), formula.signs)]
         if ranks != {VECTOR}:
             raise Valueless("members of several kinds")
-        members = map(self._vector, formula.members)
-        return [Relation(row, formula.signs) for row in zip(*members, strict=True)]
+        vectors = map(self._vector, formula.members)
+        return [Relation(row, formula.signs) for row in zip(*vectors, strict=True)]
+
+    def _rank(self, formula: Formula) -> int:
+        return rank(formula, self._words)
+
+    def _is_matrix(self, formula: Formula) -> bool:
+        """Whether it is a matrix, or what may be one at an argument."""
+        return self._rank(formula) == MATRIX or isinstance(formula, Application)
 
     def _number(self, formula: Formula) -> Formula:
         """A number, with its vectors by components."""
         match formula:
             case ScalarProduct(left, right):
-                sides = zip(self._vector(left), self._vector(right), strict=True)
-                return Sum((*(Product(pair) for pair in sides),))
-            case Power(base, Number(2)) if rank(base, self._words) == VECTOR:
+                return _sum_of_products(self._vector(left), self._vector(right))
+            case Power(base, Number(2)) if self._rank(base) == VECTOR:
                 return self._square(base)
-            case Modulus(inner) if rank(inner, self._words) == VECTOR:
+            case Modulus(inner) if self._rank(inner) == VECTOR:
                 return Root(self._square(inner))
         by_vector = isinstance(formula, Partial) and self._words.rank(formula.by) != SCALAR
-        if by_vector or rank(formula, self._words) != SCALAR:
+        if by_vector or self._rank(formula) != SCALAR:
             raise Valueless("no number")
         return formula.map_children(self._number)
 
     def _square(self, formula: Formula) -> Formula:
         return Sum((*(Power(one, Number(2)) for one in self._vector(formula)),))
 
-    def _vector(self, formula: Formula) -> tuple[Formula, ...]:
+    def _vector(self, formula: Formula) -> Row:
         """The components of a vector."""
         if formula == ZERO:
-            return (ZERO,) * len(SPACE)
-        if rank(formula, self._words) in (MATRIX, SCALAR):
+            return (ZERO,) * len(self._places)
+        if self._rank(formula) in (MATRIX, SCALAR):
             raise Valueless("no vector")
 
         def of(part: Formula, k: int) -> Formula:
-            is_vector = rank(part, self._words) == VECTOR
+            is_vector = self._rank(part) == VECTOR
             return self._vector(part)[k] if is_vector else self._number(part)
 
         match formula:
             case Name(name):
                 return self._named(name)
-            case Vector(entries) if len(entries) == len(SPACE):
+            case Vector(entries) if len(entries) == len(self._places):
                 return (*map(self._number, entries),)
             case CrossProduct(left, right):
                 a, b = self._vector(left), self._vector(right)
-                pairs = ((a[k - 2], b[k - 1], a[k - 1], b[k - 2]) for k in SPACE)
+                pairs = ((a[k - 2], b[k - 1], a[k - 1], b[k - 2]) for k in range(3))
                 return (*(Sum((times(p, q), Negative(times(r, s)))) for p, q, r, s in pairs),)
-            case Derivative(Name(name)) if axis_of(name):
-                raise Valueless("axes that turn")
-            case Partial(inner, by) if rank(inner, self._words) == SCALAR:
-                return (*(Partial(self._number(inner), f"{by}[{k}]") for k in SPACE),)
+            case Product(factors) if MATRIX in map(self._rank, factors):
+                return self._turned(factors)
+            case Partial(inner, by) if self._rank(inner) == SCALAR:
+                return (*(Partial(self._number(inner), f"{by}[{k}]") for k in self._places),)
             case Negative() | Derivative() | Partial() | Sum() | Product() | Quotient():
-                return (*(formula.map_children(partial(of, k=k)) for k in SPACE),)
+                return (*(formula.map_children(partial(of, k=k)) for k in self._places),)
         raise Valueless(type(formula).__name__)
 
-    def _named(self, name: str) -> tuple[Formula, ...]:
+    def _turned(self, factors: Sequence[Formula]) -> Row:
+        """The components of a vector behind matrices."""
+        *matrices, vector = factors
+        column, rows = self._vector(vector), self._matrix(Product((*matrices,)))
+        return (*(_sum_of_products(row, column) for row in rows),)
+
+    def _matrix(self, formula: Formula) -> list[Row]:
+        """The rows of a matrix."""
+        places = self._places
+        match formula:
+            case Name() | Application():
+                name = to_latex(formula)
+                return [(*(Name(f"{name}[{j}{k}]") for k in places),) for j in places]
+            case Vector(rows) if len(rows) == len(places) and self._rank(formula) == MATRIX:
+                return [(*map(self._number, _entries(row)),) for row in rows]
+            case Transposed(inner):
+                return [*zip(*self._matrix(inner), strict=True)]
+            case Power(base, Number(power)) if power in (2, 3):
+                return self._matrix(Product((base,) * int(power)))
+            case Negative() | Sum() | Derivative():
+                parts = [self._matrix(one) for one in formula.children()]
+                return [
+                    (*(_with_children(formula, [one[j][k] for one in parts]) for k in places),)
+                    for j in places
+                ]
+            case Product(factors):
+                numbers = [self._number(one) for one in factors if self._rank(one) == SCALAR]
+                found, *others = (self._matrix(one) for one in factors if self._rank(one) == MATRIX)
+                for other in others:
+                    columns = [*zip(*other, strict=True)]
+                    found = [(*(_sum_of_products(row, one) for one in columns),) for row in found]
+                return [(*(times(*numbers, one) for one in row),) for row in found]
+        raise Valueless(type(formula).__name__)
+
+    def _named(self, name: str) -> Row:
         """The components of a vector, as they are named if more than one of them is printed."""
         if axis := axis_of(name):
             return (*(Number(int(one == axis)) for one in AXES),)
         parts = symbol(name)
-        printed = [parts.component(one).name for one in AXES]
-        if parts.without_type.name == "r" and len({*AXES} & self._names) > 1:
-            printed = [*AXES]
-        if len({*printed} & self._names) > 1:
+        axes = AXES[: len(self._places)]
+        printed = [parts.component(one).name for one in axes]
+        places = [replace(parts.without_type, letter=one).name for one in axes]
+        if parts.letter == "r" and len({*places} & self._names) > 1:
+            printed = places
+        if len({*printed} & self._names) > 1 and len(axes) == len(self._places):
             return (*map(Name, printed),)
-        return (*(Name(f"{name}[{k}]") for k in SPACE),)
+        return (*(Name(f"{name}[{k}]") for k in self._places),)
+
+
+def _turns(node: Formula) -> bool:
+    """Whether it is the rate of an axis."""
+    inner = node.argument if isinstance(node, Derivative) else None
+    return isinstance(inner, Name) and bool(axis_of(inner.name))
+
+
+def _sum_of_products(one: Row, other: Row) -> Formula:
+    return Sum((*map(Product, zip(one, other, strict=True)),))
+
+
+def _with_children(formula: Formula, children: Sequence[Formula]) -> Formula:
+    """A formula with other children, in their order."""
+    given = iter(children)
+    return formula.map_children(lambda _: next(given))
 
 
 # -- what is usually meant ------------------------------------------------------------------

@@ -93,6 +93,7 @@ _STEP = re.compile(
     r"|\badding\s+(?:both|them|these|the\s+(?:two\s+)?equations|up)\b|\bsubtracting\b|\beliminat\w+"
     r"|\b(?:this|which|it|that)\s+(?:reads|says|means)\b|\bthe\s+equation\s+reads\b"
     r"|\bas\s+(?:a\s+)?vectors?\b|\bin\s+(?:vector|component)s?\b|\bby\s+components\b"
+    r"|\bas\s+an?\s+(?:matrix|vector)\s+equation\b|\bin\s+matrix\s+(?:form|notation)\b"
     r"|\bconversely\b|\binsert\w*|\binto\b|\bmultipl\w+|\bdivid\w+|\bintegrat\w+|\bdifferentiat\w+|\bor\b"
     r"|\bили\b|\bто\s+есть\b|\bреш\w+|\bподстав\w*|\bумнож\w*|\bделя\w*|\bразделив\w*"
     r"|\bскладывая\b|\bвычитая\b|\bисключ\w+",

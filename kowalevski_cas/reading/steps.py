@@ -24,7 +24,7 @@ from kowalevski_cas.notation import (
     Vocabulary,
 )
 from kowalevski_cas.paper.transcendental import PI
-from kowalevski_cas.reading.components import Components, chain_rules, multiplies_vectors
+from kowalevski_cas.reading.components import Components, chain_rules, dimension
 from kowalevski_cas.reading.expansions import SMALL, Expansion, by_likelihood, expansions_of, holds
 from kowalevski_cas.reading.premises import (
     NO_VALUE,
@@ -66,9 +66,10 @@ class PrintedBefore:
         self.formulas, self.terms = frozenset(before), terms
         self._arguments = arguments
         printed = [*before, formula]
-        self.in_space = multiplies_vectors(printed)
+        size = dimension(printed)
+        self.in_space = size > 1
         letters = {node.name for one in printed for node in one.nodes() if isinstance(node, Name)}
-        self._components = Components(words, letters)
+        self._components = Components(words, letters, size)
         self._bracket = printed_bracket(before)
         self.printed = {node for one in printed for node in one.nodes()}
         supposed = [*before, *chain_rules(printed)]
@@ -91,7 +92,7 @@ class PrintedBefore:
         found = [pair for one in written_out(formula) for pair in pairs_of(one)]
         if not self.in_space:
             return found
-        with suppress(Valueless):
+        with suppress(Valueless, ValueError):
             return [
                 own
                 for pair in found
@@ -141,9 +142,9 @@ class PrintedBefore:
         return frozenset(name for name in even if even.count(name) == alone.count(name))
 
     def has_vectors_of(self, formula: Formula) -> bool:
-        """Whether the vectors in a step that multiplies them stand before it, but for a new one."""
+        """Whether the vectors in a step that multiplies them stand before it, but for new ones."""
         pairs = self.pairs(formula) if self.in_space else []
-        new = {left.name for left, _ in pairs if isinstance(left, Name)}
+        new = {side.name for pair in pairs for side in pair if isinstance(side, Name)}
         own = {name for pair in pairs for side in pair for name in side.names()}
         return {name for name in own if "[" in name} <= self.known | new
 
