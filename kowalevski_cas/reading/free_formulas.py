@@ -62,6 +62,10 @@ _REST = re.compile(
     r"(?P<sign>[+-])\s*(?:\\mathcal\s*\{?\s*O\s*\}?|[Oo])\s*"
     r"(?:\\left\s*\(.*?\\right\s*\)|\([^()]*\))"
 )
+_SOME_CONSTANT = re.compile(
+    r"\\(?:text|mathrm|mbox)\s*\{\s*const(?:ant)?\.?\s*\}(?=\s*(?:\\,\s*)?[+-])"
+)
+"""A constant of which nothing is said, before other terms."""
 _LIMIT = re.compile(
     r"\\lim(?:\\limits)?\s*_\s*\{\s*(?:[A-Za-z]|\\[a-z]+)\s*\\(?:to|rightarrow)\s*"
     r"(?:0|\\infty)\s*\}(?P<of>[^=]*)="
@@ -244,8 +248,8 @@ def _always_applied(texts: list[str]) -> set[str]:
 
 
 def _with_ellipses(tex: str) -> str:
-    """A display with dots for terms of an order, and ≈ for a limit."""
-    tex = _REST.sub(lambda m: rf"{m['sign']}\dots ", tex)
+    """A display with dots for terms of an order, and for some constant; and ≈ for a limit."""
+    tex = _SOME_CONSTANT.sub(r"\\dots ", _REST.sub(lambda m: rf"{m['sign']}\dots ", tex))
     return _LIMIT.sub(lambda m: rf"\;{m['of']}\approx", tex)
 
 

@@ -70,6 +70,11 @@ The path obeys
 It is therefore
 \[ \varphi = \beta %s \kappa\cot\theta . \]
 """
+NEAR_THE_GROUND = r"""
+The potential is $W(s) = -\frac{\kappa}{s}$. At a small height $y$, where $s = S + y$,
+\[ W(s) = W(S + y) = -\frac{\kappa}{%s + y} = -\frac{\kappa}{S}\left(1 - \frac{y}{S} + \cdots\right)
+       \approx \text{const.} + \frac{\kappa}{S^2}y . \]
+"""
 
 
 @pytest.mark.parametrize(
@@ -86,6 +91,7 @@ It is therefore
         (DOUBLE_ANGLE, "", "2"),
         (LENGTH, "sin", "cos"),
         (ON_THE_SPHERE, "-", "+"),
+        (NEAR_THE_GROUND, "S", "s"),
     ],
 )
 def test_a_step_is_doubted_that_follows_with_one_change_only(body, right, wrong):
