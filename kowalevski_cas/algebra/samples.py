@@ -381,7 +381,8 @@ class Sample:
                 rate = acb(1) if argument == by else self.value(rate_of(argument, by))
                 found[key] = self.atom((f"{key[0]}'",)) * rate
             elif (key[0], by) in self.rated and key[1:2] != ("(",) and not is_initial(key[0]):
-                along = key[0] in self.fields and len(key) == 1
+                along = len(key) == 1 and bool(self.fields.get(key[0], frozenset()) - {by})
+                along = along and (*key, by) not in self.given
                 found[key] = self._along_all(key[0], by) if along else self.atom((*key, by))
         return found
 
