@@ -128,6 +128,7 @@ def _term(place: _NodePlace) -> bool:
     """Whether the node is a term with a sign of its own, a component, or a side of a relation."""
     node = place.node
     whole = place.parent is None or isinstance(place.parent, Relation | Sum | Negative | Vector)
+    whole = whole and not (isinstance(place.parent, Vector) and isinstance(node, Vector))
     return whole and _prints(node) and not isinstance(node, Negative)
 
 
