@@ -8,7 +8,7 @@ free. Vectors and matrices have one component: what fails there is false.
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from math import prod
 
@@ -136,7 +136,8 @@ class Sample:
         """The key of a name, of a derivative of one, or of what is printed like one; or none."""
         found = key_of(node, self.primed)
         primes = len(found) - 1 if found and isinstance(node, Derivative) else 0
-        if found and primes and found[0] in self.arguments and _is_primed(node):
+        argument = self.arguments.get(found[0], "") if found and primes else ""
+        if found and argument and _derives_by(node, ("prime", argument)):
             return (found[0] + "'" * primes,)
         return found
 
@@ -398,11 +399,11 @@ class Sample:
         return (ends[0] - ends[1]) / (2 * _STEP)
 
 
-def _is_primed(node: Formula) -> bool:
-    """Whether a derivative is printed with primes alone."""
-    while isinstance(node, Derivative) and node.mark == "prime":
+def _derives_by(node: Formula, marks: Collection[str]) -> bool:
+    """Whether a derivative of a name is made by some marks alone."""
+    while isinstance(node, Derivative) and node.mark in marks:
         node = node.argument
-    return not isinstance(node, Derivative)
+    return isinstance(node, Name)
 
 
 def _divisor(value: acb) -> acb:
