@@ -77,8 +77,17 @@ _ARROW = re.compile(r"\\(?:(?:Long)?(?:[Ll]eft)?[Rr]ightarrow|implies|iff)(?:[\s
 _SIGNS = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|±|∓")
 """The signs of two statements, of which one may follow."""
 
+_CASE = re.compile(
+    r"\\(?:text|mbox)\s*\{\s*(?:if|when|for(?!\s+(?:all|any|every|each)\b)(?!\W*[ijkn]\W*(?:=|\\in)))\b",
+    re.IGNORECASE,
+)
+"""Words behind an equation for when it holds alone."""
+
 MOST = 3
 """How many repairs are told."""
+
+NEXT = 20
+"""So many characters behind an equation may say when it holds."""
 
 NEAR = 3
 """In how many displays before a step that fails the reason is looked for."""
@@ -439,7 +448,8 @@ def _says(item: SourceStatement, formula: Formula, known: Known) -> bool:
         return True
     if role is None or role.name in (OTHER, NOTATION) or not pairs_of(formula):
         return False
-    if _ASKED.search(item.before):
+    printed = known.paper.expanded.text[item.typed.start : item.typed.end + NEXT]
+    if _ASKED.search(item.before) or (_CASE.search(printed) and not item.typed.inline):
         return False
     if role.name == ASSUMPTION and role.kind not in ("", OF_SENTENCE):
         return False
