@@ -210,12 +210,13 @@ class Sample:
         return self.values[key]
 
     def slope_of_given(self, key: Key) -> Formula | None:
-        """The derivative that a name with primes is, of what is given; or none."""
+        """The derivative that a name with primes is, of what its argument gives; or none."""
         below, primes = key[0], 0
         while len(key) == 1 and below.endswith("'") and (below,) not in self.given:
             below, primes = below[:-1], primes + 1
         argument = self._argument((below,))
-        if not primes or not argument or (below,) not in self.given:
+        given = self.given.get((below,))
+        if not primes or given is None or argument not in given.names():
             return None
         found: Formula = Name(below)
         for _ in range(primes):
