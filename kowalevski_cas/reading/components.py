@@ -102,6 +102,7 @@ class Components:
 
     def __init__(self, words: Vocabulary, names: Collection[str], size: int) -> None:
         self._words, self._names, self._places = words, {*names}, range(size)
+        self._found: dict[Formula, Row] = {}
 
     def of(self, formula: Formula) -> list[Formula]:
         """What an equation says of the components of its vectors.
@@ -150,7 +151,12 @@ class Components:
         return Sum((*(Power(one, Number(2)) for one in self._vector(formula)),))
 
     def _vector(self, formula: Formula) -> Row:
-        """The components of a vector."""
+        """The components of a vector, which are found once."""
+        if formula not in self._found:
+            self._found[formula] = self._components(formula)
+        return self._found[formula]
+
+    def _components(self, formula: Formula) -> Row:
         if formula == ZERO:
             return (ZERO,) * len(self._places)
         if self._rank(formula) in (MATRIX, SCALAR):
