@@ -182,12 +182,14 @@ CUES: dict[str, str] = {
         §[\s,]*(?:\w+\s+){0,3}(?:is|are)\s+(?:not|impossible)\b \bno\s+longer\b
         never\b(?!\s+(?:in|de)creas|\s+grow)
         \b(?:on|along|for|by)\s+no\b wrong\w* incorrect\w* erroneous\w* false\b
-        mistak\w+ misprint\w* contrary impossible\s+that\b невозможно
+        mistak\w+ misprint\w* (?<!on\sthe\s)contrary impossible\s+that\b невозможно
         instead\s+of\s*(?:§|$) contradict\w+ if\s+it\s+were \bwere\b would\s+be fails?\b cannot\b
         \b(?:no|without)\s+(?:\w+\s+){0,2}integrals?(?:\s+\w+){0,3}\s*§ refut\w+
         §[\s,]*(?:\w+\s+){0,2}(?:no|without)\s+(?:\w+\s+){0,2}integrals?
         \b(?:without|dropping)\s+(?:the\s+)?(?:restriction|condition|assumption|hypothesis)\w*\s*(?:§|$)
         \bбез\s+(?:ограничени|услови|предположени)\w+\s*(?:§|$)
+        \b(?:not|never|without)\s+(?:suppos|assum|requir|impos|demand)\w*\s+(?:that\s+)?(?:§|$)
+        \bне\s+(?:предполага|требу|допуска)\w*,?\s+(?:что\s+)?(?:§|$)
         in\s+place\s+of\s*(?:§|$) \bneither\b ^\s*nor\s*§ ^\s*ни\s*§
         невер\w+ ошиб\w+ ложн\w+ опечат\w+
         вместо\s*(?:§|$) противореч\w+ не\s+явля\w+ не\s+(?:сохраня|постоян)\w+ нельзя

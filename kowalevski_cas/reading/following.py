@@ -307,7 +307,9 @@ class _Section:
         while isinstance(derived, Derivative):
             derived = derived.argument
         given = (self.formulas[one] for one in self.said if one.order < item.order)
-        derives = derived != pairs[0][0] and any(pairs_of(one)[0][0] == derived for one in given)
+        derives = derived != pairs[0][0] and any(
+            pair[0] == derived for one in given for pair in pairs_of(one)[:1]
+        )
         partial = {node.argument for node in formula.nodes() if isinstance(node, Partial)}
         if _is_varied(formula):
             return False

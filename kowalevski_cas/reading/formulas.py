@@ -163,8 +163,12 @@ def _by_elements(formulas: Sequence[TypedFormula], known: frozenset[str]) -> fro
 
 
 BY_NO_TIME = "a derivative by what is no time"
-_RATIO = re.compile(r"(?:\\[dt]?frac\s*\{?|/)\s*(?:d\b|\\mathrm\s*\{\s*d\s*\})")
-"""A differential above a line, or below a slash."""
+_RATIO = re.compile(
+    r"(?:\\[dt]?frac\s*\{?|/)\s*\\mathrm\s*\{\s*d\s*\}"
+    r"|\\[dt]?frac\s*\{?\s*d\b(?!\s*\}\s*(?:[^\sd{]|\{\s*[^\sd\\]))"
+    r"|/\s*d\s*(?!\\q?quad)(?:[A-Za-z]|\\[A-Za-z])"
+)
+"""A differential above a line, or below a slash; where d stands there alone it is a letter."""
 _DIFFERENTIALS = ("d", r"\delta", r"\Delta", "D")
 """Letters that nobody prints above a line and below it, unless they make differentials."""
 

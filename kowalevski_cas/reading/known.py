@@ -9,13 +9,14 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import NamedTuple
 
-from kowalevski_cas.notation import Formula, Name, NotationError, Number, Power, Quotient
+from kowalevski_cas.notation import Name, NotationError, Number, Power, Quotient
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.reading.cases import is_told_apart, named_case
 from kowalevski_cas.reading.clauses import Clauses
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.lifted import is_lifted, may_lift
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, is_numerical
 
@@ -283,38 +284,17 @@ class Known:
         if one.sentence != item.sentence and self._is_told_apart(one):
             return False
         before = one.order < item.order and one not in clauses.behind
-        return before and self.reaches(one, item) and not self._is_over(one, item)
+        return before and self.reaches(one, item) and not self._is_lifted(one, item)
 
     def _is_told_apart(self, one: SourceStatement) -> bool:
         return is_told_apart(one, self.of_sentence(one.sentence))
 
-    def _is_over(self, one: SourceStatement, item: SourceStatement) -> bool:
-        """Whether a later paragraph gives a constant of the case another number: it is over.
+    def _is_lifted(self, one: SourceStatement, item: SourceStatement) -> bool:
+        return is_lifted(one, item, self._lifting, self.assumptions, self.paper.prose)
 
-        What a sentence supposes together is one case. It is over as well where a sentence says that
-        such a constant is arbitrary, or speaks of the general case, in which constants may still be
-        unequal.
-        """
-        words = self.paper.prose.between(one.typed.end, item.typed.start)
-        if self.roles[one].kind != "inequality" and _GENERAL.search(words):
-            return True
-        case = [o for o in self.assumptions if o.sentence == one.sentence]
-        values = {name: value for o in case for name, value in _numbers(o)}
-        if any(
-            isinstance(o.formula, Name)
-            and o.formula.name in values
-            and one.order < o.order < item.order
-            and o.sentence != one.sentence
-            and _FREED.match(o.tail)
-            for o in self.items
-        ):
-            return True
-        return any(
-            values.get(name, value) != value
-            for other in self.assumptions
-            if one.order < other.order < item.order and other.paragraph != one.paragraph
-            for name, value in _numbers(other)
-        )
+    @cached_property
+    def _lifting(self) -> list[SourceStatement]:
+        return [one for one in self.items if may_lift(one)]
 
     def _clauses(self, sentence: tuple[int, int]) -> Clauses:
         claims = {
@@ -375,7 +355,8 @@ class Known:
             for one in before
             if (
                 self.roles[one].kind == "set in force"
-                and _within(one, item)
+                and self.is_within(one, item)
+                and not self._is_lifted(one, item)
                 and (len(one.names) != 1 or last[one.names] is one)
             )
             or (self.roles[one].kind == "set of the sentence" and one.sentence == item.sentence)
@@ -390,7 +371,18 @@ class Known:
             return one.sentence == item.sentence
         if kind == FUNCTION and one.section is not item.section:
             return False
-        return _within(one, item)
+        return self.is_within(one, item)
+
+    def is_within(self, one: SourceStatement, item: SourceStatement) -> bool:
+        """Whether a statement stands where another one holds: in its item of a list, or theorem.
+
+        Outside of theorems that is its section; what is said in a footnote is said there.
+        """
+        aside = self.paper.prose.footnote(one.typed.start)
+        for place in filter(None, (one.entry, aside)):
+            if not place[0] <= item.typed.start < place[1]:
+                return False
+        return one.section in item.sections if one.theorem is None else one.theorem == item.theorem
 
     def special(self, law: Law) -> list[SourceStatement]:
         """The assumptions about the constants of a law for which it is printed anew."""
@@ -411,16 +403,6 @@ class Known:
         return [name for name in names if self.varies(name)]
 
 
-_FREED = re.compile(
-    r"[\s,~]*(?:is|are|be|remains?|[-—–]+)?\s*(?:(?:again|now|once|more)\s+)*(?:arbitrary|произвольн\w+)",
-    re.IGNORECASE,
-)
-"""How words begin behind a constant of which no value is supposed any more."""
-_GENERAL = re.compile(
-    r"(?:[.;:]\s*|\n\s*)(?:in\s+(?:the\s+)?general(?:\s+case)?|generally|otherwise|в\s+общем\s+случае|иначе)\b",
-    re.IGNORECASE,
-)
-"""How a sentence, or a part of it, begins that leaves a case."""
 _STEP = re.compile(r"([a-z])(?:[+-]\d+)?")
 
 
@@ -429,19 +411,3 @@ def _sequence(name: str) -> tuple[str, str] | None:
     parts = symbol(name)
     step = _STEP.fullmatch(parts.index)
     return (replace(parts, index="").name, step[1]) if step else None
-
-
-def _numbers(one: SourceStatement) -> Iterator[tuple[str, Formula]]:
-    """The names to which an equation gives a number, with it."""
-    numbers = [member for member in one.members if not member.names()]
-    yield from ((name, number) for number in numbers for name in one.bare)
-
-
-def _within(one: SourceStatement, item: SourceStatement) -> bool:
-    """Whether a statement stands where another one holds: in its item of a list, in its theorem.
-
-    Outside of theorems that is its section.
-    """
-    if one.entry is not None and not one.entry[0] <= item.typed.start < one.entry[1]:
-        return False
-    return one.section in item.sections if one.theorem is None else one.theorem == item.theorem

@@ -21,7 +21,7 @@ from kowalevski_cas.reading.hypotheses import near
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.rung import Rung, RungMaker, places
 from kowalevski_cas.reading.sets import SetOfEquations
-from kowalevski_cas.reading.solutions import solution_of
+from kowalevski_cas.reading.solutions import refuse_too_special, solution_of
 from kowalevski_cas.reading.statements import SourceStatement
 
 
@@ -39,6 +39,7 @@ def solutions(at: RungMaker) -> Iterator[Rung]:
     moves = any(map(at.known.moves, at.item.bare))
     law = at.stage.law(at.item, beside) if moves else None
     found = solution_of(at.item, beside, law, at.known)
+    refuse_too_special(at.item, found, law, at.known)
     still = Law((), (law or at.known.laws[-1]).names, change=found.given)
     says = "this solves its equation of motion"
     for assumptions, values in product(at.ways(), _beginnings(at, law, found.given)):

@@ -82,10 +82,16 @@ def _is_main(item: SourceStatement) -> bool:
     if item.typed.inline:
         return False
     words = item.lead if item.lead.strip(" ,;~") else item.before
-    if not all(_BESIDE.fullmatch(found[0].strip()) for found in cues("suppose", f"{words} ")):
+    if cue("suppose", f"{words} ") and not _only_beside(words):
         return False
     alone = "§" not in item.before and not re.search(r"\w", item.after)
     return bool(_SAYS.search(item.lead)) or item.lead.strip() == "," or alone
+
+
+def _only_beside(words: str) -> bool:
+    """Whether some words suppose something, but none so that it is in force behind them."""
+    said = cues("suppose", f"{words} ")
+    return bool(said) and all(_BESIDE.fullmatch(one[0].strip()) for one in said)
 
 
 def supposing(item: SourceStatement) -> str:
@@ -113,6 +119,8 @@ def reach(item: SourceStatement) -> str:
     """How far it reaches what is supposed of what moves."""
     if cue("here", f"{item.before} ") or (is_conditional(item) and cue("then", item.tail[:12])):
         return "set of the sentence"
+    if _only_beside(item.before):
+        return "set of the sentence"
     return "set in force" if cue("suppose", f"{joined_lead(item)} ") else "set"
 
 
@@ -126,9 +134,17 @@ _CASE_IN_TITLE = re.compile(
 """A heading that names a case: with what it begins is supposed in all of it."""
 
 
+_EXIST = re.compile(
+    r"\bthere\s+(?:is|are|exists?|may|can)\b|\bexists?\b|\bсуществу\w+|\bимеются?\b", re.IGNORECASE
+)
+"""Words that say that there is something: what is supposed of that is supposed of nothing else."""
+
+
 def reach_of_constants(item: SourceStatement) -> str:
     """How far it reaches what is supposed of constants; to the end of the section, if empty."""
     brief = cue("for", f"{item.before} ") or cue("if", item.lead) or _AT.search(item.lead)
+    beside = _EXIST.search(item.before) and _only_beside(item.before)
+    brief = brief or beside or cue("approximate", item.before)
     titled = bool(item.earlier and _CASE_IN_TITLE.match(item.earlier[0]))
     begun = titled and item.before == item.lead and cue("then", item.tail[:12])
     lasting = cue("lasting", item.before) or begun

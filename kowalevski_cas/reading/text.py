@@ -56,7 +56,7 @@ _ABBREVIATED = re.compile(
     r"|[Pp]p?|[Nn]os?|[Vv]ol|[Cc]h|[Cc]hap|т\.\s?[екдп]|см|ср|рис|гл|стр|ур|соотв|напр)$"
 )
 _WORD = re.compile(r"(?<![\\\w])[^\W\d]{2}")
-_FOOTNOTE = re.compile(r"\\footnote(?:text)?\s*(?:\[[^\]]*\])?\s*\{")
+_FOOTNOTE = re.compile(r"\\(?:footnote(?:text)?|caption)\s*(?:\[[^\]]*\])?\s*\{")
 _BRACE = re.compile(r"(?<!\\)[{}]")
 _PRINTED = re.compile(r"\((\d[\w.*']{0,8})\)")
 _REFERENCE = re.compile(r"\\(?:eq|c|C|auto)?ref\s*\{([^{}]*)\}")
@@ -193,7 +193,7 @@ class Prose:
 
     @cached_property
     def footnotes(self) -> list[tuple[int, int]]:
-        """The intervals of the footnotes, to the brace that closes each."""
+        """The intervals of footnotes and captions, to the brace that closes each."""
         found: list[tuple[int, int]] = []
         for match in _FOOTNOTE.finditer(self.text, self.start):
             depth = 1
@@ -205,7 +205,7 @@ class Prose:
         return found
 
     def footnote(self, offset: int) -> tuple[int, int] | None:
-        """The interval of the footnote around an offset."""
+        """The interval of the footnote, or the caption, around an offset."""
         return next((one for one in self.footnotes if one[0] <= offset < one[1]), None)
 
     def entry(self, offset: int) -> tuple[int, int] | None:

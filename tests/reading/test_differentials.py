@@ -42,3 +42,10 @@ def test_nor_do_they_in_any_type(type):
 def test_letters_that_are_constants_stay_so(words, green):
     found = reading(rf"{LAW}{words}.")
     assert [one.green for one in verdicts(rf"{LAW}{words}.").values()] == [green], found
+
+
+@pytest.mark.parametrize("form", ["c/d", r"\frac cd", r"\frac{c}{d}", "(c/d)", r"c\cdot1/d"])
+def test_d_alone_above_a_line_or_below_it_is_a_letter(form):
+    text = r"Consider $\dot x=x(a-by)$, $\dot y=y(-c+dx)$. The only equilibrium with $xy\ne0$ is "
+    found = verdicts(f"{text}$x={form}$, $y=a/b$.")
+    assert [one.green for one in found.values()] == [True, True]

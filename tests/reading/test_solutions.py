@@ -64,3 +64,20 @@ def test_a_chain_gives_all_its_names(power, true):
 def test_functions_of_what_moves_solve_the_equations_that_are_claimed_of_them(sign, u, v, true):
     text = PAIR.replace("{SIGN}", sign) + rf"{BY_TIME} \[ u={u},\qquad v={v} . \]"
     assert green(text) == [true, true]
+
+
+@pytest.mark.parametrize("words", ["The general solution", "Every solution", "Общее решение"])
+@pytest.mark.parametrize(
+    ("solution", "true"),
+    [
+        (r"A\cos2t+B\sin2t", [True]),
+        (r"a\cos(2t+b)", [True]),
+        (r"A\cos2t", []),
+        (r"A\cos2t+A\sin2t", []),
+        (r"A\cos3t+B\sin3t", [False]),
+    ],
+)
+def test_the_general_solution_has_as_many_constants_as_the_order_of_its_equations(
+    words, solution, true
+):
+    assert green(rf"{words} of \[\ddot x=-4x\] is \[x={solution}.\]") == true

@@ -233,3 +233,24 @@ def test_a_value_at_one_place_is_supposed_nowhere_else(at):
     """Else what is printed behind would be true because both sides vanish."""
     text = rf"The motion is $\ddot q=-q$. This is integrated with $x=0$ {at} $y=0$: \[ x=2a(y-\sin y) . \]"
     assert not any(verdict.green for verdict in verdicts(text).values())
+
+
+DUFFING = r"""The equations are $\dot x=y$, $\dot y=ax-x^3-by$. Let $H=\frac12y^2-\frac a2x^2+\frac14x^4$. """
+
+
+@pytest.mark.parametrize(
+    ("before", "green"),
+    [
+        ("There is an equilibrium at the origin, with $y=0$. For $a=1$ we have ", False),
+        ("There is an equilibrium at the origin, with $y=0$. Then ", False),
+        ("There are motions with $b=0$ which are periodic. For any $a>0$ we have ", False),
+        ("Существуют движения с $b=0$. При $a>0$ имеем ", False),
+        ("Consider the system with $b=0$. For any $a>0$ we have ", True),
+        ("Suppose that $b=0$. Then ", True),
+        ("We now consider the points with $y=0$. Then ", True),
+    ],
+)
+def test_what_is_said_beside_of_some_points_or_motions_is_supposed_of_no_others(before, green):
+    (found,) = verdicts(rf"{DUFFING}{before}$\dot H=0$.").values()
+    assert found.green == green
+    assert green or found != Verdict.REFUTED

@@ -1,0 +1,119 @@
+"""Where what was supposed of constants, or of what moves, is over.
+
+Words leave the case, or speak of other values of what has one in it: who has supposed :math:`b=0`
+says “for any b”, or :math:`b>0`, only where this is supposed no more.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+
+from kowalevski_cas.notation import Formula, Name, Number, Relation
+from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.text import Prose
+
+_GENERAL = re.compile(
+    r"(?:[.;:]\s*|\n\s*)(?:(?:in\s+(?:the\s+)?general(?:\s+case)?|generally|otherwise|в\s+общем\s+случае|иначе"
+    r"|im\s+allgemeinen(?:\s+Fall)?|allgemein|sonst|dans\s+le\s+cas\s+g\S*n\S*ral|en\s+g\S*n\S*ral)\b)",
+    re.IGNORECASE,
+)
+"""How a sentence, or a part of it, begins that leaves a case."""
+_LEAVES = re.compile(
+    r"\b(?:drop|remov|lift|relax|abandon|discard|giv\w+\s+up)\w*\s+(?:\w+\s+){0,3}(?:assum|restrict|condition|hypothes|requir|simplif)\w*"
+    r"|\bwithout\s+(?:\w+\s+){0,2}(?:assum|restrict|condition|hypothes|requir|simplif)\w*"
+    r"|\b(?:return|com|go|turn)(?:s|e|es|ing)?\s+back\s+to\b|\breturn(?:s|ing)?\s+to\b"
+    r"|\b(?:full|exact|original|complete|unrestricted|general)\s+(?:system|problem|equations?|case|model|motion)\b"
+    r"|\b(?:верн[её]мся|возвращаясь|возвратимся|снимем|отбросим|отказ\w+)\b"
+    r"|\bбез\s+(?:\w+\s+){0,2}(?:предположени|ограничени|услови)\w*|\bобщ(?:ем|ей|ую|ий|ему)\s+(?:случа|задач|систем)\w*"
+    r"|\bohne\s+(?:\w+\s+){0,2}(?:Annahme|Voraussetzung|Einschr\S*nkung)|\bsans\s+(?:\w+\s+){0,2}(?:hypoth|restriction|condition)",
+    re.IGNORECASE,
+)
+"""Words that leave a case."""
+_OTHERS = re.compile(
+    r"\b(?:any|all|every|each|other|arbitrary|generic|positive|negative|non-?zero|non-?vanishing|whatever|whichever"
+    r"|irrespective\w*|independent\w*|regardless|values?|small|large|var(?:y|ies)"
+    r"|любо\w*|любы\w*|все\w*|всяк\w*|произвольн\w*|други\w*|положительн\w*|отрицательн\w*|ненулев\w*|независимо|малы\w*"
+    r"|beliebig\w*|alle\w*|jede\w*|andere\w*|positiv\w*|negativ\w*|tout\w*|tous|quelconque\w*|quel\w*|autres?|positi\w+)\b",
+    re.IGNORECASE,
+)
+"""Words for other values of a letter that they stand beside."""
+_DENIED = {-1: (">", r"\ge", r"\geq"), 0: ("<", ">", r"\ne", r"\neq"), 1: ("<", r"\le", r"\leq")}
+"""The signs that do not hold of numbers, by the sign of their difference."""
+_BESIDE = 40
+"""So many signs from a letter stand words that are about it."""
+
+
+def is_lifted(
+    one: SourceStatement,
+    item: SourceStatement,
+    items: Iterable[SourceStatement],
+    assumptions: Iterable[SourceStatement],
+    prose: Prose,
+) -> bool:
+    """Whether what a statement supposes is over where another one stands.
+
+    What a sentence supposes together is one case; a later one may give a constant another number.
+    In the general case constants may still be unequal. Only some ``items`` may lift anything.
+    """
+    words = f"{prose.between(one.typed.end, item.typed.start)} § {item.tail}"
+    compared = one.formula is not None and not one.members
+    if not compared and (_GENERAL.search(words) or _LEAVES.search(words)):
+        return True
+    case = [other for other in assumptions if other.sentence == one.sentence]
+    values = {name: value for other in case for name, value in _numbers(other)}
+    between = [
+        other
+        for other in (items if values else ())
+        if one.order < other.order < item.order and other.sentence != one.sentence
+    ]
+    return any(
+        _is_denied(other, values)
+        or _speaks_of_others(other, values, prose)
+        or (_gives_another(other, values) and not _is_aside(other, one, item))
+        for other in between
+    )
+
+
+def _is_aside(other: SourceStatement, one: SourceStatement, item: SourceStatement) -> bool:
+    """Whether a sentence speaks of another case aside: in the paragraph of the first one."""
+    return other.paragraph == one.paragraph and other.sentence != item.sentence
+
+
+def may_lift(one: SourceStatement) -> bool:
+    """Whether a statement is a letter alone, or compares one with a number, or gives it one."""
+    return isinstance(one.formula, Name) or any(not member.names() for member in _members(one))
+
+
+def _members(one: SourceStatement) -> tuple[Formula, ...]:
+    return one.formula.members if isinstance(one.formula, Relation) else ()
+
+
+def _gives_another(one: SourceStatement, values: dict[str, Formula]) -> bool:
+    """Whether a statement gives a letter another number than it has."""
+    return any(values.get(name, value) != value for name, value in _numbers(one))
+
+
+def _is_denied(one: SourceStatement, values: dict[str, Formula]) -> bool:
+    """Whether an inequality does not hold of the number that a letter has."""
+    match one.formula:
+        case Relation((Name(name), Number(bound)), (sign,)) if name in values:
+            value = values[name]
+            if isinstance(value, Number):
+                return sign in _DENIED[(value.value > bound) - (value.value < bound)]
+    return False
+
+
+def _speaks_of_others(one: SourceStatement, values: dict[str, Formula], prose: Prose) -> bool:
+    """Whether words beside a letter that has a number speak of other values of it."""
+    if not isinstance(one.formula, Name) or one.formula.name not in values:
+        return False
+    before = prose.between(max(one.typed.start - _BESIDE, one.sentence[0]), one.typed.start)
+    behind = prose.between(one.typed.end, min(one.typed.end + _BESIDE, one.sentence[1]))
+    return any(map(_OTHERS.search, (before.rpartition("§")[2], behind.partition("§")[0])))
+
+
+def _numbers(one: SourceStatement) -> Iterator[tuple[str, Formula]]:
+    """The names to which an equation gives a number, with it."""
+    numbers = [member for member in one.members if not member.names()]
+    yield from ((name, number) for number in numbers for name in one.bare)

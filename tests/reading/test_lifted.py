@@ -1,0 +1,48 @@
+"""Where what was supposed is over: words leave the case, or speak of other values."""
+
+import pytest
+
+from tests.reading.test_reading import verdicts
+from tests.sample import sampled
+
+DAMPED = r"""The equations are $\dot x=y$, $\dot y=ax-x^3-by$.
+Let $H=\frac12y^2-\frac a2x^2+\frac14x^4$. """
+RATE = r"$\dot H=0$"
+
+LASTING = [
+    rf"Let $b=0$. Then the motion is periodic. The function $H$ satisfies {RATE}.",
+    rf"In the case $b=0$ the system is conservative. We have {RATE}.",
+    rf"Let $b=0$. The mass may have any value. We have {RATE}.",
+    rf"In what follows $b=0$ and $a>0$. The constant $b$ will not be mentioned. Then {RATE}.",
+    rf"Let $b=0$. Obviously $b\ge0$ and $b<1$. Then {RATE}.",
+    rf"Пусть $b=0$. Тогда движение периодично. Имеем {RATE}.",
+]
+LIFTED = [
+    rf"Suppose first that $b=0$. For any $b$ we have {RATE}.",
+    rf"The case $b=0$ was studied by Duffing. For all other values of $b$ we have {RATE}.",
+    rf"Taking $b=0$ would simplify matters. Whatever $b$ may be, we have {RATE}.",
+    rf"Assume for the moment that $b=0$. In what follows $b>0$. Then {RATE}.",
+    rf"Systems with $b=0$ are called conservative. In what follows $b\ne0$. Then {RATE}.",
+    rf"\begin{{figure}}\caption{{The portrait. Here $b=0$.}}\end{{figure}} We have {RATE}.",
+    rf"The portrait is simple\footnote{{Here we put $b=0$.}}. We have {RATE}.",
+    rf"We do not assume that $b=0$. Then {RATE}.",
+    rf"Мы не предполагаем, что $b=0$. Тогда {RATE}.",
+    rf"Let $b=0$. Then it is periodic. We now drop this assumption. Then {RATE}.",
+    rf"Let $b=0$. Then it is periodic. The reader will check that {RATE} holds without this restriction.",
+    rf"Let $b=0$. Then it is periodic. Returning to the general problem, we have {RATE}.",
+    rf"Let $b=0$. Then it is periodic. For positive $b$ one has {RATE}.",
+    rf"Let $b=0$. Then it is periodic. On the contrary, for $b=-1$ we get {RATE}.",
+    rf"Let $b=0$. Then it is periodic. \subsection{{Arbitrary $b$}} We have {RATE}.",
+    rf"To zeroth order $b=0$. The exact equations give {RATE}.",
+    rf"Let $y=0$. Then it is at rest. In general {RATE}.",
+    rf"Пусть $b=0$. Тогда движение периодично. При любом $b$ имеем {RATE}.",
+    rf"Es sei $b=0$. Im allgemeinen gilt {RATE}.",
+    rf"Soit $b=0$. Dans le cas g\'en\'eral on a {RATE}.",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("words", "lasts"), sampled([*((w, True) for w in LASTING), *((w, False) for w in LIFTED)], 8)
+)
+def test_what_was_supposed_proves_nothing_where_it_is_over(words, lasts):
+    assert verdicts(DAMPED + words)[r"\dot H=0"].green == lasts
