@@ -48,4 +48,4 @@ def test_letters_that_are_constants_stay_so(words, green):
 def test_d_alone_above_a_line_or_below_it_is_a_letter(form):
     text = r"Consider $\dot x=x(a-by)$, $\dot y=y(-c+dx)$. The only equilibrium with $xy\ne0$ is "
     found = verdicts(f"{text}$x={form}$, $y=a/b$.")
-    assert [one.green for one in found.values()] == [True, True]
+    assert found and all(one.green for one in found.values())
