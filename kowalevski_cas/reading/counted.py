@@ -8,11 +8,12 @@ proved holds for this number alone, and the audit says so; what fails for it fai
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from kowalevski_cas.source.displays import TypedFormula
-from kowalevski_cas.source.tokens import tokens_of
+from kowalevski_cas.source.tokens import Token, tokens_of
 
 SEVERAL = 3
 """How many bodies there are where a letter says how many."""
@@ -40,7 +41,7 @@ _ENDS = [
 PERIOD = r"\b(?:ind(?:ex|ices)|индекс\w*)\b[^.;]{0,60}?\b(?:modulo|mod|по\s+модулю)[\s~]*"
 _MODULO = re.compile(rf"{PERIOD}\$\s*{_LETTER}", re.IGNORECASE)
 _RUNNING = re.compile(
-    r"(?:_\s*\{\s*|(?<![A-Za-z\\]))(?P<letters>[a-z](?:\s*,\s*[a-z])*)\s*=\s*\d\s*[,}]"
+    rf"(?:_\s*\{{\s*(?P<below>{_INDEX})\s*=\s*\d|(?<![A-Za-z\\])(?P<letters>{_INDEX})\s*=\s*\d\s*,\s*(?:\d|{_DOTS}))"
 )
 """Letters that are indices: they run."""
 _SHIFTED = re.compile(r"_\s*\{\s*([a-z])\s*[+-]\s*\d\s*\}")
@@ -52,6 +53,10 @@ _MORE = r"""(?x)
     |^\s*{0}\s*&?=(?!\s*\d+[\s.,;]*$|\s*\d+\s*,)                        # it is defined
 """
 """What is said of a letter that does more than count."""
+_AS_A_NUMBER = re.compile(
+    r"[_^]\s*(?:[A-Za-z]|\{[^{}]*\})|\\frac\s*\{[^{}]*\\pi[^{}]*\}\s*(?:[A-Za-z]|\{[^{}]*\})"
+)
+"""Indices, exponents, and parts of a turn: what stands there is a number, whatever it counts."""
 _PARITY = r"(?:odd|even|prime|неч[её]тн\w*|ч[её]тн\w*)"
 _SOME = rf"(?:{_PARITY}[\s~]*\$\s*{{0}}\b|\$\s*{{0}}\s*\$[\s~]*(?:(?:is|be|are)[\s~]+)?{_PARITY}\b)"
 """Words that say for which numbers only something holds."""
@@ -67,7 +72,7 @@ def counts(formulas: Sequence[TypedFormula], text: str) -> dict[str, int]:
         letter.strip()
         for tex in texts
         for match in _RUNNING.finditer(tex)
-        for letter in match["letters"].split(",")
+        for letter in (match["below"] or match["letters"]).split(",")
     }
     found = dict.fromkeys(_MODULO.findall(text))
     for match in (match for tex in texts for end in _ENDS for match in end.finditer(tex)):
@@ -79,14 +84,18 @@ def counts(formulas: Sequence[TypedFormula], text: str) -> dict[str, int]:
 
 
 def _number(letter: str, texts: Sequence[str], text: str, usual: int) -> int:
-    """The number for a letter; 0 if it may be something else, or if it is several numbers."""
+    """The number for a letter; 0 if it may be something else.
+
+    Of several numbers that it has in special cases it is the one that is printed most.
+    """
     if any(_is_more(letter, tex) for tex in texts) or re.search(_SOME.format(letter), text):
         return 0
     said = [match for tex in texts for match in re.finditer(_SAID.format(letter), tex)]
-    exact = {int(match["number"]) for match in said if match["sign"] == "="}
+    exact = Counter(int(match["number"]) for match in said if match["sign"] == "=")
+    del exact[1]
     least = [int(m["number"]) + (m["sign"] == ">") for m in said if m["sign"] != "="]
-    number = exact.pop() if len(exact) == 1 else max([usual, *least])
-    return number if not exact and 1 < number <= LARGEST else 0
+    number = exact.most_common(1)[0][0] if exact else max([usual, *least])
+    return number if 1 < number <= LARGEST else 0
 
 
 def _is_more(letter: str, tex: str) -> bool:
@@ -98,8 +107,11 @@ def _is_more(letter: str, tex: str) -> bool:
     outside = tex
     for end in _ENDS:
         outside = end.sub("", outside)
-    outside = re.sub(r"_\s*(?:[A-Za-z]|\{[^{}]*\})", "", outside)
-    return not _SUMS.search(tex) and stands_in(letter, outside)
+    outside = _AS_A_NUMBER.sub("", re.sub(_SAID.format(letter), "", outside))
+    raised = re.search(
+        rf"\^\s*(?:{letter}(?![A-Za-z])|\{{[^{{}}]*(?<![A-Za-z\\]){letter}(?![A-Za-z]))", tex
+    )
+    return not (_SUMS.search(tex) or raised) and stands_in(letter, outside)
 
 
 def _has_others(letter: str, tex: str) -> bool:
@@ -133,7 +145,7 @@ def _with_number(tex: str, letter: str, number: int) -> str:
     tex = re.sub(_ADDED.format(letter), added, tex)
     tokens = tokens_of(tex)
     for k in reversed(range(len(tokens))):
-        if tokens[k].text == letter:
+        if tokens[k].text == letter and not _is_special(tokens[k + 1 : k + 3]):
             before, behind = [t.kind for t in tokens[max(0, k - 2) : k]], tokens[k + 1 : k + 2]
             argument = before[-1:] == ["frac"] or before == ["frac", "number"]
             left = r"\cdot " if before[-1:] == ["number"] and not argument else ""
@@ -141,6 +153,11 @@ def _with_number(tex: str, letter: str, number: int) -> str:
             shown = f"{{{number}}}" if argument else f"{left}{number}{right}"
             tex = f"{tex[: tokens[k].start]}{shown}{tex[tokens[k].end :]}"
     return tex
+
+
+def _is_special(behind: Sequence[Token]) -> bool:
+    """Whether what stands behind a letter that counts gives it a number: this is a special case."""
+    return [token.text for token in behind[:1]] == ["="] and behind[-1].kind == "number"
 
 
 def stands_in(letter: str, tex: str) -> bool:

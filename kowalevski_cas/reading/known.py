@@ -113,6 +113,17 @@ class Known:
         return found
 
     @cached_property
+    def special_numbers(self) -> list[SourceStatement]:
+        """The statements that give a number to a letter that counts."""
+        return [
+            one
+            for one in self.items
+            if len(one.members) == 2
+            and one.members[0] in map(Name, self.paper.numbers)
+            and isinstance(one.members[1], Number)
+        ]
+
+    @cached_property
     def unreadable(self) -> frozenset[str]:
         """The names that stand alone on a side of what cannot be read."""
         found: set[str] = set()

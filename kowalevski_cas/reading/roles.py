@@ -128,6 +128,23 @@ def unread(item: SourceStatement, known: Known) -> StatementRole | None:
     return StatementRole(UNREAD, item.trouble) if item.trouble else None
 
 
+def of_other_number(item: SourceStatement, known: Known) -> StatementRole | None:
+    """What is said for another number of what a letter counts than the paper is read for."""
+    numbers, said = known.paper.numbers, ""
+    if known.law_of(item) is not None:
+        return None
+    for one in known.special_numbers:
+        if one.sentence == item.sentence or (
+            one.paragraph == item.paragraph and one.order < item.order
+        ):
+            name, number = one.bare[0], numbers[one.bare[0]]
+            other = Number(number) not in one.members
+            said = (
+                f"said for {one.typed.tex.strip(' .,')}, not for {name}={number}" if other else ""
+            )
+    return StatementRole(OTHER, said, "asked") if said else None
+
+
 def expression(item: SourceStatement, known: Known) -> StatementRole | None:
     """What is no relation: a name, or an expression, of which only words state something."""
     if is_dependence(item):
@@ -261,9 +278,9 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 RULES: tuple[Rule, ...] = (
-    unread, beginning, idle, eigenvalue, of_flow, expression, named_set, law, radius, solved,
-    constraint, together, unit, bracket_of_momenta, bracket, bracket_of_functions, unjudged,
-    inequality, unknown, repeated, gives_derivative, special_function, change, roots,
+    unread, of_other_number, beginning, idle, eigenvalue, of_flow, expression, named_set, law,
+    radius, solved, constraint, together, unit, bracket_of_momenta, bracket, bracket_of_functions,
+    unjudged, inequality, unknown, repeated, gives_derivative, special_function, change, roots,
     claimed_set, point, tried, solution, constant_of_solution, energy, of_place, on_place,
     definition, square, assumption, value, approximate, set_of_rates, of_some_motions, rate,
     zero_set, level, integral, identity, other,

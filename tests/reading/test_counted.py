@@ -31,6 +31,11 @@ def numbers(text):
         (r"indices mod $n$, $\dot a_k=a_{k+1}$", {"n": 4}),
         (r"$c_{k+n}=c_k$, $\dot c_k=c_{k+1}$, $n\ge5$", {"n": 5}),
         (r"$\sum_{i=1}^nx_i$ with $n=2$", {"n": 2}),
+        (r"$\sum_{i=1}^nx_i$ for $n=4$, and for $n=2$, and for $n=4$", {"n": 4}),
+        (r"$\sum_{i=1}^nx_i$, for one body ($n=1$) it is $x$", {"n": 3}),
+        (r"$\sum_{i=1}^nx_i$ on $\mathbb R^{2n}$ and $TS^{n-1}$", {"n": 3}),
+        (r"$\sum_{i=1}^nx_i$ and $n^nC\le H^n$", {"n": 3}),
+        (r"$\sum_{k=1}^nx_k$, $y_k=\cos\frac{2\pi k}{n}$", {"n": 3}),
     ],
 )
 def test_a_letter_counts_with_which_a_range_a_sum_or_a_list_ends(text, expected):
@@ -49,7 +54,6 @@ def test_a_letter_counts_with_which_a_range_a_sum_or_a_list_ends(text, expected)
         r"$\sum_{i=1}^nx_i$, where $n$ is even",
         r"сумма $\sum_{i=1}^nx_i$ при чётном $n$",
         r"$\sum_{i=1}^nx_i$ as $n\to\infty$",
-        r"$\sum_{i=1}^nx_i$ for $n=3$, and for $n=4$",
         r"$\sum_{i=1}^nx_i$, $n\ge100$",
         r"$E_n=n+\frac12$, $n=0,1,2,\dots$",
         r"$\sum_{n=0}^\infty a_n$",
@@ -119,6 +123,23 @@ def test_claims_are_decided_for_a_number_and_each_says_for_which(text, true, fal
     assert green and message in ("for $N=3$", "for $n=4$")
     green, _ = decided(text.replace("TERM", false))
     assert not green
+
+
+@pytest.mark.parametrize(
+    ("words", "judged"),
+    [
+        (r"For $N=3$ it follows that \[\dot P=q_1.\]", True),
+        (r"For $N=2$ it follows that \[\dot P=q_1.\]", False),
+        (r"For two, \[\dot P=q_1\qquad(N=2).\]", False),
+        (r"Let $N=2$. It is simple. It follows that \[\dot P=q_1.\]", False),
+        ("Let $N=2$. It is simple.\n\nFor all \\[\\dot P=q_1.\\]", True),
+    ],
+)
+def test_what_is_said_for_another_number_is_not_judged_for_this_one(words, judged):
+    momentum = r"The momentum is \[P=p_1+\dots+p_N.\] Let $N=3$. It is one for $N=3$. "
+    found = audited(PARTICLES + momentum + words)
+    last = next(one for one in found.formulas if r"\dot P=q_1" in one.tex)
+    assert bool(last.claims) == judged
 
 
 def test_what_has_no_such_letter_says_nothing_of_it():
