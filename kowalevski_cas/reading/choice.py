@@ -93,6 +93,8 @@ def choose(found: list[Rung], on: Elaborations) -> Choice:
             first = place
         elif not rung.given and not found[first].given and {*rung.on} > {*found[first].on}:
             first = place  # what is supposed there is not left aside where the claim fails
+    if message in (IDLE, UNMOVED):
+        return Choice(None, message)
     if first is not None:
         message = OVERDUE if overdue - {first} else ""
     return Choice(first, message)
