@@ -158,6 +158,10 @@ CUES: dict[str, str] = {
         (?:terms|orders?|powers|squares|products|quantities)\s+(?:\S+\s+){0,6}?neglect\w*
         small\s+(?:§|angle|deviation|oscillation|motion|perturbation|amplitude|parameter|rotation|variation|displacement|vibration|quantit)\w*
         (?:§|angles?|deviations?|displacements?|amplitudes?)[\s,]*(?:is|are|being|remains?)\s+small\b
+        (?:§|angles?|deviations?|displacements?|amplitudes?)\s+(?:to\s+be\s+)?(?:very\s+)?small\b
+        (?:§|уг(?:ол|лы)|отклонени[ея]|амплитуд[уы])\s+(?:\w+\s+)?мал(?:ым|ыми|ой|ы)\b
+        линейн\w+\s+член\w*
+        petites\s+oscillations kleine\w*\s+(?:Schwingung|Ausschl|Winkel)\w*
         first\s+variation asymptotic(?:ally\s+equal|\s+(?:expansion|formula|series|equation))
         infinitesimal\w* перв\w+\s+приближени\w+ приближ[её]нн\w+
         линеариз\w+ пренебрег\w+\s+(?:\w+\s+){0,3}(?:член|слагаем|степен|квадрат|величин)\w+

@@ -42,6 +42,30 @@ _ANOTHER = re.compile(
 _NUMBERED = re.compile(r"_\{?\d")
 
 
+_SMALL = re.compile(r"\\(?:to|rightarrow|ll|approx|simeq)(?![A-Za-z])")
+"""The signs of limits, and of approximations."""
+_CIRCUMSTANCE = re.compile(
+    r"(?:^|[.;:]|,)\W*(?:(?:hence|so|thus|therefore|then|consequently|finally|but|and|now)\W+)*"
+    r"(?:(?:at|under|during|near|without|inside|outside|when|while|as\s+long\s+as|once|until)\s+(?!least|last|first|once|this|these|any|all|every|each|the\s+same|which)"
+    r"|in\s+(?:the\s+(?:absence|limit|state|position|presence|case|regime)|equilibrium|weightlessness|vacuum|rest|resonance)\b"
+    r"|(?:в\s+(?:положени|состояни|момент|точк|вершин|отсутстви|пустот)\w*))[^§]*(?:§[^§]*)?$",
+    re.IGNORECASE,
+)
+"""How the words before an equation begin that say when, or where, it is so."""
+_AT_THAT = re.compile(
+    r"[\s,~]*(?:there\b(?!\s+(?:is|are|exist))|at\s+(?:this|that|these|those)\s+(?:moment|instant|time|point|place|position)s?"
+    r"|in\s+(?:this|that)\s+(?:position|state|motion|case)|в\s+(?:этот\s+момент|этой\s+точке|этом\s+положении))",
+    re.IGNORECASE,
+)
+"""How words begin behind an equation that say so."""
+
+
+def _has_circumstance(item: SourceStatement) -> bool:
+    """Whether words say when, or where, an equation holds, and no equation that was read does."""
+    said = _CIRCUMSTANCE.search(item.before) or _AT_THAT.match(item.tail)
+    return bool(said or cue("on it", item.words))
+
+
 def doubt_of(
     item: SourceStatement, rung: Rung, candidates: Sequence[Rung], parts: Parts
 ) -> Doubt | None:
@@ -71,6 +95,9 @@ def doubt_of(
     if role.kind == "identity" and _is_of_a_motion(item, known):
         return Doubt.ALWAYS
     if is_varied(item, known):
+        return Doubt.ALWAYS
+    told = item.derives or role.kind in ("identity", "constant")
+    if told and not rung.given and _has_circumstance(item):
         return Doubt.ALWAYS
     if _is_said_elsewhere(item, known) or _stands_apart(item, rung, candidates, known):
         return Doubt.ALWAYS
@@ -148,13 +175,13 @@ def _is_of_a_motion(item: SourceStatement, known: Known) -> bool:
 
 
 def _is_in_limit(item: SourceStatement, known: Known) -> bool:
-    """Whether what tends to something is printed before a statement, in its sentence."""
+    """Whether what tends to something, or is small, stands before a statement in its sentence."""
     before = (
         one
         for one in known.items
         if one.sentence == item.sentence and one.typed.start < item.typed.start
     )
-    return any(re.search(r"\\to(?![A-Za-z])|\\rightarrow", one.typed.tex) for one in before)
+    return any(_SMALL.search(one.typed.tex) for one in before)
 
 
 def _stands_apart(

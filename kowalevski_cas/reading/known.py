@@ -16,7 +16,7 @@ from kowalevski_cas.reading.cases import is_told_apart, named_case
 from kowalevski_cas.reading.clauses import Clauses
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.law import Law
-from kowalevski_cas.reading.lifted import is_lifted, may_lift
+from kowalevski_cas.reading.lifted import goes_on, is_lifted, may_lift
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, is_numerical
 
@@ -382,7 +382,13 @@ class Known:
             return one.sentence == item.sentence
         if kind == FUNCTION and one.section is not item.section:
             return False
-        return self.is_within(one, item)
+        return self.is_within(one, item) and goes_on(one, item, self._is_special(one))
+
+    def _is_special(self, one: SourceStatement) -> bool:
+        """Whether an equation is one between constants of laws, or makes one of them zero."""
+        mentioned = {name for law in self.laws for name in self.names.scalars(law.mentions)}
+        compared = len(one.names) > 1 or Number(0) in one.members
+        return len(one.members) > 1 and compared and {*one.names} <= mentioned
 
     def is_within(self, one: SourceStatement, item: SourceStatement) -> bool:
         """Whether a statement stands where another one holds: in its item of a list, or theorem.

@@ -96,6 +96,23 @@ def _names_integral(row: SourceStatement, rows: Sequence[SourceStatement]) -> bo
     return all(Number(0) in one.members for one in own) and {*row.rates} <= others
 
 
+_ONE_MOTION = re.compile(
+    r"\b(?:circles?|circular|steady|stationary|equilibri\w+|permanent|uniform\w*|special|particular"
+    r"|at\s+the\s+(?:lowest|highest|top|bottom|turning|point)|described\s+with)\b"
+    r"|\b(?:окружност\w*|кругов\w+|стационарн\w+|равномерн\w+|равновеси\w+|перманентн\w+|частн\w+)\b",
+    re.IGNORECASE,
+)
+"""Words for motions that are not all."""
+
+
+def _is_of_one_motion(row: SourceStatement, rows: Sequence[SourceStatement]) -> bool:
+    """Whether words say of one motion only that a rate has a constant value."""
+    others = {name for one in rows for name in one.rates}
+    constant = len(row.rates) == 1 and not {*row.members[-1].names()} & others
+    alone = all(one.sentence != row.sentence for one in rows if one is not row)
+    return row.typed.inline and constant and alone and bool(_ONE_MOTION.search(row.before))
+
+
 def is_of_second_order(law: Law) -> bool:
     """Whether a law has the second derivatives of all that moves, and no higher ones."""
     orders = {x: order for row in law.rows for x, order in row.rates.items()}
@@ -199,7 +216,12 @@ class _LawFinder:
         rows = [
             row
             for row in rows
-            if row in completing or not (_names_integral(row, rows) or binds_velocities(row, rows))
+            if row in completing
+            or not (
+                _names_integral(row, rows)
+                or binds_velocities(row, rows)
+                or _is_of_one_motion(row, rows)
+            )
         ]
         entries = rows_of_matrices(paper, rows)
         rows = [one for row in rows for one in entries.get(row, [row])]

@@ -24,6 +24,8 @@ _LEAVES = re.compile(
     r"|\bwithout\s+(?:\w+\s+){0,2}(?:assum|restrict|condition|hypothes|requir|simplif)\w*"
     r"|\b(?:return|com|go|turn)(?:s|e|es|ing)?\s+back\s+to\b|\breturn(?:s|ing)?\s+to\b"
     r"|\b(?:full|exact|original|complete|unrestricted|general)\s+(?:system|problem|equations?|case|model|motion)\b"
+    r"|\b(?:for|in)\s+(?:all|every|any|each)(?:\s+(?:other|such))?\s+(?:cases?|examples?|bod(?:y|ies)|systems?|values?|parameters?|choices?|tops?)\b"
+    r"|\bfor\s+(?:other|different|generic|super\w+|sub\w+)\s+(?:values?|parameters?|bodies)\b"
     r"|\b(?:верн[её]мся|возвращаясь|возвратимся|снимем|отбросим|отказ\w+)\b"
     r"|\bбез\s+(?:\w+\s+){0,2}(?:предположени|ограничени|услови)\w*|\bобщ(?:ем|ей|ую|ий|ему)\s+(?:случа|задач|систем)\w*"
     r"|\bohne\s+(?:\w+\s+){0,2}(?:Annahme|Voraussetzung|Einschr\S*nkung)|\bsans\s+(?:\w+\s+){0,2}(?:hypoth|restriction|condition)",
@@ -42,6 +44,39 @@ _DENIED = {-1: (">", r"\ge", r"\geq"), 0: ("<", ">", r"\ne", r"\neq"), 1: ("<", 
 """The signs that do not hold of numbers, by the sign of their difference."""
 _BESIDE = 40
 """So many signs from a letter stand words that are about it."""
+
+
+_FOR_LONG = re.compile(
+    r"\\(?:(?:sub)*section|paragraph)\b"
+    r"|\b(?:let|suppos\w+|assum\w+|take|put|set|consider|choose|fix|restrict\w*|impose|require|below|always"
+    r"|throughout|henceforth|from\s+now\s+on|in\s+what\s+follows|speciali[sz]e\w*|confine|limit\s+ourselves"
+    r"|study|treat|discuss|turn\s+to|here|where|units?|напомним|далее|всюду|везде|здесь|где|единиц\w*"
+    r"|пусть|предполож\w+|полож\w+|полага\w+|прим\w+|счита\w+|рассм\w+|возьм\w+|выбер\w+"
+    r"|sei(?:en)?|setze\w*|betracht\w+|annehm\w+|nehme\w*|soi(?:en)?t|supposons|posons|consid\S+ons|prenons)\b",
+    re.IGNORECASE,
+)
+"""Words that suppose something for what follows; others speak of a case."""
+_GOES_ON = re.compile(
+    r"\W*(?:then|hence|therefore|thus|so|consequently|accordingly|it\s+follows|in\s+(?:this|that|such)\s+(?:a\s+)?case"
+    r"|here|now|and|also|this|these|it|its|they|we\s+(?:then\s+)?(?:have|get|find|obtain)|of\s+course|indeed|in\s+particular|moreover"
+    r"|тогда|отсюда|следовательно|поэтому|значит|итак|в\s+(?:этом|таком)\s+случае|при\s+этом|здесь|теперь|имеем|получа\w+|это|он[аио]?"
+    r"|dann|daher|also|somit|hier|alors|donc|ainsi|d'o\S+|ici)\b|\W*(?:§|$)",
+    re.IGNORECASE,
+)
+"""How a sentence begins that goes on with the case of which the one before it spoke."""
+
+
+def goes_on(one: SourceStatement, item: SourceStatement, special: bool) -> bool:
+    """Whether what a statement supposes is supposed for a later sentence as well.
+
+    Where no words suppose a special case for what follows, only such a sentence of the same
+    paragraph is about it as says so by its first words.
+    """
+    if one.sentence == item.sentence or not (special and one.typed.inline):
+        return True
+    if one.theorem is not None or one.entry is not None or _FOR_LONG.search(one.before):
+        return True
+    return one.paragraph == item.paragraph and _GOES_ON.match(item.before) is not None
 
 
 def is_lifted(

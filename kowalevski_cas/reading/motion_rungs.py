@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import product
@@ -17,11 +18,13 @@ from kowalevski_cas.reading.beginnings import (
     names_of_values,
     where_it_begins,
 )
+from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import near
+from kowalevski_cas.reading.known import Known
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.rung import Rung, RungMaker, places
 from kowalevski_cas.reading.sets import SetOfEquations
-from kowalevski_cas.reading.solutions import refuse_too_special, solution_of
+from kowalevski_cas.reading.solutions import ALL, lacking, solution_of
 from kowalevski_cas.reading.statements import SourceStatement
 
 
@@ -39,7 +42,8 @@ def solutions(at: RungMaker) -> Iterator[Rung]:
     moves = any(map(at.known.moves, at.item.bare))
     law = at.stage.law(at.item, beside) if moves else None
     found = solution_of(at.item, beside, law, at.known)
-    refuse_too_special(at.item, found, law, at.known)
+    if (lack := lacking(found, law, at.known)) and ALL.search(at.item.before):
+        raise ValueError(f"for all solutions {lack} more constants are needed")
     still = Law((), (law or at.known.laws[-1]).names, change=found.given)
     says = "this solves its equation of motion"
     for assumptions, values in product(at.ways(), _beginnings(at, law, found.given)):
@@ -90,6 +94,8 @@ def of_motion(at: RungMaker) -> Iterator[Rung]:
         return
     if not begins.values and not gives_velocity(item, known):
         return
+    if not begins.values and _is_deduced_of_all(item, known):
+        return
     says = "no motion leaves the set where both sides are equal"
     first = [*where_it_begins(item, begins.values, known)]
     for assumptions in at.suppositions():
@@ -101,6 +107,22 @@ def of_motion(at: RungMaker) -> Iterator[Rung]:
             ),
         )  # fmt: skip
         yield replace(rung, on=(*rung.on, *begins.values), is_stronger=True)
+
+
+_SOME = re.compile(
+    r"\b(?:separatri\w+|motions?|solutions?|orbits?|trajector\w+|curves?|loops?|waves?|pulses?|solitons?|starts?|rest"
+    r"|released|thrown|falls?|launch\w+|сепаратрис\w+|движени\w+|решени\w+|траектори\w+|орбит\w*|крив\w+|поко\w+)\b",
+    re.IGNORECASE,
+)
+"""Words for some motions."""
+_BY_INTEGRATION = re.compile(r"\bintegrat\w+|\bintegrals?\b|\bинтегр\w+", re.IGNORECASE)
+
+
+def _is_deduced_of_all(item: SourceStatement, known: Known) -> bool:
+    """Whether words deduce an equation without a constant of its own, and of no one motion."""
+    if known.untied(item.names - {*item.rates}) or _SOME.search(item.words):
+        return False
+    return bool(cue("deduced", item.before) or _BY_INTEGRATION.search(item.before))
 
 
 def along_solution(at: RungMaker) -> Iterator[Rung]:

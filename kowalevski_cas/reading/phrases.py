@@ -115,11 +115,15 @@ _ASIDE = re.compile(r"(?:,|\band)\s+(?:with|for|при|для)[\s~]*$", re.IGNOR
 """How words end behind which something is said aside; what is displayed behind that is not."""
 
 
+PUT = re.compile(r"\b(?:putting|setting|полагая|положив)[\s~]*$", re.IGNORECASE)
+"""How words end behind which something is put so, for what follows in the sentence."""
+
+
 def reach(item: SourceStatement) -> str:
     """How far it reaches what is supposed of what moves."""
     if cue("here", f"{item.before} ") or (is_conditional(item) and cue("then", item.tail[:12])):
         return "set of the sentence"
-    if _only_beside(item.before):
+    if _only_beside(item.before) or PUT.search(joined_lead(item)):
         return "set of the sentence"
     return "set in force" if cue("suppose", f"{joined_lead(item)} ") else "set"
 

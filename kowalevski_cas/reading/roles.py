@@ -145,6 +145,15 @@ def of_other_number(item: SourceStatement, known: Known) -> StatementRole | None
     return StatementRole(OTHER, said, "asked") if said else None
 
 
+def supposed_constant(item: SourceStatement, known: Known) -> StatementRole | None:
+    """What is supposed to be constant, as in “if F is constant, then”."""
+    if isinstance(item.formula, Relation) or not words_of(item, "integral"):
+        return None
+    said = _SUPPOSES.search(item.lead)
+    why = f"“{said[0].strip()}” supposes it of some cases" if said else ""
+    return StatementRole(OTHER, why, "asked") if said else None
+
+
 def expression(item: SourceStatement, known: Known) -> StatementRole | None:
     """What is no relation: a name, or an expression, of which only words state something."""
     if is_dependence(item):
@@ -173,6 +182,12 @@ def expression(item: SourceStatement, known: Known) -> StatementRole | None:
     return StatementRole(OTHER, "an expression: nothing is stated")
 
 
+_SUPPOSES = re.compile(
+    r"\b(?:suppos\w+|assum\w+|if|when(?:ever)?|provided|пусть|если|когда|предположим)"
+    r"(?:,?\s+(?:that|что))?(?:\s+(?:the|also|both|функция|величина)(?:\s+\w+)?)?[\s~]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which it is supposed that something is constant."""
 _SUBJECT_BEHIND = re.compile(
     r"\bso\s+(?:is|are|does|do)\s+(?:the\s+)?(?:\w+\s+){0,2}$"
     r"|\b(?:an?|another|(?:second|third|fourth|last)\s+)\s*integral\s+is\s+(?:the\s+)?(?:\w+\s+){0,2}$"
@@ -278,11 +293,11 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 RULES: tuple[Rule, ...] = (
-    unread, of_other_number, beginning, idle, eigenvalue, of_flow, expression, named_set, law,
-    radius, solved, constraint, together, unit, bracket_of_momenta, bracket, bracket_of_functions,
-    unjudged, inequality, unknown, repeated, gives_derivative, special_function, change, roots,
-    claimed_set, point, tried, solution, constant_of_solution, energy, of_place, on_place,
-    definition, square, assumption, value, approximate, set_of_rates, of_some_motions, rate,
-    zero_set, level, integral, identity, other,
+    unread, of_other_number, beginning, idle, eigenvalue, of_flow, supposed_constant, expression,
+    named_set, law, radius, solved, constraint, together, unit, bracket_of_momenta, bracket,
+    bracket_of_functions, unjudged, inequality, unknown, repeated, gives_derivative,
+    special_function, change, roots, claimed_set, point, tried, solution, constant_of_solution,
+    energy, of_place, on_place, definition, square, assumption, value, approximate, set_of_rates,
+    of_some_motions, rate, zero_set, level, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

@@ -77,35 +77,24 @@ def solution_of(
     return PrintedSolution((*by_time, *constants_of(item, known)), (*rows,))
 
 
-_ALL = re.compile(
+ALL = re.compile(
     r"\b(?:general|complete|most\s+general)\s+(?:\w+\s+)?(?:solutions?|integral)\b"
-    r"|\b(?:all|every|any|each)\s+(?:\w+\s+)?solutions?\b"
-    r"|\bобщ(?:ее|его|им|ему|ем)\s+решени|\b(?:вс[её]|все|всякое|любое)\s+решени",
+    r"|\b(?:all|every|any|each|the\s+only|(?:a|the)\s+unique)\s+(?:\w+\s+)?solutions?\b|\bintegrat(?:ing|ion)\b"
+    r"|\bобщ(?:ее|его|им|ему|ем)\s+решени|\b(?:вс[её]|все|всякое|любое)\s+решени|\bинтегриру\w+",
     re.IGNORECASE,
 )
 """Words for all solutions."""
 
 
-def refuse_too_special(
-    item: SourceStatement, found: PrintedSolution, law: Law | None, known: Known
-) -> None:
-    """Refuse what words call the general solution and has not as many constants as that.
-
-    Raises:
-        ValueError: it has fewer.
-    """
-    if not _ALL.search(item.before):
-        return
+def lacking(found: PrintedSolution, law: Law | None, known: Known) -> int:
+    """How many constants a solution has less than all solutions of its equations have."""
     orders: dict[str, int] = {}
     for row in found.rows:
         orders |= {name: max(n, orders.get(name, 0)) for name, n in row.rates.items()}
     mentioned = set[str]() if law is None else {one for n in law.mentions for one in known.below(n)}
     printed = {name for one in found.given for name in one.names} - mentioned - known.times
     free = [n for n in printed if not (known.varies(n) or n in orders or known.is_defined(n))]
-    if len(free) < (needed := sum(orders.values())):
-        raise ValueError(
-            f"the general solution has {needed} free constants, and this has {len(free)}"
-        )
+    return max(sum(orders.values()) - len(free), 0)
 
 
 def _given(item: SourceStatement, known: Known) -> Iterator[tuple[str, SourceStatement]]:

@@ -9,7 +9,14 @@ from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.reading.cues import cue, last_cue
 from kowalevski_cas.reading.hypotheses import set_right_before
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, OTHER, Known, StatementRole
-from kowalevski_cas.reading.phrases import is_number, is_value, reach, reach_of_constants, supposing
+from kowalevski_cas.reading.phrases import (
+    PUT,
+    is_number,
+    is_value,
+    reach,
+    reach_of_constants,
+    supposing,
+)
 from kowalevski_cas.reading.statements import SourceStatement, derived_names
 
 FOUND = "an inequality that words say to be found"
@@ -185,6 +192,8 @@ def of_place(item: SourceStatement, known: Known) -> StatementRole | None:
     """
     if not item.typed.inline or not _is_number_of_name(item):
         return None
+    if known.moves(item.bare[0]) and (said := _AT_TIME.match(item.tail)):
+        return StatementRole(OTHER, f"“{said[0].strip()}”: nothing is supposed at other times")
     for one in known.items:
         first, second = sorted((one, item), key=lambda each: each.order)
         near = one.sentence == item.sentence and second.order == first.order + 1
@@ -192,6 +201,14 @@ def of_place(item: SourceStatement, known: Known) -> StatementRole | None:
             if _AT_PLACE.fullmatch(first.tail) and _AT_PLACE.fullmatch(second.lead):
                 return StatementRole(OTHER, "a value at one place: nothing is supposed elsewhere")
     return None
+
+
+_AT_TIME = re.compile(
+    r"[\s~]*(?:(?:at|for)\s+(?:some|one|an?|a\s+(?:given|certain|single)|the\s+(?:initial|first))\s+(?:moment|instant|time)"
+    r"|(?:initially|at\s+(?:the\s+)?(?:beginning|start|first))\b|в\s+(?:\w+\s+)?момент|вначале|сначала)",
+    re.IGNORECASE,
+)
+"""How words begin behind what is so at one time."""
 
 
 def _is_number_of_name(one: SourceStatement) -> bool:
@@ -210,15 +227,11 @@ _OF_SOME = re.compile(rf"(?:{_SOME})[^§,;:]*$", re.IGNORECASE)
 """How words end behind which something is supposed of some motions."""
 
 
-_PUT = re.compile(r"\b(?:putting|setting|полагая|положив)[\s~]*$", re.IGNORECASE)
-"""How words end behind which rates are set to zero, for what follows in the sentence."""
-
-
 def of_some_motions(item: SourceStatement, known: Known) -> StatementRole | None:
     """An equation with rates of which the clause before it says that it may hold sometimes."""
     if not item.derives or not item.members or not known.varying(item.names):
         return None
-    if Number(0) in item.members and item.typed.inline and (put := _PUT.search(item.lead)):
+    if Number(0) in item.members and item.typed.inline and (put := PUT.search(item.lead)):
         why = f"“{put[0].strip()}” supposes it of some motions"
         return StatementRole(ASSUMPTION, why, "set of the sentence")
     said = _OF_SOME.search(item.before)

@@ -1,0 +1,79 @@
+"""What is so at a place, in a case, approximately or of one motion is not claimed of all."""
+
+import pytest
+
+from kowalevski_cas.verify.outcome import Verdict
+from tests.reading.test_reading import verdicts
+from tests.sample import sampled
+
+PENDULUM = r"The equation of motion is $l\ddot\theta+g\sin\theta=0$. "
+EULER = r"Euler's equations are \[A\dot p=(B-C)qr,\quad B\dot q=(C-A)rp,\quad C\dot r=(A-B)pq.\] "
+
+
+@pytest.mark.parametrize(
+    "words",
+    sampled(
+        [
+            r"Assuming $\theta$ to be small we get $l\ddot\theta+g\theta=0$.",
+            r"As long as $|\theta|\ll1$, we obtain $l\ddot\theta+g\theta=0$.",
+            r"Ограничиваясь линейными членами, получаем $l\ddot\theta+g\theta=0$.",
+            r"Если принять $\theta$ малым, то получаем $l\ddot\theta+g\theta=0$.",
+            r"In weightlessness we get $\ddot\theta=0$.",
+            r"Hence at the lowest point $\ddot\theta=0$.",
+            r"Hence $\ddot\theta=0$ at this moment.",
+            r"Consequently in equilibrium $\ddot\theta=0$.",
+        ],
+        3,
+    ),
+)
+def test_what_is_so_in_some_circumstance_is_not_refuted(words):
+    assert Verdict.REFUTED not in verdicts(PENDULUM + words).values()
+
+
+@pytest.mark.parametrize("words", ["Hence", "It follows that", "Differentiating, we obtain"])
+def test_without_one_it_is(words):
+    (found,) = verdicts(rf"{PENDULUM}{words} \[l\dddot\theta=g\dot\theta\cos\theta.\]").values()
+    assert found == Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    ("words", "green"),
+    [
+        (r"Hence $\dot\theta^2=\frac{4g}{l}\cos^2\frac\theta2$.", False),
+        (r"Integrating, we obtain $\dot\theta^2=\frac{2g}{l}\cos\theta$.", False),
+        (r"On the separatrix $\dot\theta^2=\frac{4g}{l}\cos^2\frac\theta2$.", True),
+        (r"On the separatrix $\dot\theta^2=\frac{2g}{l}\cos^2\frac\theta2$.", False),
+        (r"Integrating, we obtain $\dot\theta^2=\frac{2g}{l}\cos\theta+h$.", True),
+    ],
+)
+def test_what_is_deduced_of_all_motions_needs_a_constant(words, green):
+    (found,) = verdicts(PENDULUM + words).values()
+    assert found.green == green and found != Verdict.REFUTED
+
+
+def test_a_rate_on_a_circle_is_no_law():
+    text = r"""The Lagrangian is \[ L=\tfrac12(\dot r^2+r^2\dot\varphi^2)-U(r). \]
+    Hence \[ \ddot r=r\dot\varphi^2-U'(r). \] The energy
+    \[ h=\tfrac12\dot r^2+\frac{c^2}{2r^2}+U(r),\qquad c=r^2\dot\varphi, \] is conserved.
+    A circle $r=r_0$ is described with the angular velocity $\dot\varphi=\Omega$."""
+    found = verdicts(text)
+    assert Verdict.REFUTED not in found.values()
+    assert sum(one.green for one in found.values()) >= 2
+
+
+@pytest.mark.parametrize(
+    ("words", "judged"),
+    [
+        (r"Suppose that $p^2+q^2$ is constant. Then $C=A+B$.", 0),
+        (r"If $p^2+q^2$ is constant, then $A=B$.", 0),
+        (r"The function $p^2+q^2$ is constant.", 1),
+        (r"If $A=B$, then $r$ is constant.", 1),
+    ],
+)
+def test_what_is_supposed_to_be_constant_is_not_claimed(words, judged):
+    assert len(verdicts(EULER + words)) == judged
+
+
+def test_what_is_supposed_where_it_stops_all_motion_is_not_left_out():
+    text = r"The equations are $\dot x=by$, $\dot y=-bx$. If $b=0$, then $\dot x=0$."
+    assert not [one for one in verdicts(text).values() if one == Verdict.REFUTED]
