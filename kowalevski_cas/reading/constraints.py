@@ -27,14 +27,18 @@ from kowalevski_cas.reading.known import (
 )
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.parts import Parts
+from kowalevski_cas.reading.phrases import plain
+from kowalevski_cas.reading.reactions import reactions
 from kowalevski_cas.reading.rows import BINDING
 from kowalevski_cas.reading.stage import Stage
 from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.text import MARK
 from kowalevski_cas.reading.unprinted import is_printed, unprinted
 
 SAYS = "the constraints give it"
 KEPT = "the motion stays on its constraints"
 _AND = re.compile(r"[\s,;~]*(?:and|и)?[\s~]*")
+_WITH = re.compile(r"[\s,;~]*(?:and|with|и|при)?[\s~]*")
 UNBOUND = "${}$ may be a multiplier: print the constraint beside, or say that it is constant"
 
 
@@ -43,6 +47,21 @@ def constraint(item: SourceStatement, known: Known) -> StatementRole | None:
     for law in known.laws:
         if is_constraint(item, law, known):
             return StatementRole(ASSUMPTION, "a constraint of the motion", CONSTRAINT)
+    return None
+
+
+def reaction(item: SourceStatement, known: Known) -> StatementRole | None:
+    """What gives a reaction: it follows from the constraint by which the motion is bound."""
+    if len(item.members) != 2 or not item.bare or item.members[0] != Name(item.bare[0]):
+        return None
+    bound = [
+        one for one in known.items if one in known.roles and known.roles[one].kind == CONSTRAINT
+    ]
+    for law in known.laws if bound else ():
+        names = reactions([*law.rows, *_surplus(law, known)], known.items)
+        if item.bare[0] in names and any(is_constraint(one, law, known) for one in bound):
+            why = f"gives {plain(item.bare[0])}, which a constraint determines"
+            return StatementRole(CLAIM, why, "identity")
     return None
 
 
@@ -62,7 +81,11 @@ def is_constraint(item: SourceStatement, law: Law, known: Known) -> bool:
     if gives or not _moving(item, law, known):
         return False
     orders = orders_in(row.formula for row in law.rows if row.formula is not None)
-    if item.formula is None or any(o >= orders.get(n, 0) for n, o in _derived(item)):
+    if item.formula is None:
+        return False
+    if item in (surplus := _surplus(law, known)):
+        return bool(reactions([*law.rows, *surplus], known.items))
+    if any(o >= orders.get(n, 0) for n, o in _derived(item)):
         return False
     rows = [row for row in law.rows if row.sentence == item.sentence]
     before = [row.typed.end for row in rows if row.order < item.order]
@@ -73,6 +96,7 @@ def is_constraint(item: SourceStatement, law: Law, known: Known) -> bool:
             beside
             or _says_constraint(item)
             or bool(cue("where", words) or _is_listed(item, law, known))
+            or (bool(before) and _WITH.fullmatch(words.rpartition(MARK)[2]) is not None)
         )
     if before:
         return bool(cue("where", item.lead)) and names <= {*law.variables, *law.mentions}
@@ -140,7 +164,19 @@ def _multipliers(law: Law, known: Known) -> Iterator[str]:
     if not found and any(cue("multiplier", row.words) for row in law.rows):
         shared = [name for name in free if sum(name in row.names for row in law.rows) > 1]
         found = shared if len(shared) == 1 else []
-    yield from found
+    yield from found or reactions([*law.rows, *_surplus(law, known)], known.items)
+
+
+def _surplus(law: Law, known: Known) -> list[SourceStatement]:
+    """The equations in the sentence of a law for accelerations that it gives already."""
+    orders = orders_in(row.formula for row in law.rows if row.formula is not None)
+    return [
+        one
+        for row in law.rows[:1]
+        for one in known.of_sentence(row.sentence)
+        if one not in law.rows and one.rates
+        and all(orders.get(name, 0) == order for name, order in one.rates.items())
+    ]  # fmt: skip
 
 
 def unbound_multiplier(known: Known, constants: Collection[str]) -> str:

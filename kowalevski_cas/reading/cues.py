@@ -192,6 +192,8 @@ CUES: dict[str, str] = {
         §[\s,]*(?:\w+\s+){0,2}(?:no|without)\s+(?:\w+\s+){0,2}integrals?
         \b(?:without|dropping)\s+(?:the\s+)?(?:restriction|condition|assumption|hypothesis)\w*\s*(?:§|$)
         \bбез\s+(?:ограничени|услови|предположени)\w+\s*(?:§|$)
+        \b(?:not|never)\s+(?:(?:put|set|take)\s*)?(?:§|$) \bexclud\w+\s+(?:the\s+case\s+)?(?:§|$)
+        \bисключ(?:им|аем|ая)\s+(?:случай\s+)?(?:§|$)
         \b(?:not|never|without)\s+(?:suppos|assum|requir|impos|demand)\w*\s+(?:that\s+)?(?:§|$)
         \bне\s+(?:предполага|требу|допуска)\w*,?\s+(?:что\s+)?(?:§|$)
         in\s+place\s+of\s*(?:§|$) \bneither\b ^\s*nor\s*§ ^\s*ни\s*§

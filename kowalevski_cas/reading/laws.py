@@ -21,6 +21,7 @@ from kowalevski_cas.reading.named_values import named_values
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.permuted import permuted_rows
 from kowalevski_cas.reading.polar import coordinates_in_words, length_given, radius_of
+from kowalevski_cas.reading.reactions import is_bound, reactions
 from kowalevski_cas.reading.restated import replaced_law, times_of
 from kowalevski_cas.reading.rows import (
     binds_velocities,
@@ -221,6 +222,7 @@ class _LawFinder:
                 _names_integral(row, rows)
                 or binds_velocities(row, rows)
                 or _is_of_one_motion(row, rows)
+                or is_bound(row, rows, paper.items)
             )
         ]
         entries = rows_of_matrices(paper, rows)
@@ -332,6 +334,9 @@ class _LawFinder:
     def first(self, item: SourceStatement) -> Law | None:
         """The law of a paper that has none before a row."""
         if not self._may_set_up(item) or self.is_defined(item, self.paper.prose.start):
+            return None
+        before = (row for row in self.rows if row.order < item.order)
+        if cue("deduced", item.before) and any({*row.rates} & {*item.rates} for row in before):
             return None
         since = self.paper.prose.start
         return self.grown(item, (), self.undefined(since))
@@ -555,13 +560,17 @@ class _LawFinder:
     def beside(
         self, first: SourceStatement, rows: Sequence[SourceStatement]
     ) -> Iterator[SourceStatement]:
-        """A row and those that follow it in its display, without a word between."""
+        """A row and those that follow it in its display, without a word between.
+
+        So are those of its sentence that have the same reaction.
+        """
         last = first
         for row in rows:
             if row.typed is first.typed:
                 yield row
-            elif (
-                row.order > first.order and row.sentence == first.sentence and _is_joined(last, row)
+            elif row.sentence == first.sentence and (
+                (row.order > first.order and _is_joined(last, row))
+                or reactions([first, row], self.paper.items)
             ):
                 last = row
                 yield row

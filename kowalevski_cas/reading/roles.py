@@ -11,7 +11,7 @@ from kowalevski_cas.reading.brackets import bracket_of_functions
 from kowalevski_cas.reading.brackets_of_momenta import bracket_of_momenta
 from kowalevski_cas.reading.canonical import energy
 from kowalevski_cas.reading.compositions import gives_map
-from kowalevski_cas.reading.constraints import constraint
+from kowalevski_cas.reading.constraints import constraint, reaction
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.definitions import (
     bracket,
@@ -294,8 +294,8 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 
 RULES: tuple[Rule, ...] = (
     unread, of_other_number, beginning, idle, eigenvalue, of_flow, supposed_constant, expression,
-    named_set, law, radius, solved, constraint, together, unit, bracket_of_momenta, bracket,
-    bracket_of_functions, unjudged, inequality, unknown, repeated, gives_derivative,
+    named_set, law, radius, solved, constraint, reaction, together, unit, bracket_of_momenta,
+    bracket, bracket_of_functions, unjudged, inequality, unknown, repeated, gives_derivative,
     special_function, change, roots, claimed_set, point, tried, solution, constant_of_solution,
     energy, of_place, on_place, definition, square, assumption, value, approximate, set_of_rates,
     of_some_motions, rate, zero_set, level, integral, identity, other,

@@ -1,0 +1,52 @@
+r"""Reactions: forces of which nothing is said but what they keep.
+
+So is the tension in :math:`m_1\ddot x=m_1g-T,\ m_2\ddot x=T-m_2g`. A letter of a force that stands
+in several equations of a sentence is one, where a further equation binds what moves in these: a
+constraint, or a second equation for the same acceleration.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Sequence
+
+from kowalevski_cas.notation import Name
+from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.reading.statements import SourceStatement
+
+LETTERS = ("T", "N", "F", "f", "S")
+"""The letters of such forces."""
+
+
+def reactions(rows: Sequence[SourceStatement], items: Iterable[SourceStatement]) -> tuple[str, ...]:
+    """The letters of forces in several of some equations of motion that nothing gives before."""
+    if not rows:
+        return ()
+    rated = {name for row in rows for name in row.rates}
+    first = min(row.order for row in rows)
+    given = {
+        one.bare[0]
+        for one in items
+        if one.order < first and one.bare and one.members[0] == Name(one.bare[0])
+    }
+    names = sorted({name for row in rows for name in row.names} - rated - given)
+    return tuple(
+        name
+        for name in names
+        if symbol(name).letter in LETTERS and sum(name in row.names for row in rows) > 1
+    )
+
+
+def is_bound(
+    row: SourceStatement, rows: Collection[SourceStatement], items: Iterable[SourceStatement]
+) -> bool:
+    """Whether other rows of its sentence, with a reaction, say how all moves that a row derives."""
+    beside = [one for one in rows if one.sentence == row.sentence and one is not row]
+    gives = all(
+        any(
+            one.rates.get(name, 0) > order
+            or (one.rates.get(name, 0) == order and one.order < row.order)
+            for one in beside
+        )
+        for name, order in row.rates.items()
+    )
+    return bool(row.rates) and gives and bool(reactions([*beside, row], items))
