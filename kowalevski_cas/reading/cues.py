@@ -182,12 +182,13 @@ CUES: dict[str, str] = {
         мал\w+\s+(?:уг(?:ол|л)|колебани|отклонени)\w*""",
     "denied": r"""
         \bnot\s+(?:true|an?\s+integral|constant|conserved|the|valid|hold|correct|preserved|in\s+general)
-        does\s+not\s+(?:hold|vanish|follow) (?:is|are)\s+not\s+(?:\w+\s+){0,2}§
+        does\s+not\s+(?:hold|vanish|follow|satisfy) (?:is|are)\s+not\s+(?:\w+\s+){0,2}§
         §[\s,]*(?:\w+\s+){0,3}(?:is|are)\s+(?:not|impossible)\b \bno\s+longer\b
         never\b(?!\s+(?:in|de)creas|\s+grow)
         \b(?:on|along|for|by)\s+no\b wrong\w* incorrect\w* erroneous\w* false\b
         mistak\w+ misprint\w* (?<!on\sthe\s)contrary impossible\s+that\b невозможно
-        instead\s+of\s*(?:§|$) contradict\w+ if\s+it\s+were \bwere\b would\s+be fails?\b cannot\b
+        instead\s+of\s*(?:§|$) contradict\w+ if\s+it\s+were \bwere\b
+        would\s+(?:be|have|follow|give|mean) fails?\b cannot\b
         \b(?:no|without)\s+(?:\w+\s+){0,2}integrals?(?:\s+\w+){0,3}\s*§ refut\w+
         §[\s,]*(?:\w+\s+){0,2}(?:no|without)\s+(?:\w+\s+){0,2}integrals?
         \b(?:without|dropping)\s+(?:the\s+)?(?:restriction|condition|assumption|hypothesis)\w*\s*(?:§|$)
@@ -201,7 +202,7 @@ CUES: dict[str, str] = {
         вместо\s*(?:§|$) противореч\w+ не\s+явля\w+ не\s+(?:сохраня|постоян)\w+ нельзя
         не\s+выполн\w+ неправильн\w+ не\s+верно не\s+име\w+\s+мест""",
     "so it is not": r"""
-        [;.,]\s*(?:\\\w+\{)?(?:but\s+)?(?:this|that|which)\s+is\s+(?:wrong|false|incorrect)
+        [;.,]\s*(?:\\\w+\{)?(?:but\s+)?(?:this|that|which)\s+is\s+(?:wrong|false|incorrect|absurd)
         [;.,]\s*(?:but\s+)?(?:this|that|which)\s+is\s+not\s+(?:true|so|correct)
         [;.,]\s*(?:but|however,?)\s+(?:it|this|they)\s+(?:is|are|does|do)\s+not\s*(?:[.;,]|so\b|$)
         ,\s*(?:но|однако)\s+это\s+не\s+так
@@ -291,7 +292,7 @@ CUES: dict[str, str] = {
         \bfree\s+of\s*$ (?:not|never)\s+(?:depending\s+on|containing|involving)\s*$
         \b(?:independent\s+of|without)\s*$ не\s+(?:завис\w+\s+от|содерж\w+)\s*$""",
     "except": r"""
-        \b(?:except(?:ing)?|unless)(?:\s+(?:for|when|if|where|at|in\s+the\s+cases?(?:\s+of)?|that))*\s*$
+        \b(?:except(?:ing)?|unless|exception\s+of)(?:\s+(?:for|when|if|where|at|in\s+the\s+cases?(?:\s+of)?|that))*\s*$
         \bnot\s+(?:for|when|if|where|in\s+the\s+cases?(?:\s+of)?)\s*$ \bне\s+(?:при|когда|если)\s*$
         \b(?:кроме|за\s+исключением)\s+(?:случа\w+(?:,?\s+когда)?|того,?\s+когда)\s*$""",
     "excepted": r"""

@@ -45,16 +45,22 @@ _NUMBERED = re.compile(r"_\{?\d")
 _SMALL = re.compile(r"\\(?:to|rightarrow|ll|approx|simeq)(?![A-Za-z])")
 """The signs of limits, and of approximations."""
 _CIRCUMSTANCE = re.compile(
-    r"(?:^|[.;:]|,)\W*(?:(?:hence|so|thus|therefore|then|consequently|finally|but|and|now)\W+)*"
-    r"(?:(?:at|under|during|near|without|inside|outside|when|while|as\s+long\s+as|once|until)\s+(?!least|last|first|once|this|these|any|all|every|each|the\s+same|which)"
-    r"|in\s+(?:the\s+(?:absence|limit|state|position|presence|case|regime)|equilibrium|weightlessness|vacuum|rest|resonance)\b"
-    r"|(?:в\s+(?:положени|состояни|момент|точк|вершин|отсутстви|пустот)\w*))[^§]*(?:§[^§]*)?$",
+    r"(?:^|[.;:]|,)\W*(?:(?:hence|so|thus|therefore|then|consequently|finally|but|and|now|отсюда|следовательно"
+    r"|поэтому|значит|итак)\W+)*"
+    r"(?:(?:at|under|during|near|without|inside|outside|while|as\s+long\s+as|once|until)\s+"
+    r"(?!least|last|first|once|this|these|any|all|every|each|the\s+same|which|the\s+flow)"
+    r"|(?:if|when|если|когда)\s+[^§,.;]+,"
+    r"|(?:in|on|for)\s+(?:the\s+(?:absence|limit|state|position|presence|case|regime)|equilibrium|weightlessness"
+    r"|vacuum|rest|resonance|an?\s+(?!similar|word|way|frame)|the\s+(?:separatri\w+|axis|axes|plane|line|surface"
+    r"|circle|boundary|orbit|homoclinic|heteroclinic|invariant|ball|top|body|symmetric|special))\b"
+    r"|(?:в|на|при|для)\s+(?!силу|результате|частности|итоге|помощи|виде|этом\s+виде|люб|все|кажд)\w+)[^§.]*(?:§[^§.]*)*$",
     re.IGNORECASE,
 )
 """How the words before an equation begin that say when, or where, it is so."""
 _AT_THAT = re.compile(
     r"[\s,~]*(?:there\b(?!\s+(?:is|are|exist))|at\s+(?:this|that|these|those)\s+(?:moment|instant|time|point|place|position)s?"
-    r"|in\s+(?:this|that)\s+(?:position|state|motion|case)|в\s+(?:этот\s+момент|этой\s+точке|этом\s+положении))",
+    r"|in\s+(?:this|that)\s+(?:position|state|motion|case)|(?:if|when|whenever|provided|near|on)\b|twice\b|once\b"
+    r"|в\s+(?:этот\s+момент|этой\s+точке|этом\s+положении)|(?:если|когда)\b)",
     re.IGNORECASE,
 )
 """How words begin behind an equation that say so."""
@@ -96,7 +102,7 @@ def doubt_of(
         return Doubt.ALWAYS
     if is_varied(item, known):
         return Doubt.ALWAYS
-    told = item.derives or role.kind in ("identity", "constant")
+    told = item.derives or role.kind in ("identity", "constant", "integral")
     if told and not rung.given and _has_circumstance(item):
         return Doubt.ALWAYS
     if _is_said_elsewhere(item, known) or _stands_apart(item, rung, candidates, known):

@@ -382,7 +382,9 @@ class Known:
             return one.sentence == item.sentence
         if kind == FUNCTION and one.section is not item.section:
             return False
-        return self.is_within(one, item) and goes_on(one, item, self._is_special(one))
+        return self.is_within(one, item) and goes_on(
+            one, item, self._is_special(one), self.paper.prose
+        )
 
     def _is_special(self, one: SourceStatement) -> bool:
         """Whether an equation is one between constants of laws, or makes one of them zero."""

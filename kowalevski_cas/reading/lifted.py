@@ -58,15 +58,27 @@ _FOR_LONG = re.compile(
 """Words that suppose something for what follows; others speak of a case."""
 _GOES_ON = re.compile(
     r"\W*(?:then|hence|therefore|thus|so|consequently|accordingly|it\s+follows|in\s+(?:this|that|such)\s+(?:a\s+)?case"
-    r"|here|now|and|also|this|these|it|its|they|we\s+(?:then\s+)?(?:have|get|find|obtain)|of\s+course|indeed|in\s+particular|moreover"
-    r"|тогда|отсюда|следовательно|поэтому|значит|итак|в\s+(?:этом|таком)\s+случае|при\s+этом|здесь|теперь|имеем|получа\w+|это|он[аио]?"
-    r"|dann|daher|also|somit|hier|alors|donc|ainsi|d'o\S+|ici)\b|\W*(?:§|$)",
+    r"|here|also|тогда|отсюда|следовательно|поэтому|значит|итак|в\s+(?:этом|таком)\s+случае|при\s+этом|здесь"
+    r"|dann|daher|somit|hier|alors|donc|ainsi|ici)\b|\W*(?:§|$)",
     re.IGNORECASE,
 )
 """How a sentence begins that goes on with the case of which the one before it spoke."""
 
 
-def goes_on(one: SourceStatement, item: SourceStatement, special: bool) -> bool:
+_NOT_HERE = re.compile(
+    r"\b(?:fig(?:ure|s)?|tables?|exercises?|problem\s+\d|computed|authors?|papers?|generali[sz]e|examples?)\b"
+    r"|\[\d+\]|\\cite|\b(?:was|were)\s+(?:assumed|supposed|studied|considered|treated)\b"
+    r"|\bрис\b|\b(?:таблиц|работ|упражнени|пример)\w*|предполагал[оаи]сь",
+    re.IGNORECASE,
+)
+"""Words for what is supposed of a figure, in an exercise, or by others."""
+
+
+_EXERCISE = re.compile(r"\W*(?:exercise|problem|example|упражнение|задача|пример)\b", re.IGNORECASE)
+"""How a paragraph begins that stands by itself."""
+
+
+def goes_on(one: SourceStatement, item: SourceStatement, special: bool, prose: Prose) -> bool:
     """Whether what a statement supposes is supposed for a later sentence as well.
 
     Where no words suppose a special case for what follows, only such a sentence of the same
@@ -74,7 +86,9 @@ def goes_on(one: SourceStatement, item: SourceStatement, special: bool) -> bool:
     """
     if one.sentence == item.sentence or not (special and one.typed.inline):
         return True
-    if one.theorem is not None or one.entry is not None or _FOR_LONG.search(one.before):
+    lasts = one.theorem is not None or one.entry is not None or _FOR_LONG.search(one.before)
+    alone = _EXERCISE.match(prose.text, one.paragraph)
+    if lasts and not (_NOT_HERE.search(one.words) or alone):
         return True
     return one.paragraph == item.paragraph and _GOES_ON.match(item.before) is not None
 

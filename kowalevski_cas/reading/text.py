@@ -166,8 +166,10 @@ class Prose:
                 start = opened.pop()[1]
                 if name in names:
                     found.append((start, match.end(), name))
-                elif name == "proof" and found and start - found[-1][1] < 200:
+                elif found and start - found[-1][1] < 200:
                     found[-1] = (found[-1][0], match.end(), found[-1][2])
+                else:
+                    found.append((start, match.end(), name))
         return found
 
     def theorem(self, offset: int) -> tuple[int, int] | None:

@@ -30,6 +30,27 @@ def test_what_is_so_in_some_circumstance_is_not_refuted(words):
     assert Verdict.REFUTED not in verdicts(PENDULUM + words).values()
 
 
+@pytest.mark.parametrize(
+    "words",
+    sampled(
+        [
+            r"For a body with equal moments the right-hand sides vanish; hence $\dot p=0$.",
+            r"For a ball, therefore, $p$, $q$, $r$ are constant.",
+            r"Consequently for a symmetric body $\dot r=0$.",
+            r"Hence in a permanent rotation $\dot p=0$, $\dot q=0$, $\dot r=0$.",
+            r"We find that $\dot r=0$ twice in a period.",
+            r"Therefore $\dot r=0$ if the body is symmetric.",
+            r"It would follow that $\dot r=1$, which is absurd.",
+            r"Если тело симметрично, то $\dot r=0$.",
+            r"Отсюда в положении равновесия $\dot p=0$.",
+        ],
+        3,
+    ),
+)
+def test_what_is_so_of_some_bodies_or_motions_is_not_refuted(words):
+    assert Verdict.REFUTED not in verdicts(EULER + words).values()
+
+
 @pytest.mark.parametrize("words", ["Hence", "It follows that", "Differentiating, we obtain"])
 def test_without_one_it_is(words):
     (found,) = verdicts(rf"{PENDULUM}{words} \[l\dddot\theta=g\dot\theta\cos\theta.\]").values()
