@@ -12,8 +12,9 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
+from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.source.displays import TypedFormula
-from kowalevski_cas.source.tokens import Token, tokens_of
+from kowalevski_cas.source.tokens import tokens_of
 
 SEVERAL = 3
 """How many bodies there are where a letter says how many."""

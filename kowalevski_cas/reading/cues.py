@@ -91,6 +91,8 @@ CUES: dict[str, str] = {
     "then": r"""
         \bthen\b \bтогда\b \bто\b""",
     "initially": r"""
+        (?:is|be|was)\s+(?:pushed|struck|kicked|thrown|launched|set\s+in\s+motion|projected|hit)\b
+        \b(?:толкнули|бросили|ударили|толкнут|брошен)\w*
         \binitial(?:ly)?\b \breleas\w+ \bdropped\b \blet\s+go\b \bthrown\b \blaunch\w+
         \bstart(?:s|ed|ing)?\b \bat\s+the\s+(?:beginning|outset)\b
         \bначальн\w+ \bв\s+начале\b отпу[щс]\w+ \bброш\w+ запущен\w* начина\w+\s+движ\w+""",

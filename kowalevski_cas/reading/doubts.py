@@ -272,8 +272,8 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
         if one is item or one in rung.on or one.order > item.order:
             continue
         role = known.roles.get(one)
-        near = one.paragraph == item.paragraph and role is not None
-        if near and role.kind == "set of the sentence" and one.order < item.order:
+        there = role is not None and role.kind == "set of the sentence"
+        if there and one.paragraph == item.paragraph and one.order < item.order:
             return True
         set_there = role is not None and (role.kind in SETS or role.name == ASSUMPTION)
         if one.sentence == item.sentence and _is_place(one):

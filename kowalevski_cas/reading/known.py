@@ -119,7 +119,7 @@ class Known:
             one
             for one in self.items
             if len(one.members) == 2
-            and one.members[0] in map(Name, self.paper.numbers)
+            and one.members[0] in {Name(name) for name in self.paper.numbers}
             and isinstance(one.members[1], Number)
         ]
 

@@ -25,6 +25,7 @@ _LEAVES = re.compile(
     r"|\b(?:return|com|go|turn)(?:s|e|es|ing)?\s+back\s+to\b|\breturn(?:s|ing)?\s+to\b"
     r"|\b(?:full|exact|original|complete|unrestricted|general)\s+(?:system|problem|equations?|case|model|motion)\b"
     r"|\b(?:for|in)\s+(?:all|every|any|each)(?:\s+(?:other|such))?\s+(?:cases?|examples?|bod(?:y|ies)|systems?|values?|parameters?|choices?|tops?)\b"
+    r"|\b(?:original|physical|dimensional|usual)\s+(?:units?|variables?|time)\b"
     r"|\bfor\s+(?:other|different|generic|super\w+|sub\w+)\s+(?:values?|parameters?|bodies)\b"
     r"|\b(?:верн[её]мся|возвращаясь|возвратимся|снимем|отбросим|отказ\w+)\b"
     r"|\bбез\s+(?:\w+\s+){0,2}(?:предположени|ограничени|услови)\w*|\bобщ(?:ем|ей|ую|ий|ему)\s+(?:случа|задач|систем)\w*"
@@ -66,7 +67,7 @@ _GOES_ON = re.compile(
 
 
 _NOT_HERE = re.compile(
-    r"\b(?:fig(?:ure|s)?|tables?|exercises?|problem\s+\d|computed|authors?|papers?|generali[sz]e|examples?)\b"
+    r"\b(?:fig(?:ure|s)?|tables?|exercises?|problem\s+\d|computed|authors?|papers?|generali[sz]e|examples?|instance)\b|\be\.\s*g\."
     r"|\[\d+\]|\\cite|\b(?:was|were)\s+(?:assumed|supposed|studied|considered|treated)\b"
     r"|\bрис\b|\b(?:таблиц|работ|упражнени|пример)\w*|предполагал[оаи]сь",
     re.IGNORECASE,

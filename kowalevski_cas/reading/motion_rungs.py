@@ -42,11 +42,14 @@ def solutions(at: RungMaker) -> Iterator[Rung]:
     moves = any(map(at.known.moves, at.item.bare))
     law = at.stage.law(at.item, beside) if moves else None
     found = solution_of(at.item, beside, law, at.known)
-    if (lack := lacking(found, law, at.known)) and ALL.search(at.item.before):
+    lack = lacking(found, law, at.known)
+    begun = _beginnings(at, law, found.given)
+    of_all = ALL.search(at.item.before) or (not any(begun) and _is_said_of_all(at.item))
+    if lack and of_all:
         raise ValueError(f"for all solutions {lack} more constants are needed")
     still = Law((), (law or at.known.laws[-1]).names, change=found.given)
     says = "this solves its equation of motion"
-    for assumptions, values in product(at.ways(), _beginnings(at, law, found.given)):
+    for assumptions, values in product(at.ways(), begun):
         on_law = [at.stage.scene([row], assumptions).scene for row in found.rows]
         claimed = () if moves else zip(found.rows, on_law, strict=True)
         rung = at.rung(
@@ -116,6 +119,19 @@ _SOME = re.compile(
 )
 """Words for some motions."""
 _BY_INTEGRATION = re.compile(r"\bintegrat\w+|\bintegrals?\b|\bинтегр\w+", re.IGNORECASE)
+
+
+def _is_said_of_all(item: SourceStatement) -> bool:
+    """Whether words deduce a solution from the equations, and speak of no beginning, nor of one."""
+    words = f"{item.earlier[0] if item.earlier else ''} {item.words}"
+    begun = cue("initially", words) or _SOME.search(words)
+    return not begun and bool(_DEDUCES.match(item.before))
+
+
+_DEDUCES = re.compile(
+    r"\W*(?:then|hence|therefore|thus|consequently|тогда|отсюда|следовательно|поэтому)\b",
+    re.IGNORECASE,
+)
 
 
 def _is_deduced_of_all(item: SourceStatement, known: Known) -> bool:

@@ -146,9 +146,13 @@ _EXIST = re.compile(
 
 def reach_of_constants(item: SourceStatement) -> str:
     """How far it reaches what is supposed of constants; to the end of the section, if empty."""
-    brief = cue("for", f"{item.before} ") or cue("if", item.lead) or _AT.search(item.lead)
     beside = _EXIST.search(item.before) and _only_beside(item.before)
-    brief = brief or beside or cue("approximate", item.before)
+    brief = (
+        cue("for", f"{item.before} ")
+        or cue("if", item.lead)
+        or cue("approximate", item.before)
+        or bool(_AT.search(item.lead) or beside)
+    )
     titled = bool(item.earlier and _CASE_IN_TITLE.match(item.earlier[0]))
     begun = titled and item.before == item.lead and cue("then", item.tail[:12])
     lasting = cue("lasting", item.before) or begun
