@@ -273,7 +273,7 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
             continue
         role = known.roles.get(one)
         there = role is not None and role.kind == "set of the sentence"
-        if there and one.paragraph == item.paragraph and one.order < item.order:
+        if there and one.paragraph == item.paragraph and _is_next(one, item, known):
             return True
         set_there = role is not None and (role.kind in SETS or role.name == ASSUMPTION)
         if one.sentence == item.sentence and _is_place(one):
@@ -289,6 +289,12 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
         if proved and not apart and role is not None and role.name == ASSUMPTION and one.members:
             return True
     return False
+
+
+def _is_next(one: SourceStatement, item: SourceStatement, known: Known) -> bool:
+    """Whether a statement stands in the sentence of another one, or in the next with formulas."""
+    between = [other for other in known.items if one.order < other.order <= item.order]
+    return bool(between) and len({other.sentence for other in between} - {one.sentence}) <= 1
 
 
 def _is_place(one: SourceStatement) -> bool:

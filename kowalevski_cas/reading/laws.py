@@ -335,11 +335,18 @@ class _LawFinder:
         """The law of a paper that has none before a row."""
         if not self._may_set_up(item) or self.is_defined(item, self.paper.prose.start):
             return None
-        before = (row for row in self.rows if row.order < item.order)
-        if cue("deduced", item.before) and any({*row.rates} & {*item.rates} for row in before):
+        if cue("deduced", item.before) and self._has_before(item):
             return None
         since = self.paper.prose.start
         return self.grown(item, (), self.undefined(since))
+
+    def _has_before(self, item: SourceStatement) -> bool:
+        """Whether rows before a row give all rates that it has."""
+        before = [row for row in self.rows if row.order < item.order]
+        return all(
+            any(row.rates.get(name, 0) >= order for row in before)
+            for name, order in item.rates.items()
+        )
 
     def other(self, item: SourceStatement, part: Sequence[Law]) -> Law | None:
         """Another law beside some: of another system, or of further variables."""

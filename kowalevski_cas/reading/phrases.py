@@ -90,7 +90,7 @@ def _is_main(item: SourceStatement) -> bool:
 
 def _only_beside(words: str) -> bool:
     """Whether some words suppose something, but none so that it is in force behind them."""
-    said = cues("suppose", f"{words} ")
+    said = [*cues("suppose", f"{words} ")]
     return bool(said) and all(_BESIDE.fullmatch(one[0].strip()) for one in said)
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 
-from kowalevski_cas.notation import Name
+from kowalevski_cas.notation import Name, Negative, Sum
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.reading.statements import SourceStatement
 
@@ -32,8 +32,20 @@ def reactions(rows: Sequence[SourceStatement], items: Iterable[SourceStatement])
     return tuple(
         name
         for name in names
-        if symbol(name).letter in LETTERS and sum(name in row.names for row in rows) > 1
+        if symbol(name).letter in LETTERS
+        and sum(name in row.names for row in rows) > 1
+        and any(_is_term(name, row) for row in rows)
     )
+
+
+def _is_term(name: str, row: SourceStatement) -> bool:
+    """Whether a letter is a force by itself in an equation, and multiplies nothing."""
+    sides = [
+        term
+        for member in row.members
+        for term in (member.terms if isinstance(member, Sum) else (member,))
+    ]
+    return any(term in (Name(name), Negative(Name(name))) for term in sides)
 
 
 def is_bound(

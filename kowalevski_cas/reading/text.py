@@ -166,9 +166,9 @@ class Prose:
                 start = opened.pop()[1]
                 if name in names:
                     found.append((start, match.end(), name))
-                elif found and start - found[-1][1] < 200:
+                elif name == "proof" and found and start - found[-1][1] < 200:
                     found[-1] = (found[-1][0], match.end(), found[-1][2])
-                else:
+                elif name == "proof":
                     found.append((start, match.end(), name))
         return found
 

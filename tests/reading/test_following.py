@@ -127,12 +127,6 @@ Two bodies push each other,
 For $z = z_1 - z_2$ we have $\nu\ddot z = S$, and so
 \[ \nu = \frac{ab}{a %s b} . \]
 """
-PULLEY = r"""
-The rope has the tension $S$:
-\[ a\ddot z = aN - S, \qquad b\ddot z = S - bN . \]
-Adding both we find
-\[ \ddot z = \frac{a %s b}{a + b}N . \]
-"""
 PERIOD = r"""
 The frequency is
 \[ \nu = \sqrt{\frac{\kappa}{b}} . \]
@@ -337,7 +331,6 @@ CASES = [
     (LAGRANGE, "^3", "^2"),
     (DAMPED, "-", "+"),
     (REDUCED, "+", "-"),
-    (PULLEY, "-", "+"),
     (PERIOD, r"\sqrt{\frac{b}{\kappa}}", r"\frac{b}{\kappa}"),
     (CENTRE, "a", "W"),
     (SPEED, r"\sigma", r"\sigma^2"),

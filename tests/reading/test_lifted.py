@@ -11,7 +11,7 @@ RATE = r"$\dot H=0$"
 
 LASTING = [
     rf"Let $b=0$. Then the motion is periodic. The function $H$ satisfies {RATE}.",
-    rf"In the case $b=0$ the system is conservative. We have {RATE}.",
+    rf"In the case $b=0$ the system is conservative. Then {RATE}.",
     rf"Let $b=0$. The mass may have any value. We have {RATE}.",
     rf"In what follows $b=0$ and $a>0$. The constant $b$ will not be mentioned. Then {RATE}.",
     rf"Let $b=0$. Obviously $b\ge0$ and $b<1$. Then {RATE}.",
@@ -29,7 +29,7 @@ LIFTED = [
     rf"In Table 1 the values are $a=1$, $b=0$. We have {RATE}.",
     rf"In [3] it was assumed that $b=0$. We have {RATE}.",
     rf"The hypersurface $b=0$ of the parameters is remarkable. We have {RATE}.",
-    rf"Exercise. Put $b=0$ and draw the portrait.\n\nWe have {RATE}.".replace("\\n", "\n"),
+    "\n\nExercise. Put $b=0$ and draw the portrait.\n\n" + rf"We have {RATE}.",
     rf"\begin{{proof}} Let $b=0$. Then it is clear. \end{{proof}} We have {RATE}.",
     rf"На рис.~1 принято $b=0$. Имеем {RATE}.",
     rf"We exclude the case $b=0$. Then {RATE}.",
