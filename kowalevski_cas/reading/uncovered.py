@@ -23,6 +23,9 @@ STATES: dict[str, str] = {
         constant\s+(?:along|on)\b integrable интеграл\w* сохраня\w+ постоян(?:на|но|ны|ен)\b""",
     "invariant": r"""
         \binvarian\w+ инвариантн\w+""",
+    "all rest": r"""
+        \b(?:only|all|exactly|single|unique)\s+(?:\w+\s+){0,2}(?:equilibri\w+|states?\s+of\s+rest)
+        (?:единственн\w+|все|всякое)\s+(?:\w+\s+){0,2}равновеси\w+""",
     "rest": r"""
         \bequilibri\w+ states?\s+of\s+rest равновеси\w+""",
     "dimension": r"""

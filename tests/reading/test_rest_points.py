@@ -4,6 +4,7 @@ import pytest
 
 from kowalevski_cas.audit.reading import ReadingSession
 from kowalevski_cas.verify.outcome import Verdict
+from tests.audit.test_doubted import audited
 from tests.reading.test_reading import reading, verdicts
 from tests.sample import sampled
 
@@ -158,3 +159,17 @@ def test_what_says_more_of_the_origin_is_not_judged(word):
 def test_the_origin_may_be_a_point_of_rest_of_something_else(more):
     found = listed(SYSTEM + ORIGIN[1].replace("WORD", "").replace(".", f" {more}."))
     assert not any(one.green for _, one in found)
+
+
+@pytest.mark.parametrize(
+    ("words", "listed"),
+    [
+        (r"The only equilibrium is $x=0$, $y=0$.", True),
+        (r"All equilibria are given by $x=0$, $y=0$.", True),
+        (r"Единственное положение равновесия есть $x=0$, $y=0$.", True),
+        (r"An equilibrium is $x=0$, $y=0$.", False),
+    ],
+)
+def test_that_there_are_no_others_is_listed_as_not_judged(words, listed):
+    found = audited(rf"Consider \[\dot x=y,\qquad\dot y=-\sin x.\] {words}")
+    assert bool(found.uncovered) == listed
