@@ -118,6 +118,8 @@ _SOME = re.compile(
     re.IGNORECASE,
 )
 """Words for some motions."""
+_TENDS = re.compile(r"\\(?:to|rightarrow)(?![A-Za-z])")
+"""The sign of what a motion tends to, which says of which motion something is said."""
 _BY_INTEGRATION = re.compile(r"\bintegrat\w+|\bintegrals?\b|\bинтегр\w+", re.IGNORECASE)
 
 
@@ -137,6 +139,9 @@ _DEDUCES = re.compile(
 def _is_deduced_of_all(item: SourceStatement, known: Known) -> bool:
     """Whether words deduce an equation without a constant of its own, and of no one motion."""
     if known.untied(item.names - {*item.rates}) or _SOME.search(item.words):
+        return False
+    before = (one for one in known.items if one.order < item.order)
+    if any(_TENDS.search(one.typed.tex) for one in before if one.paragraph == item.paragraph):
         return False
     return bool(cue("deduced", item.before) or _BY_INTEGRATION.search(item.before))
 

@@ -98,3 +98,15 @@ def test_what_is_supposed_to_be_constant_is_not_claimed(words, judged):
 def test_what_is_supposed_where_it_stops_all_motion_is_not_left_out():
     text = r"The equations are $\dot x=by$, $\dot y=-bx$. If $b=0$, then $\dot x=0$."
     assert not [one for one in verdicts(text).values() if one == Verdict.REFUTED]
+
+
+@pytest.mark.parametrize(
+    ("words", "claim", "green"),
+    [
+        ("", r"\dot x^2=x^2", False),
+        (r" and $x\to0$ as $t\to\infty$", r"\dot x^2=x^2", True),
+        (r" and $x\to0$ as $t\to\infty$", r"\dot x^2=2x^2", False),
+    ],
+)
+def test_what_a_motion_tends_to_says_of_which_it_is_deduced(words, claim, green):
+    assert verdicts(rf"Let $\ddot x=x${words}. Hence ${claim}$.")[claim].green == green
