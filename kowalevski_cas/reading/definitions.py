@@ -185,6 +185,10 @@ def _fresh(item: SourceStatement, known: Known) -> list[str]:
     return [] if fresh and is_place_of(fresh[0], item, known) else fresh
 
 
+_EXAMPLE = re.compile(r"\be\.\s*g\.|\bfor\s+(?:instance|example)\b|\bнапример\b", re.IGNORECASE)
+"""Words for an example: what they give constants of laws is so in that only."""
+
+
 def _specialising(item: SourceStatement, known: Known, fresh: list[str]) -> str:
     """The words that give constants special values, of which laws in other sections have spoken.
 
@@ -194,9 +198,12 @@ def _specialising(item: SourceStatement, known: Known, fresh: list[str]) -> str:
     of_laws = {name for law in known.laws for name in (*law.mentions, *law.names.vectors)}
     before = [known.seen.get(name) for name in names]
     apart = all(one is not None and one.section not in item.sections for one in before)
-    if not apart or not {*names} <= of_laws or known.varying(item.names - {*names}):
+    example = _EXAMPLE.search(item.before)
+    if not {*names} <= of_laws or known.varying(item.names - {*names}):
         return ""
-    return supposing(item) or cue("lasting", item.before)
+    if example is not None and item.names <= of_laws:
+        return example[0]
+    return supposing(item) or cue("lasting", item.before) if apart else ""
 
 
 def _level(

@@ -103,7 +103,8 @@ def doubt_of(
     if is_varied(item, known):
         return Doubt.ALWAYS
     told = item.derives or role.kind in ("identity", "constant", "integral")
-    if told and not rung.given and _has_circumstance(item):
+    read = any(one.sentence == item.sentence for one in rung.on)  # a condition beside the claim
+    if told and not (rung.given or read) and _has_circumstance(item):
         return Doubt.ALWAYS
     if _is_said_elsewhere(item, known) or _stands_apart(item, rung, candidates, known):
         return Doubt.ALWAYS

@@ -69,7 +69,7 @@ _GOES_ON = re.compile(
 _NOT_HERE = re.compile(
     r"\b(?:fig(?:ure|s)?|tables?|exercises?|problem\s+\d|computed|authors?|papers?|generali[sz]e|examples?|instance)\b|\be\.\s*g\."
     r"|\[\d+\]|\\cite|\b(?:was|were)\s+(?:assumed|supposed|studied|considered|treated)\b"
-    r"|\bрис\b|\b(?:таблиц|работ|упражнени|пример)\w*|предполагал[оаи]сь",
+    r"|\bрис\b|\b(?:таблиц|работ|упражнени|(?:на)?пример)\w*|предполагал[оаи]сь",
     re.IGNORECASE,
 )
 """Words for what is supposed of a figure, in an exercise, or by others."""

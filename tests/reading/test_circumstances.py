@@ -95,6 +95,17 @@ def test_what_is_supposed_to_be_constant_is_not_claimed(words, judged):
     assert len(verdicts(EULER + words)) == judged
 
 
+@pytest.mark.parametrize("words", ["e.g., a lamina", "for example a lamina", "например, пластину"])
+def test_what_an_example_has_defines_no_constant_of_a_law(words):
+    text = rf"{EULER} Consider, {words}, where $C=A+B$. For an ellipsoid $p^2+q^2$ is constant."
+    assert not any(one.green for one in verdicts(text).values())
+
+
+def test_a_false_claim_under_a_printed_condition_is_refuted():
+    (found,) = verdicts(EULER + r"The function $p^2+q$ is an integral if $A=B$.").values()
+    assert found == Verdict.REFUTED
+
+
 def test_what_is_supposed_where_it_stops_all_motion_is_not_left_out():
     text = r"The equations are $\dot x=by$, $\dot y=-bx$. If $b=0$, then $\dot x=0$."
     assert not [one for one in verdicts(text).values() if one == Verdict.REFUTED]
