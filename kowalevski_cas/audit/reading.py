@@ -53,6 +53,7 @@ PATIENCE = 15.0
 """Seconds for what claims share, and for each that is corrected by itself."""
 NOT_JUDGED = "no kind of claim states it yet"
 BESIDE_MISPRINT = "whether it holds with what the misprint should read was not decided in time"
+BY_UNPROVED = "it holds with what another claim gives, which is not proved: ${}$"
 BY_MISPRINT = "it holds with the misprint on which it rests, and not with what that should read"
 
 
@@ -104,11 +105,29 @@ class ReadingSession:
         found = {outcome.claim: self._blaming(outcome) for outcome in run.outcomes}
         self._mend(found)
         self._doubt(found)
+        self._leave_unproved(found)
         self._leave_places(found)
         explained = {*self.causes.places, *self._searched}
         self.repairs = repairs_of_doubted(self._session, found, explained)
         self._spare_constants(found)
         return {id: self._told(outcome) for id, outcome in found.items()}
+
+    def _leave_unproved(self, found: dict[str, Outcome]) -> None:
+        """Take the verdict from what is true only with a value that is claimed and not proved."""
+        unproved = {
+            formula.item.printed: id
+            for id, formula in self.claiming.items()
+            if not found[id].verdict.green and found[id].correction is None
+        }
+        for claim in self.interpretation.derivation.claims:
+            formula = self.claiming[claim.id]
+            cited = {formula.item.printed, *(one.printed for one in formula.on)}
+            rests = sorted(unproved[one] for one in claim.reads() & unproved.keys() - cited)
+            if found[claim.id].verdict.green and rests:
+                by = self.claiming[rests[0]].item.typed.tex
+                found[claim.id] = found[claim.id]._replace(
+                    verdict=Verdict.UNDECIDED, message=BY_UNPROVED.format(by), certificate=""
+                )
 
     def _leave_places(self, found: dict[str, Outcome]) -> None:
         """Call nothing false that may be said of one place, or of one time."""

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from kowalevski_cas.notation import Formula, Name, Relation, Vector, to_latex
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.degrees import is_linear
 from kowalevski_cas.reading.hypotheses import is_value
 from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
 from kowalevski_cas.reading.law import Law
@@ -22,7 +23,8 @@ _OF = (
     r"|\s+линейной\s+части|\s+линеаризованн\w+\s+системы)?"
 )
 _VALUES = (
-    r"(?:eigenvalues?|characteristic\s+(?:roots?|exponents?)"
+    r"(?:eigenvalues?|characteristic\s+(?:roots?|exponents?|values?)"
+    r"|roots?\s+of\s+(?:the\s+|its\s+)?characteristic\s+(?:equation|polynomial)"
     rf"|собственн\w+\s+(?:числ\w+|значени\w+)){_OF}"
 )
 _AT = (
@@ -59,6 +61,13 @@ _THERE = re.compile(
     re.IGNORECASE,
 )
 _ITS = re.compile(rf"^\s*its\s+{_VALUES}\s+{_IS}[\s~]*$", re.IGNORECASE)
+_OF_LINEAR = re.compile(
+    rf"\b(?:the|its)\s+{_VALUES}\s+{_IS}[\s:~]*$"
+    rf"|\b(?:system|equations?|it)(?:[\s,]*§|,?\s+and\b)*,?\s+(?:then\s+)?ha(?:s|ve)\s+(?:the\s+)?{_VALUES}[\s:~]*$"
+    rf"|^\s*{_VALUES}\s+{_IS}[\s:~]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which they are printed for a system that is linear, and so at any point."""
 _OF_POINT = re.compile(
     r"\W*(?:\w+,?\s+){0,2}?(?:the\s+)?(?:(?P<origin>origin)|(?:\w+\s+)?(?:point|state|equilibrium)\s+§)"
     r"\s+is\b[^§]*$",
@@ -166,8 +175,11 @@ def point_of(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]
         if of and of["origin"]:
             return equations_of(dict.fromkeys(law.variables, "0"), item, law, known)
         return last_named(item, law, known) if of else ()
+    if found is None and _THERE.search(words):
+        return last_named(item, law, known)
     if found is None:
-        return last_named(item, law, known) if _THERE.search(words) else ()
+        linear = _OF_LINEAR.search(words) and is_linear(law, known)
+        return equations_of(dict.fromkeys(law.variables, "0"), item, law, known) if linear else ()
     return _at(found, words, item, law, known)
 
 

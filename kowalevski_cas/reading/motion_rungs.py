@@ -24,7 +24,7 @@ from kowalevski_cas.reading.known import Known
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.rung import Rung, RungMaker, places
 from kowalevski_cas.reading.sets import SetOfEquations
-from kowalevski_cas.reading.solutions import ALL, lacking, solution_of
+from kowalevski_cas.reading.solutions import ALL, PrintedSolution, lacking, solution_of
 from kowalevski_cas.reading.statements import SourceStatement
 
 
@@ -42,7 +42,8 @@ def solutions(at: RungMaker) -> Iterator[Rung]:
     moves = any(map(at.known.moves, at.item.bare))
     law = at.stage.law(at.item, beside) if moves else None
     found = solution_of(at.item, beside, law, at.known)
-    lack = lacking(found, law, at.known)
+    every = [found, *(_solved(at, one, beside) for one in beside if one is not at.item)]
+    lack = lacking(every, law, at.known)
     begun = _beginnings(at, law, found.given)
     of_all = ALL.search(at.item.before) or (not any(begun) and _is_said_of_all(at.item))
     if lack and of_all:
@@ -61,6 +62,14 @@ def solutions(at: RungMaker) -> Iterator[Rung]:
             beginning=places(values), start=places([*at_start(values, at.known)]),
         )  # fmt: skip
         yield replace(rung, on=(*rung.on, *values))
+
+
+def _solved(
+    at: RungMaker, item: SourceStatement, beside: Sequence[SourceStatement]
+) -> PrintedSolution:
+    """The solution that a statement gives, of its own equations of motion."""
+    law = at.stage.law(item, beside) if any(map(at.known.moves, item.bare)) else None
+    return solution_of(item, beside, law, at.known)
 
 
 def _beginnings(
@@ -136,9 +145,21 @@ _DEDUCES = re.compile(
 )
 
 
+_SATISFY = re.compile(
+    r"\W*(?:(?:then|hence|thus|therefore),?\s+)?(?:the|every|all|each|any)?\s*"
+    r"(?:solution|motion|orbit|trajector(?:y|ie)|curve)s?\s+(?:then\s+)?(?:satisf(?:y|ies)|obeys?|fulfils?)\b",
+    re.IGNORECASE,
+)
+"""How a sentence begins that says something of all motions, and names none of them."""
+
+
 def _is_deduced_of_all(item: SourceStatement, known: Known) -> bool:
     """Whether words deduce an equation without a constant of its own, and of no one motion."""
-    if known.untied(item.names - {*item.rates}) or _SOME.search(item.words):
+    if known.untied(item.names - {*item.rates}):
+        return False
+    if _SATISFY.match(item.before):
+        return True
+    if _SOME.search(item.words):
         return False
     before = (one for one in known.items if one.order < item.order)
     if any(_TENDS.search(one.typed.tex) for one in before if one.paragraph == item.paragraph):

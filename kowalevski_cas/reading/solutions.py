@@ -9,13 +9,19 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Sequence
+from functools import reduce
+from itertools import takewhile
 from typing import NamedTuple
 
+from flint import acb_mat
+
+from kowalevski_cas.algebra.samples import Sample, Valueless, is_zero
 from kowalevski_cas.notation import (
     Derivative,
     Formula,
     Name,
     Number,
+    Partial,
     Power,
     Relation,
     to_latex,
@@ -86,15 +92,38 @@ ALL = re.compile(
 """Words for all solutions."""
 
 
-def lacking(found: PrintedSolution, law: Law | None, known: Known) -> int:
-    """How many constants a solution has less than all solutions of its equations have."""
+def lacking(found: Sequence[PrintedSolution], law: Law | None, known: Known) -> int:
+    """How many constants solutions have less together than all those of their equations have.
+
+    Those count that change the state alone: of :math:`a\\cos t+b\\cos t` it is one.
+    """
     orders: dict[str, int] = {}
-    for row in found.rows:
+    for row in (row for each in found for row in each.rows):
         orders |= {name: max(n, orders.get(name, 0)) for name, n in row.rates.items()}
+    given = {one for each in found for one in each.given}
     mentioned = set[str]() if law is None else {one for n in law.mentions for one in known.below(n)}
-    printed = {name for one in found.given for name in one.names} - mentioned - known.times
+    printed = {name for one in given for name in one.names} - mentioned - known.times
     free = [n for n in printed if not (known.varies(n) or n in orders or known.is_defined(n))]
-    return max(sum(orders.values()) - len(free), 0)
+    by_time = {one.bare[0]: one.members[-1] for one in given if one.bare and len(one.members) == 2}
+    state = [
+        reduce(Partial, ["t"] * k, by_time[name])
+        for name, order in sorted(orders.items())
+        if name in by_time
+        for k in range(order)
+    ]
+    return max(sum(orders.values()) - changes_of(state, free), 0)
+
+
+def changes_of(state: Sequence[Formula], free: Sequence[str]) -> int:
+    """In how many independent ways constants change what is given by them, at a sample."""
+    sample = Sample(1, {}, (), {}, "t")
+    try:
+        rows = [[sample.value(Partial(one, name)) for one in state] for name in free]
+    except (Valueless, ArithmeticError):
+        return len(free)
+    slopes = acb_mat(rows)
+    powers = (slopes * slopes.conjugate().transpose()).charpoly().coeffs()
+    return len(free) - len([*takewhile(is_zero, powers)])
 
 
 def _given(item: SourceStatement, known: Known) -> Iterator[tuple[str, SourceStatement]]:
