@@ -69,6 +69,10 @@ CUES: dict[str, str] = {
         \bwrite\b \bwhere\b \bhere\b \bcall(?:ed)?\b new\s+variables? in\s+the\s+variables?
         abbreviat\w+ stands?\s+for \bwith\s+the\b обознач\w+ введ\w+ вводя полож\w+ пусть \bгде\b
         \bздесь\b определ\w+ в\s+переменных""",
+    "in this part": r"""
+        \bin\s+this\s+(?:section|chapter|subsection|part|case) \bhere\b
+        в\s+эт(?:ом|ой)\s+(?:разделе|параграфе|главе|пункте|случае) \bздесь\b
+        in\s+diesem\s+(?:Abschnitt|Kapitel|Fall\w*) dans\s+(?:cette\s+section|ce\s+(?:paragraphe|chapitre|cas))""",
     "lasting": r"""
         \blet\b suppos\w+ assum\w+ пусть предполож\w+""",
     "for": r"""

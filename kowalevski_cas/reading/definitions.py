@@ -192,18 +192,22 @@ _EXAMPLE = re.compile(r"\be\.\s*g\.|\bfor\s+(?:instance|example)\b|\bнапри�
 def _specialising(item: SourceStatement, known: Known, fresh: list[str]) -> str:
     """The words that give constants special values, of which laws in other sections have spoken.
 
-    They are in force to the end of their section, as what is supposed is.
+    Or of which they speak later, if it makes two of them equal. They are in force to the end of
+    their section, as what is supposed is.
     """
     names = [head(name)[0] for name in fresh]
     of_laws = {name for law in known.laws for name in (*law.mentions, *law.names.vectors)}
     before = [known.seen.get(name) for name in names]
     apart = all(one is not None and one.section not in item.sections for one in before)
+    others = [without_factor(one) for one in item.members if one not in (*map(Name, names),)]
+    equal = not any(before) and item.names <= of_laws and all(isinstance(o, Name) for o in others)
     example = _EXAMPLE.search(item.before)
     if not {*names} <= of_laws or known.varying(item.names - {*names}):
         return ""
     if example is not None and item.names <= of_laws:
         return example[0]
-    return supposing(item) or cue("lasting", item.before) if apart else ""
+    said = supposing(item) or cue("lasting", item.before) if apart or equal else ""
+    return said or (cue("in this part", item.before) if equal else "")
 
 
 def _level(

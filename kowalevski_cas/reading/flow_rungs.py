@@ -92,7 +92,7 @@ def _of_linear_part(at: RungMaker) -> Iterator[Rung]:
             place = point_of
         says = "this is an eigenvalue of the linear part at this point"
     point = place(equation or item, known)
-    law = next(law for law in known.laws if not law.images)
+    law = law_of_points(item, known) or next(law for law in known.laws if not law.images)
     kinds = [(kind, says)]
     if at.role.kind == CHARACTERISTIC and may_be_of_frequencies(item, known):
         kinds.append((FrequencyEquation, "this is the equation of the frequencies near this point"))

@@ -244,6 +244,7 @@ class _Section:
             for one in sure
             if one in asked and one not in mended and one.order < item.order
             if not one.typed.inline and given[self._given(one)] == 1
+            if pairs_of(self.formulas[one])
             if not own.isdisjoint(self.formulas[one].names())
         ]
         for place in reversed(places[-NEAR:]):
@@ -258,7 +259,7 @@ class _Section:
                 own: Sequence[SourceStatement] = (item, *resting),
                 subject: Formula | None = subject,
             ) -> bool:
-                if subject not in (None, pairs_of(edited)[0][0]):
+                if subject not in (None, *(left for left, _ in pairs_of(edited)[:1])):
                     return False  # it would say nothing of it
                 changed = {**mended, place: edited}
                 return all(self._follows(one, sure, changed) for one in own)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
+from itertools import takewhile
 
 from kowalevski_cas.notation import Modulus, Name, Number, Power, ScalarProduct, Sum
 from kowalevski_cas.notation.symbol import rate_name, symbol
@@ -32,6 +33,7 @@ def hypotheses(item: SourceStatement, known: Known) -> list[SetOfEquations]:
     if cue("on it", _place_words(item)):
         cited += just_before(item, known)
     cited += _named_before(item, known) or set_right_before(item, known)
+    cited += set_right_behind(item, known)
     alone = ((one,) for one in amplitude_equations(item, known))
     unknowns = equations_before(item, known)
     found = (sets, tuple(cited), (*sets, *cited), *alone, unknowns)
@@ -121,6 +123,31 @@ def set_right_before(item: SourceStatement, known: Known) -> SetOfEquations:
     if last.sentence != item.sentence or last.typed.inline or not _THERE.match(item.lead):
         return ()
     return tuple(one for one in before if one.typed is last.typed and _is_set(one, known))
+
+
+_IN_LIST = re.compile(r"[\s,]*(?:\b(?:and|и)\b[\s,]*)?")
+_WHERE = re.compile(
+    r"[\s,;]*(?:only\s+)?(?:for|if|when|whenever|where|at|on|along|as\s+long\s+as|provided(?:\s+that)?|при|если|когда|где|на)"
+    r"(?:\s+(?:the\s+)?(?:axis|axes|line|plane|circle|curve|sphere|ellipse|surface|points?|set|level|оси|прямой|плоскости"
+    r"|кривой|окружности|точк\w+))?[\s~]*",
+    re.IGNORECASE,
+)
+"""How words end behind which is printed where it is so what stands before them."""
+
+
+def set_right_behind(item: SourceStatement, known: Known) -> SetOfEquations:
+    """The equations right behind a statement, or its list, that say where it is so."""
+    behind = [
+        one
+        for one in known.items
+        if one.sentence == item.sentence and one.order > item.order and one.typed is not item.typed
+    ]
+    start = next((k for k, one in enumerate(behind) if not _IN_LIST.fullmatch(one.lead)), None)
+    if start is None or not _WHERE.fullmatch(behind[start].lead):
+        return ()
+    rest = behind[start + 1 :]
+    own = [behind[start], *takewhile(lambda one: _IN_LIST.fullmatch(one.lead), rest)]
+    return tuple(own) if all(_is_set(one, known) for one in own) else ()
 
 
 def _is_of_set(item: SourceStatement, name: str, known: Known) -> bool:

@@ -83,6 +83,18 @@ def _is_given_by_time(name: str, item: SourceStatement, known: Known) -> bool:
     return moved and "t" not in known.below(name) and rated_before(name, item, known)
 
 
+_IS_PLACE = re.compile(
+    r"\b(?:isoclines?|nullclines?|turning\s+points?|points?\s+of\s+return|apsides|apses|pericent(?:er|re)s?|peri\w+s"
+    r"|apo\w+s|extrem\w+|(?:max|min)im\w+(?:\s+(?:height|altitude|distance|elongation|value|deflection|amplitude)s?)?"
+    r"|highest\s+point|lowest\s+point|vert(?:ex|ices)|изоклин\w+|точ\w+\s+(?:поворота|остановки))"
+    r"(?:\s+of\s+(?:the\s+)?\w+|\s+of\s+§|\s+§)?\s+(?:is|are|occurs?|corresponds?\s+to|суть|определя\w+)"
+    r"(?:\s+(?:then|therefore|given|found|determined|obtained|defined|reached|attained|located|by|from|where|when|if|at"
+    r"|the\s+(?:line|curve)s?|условием|уравнением|из))*[\s:~]*(?:§[\s,]*(?:and|or|и)?[\s,]*)*$",
+    re.IGNORECASE,
+)
+"""How words end behind which vanishing rates say where a special point is: they vanish there."""
+
+
 def set_of_rates(item: SourceStatement, known: Known) -> StatementRole | None:
     r"""Rates that vanish on a set, with what moves, as :math:`x=0, \dot x=0`, or in a chain.
 
@@ -91,6 +103,8 @@ def set_of_rates(item: SourceStatement, known: Known) -> StatementRole | None:
     """
     if not item.derives or ZERO not in item.members:
         return None
+    if _IS_PLACE.search(item.before):
+        return StatementRole(ASSUMPTION, "says where something is", "set of the sentence")
     others = [member for member in item.members if member != ZERO]
     inner = [one.argument if isinstance(one, Derivative) else one for one in others]
     if not all(isinstance(one, Name) and known.moves(one.name) for one in inner):

@@ -67,9 +67,16 @@ def rest_point(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 def law_of_points(item: SourceStatement, known: Known) -> Law | None:
-    """The one law of which points are spoken of before a statement, that is not one of a map."""
-    laws = [law for law in known.laws if law.order < item.order and not (law.images or law.base)]
-    return laws[0] if len(laws) == 1 else None
+    """The one law of which points are spoken of before a statement, that is not one of a map.
+
+    Equations that move what no other one has are one law with those of their sentence.
+    """
+    before = [law for law in known.laws if law.order < item.order and not law.images]
+    laws = [law for law in before if not law.base]
+    if len(laws) != 1:
+        return None
+    beside = [o for o in before if o.base and o.first.sentence == laws[0].first.sentence]
+    return beside[-1] if beside and not beside[-1].change else laws[0]
 
 
 def _says_rest(item: SourceStatement) -> bool:

@@ -93,9 +93,9 @@ ALL = re.compile(
 
 
 def lacking(found: Sequence[PrintedSolution], law: Law | None, known: Known) -> int:
-    """How many constants solutions have less together than all those of their equations have.
+    r"""How many constants solutions have less together than all those of their equations have.
 
-    Those count that change the state alone: of :math:`a\\cos t+b\\cos t` it is one.
+    Those count that change the state alone: of :math:`a\cos t+b\cos t` it is one.
     """
     orders: dict[str, int] = {}
     for row in (row for each in found for row in each.rows):

@@ -27,7 +27,15 @@ from typing import TYPE_CHECKING
 
 from kowalevski_cas.limits import clock
 from kowalevski_cas.notation import Edit, NotationError
-from kowalevski_cas.paper.claims import Claim, Neighbour
+from kowalevski_cas.paper.claims import (
+    Claim,
+    Inequality,
+    InvariantRelations,
+    Neighbour,
+    RestPoint,
+    RestPoints,
+)
+from kowalevski_cas.paper.claims.eigenvalue import OfLinearPart
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Change
@@ -43,6 +51,7 @@ from kowalevski_cas.verify.suspects import (
     Repairs,
     Suspect,
     Suspicion,
+    adds_something,
     changes,
     determined_rates,
     likelihood,
@@ -58,6 +67,9 @@ MOST = 3
 """How many repairs are proposed."""
 SHARE = 10
 """The part of the time in which more corrections of a formula are sought, if there is one."""
+
+_OF_POINTS = (InvariantRelations, RestPoint, RestPoints, OfLinearPart, Inequality)
+"""The claims that say so little of the law that for one of them alone it is not suspected."""
 
 
 @dataclass
@@ -139,11 +151,12 @@ class Blame:
         if first := self._proofs(self._by_suspicion(claim), least=1).get(claim.id):
             return (*first, *edits)[:MOST]
         twice = self._equal_rates(claim)
-        if edits and not twice:
+        if (edits and not twice) or isinstance(claim, _OF_POINTS):
             return edits
         reads = claim.reads()
         others = [o for o in self._failing if o is not claim and reads & o.reads()]
         repairs = self._search([claim, *others], least=1, one=claim)
+        repairs = [repair for repair in repairs if not adds_something(repair.change)]
         if edits:  # nobody prints a rate twice: a letter there was taken for another one
             repairs = [
                 repair

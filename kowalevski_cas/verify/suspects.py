@@ -91,6 +91,21 @@ class Repair(NamedTuple):
         return claim.edited(texts, self.place, self.change)
 
 
+def adds_something(change: Edit | ConstantRelation) -> bool:
+    """Whether a change puts a name, or a derivative, where none stood.
+
+    With one of these some law or other makes nearly any claim true: of one that fails alone it
+    tells nothing.
+    """
+    if isinstance(change, ConstantRelation):
+        return False
+    before, after = (
+        [isinstance(node, Name | Derivative) for node in formula.nodes()].count(True)
+        for formula in (change.statement.formula, change.formula)
+    )
+    return after > before
+
+
 Suspicion = tuple[Suspect, Edit | ConstantRelation, Printed, list[Claim]]
 """What is suspected, what may mend it, where, and the claims that stand on it."""
 
