@@ -54,7 +54,8 @@ def free_functions(formulas: Sequence[TypedFormula], text: str) -> tuple[Unknown
     In another section a letter may be a function of something else.
     """
     texts = [_apart(one.tex) for one in formulas]
-    timed = _told_of_time(formulas, text)
+    told_by = _told_in_words(formulas, text)
+    timed = _told_of_time(formulas, text) | {one for one, by in told_by.items() if by == TIME}
     moving = set[str]().union(*map(names_under_dots, texts)) | {TIME}
     moving |= {found["name"].replace(" ", "") for tex in texts for found in _RATE.finditer(tex)}
     given = {
@@ -73,7 +74,10 @@ def free_functions(formulas: Sequence[TypedFormula], text: str) -> tuple[Unknown
                 lists[name][section].add(by)
                 orders[name] = max(order, orders[name])
                 sure |= {name} if order or _says(tex, name) else set()
-    found = []
+    found = [Unknown(name, (TIME,), _order(name, texts)) for name in timed - lists.keys()]
+    for name, by in told_by.items() - {(name, by) for name in lists for by in moving}:
+        if by in moving - {TIME} and _may_be_any(name, given, texts):
+            found.append(Unknown(name, (by,), 1))
     for name in lists:
         every = dict.fromkeys(by for own in lists[name].values() for by in own)
         several = any(len(own) > 1 for own in lists[name].values())
@@ -148,17 +152,65 @@ def _told_of_time(formulas: Sequence[TypedFormula], text: str) -> set[str]:
         if match and match["by"] == TIME and (said := _OF_TIME.match(text, formula.end)):
             found[match["name"].replace(" ", "")] = _GIVEN.search(said[0]) is not None
     rows = [one.tex for one in formulas if not one.inline and names_under_dots(one.tex)]
-    parts = [
-        {*names_under_dots(part), *(found["name"] for found in _RATE.finditer(part))}
-        for tex in rows
-        for part in _PARTS.split(tex)
-    ]
+    moved = {*_moved(rows)}
     return {
         name
         for name, is_given in found.items()
-        if any(map(partial(_stands, name, anywhere=is_given), rows))
-        and {name} not in parts  # that would say how it moves
+        if any(map(partial(_stands, name, anywhere=is_given), rows)) and name not in moved
     }
+
+
+def _moved(texts: Iterable[str]) -> Iterator[str]:
+    """The names of which equations say how they move: no rate of another one stands there."""
+    for part in (part for tex in texts for part in _PARTS.split(tex)):
+        rated = {*names_under_dots(part), *(found["name"] for found in _RATE.finditer(part))}
+        yield from rated if len(rated) == 1 else ()
+
+
+def _on(group: str) -> str:
+    """What something may be a function of: the time, or a letter, which is a group."""
+    letter = rf"(?:\w+\s+){{0,2}}\$\s*(?P<{group}>{NAME})\s*\$"
+    return rf"(?:(?:the\s+)?(?:time\b|времен\w+|der\s+Zeit|temps\b)|{letter})"
+
+
+_VARIES = re.compile(
+    r"\$?[\s~]*(?:(?:that|which|now|itself)\s+)*(?:(?:may|can|is\s+allowed\s+to)\s+)?(?:slowly\s+|медленно\s+)?(?:"
+    r"(?:vary|varies|changes?|depends?|depending|varying|hängt|d\\'epend)(?:\s+\w+ly)?"
+    rf"\s+(?:with|in|on|upon|von|du)\s+{_on('by0')}"
+    rf"|(?:is|be|being)\s+an?\s+(?:\w+\s+){{0,3}}?function\s+of\s+{_on('by1')}"
+    rf"|(?:за\w+|меняется)\s+(?:от|со?)\s+{_on('by2')}"
+    rf"|(?:[-—–]+|есть|является)\s*(?:\w+\s+){{0,2}}?функци\w+\s+{_on('by3')})",
+    re.IGNORECASE,
+)
+"""How words begin behind a letter that say on what it depends."""
+_VARIABLE = re.compile(
+    r"\b(?:variable|(?:slowly\s+)?varying|time-dependent|переменн\w+)\s+"
+    r"(?:mass|length|frequency|stiffness|moment|coefficient|field|radius|масс\w+|длин\w+|частот\w+|жесткост\w+)\s*\$?$",
+    re.IGNORECASE,
+)
+"""How words end before a letter that is no constant."""
+
+
+def _told_in_words(formulas: Sequence[TypedFormula], text: str) -> dict[str, str]:
+    """The letters that words make functions of one thing, or an equation as m=m(t), with that.
+
+    They stand alone in equations for something else, of which nothing says how they move.
+    """
+    found: dict[str, str] = {}
+    for formula in formulas:
+        name, equals, right = formula.tex.replace(" ", "").partition("=")
+        match = APPLIED.fullmatch(right)
+        if equals and match and match["name"] == name and match["by"] == TIME:
+            found[name] = TIME
+        elif formula.inline and re.fullmatch(NAME, formula.tex.strip()):
+            if said := _VARIES.match(text, formula.end):
+                by = next((said[f"by{k}"] for k in range(4) if said[f"by{k}"]), TIME)
+                found[formula.tex.strip()] = by.strip()
+            elif _VARIABLE.search(text, 0, formula.start):
+                found[formula.tex.strip()] = TIME
+    moved = {*_moved(one.tex for one in formulas)}
+    used = {name for one in formulas for name in re.findall(NAME, _apart(one.tex))}
+    return {name: by for name, by in found.items() if name in used - moved and name != by}
 
 
 def _stands(name: str, tex: str, anywhere: bool) -> bool:
