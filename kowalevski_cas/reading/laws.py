@@ -418,6 +418,7 @@ class _LawFinder:
         rated, named = {*law.variables}, {*self.names.scalars(law.mentions)}
         met = {name for one in self.paper.items if one.typed.start < begins for name in one.names}
         anew = said or (named - met and cue("system", item.before))
+        anew = anew or self._is_of_new_constants(law, part, named - met)
         deduced = cue("deduced", item.before) and not anew
         printed = {row.formula for one in part for row in one.rows}
         if named & old - rated or (deduced and rated <= old):
@@ -440,6 +441,18 @@ class _LawFinder:
         speaks = any({*self.names.scalars(one.names)} & old - rated for one in between)
         law.begins = item.sentence[0] if speaks else begins
         return law
+
+    def _is_of_new_constants(self, law: Law, part: Sequence[Law], new: Collection[str]) -> bool:
+        """Whether the rates of all that moved are given with new letters, which nothing gives.
+
+        They do not follow from the law before, which has nothing of them.
+        """
+        orders, before = (
+            {name: order for one in laws for row in one.rows for name, order in row.rates.items()}
+            for laws in ([law], part)
+        )
+        given = {name for one in self.paper.items for name in one.printed.heads.names}
+        return orders == before and bool({*new} - given)
 
     def _begins(self, row: SourceStatement, heading: int) -> int:
         """Where another system begins: at its heading, unless rates stand between, as of this."""

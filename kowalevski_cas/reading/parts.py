@@ -190,7 +190,7 @@ class Parts:
         for laws in printed:
             mentioned = {n for law in laws for name in law.mentions for n in before.below(name)}
             constants.append({n for n in mentioned if not before.is_defined(n)} - moving)
-        return bool(constants[0]) and constants[0] <= constants[1]
+        return constants[0] <= constants[1]
 
     @cached_property
     def named_apart(self) -> list[frozenset[str]]:
