@@ -29,7 +29,7 @@ from kowalevski_cas.audit.places import Correspondence
 from kowalevski_cas.audit.scaled import edits_by_scales, tell_scales
 from kowalevski_cas.limits import time_limit
 from kowalevski_cas.notation import Edit, Name, Negative, Number, Power, Relation, edits
-from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.claims import Claim, RestPoints
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.texts import Printed, Texts, edited_formulas
 from kowalevski_cas.processes import each
@@ -53,6 +53,7 @@ PATIENCE = 15.0
 """Seconds for what claims share, and for each that is corrected by itself."""
 NOT_JUDGED = "no kind of claim states it yet"
 BESIDE_MISPRINT = "whether it holds with what the misprint should read was not decided in time"
+NOT_ALL = "the points of these equations are states of rest, but there may be others"
 BY_UNPROVED = "it holds with what another claim gives, which is not proved: ${}$"
 BY_MISPRINT = "it holds with the misprint on which it rests, and not with what that should read"
 
@@ -105,12 +106,25 @@ class ReadingSession:
         found = {outcome.claim: self._blaming(outcome) for outcome in run.outcomes}
         self._mend(found)
         self._doubt(found)
+        self._leave_exceptions(found)
         self._leave_unproved(found)
         self._leave_places(found)
         explained = {*self.causes.places, *self._searched}
         self.repairs = repairs_of_doubted(self._session, found, explained)
         self._spare_constants(found)
         return {id: self._told(outcome) for id, outcome in found.items()}
+
+    def _leave_exceptions(self, found: dict[str, Outcome]) -> None:
+        """Take the verdict from equations of all states of rest that leave some of these out."""
+        for claim in self.interpretation.derivation.claims:
+            if not (isinstance(claim, RestPoints) and claim.are_all):
+                continue
+            outcome = found[claim.id]
+            left = {name for one in outcome.conditions for name in one.expression.names()}
+            if outcome.verdict.green and left & {*claim.scene.variables}:
+                found[claim.id] = outcome._replace(
+                    verdict=Verdict.UNDECIDED, message=NOT_ALL, certificate=""
+                )
 
     def _leave_unproved(self, found: dict[str, Outcome]) -> None:
         """Take the verdict from what is true only with a value that is claimed and not proved."""

@@ -74,10 +74,11 @@ def free_functions(formulas: Sequence[TypedFormula], text: str) -> tuple[Unknown
                 lists[name][section].add(by)
                 orders[name] = max(order, orders[name])
                 sure |= {name} if order or _says(tex, name) else set()
-    found = [Unknown(name, (TIME,), _order(name, texts)) for name in timed - lists.keys()]
-    for name, by in told_by.items() - {(name, by) for name in lists for by in moving}:
-        if by in moving - {TIME} and _may_be_any(name, given, texts):
-            found.append(Unknown(name, (by,), 1))
+    alone = timed - lists.keys()
+    found = [Unknown(name, (TIME,), _order(name, texts)) for name in sorted(alone)]
+    for name, one in told_by.items():
+        if name not in lists and one in moving - {TIME} and _may_be_any(name, given, texts):
+            found.append(Unknown(name, (one,), 1))
     for name in lists:
         every = dict.fromkeys(by for own in lists[name].values() for by in own)
         several = any(len(own) > 1 for own in lists[name].values())

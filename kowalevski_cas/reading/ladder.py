@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Any
 
 from kowalevski_cas.notation import Constant, Name, Number, Root, Unwritten, to_latex
 from kowalevski_cas.notation.edits import substitute
@@ -32,6 +33,7 @@ from kowalevski_cas.reading.formulas import are_differentials
 from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, normalisations
 from kowalevski_cas.reading.motion_rungs import along_solution, first_order, of_motion, solutions
 from kowalevski_cas.reading.parameters import held_fixed
+from kowalevski_cas.reading.phrases import solved_by
 from kowalevski_cas.reading.rung import Rung, RungMaker, places, stronger
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.stage import Stage
@@ -273,9 +275,12 @@ class _Ladder(RungMaker):
             return
         kind, says = _OF_SETS[self.role.kind]
         bound = self.known.bound
-        own = places((*relations, *bound))
+        about: dict[str, Any] = {"relations": places((*relations, *bound))}
+        own = about["relations"]
+        if kind is RestPoints and solved_by(relations[0], "equilibrium"):
+            about["are_all"], says = True, f"{says}, and only there"
         for assumptions in ways:
-            yield self.rung(kind, says, assumptions, bound, relations, relations=own)
+            yield self.rung(kind, says, assumptions, bound, relations, **about)
         if along := self._along(relations) if kind is InvariantRelations else []:
             says, more = "no motion that begins along this set leaves it", places(along)
             for assumptions in ways:

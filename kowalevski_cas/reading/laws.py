@@ -417,7 +417,7 @@ class _LawFinder:
         old = {name for one in part for name in one.variables}
         rated, named = {*law.variables}, {*self.names.scalars(law.mentions)}
         met = {name for one in self.paper.items if one.typed.start < begins for name in one.names}
-        anew = said or (named - met and cue("system", item.before))
+        anew = bool(said or (named - met and cue("system", item.before)))
         anew = anew or self._is_of_new_constants(law, part, named - met)
         deduced = cue("deduced", item.before) and not anew
         printed = {row.formula for one in part for row in one.rows}

@@ -48,6 +48,12 @@ _SUPPOSED = re.compile(
     re.IGNORECASE,
 )
 """How words end that suppose something without a formula, right before what then is so."""
+_OF_THIS = re.compile(
+    r"\bits\b|\b(?:this|the)\s+(?:linear(?:i[sz]ed)?|approximate|simplified)\s+(?:equations?|system|oscillator|model)"
+    r"|\bthis\s+(?:equation|system)|\b(?:его|её)\b|\bэт(?:о|ого)\s+уравнени\w+|\bлинейн\w+\s+(?:уравнени|систем)\w+",
+    re.IGNORECASE,
+)
+"""Words for the equation that was spoken of last."""
 _BY_ALGEBRA = (
     Casimir, EverywhereIndependent, Identity, Implication, Independence, Inequality, Involution,
 )  # fmt: skip
@@ -126,7 +132,7 @@ class OtherCases:
         if isinstance(claim, _BY_ALGEBRA) and not derives:
             return ""
         moving = {*claim.scene.variables}
-        for row in self.rows:
+        for row in (*self.rows, *self._approximate(item, start)):
             rated = {*known.names.scalars(row.rates)}
             reached = row.typed is not item.typed and self._reaches(row, start)
             if reached and (rated & moving or row.formula is None):
@@ -134,6 +140,20 @@ class OtherCases:
                 line = lines.get(row.printed.display.id, 0)
                 return OTHERWISE.format(row.typed.tex.strip(" ."), line)
         return ""
+
+    def _approximate(self, item: SourceStatement, start: int) -> list[SourceStatement]:
+        """The last equation before a place that holds approximately, if words speak of its motions.
+
+        It stands in the paragraph, or alone in the section.
+        """
+        if not _OF_THIS.search(item.before):
+            return []
+        before = [
+            one
+            for one in self.parts.paper.approximate
+            if one.derives and one.typed.start < start and one.section is item.section
+        ]
+        return [max(before, key=lambda one: one.order)] if before else []
 
     def _reaches(self, row: SourceStatement, start: int) -> bool:
         """Whether a place stands beside a row, or behind it, in its section, or in its footnote.

@@ -416,17 +416,21 @@ def joined_lead(item: SourceStatement) -> str:
 _THEY_SOLVE = re.compile(
     r"\b(?:is|are)\s+(?:a\s+|the\s+)?(?:points?|solutions?|roots?|zeros?)\s+"
     r"(?:of|at|where|in)(?:\s+which)?[\s:~]*$"
+    r"|\b(?:found|determined|obtained|given|defined)\s+(?:from|by)(?:\s+the)?(?:\s+(?:equations?|conditions?|system))?[\s:~]*$"
+    r"|\b(?:находят?ся|определя\w+)(?:\s+из)?(?:\s+(?:услови\w+|уравнени\w+|систем\w+))?[\s:~]*$"
     r"|(?:явля\w+|суть|[-—–])\s*(?:точк\w+|решени\w+|корн\w+|нул\w+)"
     r"(?:,?\s+в\s+которых|\s+(?:уравнени|систем)\w+)?[\s:~]*$"
 )
 """How words end before the equations that something satisfies."""
+_EQUATIONS_BEFORE = re.compile(r"(?:§|[\s,]|\b(?:and|и)\b)*$")
+"""What stands before one of several equations."""
 _THEY = re.compile(r"\s*(?:They|These|Это|Они)\b")
 
 
 def solved_by(item: SourceStatement, name: str) -> str:
-    """The words for what a display is the set of: in its sentence, or before, if “they” are."""
-    words = item.before
-    if item.typed.inline or not (found := _THEY_SOLVE.search(words)):
+    """The words for what equations are the set of: in their sentence, or before, if “they” are."""
+    words = _EQUATIONS_BEFORE.sub("", item.before)
+    if not (found := _THEY_SOLVE.search(words)):
         return ""
     if _THEY.match(words):
         return cue(name, item.earlier[0]) if item.earlier else ""

@@ -83,6 +83,13 @@ def _is_given_by_time(name: str, item: SourceStatement, known: Known) -> bool:
     return moved and "t" not in known.below(name) and rated_before(name, item, known)
 
 
+_FOUND_FROM = re.compile(
+    r"\b(?:found|determined|obtained|calculated|computed|defined|given)\s+(?:from|by)(?:\s+the)?"
+    r"(?:\s+(?:conditions?|requirements?|equations?|relations?|equality|equalities))?(?:\s+that)?[\s:~]*$"
+    r"|\b(?:находи\w+|определя\w+|найд\w+)(?:\s+из)?(?:\s+(?:услови\w+|уравнени\w+|соотношени\w+|равенств\w*))?[\s:~]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which stands an equation for something that is sought."""
 _IS_PLACE = re.compile(
     r"\b(?:isoclines?|nullclines?|turning\s+points?|points?\s+of\s+return|apsides|apses|pericent(?:er|re)s?|peri\w+s"
     r"|apo\w+s|extrem\w+|(?:max|min)im\w+(?:\s+(?:height|altitude|distance|elongation|value|deflection|amplitude)s?)?"
@@ -103,7 +110,7 @@ def set_of_rates(item: SourceStatement, known: Known) -> StatementRole | None:
     """
     if not item.derives or ZERO not in item.members:
         return None
-    if _IS_PLACE.search(item.before):
+    if _IS_PLACE.search(item.before) or _FOUND_FROM.search(item.lead):
         return StatementRole(ASSUMPTION, "says where something is", "set of the sentence")
     others = [member for member in item.members if member != ZERO]
     inner = [one.argument if isinstance(one, Derivative) else one for one in others]

@@ -247,11 +247,36 @@ def unjudged(item: SourceStatement, known: Known) -> StatementRole | None:
         )
     if said := cue("so it is not", item.after[:80]):
         return StatementRole(OTHER, f"“{said}” is said of it: it is not claimed", "denied")
+    if said := _for_contradiction(item, known):
+        why = f"“{said}” stands before it: it is deduced to be denied"
+        return StatementRole(OTHER, why, "denied")
     if said := cue("quoted", clause(item)):
         return StatementRole(OTHER, f"“{said}” stands beside it: others claim it", "quoted")
     if item.after.endswith("?") or known.paper.prose.text[: item.sentence[1]].rstrip()[-1:] == "?":
         return StatementRole(OTHER, "it is asked, not claimed", "asked")
     return None
+
+
+_CONTRARY = re.compile(
+    r"\b(?:assum|suppos)\w*\s+(?:on\s+)?the\s+contrary|\b(?:by|for|to\s+(?:get|obtain|reach))\s+(?:an?\s+)?contradiction"
+    r"|\bпредположим\s+противное|\bот\s+противного",
+    re.IGNORECASE,
+)
+"""Words that suppose what is to be denied."""
+_CONTRADICTION = re.compile(
+    r"\bcontradict\w*|\babsurd\w*|\bimpossible\b|\bпротивореч\w*|\bневозможн\w*", re.IGNORECASE
+)
+"""Words that deny it."""
+
+
+def _for_contradiction(item: SourceStatement, known: Known) -> str:
+    """The words before a statement, in its paragraph, that suppose what is denied behind it."""
+    text = known.paper.prose.text
+    start = max(item.paragraph, item.section.start)
+    said = [*_CONTRARY.finditer(text, start, item.typed.start)]
+    if not said or _CONTRADICTION.search(text, said[-1].end(), item.typed.start):
+        return ""
+    return said[-1][0]
 
 
 _REASON = re.compile(

@@ -56,22 +56,25 @@ class RestPoint(Claim):
 
 
 class RestPoints(Claim):
-    """The points where the printed equations hold are states of rest.
+    """The points where the printed equations hold are states of rest, and perhaps all of these.
 
     Velocities, which are variables where higher derivatives are printed, are zero at rest.
     """
 
     relations: tuple[Printed, ...]
+    are_all: bool = False
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
         if not self.relations:
             raise Meaningless("no equations are given")
         # the equations may not say so: x = 0 of ẍ = −x is a state of rest only with ẋ = 0
-        still = (vanishes(Name(name)) for name in space.velocities.values())
-        given = (*equations(on, space, self.relations), *still)
-        rest = (vanishes(rate(Name(name))) for name in space.variables)
-        yield Follows(space, (tuple(rest),), given)
+        still = [vanishes(Name(name)) for name in space.velocities.values()]
+        relations = equations(on, space, self.relations)
+        rest = tuple(vanishes(rate(Name(name))) for name in space.variables)
+        yield Follows(space, (rest,), (*relations, *still))
+        if self.are_all:
+            yield Follows(space, (relations,), (*rest, *still))
 
     def establishes(self) -> Iterator[Printed]:
         yield from self.relations
