@@ -402,7 +402,8 @@ def uncovered(reading: Reading) -> list[Uncovered]:
     for one in (formula.item.typed for formula in _skipped(reading)):  # and what leads up to them
         covered.append((max(end for end in ends if end <= one.start), one.end))
     stated = sentences(paper.prose, paper.source, paper.expanded, covered)
-    return [passage for span, kind, passage in stated if (span, kind) not in kinds]
+    left = ((span, passage) for span, kind, passage in stated if (span, kind) not in kinds)
+    return [*dict(reversed([*left])).values()][::-1]
 
 
 def _skipped(reading: Reading) -> Iterator[JudgedStatement]:

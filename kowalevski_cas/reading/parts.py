@@ -27,6 +27,8 @@ from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.restated import find_restated
 from kowalevski_cas.reading.solved import SOLVED, solutions_for
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
+from kowalevski_cas.reading.suppositions import POSITIVE
+from kowalevski_cas.reading.unprinted import unprinted
 from kowalevski_cas.reading.varied_laws import with_varied
 
 
@@ -108,6 +110,11 @@ class Parts:
         """Keep what a statement says."""
         known = self.of(item)
         known.enter(item, role)
+        if role.kind == POSITIVE:
+            name, why = role.names[0], "the words call it positive"
+            found = unprinted(self.paper, f"{name}-positive", f"{name}>0", item, why)
+            self.places[found] = self.places[item]
+            known.enter(found, StatementRole(ASSUMPTION, why, "inequality", role.names))
         if role.kind == SOLVED:
             for found in solutions_for(item, known):
                 self.places[found] = self.places[item]

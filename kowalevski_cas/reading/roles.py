@@ -70,8 +70,10 @@ from kowalevski_cas.reading.solutions import constant_of_solution
 from kowalevski_cas.reading.solved import solved
 from kowalevski_cas.reading.statements import SourceStatement, is_dependence, is_ellipsis
 from kowalevski_cas.reading.suppositions import (
+    POSITIVE,
     assumption,
     inequality,
+    is_called_positive,
     of_place,
     of_some_motions,
     on_place,
@@ -164,6 +166,9 @@ def expression(item: SourceStatement, known: Known) -> StatementRole | None:
         spoken_of = VERB.match(item.tail) and not _BELONGING.search(item.lead)
         said = cue("integral", item.tail[:40]) if spoken_of else ""
         said = said or listed_words(item, "integral") or _said_before(item, known)
+        if not said and is_called_positive(item, known):
+            why = "a name; the words call it positive"
+            return StatementRole(NOTATION, why, POSITIVE, (item.formula.name,))
         if not (said and known.varies(item.formula.name)):
             return StatementRole(NOTATION, "a name")
     else:

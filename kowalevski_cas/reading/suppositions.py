@@ -13,6 +13,8 @@ from kowalevski_cas.reading.phrases import (
     PUT,
     is_number,
     is_value,
+    joined_lead,
+    joined_tail,
     reach,
     reach_of_constants,
     supposing,
@@ -46,7 +48,7 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
     if said := _stated_under(item):
         return StatementRole(CLAIM, f"it is said when “{said.strip()}”", "condition")
     if is_inequality(item.formula) and known.varying(item.names):
-        if said := cue("region", item.lead):
+        if said := cue("region", joined_lead(item)):
             return StatementRole(OTHER, f"“{said}” names a region by it")
         others = (one for one in known.paper.items if one.typed is item.typed)
         beside = not item.typed.inline and len([*others]) > 1
@@ -70,6 +72,30 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
         why = "an inequality that is supposed"
         return StatementRole(ASSUMPTION, why, "inequality", tuple(sorted(item.names)))
     return StatementRole(CLAIM, "an inequality that is claimed", "inequality")
+
+
+POSITIVE = "positive"
+_POSITIVE = r"(?:positive|положительн\w+)"
+_POSITIVE_BEFORE = re.compile(
+    rf"(?<!non-)\b{_POSITIVE}\s+(?:real\s+)?(?:parameters?|constants?|numbers?|masses|coefficients?|lengths?|reals?"
+    r"|постоянн\w+|параметр\w*|числ\w+|масс\w*|коэффициент\w*)[\s:~]*$",
+    re.IGNORECASE,
+)
+_POSITIVE_BEHIND = re.compile(
+    rf"[\s,~]*(?:(?:are|is|be|denotes?)\s+(?:(?:all|both|given|an?|small|some|fixed)\s+)*positive\b(?![\s-]+definite)"
+    r"|[-—–]*\s*положительн(?:ы|а|о|ые)\b)",
+    re.IGNORECASE,
+)
+"""How words end, or begin, beside letters of constants that are positive."""
+
+
+def is_called_positive(item: SourceStatement, known: Known) -> bool:
+    """Whether words beside the letter of a constant, or its list, call it positive."""
+    assert isinstance(item.formula, Name)
+    if known.varies(item.formula.name) or cue("if", item.before) or cue("denied", item.words):
+        return False
+    before, behind = joined_lead(item), joined_tail(item)
+    return bool(_POSITIVE_BEFORE.search(before) or _POSITIVE_BEHIND.match(behind))
 
 
 _OF_NEW = re.compile(

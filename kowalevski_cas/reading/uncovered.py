@@ -16,6 +16,14 @@ LONGEST = 500
 """Characters of a sentence that are kept."""
 
 STATES: dict[str, str] = {
+    "stability": r"""
+        \b(?:un)?stable\b \binstability\b (?:positive|negative)(?:ly)?[\s-]+definite
+        устойчив\w* неустойчив\w+ (?:положительно|отрицательно)[\s-]+определ[её]н\w+""",
+    "period": r"""
+        \bperiod\s+(?:is|equals|becomes)\b \bperiod\s+(?:of\s+[^.$]*)?\$[^$=]*=
+        \bпериод\w*\s+(?:[^.$]*)?\$[^$=]*=""",
+    "tends": r"""
+        \\to(?![A-Za-z])[^$]*\$\s*(?:as|when|for|при|когда)\s*\$[^$]*\\to(?![A-Za-z])""",
     "integral": r"""
         \binvariants?\s+(?:of|under)\s+(?:the\s+|this\s+|our\s+)?(?:\w+\s+)?map(?:ping)?\b
         \bintegral(?:s\b|\b(?!\s+(?:equation|curve|sign))) \bconserved\b \bpreserved\b
@@ -53,8 +61,7 @@ STATES: dict[str, str] = {
         purely\s+imaginary \breal\b \bcomplex\b \bpositive\b \b(?:non-?)?negative\b веществен\w+
         мним\w+ действительн\w+ положительн\w+ отрицательн\w+""",
     "motion": r"""
-        \bperiodic\w* \bstable\b \bunstable\b \basymptotic\w+ \bbounded\b
-        периодич\w+ устойчив\w+ асимптотич\w+ ограничен\w+""",
+        \bperiodic\w* \basymptotic\w+ \bbounded\b периодич\w+ асимптотич\w+ ограничен\w+""",
     "degree": r"""
         \b(?:linear|quadratic|cubic|quartic|polynomial|rational|elliptic|homogeneous)\b
         \b(?:algebraic|transcendental)\b \bdegree\b линейн\w+ квадратичн\w+ степен\w+ полином\w+
@@ -67,6 +74,9 @@ STATES: dict[str, str] = {
         квадратур\w+ раздел\w+ инволюци\w+""",
 }
 """Words that state something of a kind, in English and in Russian; spaces stand between them."""
+
+ALONE = ("stability", "period", "tends")
+"""The kinds that no claim of a formula states: they are told beside what is judged, too."""
 
 _KINDS = {
     kind: re.compile("|".join(words.split()), re.IGNORECASE) for kind, words in STATES.items()
@@ -119,14 +129,15 @@ def sentences(
 ) -> Iterator[tuple[tuple[int, int], str, Uncovered]]:
     """The sentences that state something of a kind, in none of some intervals of the text.
 
-    Each comes with its interval and its kind.
+    Each comes with its interval and its kind; or with several, if one of these stands alone.
     """
     apart = (found.span() for found in _APART.finditer(prose.text, prose.start))
     spans = sorted([*covered, *apart])
     for start, end in zip(prose.stops, [*prose.stops[1:], len(prose.text)], strict=True):
         words = prose.text[start:end]
-        kind, match = _stated(words, [(a - start, b - start) for a, b in spans])
-        if match is None or words.rstrip().endswith("?"):  # a question states nothing
+        within = [(a - start, b - start) for a, b in spans]
+        stated = _stated(words, expanded.text[start:end], within)
+        if not stated or words.rstrip().endswith("?"):  # a question states nothing
             continue
         if any(part.title == "thebibliography" for part in prose.path(start)):
             continue
@@ -135,16 +146,26 @@ def sentences(
         printed = " ".join(expanded.text[begin:end].split())
         short = printed if len(printed) <= LONGEST else f"{printed[: LONGEST - 1]}…"
         line = source.line(expanded.origin(begin, begin + 1)[0])
-        yield (start, end), kind, Uncovered(line, short, f"{kind}: “{match[0]}”")
+        for kind, said in stated.items():
+            yield (start, end), kind, Uncovered(line, short, f"{kind}: “{said}”")
 
 
-def _stated(words: str, spans: Sequence[tuple[int, int]]) -> tuple[str, re.Match[str] | None]:
-    """The kind of what some words state outside of some intervals, and the words that tell it."""
+def _stated(words: str, printed: str, spans: Sequence[tuple[int, int]]) -> dict[str, str]:
+    """The first kind of what some words state outside of some intervals, and those that are alone.
+
+    These may be told by formulas, which are ``printed`` among the words. Each comes with the words
+    that tell it.
+    """
+    found: dict[str, str] = {}
     for kind, cues in _KINDS.items():
-        for match in cues.finditer(words):
+        if kind not in ALONE and not {*found} <= {*ALONE}:
+            break
+        for match in cues.finditer(printed if kind in ALONE else words):
             if not any(start <= match.start() < end for start, end in spans):
-                return kind, match
-    return "", None
+                said = match[0].partition("$")[0].strip()
+                found[kind] = kind if said.startswith("\\") else said
+                break
+    return found
 
 
 def formulas(
