@@ -72,7 +72,8 @@ CUES: dict[str, str] = {
     "in this part": r"""
         \bin\s+this\s+(?:section|chapter|subsection|part|case) \bhere\b
         в\s+эт(?:ом|ой)\s+(?:разделе|параграфе|главе|пункте|случае) \bздесь\b
-        in\s+diesem\s+(?:Abschnitt|Kapitel|Fall\w*) dans\s+(?:cette\s+section|ce\s+(?:paragraphe|chapitre|cas))""",
+        in\s+diesem\s+(?:Abschnitt|Kapitel|Fall\w*) dans\s+cette\s+section
+        dans\s+ce\s+(?:paragraphe|chapitre|cas)""",
     "lasting": r"""
         \blet\b suppos\w+ assum\w+ пусть предполож\w+""",
     "for": r"""

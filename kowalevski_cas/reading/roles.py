@@ -166,11 +166,8 @@ def expression(item: SourceStatement, known: Known) -> StatementRole | None:
         spoken_of = VERB.match(item.tail) and not _BELONGING.search(item.lead)
         said = cue("integral", item.tail[:40]) if spoken_of else ""
         said = said or listed_words(item, "integral") or _said_before(item, known)
-        if not said and is_called_positive(item, known):
-            why = "a name; the words call it positive"
-            return StatementRole(NOTATION, why, POSITIVE, (item.formula.name,))
         if not (said and known.varies(item.formula.name)):
-            return StatementRole(NOTATION, "a name")
+            return _named_alone(item.formula.name, item, known)
     else:
         said = words_of(item, "integral") or listed_words(item, "integral")
     if said and known.varying(item.names):
@@ -185,6 +182,13 @@ def expression(item: SourceStatement, known: Known) -> StatementRole | None:
             return StatementRole(CLAIM, f"“{said}” is said of a differential form", "form")
         return StatementRole(CLAIM, f"“{said}” is said of it", "integral")
     return StatementRole(OTHER, "an expression: nothing is stated")
+
+
+def _named_alone(name: str, item: SourceStatement, known: Known) -> StatementRole:
+    """A letter by itself, which words may call positive."""
+    if is_called_positive(item, known):
+        return StatementRole(NOTATION, "a name; the words call it positive", POSITIVE, (name,))
+    return StatementRole(NOTATION, "a name")
 
 
 _SUPPOSES = re.compile(
@@ -250,11 +254,8 @@ def unjudged(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(
             OTHER, f"“{said}” stands beside it: it is not claimed as printed", "denied"
         )
-    if said := cue("so it is not", item.after[:80]):
+    if said := cue("so it is not", item.after[:80]) or _for_contradiction(item, known):
         return StatementRole(OTHER, f"“{said}” is said of it: it is not claimed", "denied")
-    if said := _for_contradiction(item, known):
-        why = f"“{said}” stands before it: it is deduced to be denied"
-        return StatementRole(OTHER, why, "denied")
     if said := cue("quoted", clause(item)):
         return StatementRole(OTHER, f"“{said}” stands beside it: others claim it", "quoted")
     if item.after.endswith("?") or known.paper.prose.text[: item.sentence[1]].rstrip()[-1:] == "?":

@@ -82,7 +82,7 @@ _POSITIVE_BEFORE = re.compile(
     re.IGNORECASE,
 )
 _POSITIVE_BEHIND = re.compile(
-    rf"[\s,~]*(?:(?:are|is|be|denotes?)\s+(?:(?:all|both|given|an?|small|some|fixed)\s+)*positive\b(?![\s-]+definite)"
+    r"[\s,~]*(?:(?:are|is|be|denotes?)\s+(?:(?:all|both|given|an?|small|some|fixed)\s+)*positive\b(?![\s-]+definite)"
     r"|[-—–]*\s*положительн(?:ы|а|о|ые)\b)",
     re.IGNORECASE,
 )
