@@ -16,7 +16,7 @@ from kowalevski_cas.reading.cases import is_told_apart, named_case
 from kowalevski_cas.reading.clauses import Clauses
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.law import Law
-from kowalevski_cas.reading.lifted import goes_on, is_lifted, may_lift
+from kowalevski_cas.reading.lifted import goes_on, is_lifted, may_lift, names_case
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, is_numerical
 
@@ -379,7 +379,7 @@ class Known:
         if kind.startswith("set") or kind in (CONSTRAINT, BEGINNING, UNKNOWNS):
             return False
         if kind.endswith("of the sentence"):
-            return one.sentence == item.sentence
+            return one.sentence == item.sentence or names_case(one, item)
         if kind == FUNCTION and one.section is not item.section:
             return False
         return self.is_within(one, item) and goes_on(

@@ -94,6 +94,22 @@ def goes_on(one: SourceStatement, item: SourceStatement, special: bool, prose: P
     return one.paragraph == item.paragraph and _GOES_ON.match(item.before) is not None
 
 
+_GAP = 3
+"""So many signs are between sentences at most that follow each other."""
+_IN_CASE = re.compile(
+    r"\W*(?:and\s+)?(?:in\s+(?:this|that|such\s+a)\s+(?:\w+\s+)?case|в\s+(?:этом|таком)\s+случае"
+    r"|in\s+diesem\s+Fall\w*|dans\s+ce\s+cas)\b",
+    re.IGNORECASE,
+)
+"""How a sentence begins that is about the case of which the one before it spoke."""
+
+
+def names_case(one: SourceStatement, item: SourceStatement) -> bool:
+    """Whether a sentence says that it is about the case that the sentence before it supposes."""
+    near = one.paragraph == item.paragraph and 0 <= item.sentence[0] - one.sentence[1] < _GAP
+    return near and _IN_CASE.match(item.before) is not None
+
+
 def is_lifted(
     one: SourceStatement,
     item: SourceStatement,

@@ -230,6 +230,9 @@ def point_at(
         return ()
     if isinstance(own[0].formula, Name):
         return _named(own[0], item, law, known)
+    for one, role in known.roles.items():
+        if role.kind == POINT and one.members[:1] == (own[0].formula,) and one.order < item.order:
+            return _with_coordinates(coordinates(one, law, known), item, law, known)
     return _with_coordinates(coordinates(own[0], law, known), item, law, known)
 
 

@@ -51,7 +51,7 @@ def _own_lead(item: SourceStatement) -> str:
 
 def clause(item: SourceStatement) -> str:
     """The words right around a statement; not those that say something of the one before it."""
-    tail = item.tail.lstrip(" ,")
+    tail = "" if _CONCLUDES.match(item.tail) else item.tail.lstrip(" ,")
     return f"{_own_lead(item)[-60:]} § {_CLAUSE.split(tail, maxsplit=1)[0][:40]}"
 
 
@@ -334,6 +334,13 @@ _LISTS = re.compile(
 )
 """How words end behind which a display lists what is something."""
 _CLAUSE = re.compile(r"[,;:.]|\b(?:and|but|и|а|но)\b")
+
+
+_CONCLUDES = re.compile(
+    r"\s*[,;:]?\s*(?:and\s+)?(?:so|hence|thus|therefore|whence|consequently|so\s+that|так\s+что|поэтому|следовательно)\b",
+    re.IGNORECASE,
+)
+"""How words begin behind a statement that conclude something else from it."""
 
 
 _ANOTHER_CLAUSE = re.compile(

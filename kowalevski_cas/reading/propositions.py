@@ -233,10 +233,21 @@ def _is_place(item: SourceStatement, known: Known) -> bool:
     return bool(fixed and moving) and letters and not item.derives
 
 
+def _is_on_level(item: SourceStatement, known: Known) -> bool:
+    """Whether words say “on the level” of a function that is defined and has a constant value."""
+    match item.members:
+        case (Name(function), value) if known.is_defined(function) and known.varies(function):
+            there = cue("level", item.lead) and cue("here", f"{item.lead} ")
+            return bool(there) and not known.varying(value.names())
+    return False
+
+
 def zero_set(item: SourceStatement, known: Known) -> StatementRole | None:
     """Equations of a set: what vanishes, or has a value, without being so identically."""
     if not item.members or item.derives:
         return None
+    if _is_on_level(item, known):
+        return StatementRole(ASSUMPTION, "a set that the text speaks of", reach(item))
     if ZERO in item.members and (said := cue("invariant", item.words)):
         if len(item.members) == 2 and known.varying(item.names):
             return StatementRole(CLAIM, f"“{said}” in its sentence", "invariant")

@@ -48,7 +48,7 @@ _ORDERS = (
 )  # fmt: skip
 """Letters of coordinates in their usual order."""
 _AND = r"(?:[\s,;~]|\b(?:and|or|и|или|as\s+well\s+as)\b)*"
-_LIST_BEFORE = re.compile(rf"(?:{_AND}§)+{_AND}$")
+_LIST_BEFORE = re.compile(rf"(?:{_AND}(?:§|\bthe\s+origin\b|\bначало\s+координат))+{_AND}$")
 _LIST_BEHIND = re.compile(rf"(?:{_AND}§)*")
 
 

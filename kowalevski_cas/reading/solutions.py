@@ -15,7 +15,8 @@ from typing import NamedTuple
 
 from flint import acb_mat
 
-from kowalevski_cas.algebra.samples import Sample, Valueless, is_zero
+from kowalevski_cas.algebra.keys import is_initial
+from kowalevski_cas.algebra.samples import Sample, Valueless, is_zero, precisely
 from kowalevski_cas.notation import (
     Derivative,
     Formula,
@@ -103,7 +104,8 @@ def lacking(found: Sequence[PrintedSolution], law: Law | None, known: Known) -> 
     given = {one for each in found for one in each.given}
     mentioned = set[str]() if law is None else {one for n in law.mentions for one in known.below(n)}
     printed = {name for one in given for name in one.names} - mentioned - known.times
-    free = [n for n in printed if not (known.varies(n) or n in orders or known.is_defined(n))]
+    moved = {n for n in printed if known.varies(n) and not is_initial(n)}
+    free = [n for n in printed - moved if n not in orders and not known.is_defined(n)]
     by_time = {one.bare[0]: one.members[-1] for one in given if one.bare and len(one.members) == 2}
     state = [
         reduce(Partial, ["t"] * k, by_time[name])
@@ -117,13 +119,14 @@ def lacking(found: Sequence[PrintedSolution], law: Law | None, known: Known) -> 
 def changes_of(state: Sequence[Formula], free: Sequence[str]) -> int:
     """In how many independent ways constants change what is given by them, at a sample."""
     sample = Sample(1, {}, (), {}, "t")
-    try:
-        rows = [[sample.value(Partial(one, name)) for one in state] for name in free]
-    except (Valueless, ArithmeticError):
-        return len(free)
-    slopes = acb_mat(rows)
-    powers = (slopes * slopes.conjugate().transpose()).charpoly().coeffs()
-    return len(free) - len([*takewhile(is_zero, powers)])
+    with precisely():
+        try:
+            rows = [[sample.value(Partial(one, name)) for one in state] for name in free]
+        except (Valueless, ArithmeticError):
+            return len(free)
+        slopes = acb_mat(rows)
+        powers = (slopes * slopes.conjugate().transpose()).charpoly().coeffs()
+        return len(free) - len([*takewhile(is_zero, powers)])
 
 
 def _given(item: SourceStatement, known: Known) -> Iterator[tuple[str, SourceStatement]]:
