@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
-from itertools import takewhile
 
 from kowalevski_cas.notation import Modulus, Name, Number, Power, ScalarProduct, Sum
 from kowalevski_cas.notation.symbol import rate_name, symbol
@@ -126,6 +125,7 @@ def set_right_before(item: SourceStatement, known: Known) -> SetOfEquations:
 
 
 _IN_LIST = re.compile(r"[\s,]*(?:\b(?:and|и)\b[\s,]*)?")
+_OR = re.compile(r"[\s,]*\b(?:or|или)\b", re.IGNORECASE)
 _WHERE = re.compile(
     r"[\s,;]*(?:only\s+)?(?:for|if|when|whenever|where|at|on|along|as\s+long\s+as|provided(?:\s+that)?|при|если|когда|где|на)"
     r"(?:\s+(?:the\s+)?(?:axis|axes|line|plane|circle|curve|sphere|ellipse|surface|points?|set|level|оси|прямой|плоскости"
@@ -145,9 +145,17 @@ def set_right_behind(item: SourceStatement, known: Known) -> SetOfEquations:
     start = next((k for k, one in enumerate(behind) if not _IN_LIST.fullmatch(one.lead)), None)
     if start is None or not _WHERE.fullmatch(behind[start].lead):
         return ()
-    rest = behind[start + 1 :]
-    own = [behind[start], *takewhile(lambda one: _IN_LIST.fullmatch(one.lead), rest)]
-    return tuple(own) if all(_is_set(one, known) for one in own) else ()
+    own: list[SourceStatement] = []
+    for one in behind[start:]:
+        beside = not own or one.typed is own[-1].typed or _IN_LIST.fullmatch(one.lead)
+        if not beside and _OR.match(one.lead):
+            return ()
+        if not beside:
+            break
+        own.append(one)
+    given = [name for one in own for name in one.bare]
+    several = len(given) > len({*given})  # it is so at each of some places
+    return () if several or not all(_is_set(one, known) for one in own) else tuple(own)
 
 
 def _is_of_set(item: SourceStatement, name: str, known: Known) -> bool:

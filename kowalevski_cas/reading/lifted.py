@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from kowalevski_cas.notation import Formula, Name, Number, Relation
+from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.text import Prose
 
@@ -87,7 +88,10 @@ def goes_on(one: SourceStatement, item: SourceStatement, special: bool, prose: P
     """
     if one.sentence == item.sentence or not (special and one.typed.inline):
         return True
+    if one.theorem is not None and one.theorem == item.theorem:
+        return True
     lasts = one.theorem is not None or one.entry is not None or _FOR_LONG.search(one.before)
+    lasts = lasts or cue("in this part", one.before)
     alone = _EXERCISE.match(prose.text, one.paragraph)
     if lasts and not (_NOT_HERE.search(one.words) or alone):
         return True

@@ -2,8 +2,9 @@
 
 import pytest
 
+from kowalevski_cas.audit.reading import ReadingSession
 from kowalevski_cas.verify.outcome import Verdict
-from tests.reading.test_reading import verdicts
+from tests.reading.test_reading import reading, verdicts
 
 BODY = r"""\[ I_1\dot u+(I_3-I_2)vw=0,\quad I_2\dot v+(I_1-I_3)wu=0,\quad I_3\dot w+(I_2-I_1)uv=0. \] """
 SWING = r"""Consider \[ \frac{dq}{dt}=v,\qquad\frac{dv}{dt}=-\sin q. \] """
@@ -73,3 +74,18 @@ def test_what_is_said_of_something_else_is_not_judged(text):
 def test_primes_are_by_a_time_that_is_not_known(words):
     text = words + r"\[ x'=y,\qquad y'=-x. \] A solution is $x=\sin t$, $y=\cos t$."
     assert not any(verdict.green for verdict in verdicts(text).values())
+
+
+@pytest.mark.parametrize(
+    ("value", "then", "greens"),
+    [
+        (r"\pm ik", "-k^2", [True, True, True]),
+        (r"\pm k", "k^2", [False, False, False]),
+        (r"\pm ik", "k^2", [True, True, False]),
+    ],
+)
+def test_what_follows_from_a_value_that_is_not_proved_is_not_green(value, then, greens):
+    text = rf"The system $\dot x=y$, $\dot y=-k^2x$ has the eigenvalues $\mu={value}$. Hence $\mu^2={then}$."
+    found = reading(text)
+    outcomes = ReadingSession(found, timeout=20).outcomes
+    assert [outcomes[f.claim.id].verdict.green for f in found.formulas if f.claim] == greens

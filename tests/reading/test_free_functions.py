@@ -170,3 +170,29 @@ def test_functions_of_the_time_stand_alone_and_have_rates(text, claim, wrong):
 )  # fmt: skip
 def test_what_moves_is_no_function_that_may_be_any(text):
     assert not any(v.green for v in verdicts(text).values())
+
+
+@pytest.mark.parametrize(
+    ("text", "green"),
+    [
+        (r"Let $\ddot x=-k^2x$, where $k$ varies slowly with time. The function $\dot x^2+k^2x^2$ is an integral.", False),
+        (r"Пусть $\ddot x=-k^2x$, где $k$ медленно зависит от времени. Функция $\dot x^2+k^2x^2$ есть интеграл.", False),
+        (r"A body of variable mass $m=m(t)$ moves by $m\ddot x=-kx$. The function $m\dot x^2+kx^2$ is constant.", False),
+        (r"Let $\ddot x=-x+f$, where $f$ is a periodic function of time. The function $\dot x^2+x^2-2fx$ is an integral.", False),
+        (r"Let $\dot x=y$, $\dot y=-kx$, where $k$ depends on $x$. The function $y^2+kx^2$ is an integral.", False),
+        (r"In a field $B$ that depends on $x$ we have $\ddot x=B\dot y$, $\ddot y=-B\dot x$. The function $\dot y+Bx$ is constant.", False),
+        (r"In a field $B$ that depends on $x$ we have $\ddot x=B\dot y$, $\ddot y=-B\dot x$. The function $\dot x^2+\dot y^2$ is constant.", True),
+        (r"Let $\ddot x=-k^2x$, where $k$ does not depend on time. The function $\dot x^2+k^2x^2$ is an integral.", True),
+        (r"Let $\ddot x=-k^2x$. The period depends on $k$. The function $\dot x^2+k^2x^2$ is an integral.", True),
+    ],
+)  # fmt: skip
+def test_words_say_on_what_a_letter_depends(text, green):
+    assert [v.green for v in verdicts(text).values()] == [green]
+
+
+@pytest.mark.parametrize(("rate", "green"), [(r"k\dot kx^2", True), (r"2k\dot kx^2", False)])
+def test_a_letter_that_depends_on_the_time_has_a_rate(rate, green):
+    text = (
+        r"Let $\ddot x=-k^2x$, where $k$ depends on time, and $E=\frac12(\dot x^2+k^2x^2)$. Then "
+    )
+    assert [v.green for v in verdicts(rf"{text}$\dot E={rate}$.").values()] == [green]

@@ -2,6 +2,7 @@
 
 import pytest
 
+from kowalevski_cas.audit.reading import ReadingSession
 from kowalevski_cas.reading import CLAIM
 from tests.reading.test_reading import reading, verdicts
 
@@ -120,3 +121,32 @@ def test_numbers_of_other_matrices_are_not_judged(words):
 def test_what_is_said_of_several_points_is_not_judged_at_the_first(words, green):
     law = r"The system is $$\dot x=x(1-x),\qquad\dot y=2y(1-y).$$ "
     assert any(one.green for one in verdicts(law + words).values()) is green
+
+
+@pytest.mark.parametrize(
+    ("text", "greens"),
+    [
+        (r"The system $\dot x=y$, $\dot y=-k^2x$ has the eigenvalues $\mu=\pm ik$.", [True, True]),
+        (r"The system $\dot x=y$, $\dot y=-k^2x$ has the eigenvalues $\mu=\pm k$.", [False, False]),
+        (r"Let $\ddot x+2b\dot x+k^2x=0$. The roots of the characteristic equation are "
+         r"$\mu_1=-b+\sqrt{b^2-k^2}$.", [True]),
+        (r"Let $\ddot x+2b\dot x+k^2x=0$. The characteristic roots are $\mu_1=b+\sqrt{b^2-k^2}$.", [False]),
+        (r"Let $\dot x=-x$, $\dot y=-2y$. The eigenvalues are $-1$ and $-2$.", [True, True]),
+        (r"Let $\dot x=-x$, $\dot y=-2y$. The eigenvalues are $-1$ and $2$.", [True, False]),
+        (r"Let $\dot x=x-xy$, $\dot y=xy-y$. The eigenvalues are $\pm1$.", []),  # at which point?
+    ],
+)  # fmt: skip
+def test_a_linear_system_has_eigenvalues_without_a_place(text, greens):
+    found = reading(text)
+    outcomes = ReadingSession(found, timeout=20).outcomes
+    assert [outcomes[f.claim.id].verdict.green for f in found.formulas if f.claim] == greens
+
+
+@pytest.mark.parametrize(("value", "green"), [(r"\pm i\sqrt{ac}", True), (r"\pm\sqrt{ac}", False)])
+def test_at_a_point_of_marked_letters(value, green):
+    text = r"""Let $\dot x=x(a-by)$, $\dot y=y(x-c)$. There are two points of rest, the origin and
+    \[ (x_*,y_*)=\left(c,\frac ab\right). \] The Jacobian matrix at the point $(x_*,y_*)$ has the
+    eigenvalues \[ \mu_{1,2}=VALUE. \]""".replace("VALUE", value)
+    found = verdicts(text)
+    assert [one.green for tex, one in found.items() if "mu" in tex] == [green]
+    assert [one.green for tex, one in found.items() if "_*" in tex] == [True]

@@ -114,3 +114,44 @@ def test_what_gives_a_name_at_one_place_defines_it_nowhere(words):
     text = r"The kinetic energy is \[K=\frac12m(\dot x^2+\dot y^2).\] WORDS $x=b\sin\theta$, $y=-b\cos\theta$. Then \[K=\frac12mb^2\dot\theta^2.\]"
     assert not any(f.verdict == "proved" for f in audited(text.replace("WORDS", words)).formulas)
     assert audited(text.replace("WORDS", "With")).formulas[-1].verdict == "proved"
+
+
+@pytest.mark.parametrize(
+    ("end", "judged"),
+    [("so that $x^2+y^2$ is constant, a contradiction.", False),
+     ("a contradiction. The function $bx^2+ay^2$ is constant.", True)],
+)  # fmt: skip
+def test_what_follows_from_the_contrary_is_not_claimed(end, judged):
+    text = r"Let \[\dot x=ay,\qquad\dot y=-bx.\] Assume the contrary, $a=b$. Then $x\dot x+y\dot y=0$, "
+    found = audited(text + end).formulas
+    assert [f.verdict for f in found if f.claims] == [Verdict.PROVED] * judged
+    assert not any(f.verdict == SUSPECT for f in found)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"The turning points are given by $\dot x=0$.",
+        r"The vertical isocline is $\dot x=0$.",
+        r"The maximum of $x$ is attained when $\dot x=0$.",
+        r"The velocity of the drift is found from $\ddot x=\ddot y=0$.",
+    ],
+)
+def test_where_rates_vanish_is_no_claim_that_they_do(words):
+    text = r"Let \[\ddot x=-n\dot y+a,\qquad\ddot y=n\dot x.\] "
+    assert not [f for f in audited(text + words).formulas if f.claims]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"The set $p=0$ is invariant.",
+        r"The eigenvalues at the point $p=0$, $q=0$, $r=1$ are $\pm1$.",
+        r"The function $V=p^2$ satisfies $\dot V\le0$.",
+    ],
+)
+def test_one_false_claim_of_a_set_or_a_point_suspects_no_law(words):
+    text = r"Let \[A\dot p=(B-C)qr,\qquad B\dot q=(C-A)rp,\qquad C\dot r=(A-B)pq.\] "
+    found = audited(text + words).formulas
+    assert not any(f.verdict == SUSPECT for f in found)
+    assert not {f.verdict for f in found if f.claims} & {Verdict.PROVED, Verdict.CONDITIONAL}

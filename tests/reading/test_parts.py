@@ -163,3 +163,35 @@ def test_what_moves_beside_a_law_is_claimed_with_it():
     )
     assert roles(text)[r"\ddot y+k^2y=0"] == LAW
     assert all(verdict.green for verdict in verdicts(text).values())
+
+
+@pytest.mark.parametrize(
+    ("rate", "green"), [(r"k(N-S-I)", True), (r"-k(N-S-I)", False), ("0", False)]
+)
+@pytest.mark.parametrize("words", ["With births and deaths we have", "The equations become"])
+def test_rates_with_new_constants_are_another_law(words, rate, green):
+    text = rf"""\section{{Closed}} The model is \[ \dot S=-bSI,\qquad\dot I=bSI. \] Thus $S+I=N$ is
+    constant. \section{{Open}} {words} \[ \dot S=kN-bSI-kS,\qquad\dot I=bSI-kI. \]
+    The sum satisfies \[ \frac{{d}}{{dt}}(S+I)={rate}. \]"""
+    found = verdicts(text)
+    assert [one.green for tex, one in found.items() if "dt" in tex] == [green]
+    assert not any("dot" in tex for tex in found)
+
+
+@pytest.mark.parametrize(("rate", "green"), [("-ky^2", True), ("ky^2", False), ("0", False)])
+def test_what_an_earlier_part_defines_is_that_where_friction_is_added(rate, green):
+    text = rf"""\section{{Free}} Consider \[ \dot x=y,\qquad\dot y=-x. \] Put $E=\frac12(x^2+y^2)$.
+    \section{{Damped}} With friction the equations are \[ \dot x=y,\qquad\dot y=-x-ky. \]
+    Hence \[ \dot E={rate}. \]"""
+    assert [one.green for tex, one in verdicts(text).items() if "E" in tex] == [green]
+
+
+@pytest.mark.parametrize("energy", [r"\frac12\dot u^2-\cos u", r"\frac12\dot u^2+\frac12u^2"])
+@pytest.mark.parametrize(
+    "whose", ["Its energy", "The energy of the linear equation", "This equation has the energy"]
+)
+def test_what_is_said_of_an_approximate_equation_is_not_judged_by_the_exact_one(whose, energy):
+    text = rf"""\section{{Pendulum}} The pendulum moves by \[ \ddot u=-\sin u. \]
+    \section{{Small}} Replacing $\sin u$ by $u$ we obtain the linear equation $\ddot u=-u$.
+    {whose} ${energy}$ is constant."""
+    assert not any(one.green for tex, one in verdicts(text).items() if "frac" in tex)

@@ -173,3 +173,21 @@ def test_the_origin_may_be_a_point_of_rest_of_something_else(more):
 def test_that_there_are_no_others_is_listed_as_not_judged(words, listed):
     found = audited(rf"Consider \[\dot x=y,\qquad\dot y=-\sin x.\] {words}")
     assert bool(found.uncovered) == listed
+
+
+@pytest.mark.parametrize(
+    ("equations", "greens"),
+    [
+        ("$y=0$ and $x-x^3=0$", {True}),
+        ("$y=0$ and $x(1-x^2)=0$", {True}),
+        ("$y=0$ and $x-x^2=0$", {False}),  # where is x = -1?
+        ("$y=0$ and $x-x^4=0$", {False}),
+        ("$y=0$", {False}),
+    ],
+)
+@pytest.mark.parametrize(
+    "words", ["The equilibria are found from the equations ", "The equilibria are determined by "]
+)
+def test_equations_from_which_equilibria_are_found_leave_none_out(words, equations, greens):
+    text = rf"Consider \[\dot x=y,\qquad\dot y=x-x^3.\] {words}{equations}."
+    assert {one.green for one in verdicts(text).values()} == greens

@@ -114,3 +114,17 @@ def test_what_is_concluded_of_rates_is_one():
 def test_an_equation_for_each_index_is_a_set(words, named):
     law = r"Consider \[ \dot x_i=x_i(1-x_1-x_2-x_3),\qquad i=1,2,3. \] "
     assert {*verdicts(law + words).values()} == named
+
+
+@pytest.mark.parametrize("where", ["where", "for", "if", "when", "at", "on the line"])
+@pytest.mark.parametrize(("place", "green"), [("x=1", True), ("x=2", False), (r"x=\pm1", False)])
+def test_words_behind_rates_say_where_they_vanish(where, place, green):
+    text = r"Let \[ \dot x=y,\qquad\dot y=x-x^2. \] "
+    found = verdicts(rf"{text}Hence $\dot y=0$ {where} ${place}$.")
+    assert (found[r"\dot y=0"] == "PROVED") == green
+    assert found[r"\dot y=0"] != "REFUTED" or not green
+
+
+def test_one_of_two_places_is_not_enough():
+    text = r"Let \[ \dot x=y,\qquad\dot y=x-x^2. \] Hence $\dot y=0$ for $x=1$ or $x=2$."
+    assert verdicts(text)[r"\dot y=0"] != "PROVED"

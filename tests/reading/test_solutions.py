@@ -81,3 +81,21 @@ def test_the_general_solution_has_as_many_constants_as_the_order_of_its_equation
     words, solution, true
 ):
     assert green(rf"{words} of \[\ddot x=-4x\] is \[x={solution}.\]") == true
+
+
+@pytest.mark.parametrize(
+    ("law", "solution", "greens"),
+    [
+        (r"\dot x=-x, \dot y=-2y", r"x=ae^{-t}, y=be^{-2t}", [True, True]),
+        (r"\dot x=-x, \dot y=-2y", r"x=ae^{-t}, y=ae^{-2t}", []),
+        (r"\ddot x=-x", r"x=a\cos t+b\sin t", [True]),
+        (r"\ddot x=-x", r"x=a\cos t+b\cos t", []),
+        (r"\ddot x=-x", r"x=ab\cos t", []),
+        (r"\dot x=-y, \dot y=x, \dot z=z", r"x=a\cos t-b\sin t, y=a\sin t+b\cos t, z=ce^t", [True] * 3),
+        (r"\dot x=-y, \dot y=x, \dot z=z", r"x=a\cos t-b\sin t, y=a\sin t+b\cos t, z=ae^t", []),
+        (r"\ddot x=-n\dot y, \ddot y=n\dot x", r"x=x_0+a\cos(nt+b), y=y_0+a\sin(nt+b)", [True, True]),
+        (r"\ddot x=-n\dot y, \ddot y=n\dot x", r"x=x_0+a\cos(nt+b), y=x_0+a\sin(nt+b)", []),
+    ],
+)  # fmt: skip
+def test_the_constants_of_a_general_solution_are_independent(law, solution, greens):
+    assert green(rf"Let \[ {law}. \] The general solution is \[ {solution}. \]") == greens

@@ -33,3 +33,18 @@ def test_what_is_said_of_all_motions_is_listed(sentence, cue):
 )
 def test_other_words_claim_nothing(sentence):
     assert not audited(LAW + sentence).uncovered
+
+
+@pytest.mark.parametrize(
+    ("sentence", "cue"),
+    [
+        ("The equilibrium $u=0$, $w=0$ is stable.", "stable"),
+        ("The unstable equilibrium is $u=1$, $w=0$.", "unstable"),
+        ("The function $we^{-t}u^{-1}(1-u^2)^{1/2}$ is a positive definite integral.", "positive definite"),
+        (r"The motion with $w=0$ has the period $T=\frac\pi2$.", "period"),
+        (r"Hence $u\to1$ as $t\to\infty$.", "tends"),
+        ("Равновесие $u=0$, $w=0$ устойчиво.", "устойчиво"),
+    ],
+)  # fmt: skip
+def test_what_no_formula_states_is_listed_beside_what_is_judged(sentence, cue):
+    assert [one.cue for one in audited(LAW + sentence).uncovered] == [cue]

@@ -254,3 +254,51 @@ def test_what_is_said_beside_of_some_points_or_motions_is_supposed_of_no_others(
     (found,) = verdicts(rf"{DUFFING}{before}$\dot H=0$.").values()
     assert found.green == green
     assert green or found != Verdict.REFUTED
+
+
+_EQUAL = r"The function $x^2+y^2$ is a first integral of $\dot x=ay$, $\dot y=-bx$"
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        (rf"\begin{{theorem}} Let $a=b$. {_EQUAL}. \end{{theorem}}", rf"\begin{{theorem}} {_EQUAL}. \end{{theorem}}"),
+        (rf"\begin{{example}} Let $a=b$. {_EQUAL}. \end{{example}}", r"The function $x^2+y^2$ is an integral for any $a$ and $b$."),
+        (rf"\section{{Symmetric case}} In this section $a=b$. {_EQUAL}.", r"\section{General case} The function $x^2+y^2$ is an integral."),
+    ],
+)  # fmt: skip
+def test_what_makes_constants_equal_before_the_law_is_supposed_there_only(before, after):
+    def greens(text):
+        found = reading(text)
+        outcomes = ReadingSession(found, timeout=20).outcomes
+        return [
+            outcomes[f.claim.id].verdict.green for f in found.formulas if f.role.kind == "integral"
+        ]
+
+    assert greens(before) == [True]
+    assert greens(before + after) == [True, False]
+
+
+@pytest.mark.parametrize("definition", [r"k=mw^2", r"w^2=k/m"])
+def test_what_gives_a_constant_of_the_law_by_others_defines_it(definition):
+    text = rf"Let ${definition}$. The equation $m\ddot x=-kx$ has the integral $\dot x^2+w^2x^2$."
+    assert [one.green for one in verdicts(text).values()] == [True]
+
+
+@pytest.mark.parametrize(
+    ("words", "sign", "green"),
+    [
+        ("where $k$ is a positive constant", r"\le", True),
+        ("where the constant $k$ is positive", r"\le", True),
+        ("with a positive constant $k$", r"\le", True),
+        ("with positive constants $j$ and $k$", r"\le", True),
+        ("где $k$ положительна", r"\le", True),
+        ("where $k$ is a positive constant", r"\ge", False),
+        ("where $k$ is a constant", r"\le", False),
+        ("where $k$ is not positive", r"\le", False),
+    ],
+)
+def test_words_call_constants_positive(words, sign, green):
+    law = r"\dot x=y,\qquad\dot y=-x-ky,"
+    text = rf"Let \[ {law} \] {words}. For $E=\frac12(x^2+y^2)$ we have $\dot E=-ky^2{sign}0$."
+    assert [one.green for one in verdicts(text).values()] == [green]
