@@ -216,12 +216,14 @@ def _is_number_of_name(one: SourceStatement) -> bool:
     return len(members) == 2 and isinstance(members[0], Name) and is_number(members[1:])
 
 
+_CITED = r"(?![\s~]*\(?\\(?:eq|c|C|auto)?ref(?![A-Za-z]))"
+"""What is supposed is not cited: what stands behind a citation is said under what it cites."""
 _SOME = (
     r"\b(?:if|when|whenever|suppos\w+|assum\w+|seek|sought|impossible)\b"
     r"|\b(?:motions?|solutions?|points?|states?|moments?|instants?|times?|orbits?|trajector(?:y|ies)|curves?)"
     r"\s+(?:with|where|when|(?:at|for|in|on)\s+which|such\s+that|that\s+satisfy|satisfying)\b"
-    r"|^\W*(?:where\b|let(?=[\s~]*$)|let\s+us\s+(?:seek|suppose|assume|look|require)\b)|\b(?:conditions?|requirement)\b"
-    r"|\b(?:если|когда|пусть|предполож\w+|допуст\w+|невозможно|услови\w+)\b|\b(?:для|при|в|на)\s+котор\w+"
+    rf"|^\W*(?:where\b|let(?=[\s~]*$)|let\s+us\s+(?:seek|suppose|assume|look|require)\b)|\b(?:conditions?|requirement)\b{_CITED}"
+    rf"|\b(?:если|когда|пусть|предполож\w+|допуст\w+|невозможно|услови\w+)\b{_CITED}|\b(?:для|при|в|на)\s+котор\w+"
 )
 _OF_SOME = re.compile(rf"(?:{_SOME})[^§,;:]*$", re.IGNORECASE)
 """How words end behind which something is supposed of some motions."""
