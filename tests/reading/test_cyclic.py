@@ -1,48 +1,25 @@
-"""Chains that are closed: indices are taken modulo a number, and matrices are given by entries."""
+"""Indices that are taken modulo a number: what is said of neighbours closes no chain."""
 
 import pytest
 
-from kowalevski_cas.reading.index_ranges import period_in
-from tests.reading.test_reading import reading, verdicts
+from kowalevski_cas.verify.outcome import Verdict
+from tests.reading.test_reading import verdicts
 
-RING = r"""Let $i=1,2,3$; the index is taken modulo three. The equations are
-\[ \dot x_i=x_i(x_{i+1}-x_{i-1}) . \] """
-
-
-@pytest.mark.parametrize(
-    ("words", "period"),
-    [
-        ("the index is taken modulo three", 3),
-        ("indices run modulo $4$", 4),
-        ("индексы берутся по модулю трём", 3),
-        ("the masses are counted modulo three", 0),
-        ("the index runs over three values", 0),
-    ],
-)
-def test_words_give_indices_a_period(words, period):
-    assert period_in(words, [], {}) == period
+LATTICES = [
+    (r"\dot a_i=a_i(a_{i+1}-a_{i-1})", "a", r"H=\sum_{i=1}^n a_i", r"H=\sum_{i=1}^n ia_i"),
+    (r"\dot u_i=u_{i+1}-u_{i-1}", "u", r"H=\sum_{i=1}^n u_i^2", r"H=\sum_{i=1}^n iu_i^2"),
+]
+SAID = [
+    "They are at rest if and only if ${0}_{{i+1}}={0}_{{i-1}}$ for all $i$.",
+    "Nothing moves where ${0}_{{i-1}}={0}_{{i+1}}$ for $i=1,\\dots,n$.",
+    "",
+]
 
 
-def test_a_closed_chain_has_the_integrals_of_its_period():
-    found = verdicts(RING + r"The sum $x_1+x_2+x_3$ is constant, and $x_1+2x_2+x_3$ is constant.")
-    assert [one.green for one in found.values()] == [True, False]
-
-
-def test_what_is_claimed_for_all_indices_is_claimed_for_those_beside_the_period():
-    claims = r"Put $y_i=x_ix_{i+1}$. Then \[ \dot y_i=y_i(x_{i+2}-x_{i-1}) . \]"
-    found = reading(RING + claims)
-    rates = [f for f in found.formulas if f.claim is not None]
-    assert len(rates) == 3 and all(found == () for found in (f.constants for f in rates))
-
-
-def test_without_words_a_chain_has_no_period():
-    found = reading(RING.replace("taken modulo three", "that of a mass"))
-    assert not any(f.item.printed.display.id.startswith("period") for f in found.formulas)
-
-
-@pytest.mark.slow
-def test_what_is_given_by_a_table_is_a_matrix():
-    text = r"""The equations are \[ \dot x=y,\qquad \dot y=-x . \] With the matrices
-    \[ L=\begin{pmatrix}x&y\\y&-x\end{pmatrix},\qquad M=\begin{pmatrix}0&1\\-1&0\end{pmatrix} \]
-    we have \[ 2\dot L=ML-LM,\qquad \dot L=ML-LM . \]"""
-    assert sorted(one.green for one in verdicts(text).values()) == [False, True]
+@pytest.mark.parametrize("said", SAID)
+@pytest.mark.parametrize(("row", "letter", "true", "false"), LATTICES)
+def test_neighbours_that_are_equal_somewhere_leave_the_period(row, letter, true, false, said):
+    law = rf"The lattice is $${row},\quad i=1,\dots,n,$$ where the indices are taken modulo $n$, $n\ge4$. "
+    for claim, verdict in ((true, Verdict.PROVED), (false, Verdict.REFUTED)):
+        text = law + rf"The function ${claim}$ is an integral. " + said.format(letter)
+        assert verdicts(text)[claim] == verdict
