@@ -149,7 +149,7 @@ CUES: dict[str, str] = {
         constrain\w+
         (?:lie|stay|move|remain|slide)s?\s+(?:\w+\s+){0,2}on\s+(?:the|an?)\s+(?:\w+\s+){0,4}(?:sphere|circle|surface|curve|line|paraboloid|ellipsoid|cylinder|cone)\b
         (?:движ|скольз)\w+\s+(?:\w+\s+){0,2}по\s+(?:\w+\s+){0,2}(?:сфер|окружност|поверхност|крив|параболоид|эллипсоид|цилиндр|конус)\w*
-        \bon\s+(?:the|an?)\s+(?:\w+\s+){0,4}(?:sphere|circle|surface|curve|line|paraboloid|ellipsoid|cylinder|cone)\s*$
+        (?:\bon|\b(?:bound|confined|tied|attached)\s+to)\s+(?:the|an?)\s+(?:\w+\s+){0,4}(?:sphere|circle|surface|curve|line|paraboloid|ellipsoid|cylinder|cone)\s*$
         \bна\s+(?:\w+\s+){0,2}(?:сфер|окружност|поверхност|крив|параболоид|эллипсоид|цилиндр|конус)\w*\s*$
         connected\s+by subject\s+to связ(?:ь|и|ью|ями)\b стеснен\w+""",
     "frame": r"""

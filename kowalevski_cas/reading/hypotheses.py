@@ -220,7 +220,7 @@ _HOLDS = re.compile(
     r"|\b(?:пусть|предположим|допустим)\b[^.;]*?\b(?:выполн|справедлив|име[ею]т\s+место)",
     re.IGNORECASE,
 )
-"""Words that suppose what they cite: it is in force to the end of the section, or to other words."""
+"""Words that suppose what they cite: it is in force to the end of the section."""
 
 
 def _said_to_hold(item: SourceStatement, known: Known) -> list[SourceStatement]:

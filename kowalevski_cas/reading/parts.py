@@ -115,7 +115,7 @@ class Parts:
                 yield section.start, met[0]
 
     def _returned(self, stop: int) -> int | None:
-        """The part to which the words of a sentence come back: that before, or of what they cite."""
+        """The part to which a sentence comes back: that before, or that of what it cites."""
         words = self.paper.prose.between(*self.paper.prose.sentence(stop))
         if not _RETURN.match(words):
             return None
