@@ -86,14 +86,37 @@ ALL = re.compile(
 """Words for all solutions."""
 
 
-def lacking(found: PrintedSolution, law: Law | None, known: Known) -> int:
+def levels_in(
+    found: PrintedSolution, item: SourceStatement, known: Known
+) -> dict[str, SourceStatement]:
+    r"""The values of integrals by which a solution is given, as in :math:`x=\sqrt{2E}\cos t`.
+
+    They are constants there, and what names them has to hold of the solution as well.
+    """
+    solved = {name for one in found.given for name in one.bare}
+    names = {name for one in found.given for name in one.names} - solved
+    by = {name: known.definition(name, item) for name in names}
+    return {
+        name: one
+        for name, one in by.items()
+        if one is not None and known.roles[one].kind == "integral" and solved & {*known.below(name)}
+    }
+
+
+def lacking(
+    found: PrintedSolution, law: Law | None, known: Known, levels: Collection[str] = ()
+) -> int:
     """How many constants a solution has less than all solutions of its equations have."""
     orders: dict[str, int] = {}
     for row in found.rows:
         orders |= {name: max(n, orders.get(name, 0)) for name, n in row.rates.items()}
     mentioned = set[str]() if law is None else {one for n in law.mentions for one in known.below(n)}
     printed = {name for one in found.given for name in one.names} - mentioned - known.times
-    free = [n for n in printed if not (known.varies(n) or n in orders or known.is_defined(n))]
+    free = [
+        n
+        for n in printed
+        if n in levels or not (known.varies(n) or n in orders or known.is_defined(n))
+    ]
     return max(sum(orders.values()) - len(free), 0)
 
 

@@ -22,4 +22,4 @@ def test_neighbours_that_are_equal_somewhere_leave_the_period(row, letter, true,
     law = rf"The lattice is $${row},\quad i=1,\dots,n,$$ where the indices are taken modulo $n$, $n\ge4$. "
     for claim, verdict in ((true, Verdict.PROVED), (false, Verdict.REFUTED)):
         text = law + rf"The function ${claim}$ is an integral. " + said.format(letter)
-        assert verdicts(text)[claim] == verdict
+        assert next(iter(verdicts(text).values())) == verdict
