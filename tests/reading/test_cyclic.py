@@ -23,3 +23,23 @@ def test_neighbours_that_are_equal_somewhere_leave_the_period(row, letter, true,
     for claim, verdict in ((true, Verdict.PROVED), (false, Verdict.REFUTED)):
         text = law + rf"The function ${claim}$ is an integral. " + said.format(letter)
         assert next(iter(verdicts(text).values())) == verdict
+
+
+BRACKETS = r"""The lattice is $$\dot x_i={ROW},\quad i=1,\dots,n,$$ with indices modulo $n$. Let $n=5$.
+The bracket is given by \[ \{x_i,x_{i+1}\}={GIVEN}; \] all others vanish. Let $H=x_1+x_2+x_3+x_4+x_5$.
+Then \[ {CLAIM} \]"""
+
+
+@pytest.mark.parametrize(
+    ("row", "given"),
+    [(r"x_i(x_{i+1}-x_{i-1})", r"x_ix_{i+1}"), (r"x_i^2(x_{i+1}^2-x_{i-1}^2)", r"x_i^2x_{i+1}^2")],
+)
+@pytest.mark.parametrize(
+    ("claim", "green"),
+    [(r"\dot x_i=\{x_i,H\}.", True), (r"\{H,x_5\}=-\dot x_5.", True),
+     (r"\dot x_i=\{H,x_i\}.", False), (r"\{H,x_5\}=\dot x_5.", False)],
+)  # fmt: skip
+def test_brackets_of_neighbours_close_the_chain(row, given, claim, green):
+    text = BRACKETS.replace("{ROW}", row).replace("{GIVEN}", given).replace("{CLAIM}", claim)
+    found = {*verdicts(text).values()}
+    assert (found == {Verdict.PROVED}) == green
