@@ -43,3 +43,18 @@ def test_brackets_of_neighbours_close_the_chain(row, given, claim, green):
     text = BRACKETS.replace("{ROW}", row).replace("{GIVEN}", given).replace("{CLAIM}", claim)
     found = {*verdicts(text).values()}
     assert (found == {Verdict.PROVED}) == green
+
+
+@pytest.mark.parametrize(
+    ("words", "green"),
+    [
+        (r"The only equilibria are the points at which \[ a_1=a_2=\dots=a_n. \]", False),
+        (r"All equilibria are the points where \[ a_1=a_2=\dots=a_n. \]", False),
+        (r"Equilibria are the points where \[ a_1=a_2=\dots=a_n. \]", True),
+        (r"The points at which $a_1=a_2=\dots=a_n$ are equilibria.", True),
+        (r"The points at which $a_2=a_3=\dots=a_n$ are equilibria.", False),
+    ],
+)
+def test_what_else_is_at_rest_is_not_said_for_any_number(words, green):
+    text = rf"""The lattice is $${LATTICES[0][0]},\quad i=1,\dots,n,$$ with indices modulo $n$, $n\ge5$. {words}"""
+    assert ({*verdicts(text).values()} == {Verdict.PROVED}) == green
