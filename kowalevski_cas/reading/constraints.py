@@ -141,6 +141,12 @@ def _derived(item: SourceStatement) -> Iterator[tuple[str, int]]:
     yield from orders_in([item.formula]).items()
 
 
+def _is_open(name: str, known: Known) -> bool:
+    """Whether nothing gives a name, or it is given by velocities: a value is that at some place."""
+    giving = (one for one in known.items if one.members[:1] == (Name(name),))
+    return name not in known.later or any(one.derives for one in giving)
+
+
 def _multipliers(law: Law, known: Known) -> Iterator[str]:
     """The names in a law that may be multipliers: nothing gives them, or by what moves.
 
@@ -158,7 +164,7 @@ def _multipliers(law: Law, known: Known) -> Iterator[str]:
     free = [
         name
         for name in sorted(law.mentions)
-        if name not in law.variables and (name not in known.later or known.varies(name))
+        if name not in law.variables and (_is_open(name, known) or known.varies(name))
     ]
     found = [name for name in free if symbol(name).letter in MULTIPLIERS]
     if not found and any(cue("multiplier", row.words) for row in law.rows):

@@ -52,12 +52,15 @@ CUES: dict[str, str] = {
         равновеси\w+ стационарн\w+ особ\w+\s+точ\w+ точ\w+\s+либрации""",
     "suppose": r"""
         suppos\w+ assum\w+ \blet\b \btake\b \bmake\b \bif\b \bwhen\b \bgiven\s+that\b
+        \bimpos(?:e|ing)\b \b(?:we|us|now)\s+(?:require|demand)\b \brequiring\b
+        \bsubject\s+to\s+(?:the|a)\s+(?:\w+\s+)?(?:relation|condition|restriction|requirement)s?\b
         \bfor(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?\s*$ \bput(?:ting)?\b(?!\s+together) \bsetting\b
         (?:we|us|and|now|^\s*)\s*set\s*$
         provided choos\w+ choice as\s+long\s+as
         \bunder\b in\s+the\s+case \bcase\b restrict\w+ \bconsider\b
         (?<!involution\s)(?<!commutes\s)(?<!coincides\s)(?<!agrees\s)(?<!identical\s)\bwith\b(?!\s+respect)
         on\s+the\s+(?:\w+\s+)?levels? пусть предполож\w+ полож\w+ полага\w+ если при\s*$ допуст\w+
+        \bпотребуем\b \bтребуя\b \bналож(?:им|ив)\b \bналагая\b \bподчиним\b
         в\s+случае \bпока\b будем\s+считать считая возьм\w+ выбер\w+ \bпри\b""",
     "ansatz": r"""
         \btr(?:y|ied|ying|ial)\b \bseek\b \bsought\b look(?:ing)?\s+for ansatz \bguess\w*
@@ -151,7 +154,7 @@ CUES: dict[str, str] = {
         constrain\w+
         (?:lie|stay|move|remain|slide)s?\s+(?:\w+\s+){0,2}on\s+(?:the|an?)\s+(?:\w+\s+){0,4}(?:sphere|circle|surface|curve|line|paraboloid|ellipsoid|cylinder|cone)\b
         (?:движ|скольз)\w+\s+(?:\w+\s+){0,2}по\s+(?:\w+\s+){0,2}(?:сфер|окружност|поверхност|крив|параболоид|эллипсоид|цилиндр|конус)\w*
-        \bon\s+(?:the|an?)\s+(?:\w+\s+){0,4}(?:sphere|circle|surface|curve|line|paraboloid|ellipsoid|cylinder|cone)\s*$
+        (?:\bon|\b(?:bound|confined|tied|attached)\s+to)\s+(?:the|an?)\s+(?:\w+\s+){0,4}(?:sphere|circle|surface|curve|line|paraboloid|ellipsoid|cylinder|cone)\s*$
         \bна\s+(?:\w+\s+){0,2}(?:сфер|окружност|поверхност|крив|параболоид|эллипсоид|цилиндр|конус)\w*\s*$
         connected\s+by subject\s+to связ(?:ь|и|ью|ями)\b стеснен\w+""",
     "frame": r"""
@@ -205,7 +208,7 @@ CUES: dict[str, str] = {
         \b(?:not|never|without)\s+(?:suppos|assum|requir|impos|demand)\w*\s+(?:that\s+)?(?:§|$)
         \bне\s+(?:предполага|требу|допуска)\w*,?\s+(?:что\s+)?(?:§|$)
         in\s+place\s+of\s*(?:§|$) \bneither\b ^\s*nor\s*§ ^\s*ни\s*§
-        невер\w+ ошиб\w+ ложн\w+ опечат\w+
+        \bневер\w+ \bошиб\w+ \bложн\w+ опечат\w+
         вместо\s*(?:§|$) противореч\w+ не\s+явля\w+ не\s+(?:сохраня|постоян)\w+ нельзя
         не\s+выполн\w+ неправильн\w+ не\s+верно не\s+име\w+\s+мест""",
     "so it is not": r"""

@@ -17,7 +17,7 @@ def enter_cyclic_names(parts: Parts) -> None:
     period = parts.paper.period
     for place, known in enumerate(parts.known) if period else ():
         names = frozenset().union(*(item.names for item in known.items))
-        closed = {name for item in known.items if is_closing(item) for name in item.bare}
+        closed = {name for item in known.items if is_closing(item, period) for name in item.bare}
         for name in sorted(names - closed):
             found = _INDEXED.fullmatch(name)
             if (

@@ -105,7 +105,7 @@ def bracket(item: SourceStatement, known: Known) -> StatementRole | None:
         inner = left.children()
         names = [one.name for one in inner if isinstance(one, Name)]
         letters = all(_is_coordinate(name, known) for name in names)
-        if len(names) == 2 and letters and not any(map(known.is_defined, names)):
+        if len(names) == 2 and letters and not any(_is_given(name, known) for name in names):
             heads = item.printed.heads.names
             if heads and heads[0] not in known.definitions:
                 return StatementRole(
@@ -118,13 +118,19 @@ def _are_of_letters(item: SourceStatement, known: Known) -> bool:
     """Whether all members but the last are brackets of coordinates that nothing defines."""
     brackets = all(isinstance(member, PoissonBracket) for member in item.members[:-1])
     return brackets and all(
-        _is_coordinate(n, known) and not known.is_defined(n) for n in item.names
+        _is_coordinate(n, known) and not _is_given(n, known) for n in item.names
     )
+
+
+def _is_given(name: str, known: Known) -> bool:
+    """Whether a name has a meaning, and not only that of another link of a closed chain."""
+    return known.is_defined(name) and not any(map(is_closing, known.definitions.get(name, ())))
 
 
 def _is_coordinate(name: str, known: Known) -> bool:
     """Whether a name moves, or is what moves: with any index, or beyond the end of a chain."""
-    closing = (one for one in known.later.get(name, ()) if is_closing(one))
+    giving = (*known.later.get(name, ()), *known.definitions.get(name, ()))
+    closing = (one for one in giving if is_closing(one))
     moves = known.moves(name) or any(map(known.moves, (one.bare[1] for one in closing)))
     return moves or name.endswith(("_i", "_j"))
 

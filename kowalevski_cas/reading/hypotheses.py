@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
 from collections.abc import Collection
 
 from kowalevski_cas.notation import Modulus, Name, Number, Power, ScalarProduct, Sum
@@ -13,6 +14,7 @@ from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, SETS, Known
 from kowalevski_cas.reading.phrases import right_behind
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.text import references
 from kowalevski_cas.reading.tried import amplitude_equations
 from kowalevski_cas.reading.unknowns import equations_before
 from kowalevski_cas.reading.unprinted import unprinted
@@ -29,6 +31,9 @@ def hypotheses(item: SourceStatement, known: Known) -> list[SetOfEquations]:
     """
     sets = tuple(known.sets(item))
     cited = [one for one in known.cited(item) if _restricts(one, known)]
+    cited += [one for one in _said_to_hold(item, known) if _restricts(one, known)]
+    here = known.supposed(item)
+    cited = [one for one in cited if one not in here]
     if cue("on it", _place_words(item)):
         cited += just_before(item, known)
     cited += _named_before(item, known) or set_right_before(item, known)
@@ -244,10 +249,38 @@ def _place_words(item: SourceStatement) -> str:
     return f"{item.before[-80:]} {right_behind(item)}"
 
 
+_HOLDS = re.compile(
+    r"\b(?:suppos|assum)\w+\b[^.;]*?\\(?:eq|c|C|auto)?ref\b"
+    r"|\blet\b[^.;]*?\\(?:eq|c|C|auto)?ref\b[^.;]*?\b(?:hold|be\s+(?:satisfied|fulfilled|valid|true))\b"
+    r"|\b(?:пусть|предположим|допустим)\b[^.;]*?\b(?:выполн|справедлив|име[ею]т\s+место)",
+    re.IGNORECASE,
+)
+"""Words that suppose what they cite: it is in force to the end of the section."""
+
+
+def _said_to_hold(item: SourceStatement, known: Known) -> list[SourceStatement]:
+    """What a sentence before a statement, in its section, supposes to hold by citing it."""
+    prose, labels = known.paper.prose, known.paper.labels
+    for stop in reversed(prose.stops[: bisect_left(prose.stops, item.sentence[0])]):
+        if stop < item.section.start:
+            break
+        words = prose.between(*prose.sentence(stop))
+        if _HOLDS.search(words) and not cue("denied", words):
+            return [one for label in references(words) for one in labels.get(label, ())]
+    return []
+
+
 def _restricts(one: SourceStatement, known: Known) -> bool:
-    """Whether a statement holds on a part of the phase space only, so that it can be given."""
+    """Whether a statement holds on a part of the phase space only, so that it can be given.
+
+    So does what is supposed of constants.
+    """
     role = known.roles.get(one)
-    if role is None or not one.members or one.derives or not known.varying(one.names):
+    if role is None or not one.members or one.derives:
+        return False
+    if role.name == ASSUMPTION and role.kind in ("", "of the sentence"):
+        return True
+    if not known.varying(one.names):
         return False
     if role.name == ASSUMPTION or role.kind in SETS:
         return True

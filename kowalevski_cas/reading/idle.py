@@ -47,7 +47,7 @@ def idle(item: SourceStatement, known: Known) -> StatementRole | None:
 
 def _closed(item: SourceStatement, period: int) -> str:
     """The name beside a chain that an equation gives by one of its links, which stands first."""
-    if not period or not is_closing(item):
+    if not period or not is_closing(item, period):
         return ""
     first, last = (symbol(name).index for name in item.bare)
     beside = first.isdecimal() and last.isdecimal() and not 1 <= int(last) <= period

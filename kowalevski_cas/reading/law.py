@@ -29,6 +29,8 @@ class Law:
     """What gives variables of the base by new names, if it is the same law in these."""
     new: tuple[str, ...] = ()
     """These names."""
+    levels: frozenset[str] = frozenset()
+    """The names for values of integrals by which a solution is given: constants of it."""
     radius: SourceStatement | None = None
     """What says that one of these is a radius, which is a root of squares of what is given."""
     together: tuple[SourceStatement, ...] = ()

@@ -24,7 +24,7 @@ from kowalevski_cas.reading.known import Known
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.rung import Rung, RungMaker, places
 from kowalevski_cas.reading.sets import SetOfEquations
-from kowalevski_cas.reading.solutions import ALL, PrintedSolution, lacking, solution_of
+from kowalevski_cas.reading.solutions import ALL, PrintedSolution, lacking, levels_in, solution_of
 from kowalevski_cas.reading.statements import SourceStatement
 
 
@@ -42,13 +42,16 @@ def solutions(at: RungMaker) -> Iterator[Rung]:
     moves = any(map(at.known.moves, at.item.bare))
     law = at.stage.law(at.item, beside) if moves else None
     found = solution_of(at.item, beside, law, at.known)
+    levels = levels_in(found, at.item, at.known)
+    found = found._replace(rows=tuple(dict.fromkeys((*found.rows, *levels.values()))))
     every = [found, *(_solved(at, one, beside) for one in beside if one is not at.item)]
-    lack = lacking(every, law, at.known)
+    lack = lacking(every, law, at.known, levels)
     begun = _beginnings(at, law, found.given)
     of_all = ALL.search(at.item.before) or (not any(begun) and _is_said_of_all(at.item))
     if lack and of_all:
         raise ValueError(f"for all solutions {lack} more constants are needed")
-    still = Law((), (law or at.known.laws[-1]).names, change=found.given)
+    names = (law or at.known.laws[-1]).names
+    still = Law((), names, change=found.given, levels=frozenset(levels))
     says = "this solves its equation of motion"
     for assumptions, values in product(at.ways(), begun):
         on_law = [at.stage.scene([row], assumptions).scene for row in found.rows]

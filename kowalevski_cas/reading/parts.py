@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from functools import cached_property
@@ -24,12 +25,22 @@ from kowalevski_cas.reading.known import (
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.laws import find_laws
 from kowalevski_cas.reading.names import Names
+from kowalevski_cas.reading.phrases import integral_words
 from kowalevski_cas.reading.restated import find_restated
 from kowalevski_cas.reading.solved import SOLVED, solutions_for
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 from kowalevski_cas.reading.suppositions import POSITIVE
+from kowalevski_cas.reading.text import references
 from kowalevski_cas.reading.unprinted import unprinted
 from kowalevski_cas.reading.varied_laws import with_varied
+
+_RETURN = re.compile(
+    r"\W*(?:(?:let\s+us|we|now|finally|again|then|next)[\s,]+)*"
+    r"(?:return(?:ing)?|(?:come|go|turn|turning)\s+back)\s+to\s+(?:the|our|equations?|systems?|\()"
+    r"|\W*(?:теперь\s+|снова\s+)?(?:верн[её]мся|возвратимся|возвращаясь)\s+к\b",
+    re.IGNORECASE,
+)
+"""How a sentence begins that comes back to what was spoken of before another system."""
 
 
 class Parts:
@@ -54,6 +65,9 @@ class Parts:
         begins = [paper.prose.start, *(laws[0].begins or 0 for laws in own[1:])]
         self.begins = [*zip(begins, range(len(own)), strict=True)]
         self.begins = sorted([*self.begins, *self._returns(own)])
+        for stop in paper.prose.stops if len(own) > 1 else ():
+            if (place := self._returned(stop)) is not None:
+                self.begins = sorted([*self.begins, (stop, place)])
         placed: list[list[SourceStatement]] = [[] for _ in own]
         self.places = {item: self._place(item) for item in paper.items}
         for item, place in self.places.items():
@@ -101,6 +115,17 @@ class Parts:
             met = [k for k, names in enumerate(moving) if names & derived]
             if len(met) == 1 and met[0] < self.part_at(section.start):
                 yield section.start, met[0]
+
+    def _returned(self, stop: int) -> int | None:
+        """The part to which a sentence comes back: that before, or that of what it cites."""
+        words = self.paper.prose.between(*self.paper.prose.sentence(stop))
+        if not _RETURN.match(words):
+            return None
+        labels = self.paper.labels
+        cited = [one for label in references(words) for one in labels.get(label, ())]
+        here = self.part_at(stop)
+        place = self.part_at(cited[0].typed.start) if cited else here - 1
+        return place if 0 <= place < here else None
 
     def of(self, item: SourceStatement) -> Known:
         """What is known in the part of a statement."""
@@ -164,7 +189,8 @@ class Parts:
         """What defines names of a statement in the last part of which the law goes on here."""
         mentioned = {name for law in known.laws for name in law.mentions}
         met = mentioned | known.definitions.keys()
-        named = (name for name in item.names if item.members[:1] != (Name(name),))
+        own = item.members if integral_words(item) else item.members[:1]
+        named = (name for name in item.names if Name(name) not in own)
         waiting = [name for name in named if name not in met and not known.moves(name)]
         if not waiting:
             return

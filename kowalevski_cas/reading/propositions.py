@@ -17,7 +17,7 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.deviations import is_linear_in_deviations
-from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, Known, StatementRole
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, OTHER, Known, StatementRole
 from kowalevski_cas.reading.phrases import (
     AT_TIMES,
     integral_words,
@@ -208,9 +208,20 @@ def claimed_set(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(CLAIM, f"“{said}” is said of the points", "rest")
     if motion := _motion(item):
         return StatementRole(CLAIM, f"“{motion}” is a motion in the set", "invariant")
-    if said := solved_by(item, "equilibrium"):
-        return StatementRole(CLAIM, f"“{said}” are the solutions", "rest")
-    return None
+    return _solutions_at_rest(item, known)
+
+
+def _solutions_at_rest(item: SourceStatement, known: Known) -> StatementRole | None:
+    """Equations of which words call the solutions equilibria; a number may decide if all are."""
+    said = solved_by(item, "equilibrium")
+    if said and known.paper.numbers and (only := _ONLY.search(item.before)):
+        why = f"“{only[0]}” is said for any number, which decides what else is at rest"
+        return StatementRole(OTHER, why, "asked")
+    return StatementRole(CLAIM, f"“{said}” are the solutions", "rest") if said else None
+
+
+_ONLY = re.compile(r"\b(?:only|all|exactly|no\s+other|единственн\w+|все)\b", re.IGNORECASE)
+"""Words that say of a set that nothing is at rest beside it."""
 
 
 def point(item: SourceStatement, known: Known) -> StatementRole | None:

@@ -27,9 +27,9 @@ def find_restated(items: Sequence[SourceStatement], laws: Sequence[Law]) -> list
 
 
 _REPLACED = re.compile(
-    r"\breplaced\s+by(?:\s+the\s+(?:equations?|ones?))?[\s:,]*$"
+    r"\breplaced?\s+[^.;]*\b(?:by|with)(?:\s+the\s+(?:equations?|ones?))?[\s:,]*$"
     r"|\bin\s+place\s+of\s+[^.;]*\b(?:have|stand|appear|come|take)\w*[\s:,]*$"
-    r"|\bзамен(?:я|ен)\w*\s+(?:на|уравнени\w+)[\s:,]*$"
+    r"|\bзамен\w+\s+(?:на|уравнени\w+)[\s:,]*$"
     r"|\bвместо\s+[^.;]*\b(?:имеем|име[ею]т|получа\w+|стоят|будет)[\s:,]*$",
     re.IGNORECASE,
 )

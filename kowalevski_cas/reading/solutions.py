@@ -93,7 +93,26 @@ ALL = re.compile(
 """Words for all solutions."""
 
 
-def lacking(found: Sequence[PrintedSolution], law: Law | None, known: Known) -> int:
+def levels_in(
+    found: PrintedSolution, item: SourceStatement, known: Known
+) -> dict[str, SourceStatement]:
+    r"""The values of integrals by which a solution is given, as in :math:`x=\sqrt{2E}\cos t`.
+
+    They are constants there, and what names them has to hold of the solution as well.
+    """
+    solved = {name for one in found.given for name in one.bare}
+    names = {name for one in found.given for name in one.names} - solved
+    by = {name: known.definition(name, item) for name in names}
+    return {
+        name: one
+        for name, one in by.items()
+        if one is not None and known.roles[one].kind == "integral" and solved & {*known.below(name)}
+    }
+
+
+def lacking(
+    found: Sequence[PrintedSolution], law: Law | None, known: Known, levels: Collection[str] = ()
+) -> int:
     r"""How many constants solutions have less together than all those of their equations have.
 
     Those count that change the state alone: of :math:`a\cos t+b\cos t` it is one.
@@ -105,7 +124,8 @@ def lacking(found: Sequence[PrintedSolution], law: Law | None, known: Known) -> 
     mentioned = set[str]() if law is None else {one for n in law.mentions for one in known.below(n)}
     printed = {name for one in given for name in one.names} - mentioned - known.times
     moved = {n for n in printed if known.varies(n) and not is_initial(n)}
-    free = [n for n in printed - moved if n not in orders and not known.is_defined(n)]
+    given_by = {n for n in printed if known.is_defined(n) or n in orders}
+    free = [n for n in printed if n in levels or n not in moved | given_by]
     by_time = {one.bare[0]: one.members[-1] for one in given if one.bare and len(one.members) == 2}
     state = [
         reduce(Partial, ["t"] * k, by_time[name])

@@ -195,6 +195,8 @@ class Stage:
             if name in moving or parts & moving:
                 waiting += parts - moving
                 continue
+            if law and name in law.levels:
+                continue
             by = law.given.get(name) if law else None
             by = by or known.definition(name, at)
             waiting += parts & known.definitions.keys() if by is None else ()

@@ -409,11 +409,16 @@ def is_numerical(formula: Formula) -> bool:
     return formula.names() <= {PI}
 
 
-def is_closing(item: SourceStatement) -> bool:
-    """Whether a statement closes a chain: a link of it is another one, as :math:`u_6=u_1`."""
+def is_closing(item: SourceStatement, period: int = 0) -> bool:
+    """Whether a statement closes a chain: a link of it is another one, as :math:`u_6=u_1`.
+
+    With a period the indices have to be the same but for it: :math:`u_2=u_0` says something else.
+    """
     if not len(item.bare) == len(item.members) == 2:
         return False
     one, other = map(symbol, item.bare)
+    if period and one.index.isdecimal() and other.index.isdecimal():
+        return one.head == other.head and (int(one.index) - int(other.index)) % period == 0
     return one.head == other.head and one != other
 
 

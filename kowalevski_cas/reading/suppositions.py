@@ -242,12 +242,14 @@ def _is_number_of_name(one: SourceStatement) -> bool:
     return len(members) == 2 and isinstance(members[0], Name) and is_number(members[1:])
 
 
+_CITED = r"(?![\s~]*\(?\\(?:eq|c|C|auto)?ref(?![A-Za-z]))"
+"""What is supposed is not cited: what stands behind a citation is said under what it cites."""
 _SOME = (
     r"\b(?:if|when|whenever|suppos\w+|assum\w+|seek|sought|impossible)\b"
     r"|\b(?:motions?|solutions?|points?|states?|moments?|instants?|times?|orbits?|trajector(?:y|ies)|curves?)"
     r"\s+(?:with|where|when|(?:at|for|in|on)\s+which|such\s+that|that\s+satisfy|satisfying)\b"
-    r"|^\W*(?:where\b|let(?=[\s~]*$)|let\s+us\s+(?:seek|suppose|assume|look|require)\b)|\b(?:conditions?|requirement)\b"
-    r"|\b(?:если|когда|пусть|предполож\w+|допуст\w+|невозможно|услови\w+)\b|\b(?:для|при|в|на)\s+котор\w+"
+    rf"|^\W*(?:where\b|let(?=[\s~]*$)|let\s+us\s+(?:seek|suppose|assume|look|require)\b)|\b(?:conditions?|requirement)\b{_CITED}"
+    rf"|\b(?:если|когда|пусть|предполож\w+|допуст\w+|невозможно|услови\w+)\b{_CITED}|\b(?:для|при|в|на)\s+котор\w+"
 )
 _OF_SOME = re.compile(rf"(?:{_SOME})[^§,;:]*$", re.IGNORECASE)
 """How words end behind which something is supposed of some motions."""
@@ -291,19 +293,31 @@ _SAYS_THERE = re.compile(
     r"[\s,~]*(?:we|one|it|there|this|the\s+\w+\s+(?:has|have|obey|satisf|is|are)|мы|имеем|получ|находим|будет)\b",
     re.IGNORECASE,
 )
+_BECOMES = re.compile(
+    r"[\s,~]*(?:the|our|these|this|its)?\s*(?:system|equations?|motion|flow|lattice|law|систем\w+|уравнени\w+)"
+    r"(?:\s+of\s+motion|\s+движения|\s*\(?\\(?:eq)?ref\{[^{}]*\}\)?)?\s+"
+    r"(?:becomes?|reduces?|turns?\s+into|takes?|simplif\w+|принима\w+|сводя?тся|превраща\w+|име[ею]т\s+вид)\b",
+    re.IGNORECASE,
+)
+"""How words begin by which equations become others at a place."""
 
 
 def on_place(item: SourceStatement, known: Known) -> StatementRole | None:
-    """The equation of a place where its sentence says something, as “on the plane x=y we have”."""
+    """The equation of a place where its sentence says something, as “on the plane x=y we have”.
+
+    Where the equations become others there, what follows is about these, to the end of the section.
+    """
     if not item.typed.inline or len(item.members) != 2 or item.derives:
         return None
     varying = known.varying(item.names)
     if not varying or not (said := _ON_PLACE.search(item.before)):
         return None
-    if "§" in said[0] or not _SAYS_THERE.match(item.tail):
+    becomes = _BECOMES.match(item.tail)
+    if "§" in said[0] or not (becomes or _SAYS_THERE.match(item.tail)):
         return None
     words = f"“{said[0].strip(' .,;')}” supposes it there"
-    return StatementRole(ASSUMPTION, words, "set of the sentence", tuple(varying))
+    reach = "set in force" if becomes else "set of the sentence"
+    return StatementRole(ASSUMPTION, words, reach, tuple(varying))
 
 
 def value(item: SourceStatement, known: Known) -> StatementRole | None:

@@ -4,6 +4,7 @@ import pytest
 
 from kowalevski_cas.audit.reading import ReadingSession
 from tests.reading.test_reading import reading, verdicts
+from tests.sample import sampled
 
 SUM = r"""The point moves on the sphere $$x_1^2+x_2^2+x_3^2=1.$$ The equations of motion are
 $$\ddot x_i=-a_ix_i+\lambda x_i,\quad i=1,2,3,$$ with the multiplier $$\lambda=\sum_{i=1}^3(a_ix_i^2-\dot x_i^2).$$ """
@@ -141,3 +142,36 @@ def test_velocities_may_be_bound(binds, law, true, false):
 def test_what_no_words_call_a_constraint_binds_nothing(binds):
     blade = SKATE.format(binds, r"The equations with the multiplier $N$ are")
     assert not any(one.green for one in verdicts(rf"{blade} $$\dot v=0.$$").values())
+
+
+SPHERE = r"""Let a particle be {} the sphere $x^2+y^2+z^2=1$. The equations of motion are
+\[ \ddot x=-ax+\lambda x,\quad \ddot y=-by+\lambda y,\quad \ddot z=-cz+\lambda z \] with a multiplier. {}"""
+
+
+BOUND = [
+    (SPHERE.format(binds, rf"We find \[ {claim}. \] {place}"), claim, green)
+    for binds in ("bound to", "confined to", "attached to", "tied to")
+    for place in ("", r"There $p=\dot x$ is a velocity.")
+    for claim, green in (
+        (r"\lambda=ax^2+by^2+cz^2-\dot x^2-\dot y^2-\dot z^2", True),
+        (r"\lambda=ax^2+by^2+cz^2+\dot x^2+\dot y^2+\dot z^2", False),
+    )
+]
+
+
+@pytest.mark.parametrize(("text", "claim", "green"), sampled(BOUND, 4))
+def test_a_particle_may_be_bound_to_what_constrains_it(text, claim, green):
+    found = verdicts(text)
+    assert found[claim].green == green
+
+
+AT_POLES = r"""{} The energy $H=\frac12(\dot x^2+\dot y^2+\dot z^2+ax^2+by^2+cz^2)$ is constant.
+At the points $e_k$ the multiplier is $\lambda=c$."""
+
+
+@pytest.mark.parametrize(("term", "green"), [("cz^2", True), ("2cz^2", False)])
+def test_a_value_of_a_multiplier_at_some_place_leaves_it_one(term, green):
+    found = r"Differentiating, we find \[ \lambda=ax^2+by^2+cz^2-\dot x^2-\dot y^2-\dot z^2. \]"
+    text = AT_POLES.format(SPHERE.format("bound to", found)).replace("by^2+cz^2)", f"by^2+{term})")
+    energy = next(one for tex, one in verdicts(text).items() if tex.startswith("H"))
+    assert energy.green == green

@@ -202,3 +202,34 @@ def test_what_is_below_zero_for_some_constants_only_is_not_red(rate, found):
     text = r"The equation of motion is \[ m\ddot x+c\dot x+kx=0 .\] Put $E=\frac12m\dot x^2+\frac12kx^2$. "
     verdict = verdicts(text + rf"Hence \[ \dot E={rate}\le0 .\]")[rf"\dot E={rate}\le0"]
     assert verdict.value in (found, "undecided") and not verdict.green
+
+
+TRIPLE = r"""The motion is $$\dot x=xy-xz,\quad \dot y=yz-yx,\quad \dot z=zx-zy.$$
+{} {} \[ \dot x=xy,\quad \dot y={}. \] {}"""
+BECOMES = [
+    (on, becomes, rate, more, green)
+    for on, becomes in (
+        ("On the invariant plane $z=0$", "the system becomes"),
+        ("On the plane $z=0$", "the equations of motion reduce to"),
+        ("On the invariant plane $z=0$", "our equations take the form"),
+        ("На инвариантной плоскости $z=0$", "система принимает вид"),
+    )
+    for rate, more, green in (
+        ("-yx", "", True),
+        ("yx", "", False),
+        ("-yx", "They have the integral $x+y$.", True),
+        ("-yx", "They have the integral $x-y$.", False),
+    )
+]
+
+
+@pytest.mark.parametrize(("on", "becomes", "rate", "more", "green"), sampled(BECOMES, 5))
+def test_where_the_equations_become_others_more_is_said_of_these(on, becomes, rate, more, green):
+    found = verdicts(TRIPLE.format(on, becomes, rate, more))
+    assert all(one.green for one in found.values()) == green and len(found) == 2 + bool(more)
+
+
+def test_where_the_equations_are_no_others_it_is_for_the_sentence():
+    text = r"On the plane $z=0$ we have $\dot z=0$. In general $x+y$ is an integral."
+    found = verdicts(TRIPLE.partition("{}")[0] + text)
+    assert not found["x+y"].green

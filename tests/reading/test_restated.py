@@ -5,6 +5,7 @@ import pytest
 from kowalevski_cas.audit.reading import ReadingSession
 from kowalevski_cas.reading import read
 from kowalevski_cas.source.files import decode
+from tests.sample import sampled
 
 PENDULUM = r"""
 \section{Motion} The equation of motion is
@@ -140,3 +141,52 @@ def test_what_cannot_be_read_is_no_approximation():
 def test_other_words_reach_further():
     text = NEAR.replace("WORDS", "We neglect terms of higher order.").replace("RATE", r"\dot E=q")
     assert "REFUTED" not in verdicts(text).values()
+
+
+TOP = r"""\section{A body} The motion is \begin{equation}\label{free}
+\dot p=aqr,\quad\dot q=brp,\quad\dot r=cpq. \end{equation}
+It has the integrals $bp^2-aq^2=k$ and $cq^2-br^2=h$.
+\section{A rotor} {SAID} \[ \dot p=aqr-sq,\quad \dot q=brp+sp. \] {CLAIM}"""
+SAID = [
+    r"The first two equations \eqref{free} have to be replaced by",
+    r"Let us replace the first equations \eqref{free} with",
+    r"Первые два уравнения \eqref{free} надо заменить на",
+    r"Теперь вместо первых двух уравнений \eqref{free} имеем",
+]
+OF_ROTOR = [
+    (r"Then $\frac{d}{dt}(p^2+q^2)=2(a+b)pqr$.", True),
+    (r"Then $\frac{d}{dt}(p^2+q^2)=2(a+b)pqr+s$.", False),
+    (r"The second integral becomes $cq^2-br^2=h$.", False),
+    (r"The first integral takes the form $c(p^2+q^2)-(a+b)r^2=k$.", True),
+    (r"The first integral takes the form $c(p^2+q^2)-(a-b)r^2=k$.", False),
+]
+
+
+@pytest.mark.parametrize(
+    ("said", "claim", "green"), sampled([(said, *of) for said in SAID for of in OF_ROTOR], 5)
+)
+def test_rows_that_words_replace_make_another_law(said, claim, green):
+    found = [*verdicts(TOP.replace("{SAID}", said).replace("{CLAIM}", claim)).values()]
+    assert (found[2:] in (["PROVED"], ["CONDITIONAL"])) == green
+
+
+@pytest.mark.parametrize(
+    ("words", "rate", "green"),
+    sampled(
+        [
+            (r"We return to the body without a rotor.", "aqr", True),
+            (r"Let us now come back to the first problem.", "aqr", True),
+            (r"Returning to equations \eqref{free} we have a simple motion.", "aqr", True),
+            (r"Теперь вернемся к телу без ротора.", "aqr", True),
+            (r"We return to the body without a rotor.", "aqr-sq", False),
+            (r"The body returns to the same place.", "aqr", False),
+            (r"We shall return to the body without a rotor in another paper.", "aqr", False),
+            (r"Вернемся к телу без ротора.", "bqr", False),
+        ],
+        4,
+    ),
+)
+def test_words_return_to_the_law_before(words, rate, green):
+    last = rf"\section{{Motion}} {words} Put $n=2p$. Then $\dot n=2({rate})$."
+    found = verdicts(TOP.replace("{SAID}", SAID[0]).replace("{CLAIM}", last))
+    assert (found[rf"\dot n=2({rate})"] in ("PROVED", "CONDITIONAL")) == green

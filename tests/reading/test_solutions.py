@@ -2,7 +2,9 @@
 
 import pytest
 
+from kowalevski_cas.verify.outcome import Verdict
 from tests.reading.test_reading import verdicts
+from tests.sample import sampled
 
 PULSE = r"The equations are \[ \dot a=b,\qquad \dot b=ac,\qquad \dot c=-ab . \] A solution is "
 CUBE = r"""The equations are \[ \dot x=yz-x(y+z),\quad \dot y=zx-y(z+x),\quad \dot z=xy-z(x+y) . \]
@@ -99,3 +101,37 @@ def test_the_general_solution_has_as_many_constants_as_the_order_of_its_equation
 )  # fmt: skip
 def test_the_constants_of_a_general_solution_are_independent(law, solution, greens):
     assert green(rf"Let \[ {law}. \] The general solution is \[ {solution}. \]") == greens
+
+
+LEVELS = [
+    (
+        r"Consider $\dot x=y$, $\dot y=-x$. The energy $E=\frac12(x^2+y^2)$ is an integral.",
+        [r"$x=\sqrt{2E}\cos t$, $y=-\sqrt{2E}\sin t$", r"$x=\sqrt{2E}\sin t$, $y=\sqrt{2E}\cos t$"],
+        [r"$x=\sqrt{E}\cos t$, $y=-\sqrt{E}\sin t$", r"$x=\sqrt{2E}\cos t$, $y=\sqrt{2E}\sin t$"],
+    ),
+    (
+        r"The motion is $\ddot x=-\omega^2x$, with the energy integral $\dot x^2+\omega^2x^2=2h$.",
+        [r"$x=\frac{\sqrt{2h}}{\omega}\sin\omega t$", r"$x=\frac{\sqrt{2h}}{\omega}\cos\omega t$"],
+        [r"$x=\frac{\sqrt{h}}{\omega}\sin\omega t$", r"$x=\sqrt{2h}\sin\omega t$"],
+    ),
+    (
+        r"A body falls by $\ddot z=-g$. The function $c=\frac12\dot z^2+gz$ is constant.",
+        [r"$z=\frac cg-\frac12gt^2$", r"$z=\frac{2c-g^2t^2}{2g}$"],
+        [r"$z=\frac{2c}g-\frac12gt^2$", r"$z=c-\frac12gt^2$"],
+    ),
+]
+BY_LEVELS = [
+    (f"{law} A solution is {formula}.", green)
+    for law, true, false in LEVELS
+    for formulas, green in ((true, True), (false, False))
+    for formula in formulas
+]
+
+
+@pytest.mark.parametrize(("text", "green"), sampled(BY_LEVELS, 6))
+def test_a_solution_may_be_given_by_the_value_of_an_integral(text, green):
+    """What names that value has to hold of the solution, too."""
+    integral, *given = verdicts(text).values()
+    assert integral.green
+    assert {one.green for one in given} == {True} if green else not all(one.green for one in given)
+    assert green is False or Verdict.REFUTED not in given

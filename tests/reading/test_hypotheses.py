@@ -1,0 +1,84 @@
+"""What is supposed by citing it, imposed, or left for what was before: other systems and wordings."""
+
+import pytest
+
+from kowalevski_cas.verify.outcome import Verdict
+from tests.reading.test_reading import verdicts
+from tests.sample import sampled
+
+HOLDS = r"""Let $ab\ne0$. The motion is $$\dot x=ay,\quad \dot y=bx,\quad \dot z=z(x-y).$$
+\section{A case} {IMPOSED} \begin{equation}\label{case} a+b=0. \end{equation}
+Then the set \begin{equation}\label{set} z=0 \end{equation} is invariant.
+\section{There} {SAID} \[ {CLAIM} \]"""
+IMPOSED = [
+    "We impose the condition", "We require that", "Requiring the motion to be bounded we take",
+    "The constants are subject to the relation", "Потребуем, чтобы было", "Наложим условие",
+]  # fmt: skip
+SAID = [
+    r"Suppose that \eqref{case} and \eqref{set} hold. The motion is a rotation then. Therefore",
+    r"Let \eqref{case}, \eqref{set} be satisfied. We find that",
+    r"Under the conditions \eqref{case} and \eqref{set} we have",
+    r"Assume \eqref{case} and \eqref{set}. Nothing else is needed. Consequently",
+    r"Пусть выполнены \eqref{case} и \eqref{set}. Движение простое. Поэтому",
+]
+TRUE = [r"a\dot x^2+b\dot y^2=a^3(y^2-x^2)+z", r"\dot x^2+\dot y^2=a^2(x^2+y^2)+z"]
+FALSE = [r"\dot x^2+\dot y^2=a^2(x^2-y^2)+z", r"x\dot x+y\dot y=axy+z"]
+TEXTS = [
+    (HOLDS.replace("{IMPOSED}", one).replace("{SAID}", said).replace("{CLAIM}", claim), claim, true)
+    for one in IMPOSED
+    for said in SAID
+    for claims, true in ((TRUE, True), (FALSE, False))
+    for claim in claims
+]
+
+
+@pytest.mark.parametrize(("text", "claim", "true"), sampled(TEXTS, 5))
+def test_what_is_cited_as_supposed_is_in_force_to_the_end_of_the_section(text, claim, true):
+    found = verdicts(text)[claim]
+    assert found.green == true and (found != Verdict.REFUTED or not true)
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        r"The relation \eqref{case} has been studied before. Therefore",
+        r"Suppose that \eqref{set} holds. Therefore",
+        r"We do not suppose \eqref{case} and \eqref{set}. Still",
+    ],
+)
+def test_what_is_only_cited_or_not_all_of_it_proves_nothing(said):
+    text = HOLDS.replace("{IMPOSED}", IMPOSED[0]).replace("{SAID}", said)
+    found = verdicts(text.replace("{CLAIM}", TRUE[1]))[TRUE[1]]
+    assert not found.green
+
+
+def test_what_is_supposed_in_another_section_is_not():
+    text = HOLDS.replace("{IMPOSED}", IMPOSED[0]).replace(
+        "{SAID}", rf"{SAID[0]} $x=x$. \section{{All}} Thus"
+    )
+    assert not verdicts(text.replace("{CLAIM}", TRUE[1]))[TRUE[1]].green
+
+
+UNDER = r"""The motion is $$\dot x=y,\quad \dot y=-kx-cy.$$ Suppose that \begin{equation}\label{none} c=0.
+\end{equation} Put $F=y^2+kx^2$. {SAID} $\dot F={RATE}$."""
+
+
+@pytest.mark.parametrize(
+    ("said", "rate", "green"),
+    [
+        (r"Under the condition \eqref{none} we see", "0", True),
+        (r"Under condition \eqref{none}", "0", True),
+        (r"При условии \eqref{none}", "0", True),
+        (r"Under the condition \eqref{none}", "y", False),
+        (r"При условии \eqref{none}", "x", False),
+        (r"The condition", "0", False),
+    ],
+)
+def test_behind_a_condition_that_is_cited_stands_what_holds_under_it(said, rate, green):
+    found = verdicts(UNDER.replace("{SAID}", said).replace("{RATE}", rate))
+    assert found.get(rf"\dot F={rate}", Verdict.UNDECIDED).green == green
+
+
+def test_words_that_contain_another_one_deny_nothing():
+    text = r"Движение есть $$\dot x=y,\quad \dot y=-x.$$ После несложных преобразований $\dot x^2=y^2$."
+    assert [one.green for one in verdicts(text).values()] == [True]
