@@ -176,6 +176,14 @@ _MOVES = re.compile(
 """Words for how a body moves."""
 
 
+_FOLLOWS = re.compile(
+    r"\b(?:substitut\w+|eliminat\w+|differentiat\w+|see|follows?|hence|therefore|thus|consequently"
+    r"|подстав\w+|исключ\w+|дифференцир\w+|видим|следует|отсюда|поэтому|следовательно)\b",
+    re.IGNORECASE,
+)
+"""Words that derive equations from those before."""
+
+
 class _LawFinder:
     """The equations with rates of a paper, and which of them belong together."""
 
@@ -418,7 +426,8 @@ class _LawFinder:
         rated, named = {*law.variables}, {*self.names.scalars(law.mentions)}
         met = {name for one in self.paper.items if one.typed.start < begins for name in one.names}
         anew = bool(said or (named - met and cue("system", item.before)))
-        anew = anew or self._is_of_new_constants(law, part, named - met)
+        if not _FOLLOWS.search(item.before):
+            anew = anew or self._is_of_new_constants(law, part, named - met)
         deduced = cue("deduced", item.before) and not anew
         printed = {row.formula for one in part for row in one.rows}
         if named & old - rated or (deduced and rated <= old):

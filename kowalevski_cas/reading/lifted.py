@@ -90,8 +90,8 @@ def goes_on(one: SourceStatement, item: SourceStatement, special: bool, prose: P
         return True
     if one.theorem is not None and one.theorem == item.theorem:
         return True
-    lasts = one.theorem is not None or one.entry is not None or _FOR_LONG.search(one.before)
-    lasts = lasts or bool(cue("in this part", one.before))
+    begun = _FOR_LONG.search(one.before) or cue("in this part", one.before)
+    lasts = one.theorem is not None or one.entry is not None or begun
     alone = _EXERCISE.match(prose.text, one.paragraph)
     if lasts and not (_NOT_HERE.search(one.words) or alone):
         return True
