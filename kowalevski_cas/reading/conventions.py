@@ -15,6 +15,7 @@ from kowalevski_cas.paper.unit_matrices import unit_matrices
 from kowalevski_cas.reading.brackets import brackets_by_functions
 from kowalevski_cas.reading.brackets_of_momenta import brackets_by_momenta
 from kowalevski_cas.reading.canonical import momenta
+from kowalevski_cas.reading.distances import distances
 from kowalevski_cas.reading.inertia import tensors_of_inertia
 from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.known import CONVENTION, UNIT_MATRIX, Known, StatementRole
@@ -90,6 +91,7 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
     yield from _along_axes(known, suffix)
     yield from _matrices_of_elements(known, suffix)
     yield from tensors_of_inertia(known, suffix)
+    yield from distances(known, suffix)
     yield from _components(known, suffix)
     yield from levels_apart(known, suffix)
     yield from values_in_words(known)

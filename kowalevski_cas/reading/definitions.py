@@ -20,6 +20,7 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.paper.names import head
 from kowalevski_cas.reading.brackets import OF_FUNCTIONS
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.distances import twin
 from kowalevski_cas.reading.fresh import (
     is_called_constant,
     is_constant_behind,
@@ -169,7 +170,7 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(CLAIM, why, "identity", (*fresh,))
     if role := _level(item, known, fresh, others):
         return role
-    return StatementRole(
+    return twin(fresh[0], item, known) or StatementRole(
         DEFINITION, f"first with {plain(fresh[0])} alone on a side", "", tuple(fresh)
     )
 
@@ -307,7 +308,7 @@ def square(item: SourceStatement, known: Known) -> StatementRole | None:
             "integral",
             (*fresh,),
         )
-    return StatementRole(
+    return twin(fresh[0], item, known) or StatementRole(
         DEFINITION,
         f"first with the square of {plain(fresh[0])} alone on a side",
         "square",

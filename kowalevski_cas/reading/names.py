@@ -24,6 +24,7 @@ def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
     :math:`\mathbf r=(x,y,z)` names them; other vectors have as many, called after the letter with
     numbers, as are printed of any of them, and three if there are vector products. Where
     :math:`p_x` is printed, it is a component of :math:`\mathbf p`; a point has its coordinates.
+    The distance :math:`r_{12}` of two points is no component of :math:`\mathbf r_1`.
     """
     found = dict(_components_in_words(paper))
     lengths: dict[str, int] = {}
@@ -31,6 +32,8 @@ def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
         lengths |= members_of_spaces(item.typed.tex)
     nodes = [n for item in paper.items if item.formula is not None for n in item.formula.nodes()]
     names = {node.name for node in nodes if isinstance(node, Name)}
+    apart = _of_pairs(paper, names)
+    names -= apart
     for item in paper.items:
         match item.members:
             case (Name(name), Vector(entries)) if name in paper.words.vectors:
@@ -51,16 +54,49 @@ def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
     for name in sorted(paper.words.vectors - found.keys()):
         size = lengths.get(name, max(sizes))
         found[name] = tuple(symbol(name).component(k).name for k in range(1, 1 + size))
-    return _each_with_its_own(found)
+    return _each_with_its_own(found, apart)
 
 
-def _each_with_its_own(vectors: Mapping[str, tuple[str, ...]]) -> dict[str, tuple[str, ...]]:
-    r"""The vectors, of which none has a component of another one.
+def _of_pairs(paper: SourcePaper, names: Collection[str]) -> set[str]:
+    r"""The names with two numbers that belong to two vectors with one: their distances, or others.
+
+    So is :math:`r_{12}` beside :math:`\mathbf r_1,\mathbf r_2` where it is given by both of them,
+    is the length of :math:`\mathbf r_{12}`, or where no :math:`r_{11}` is printed.
+    """
+    printed = {name: symbol(name) for name in paper.words.vectors & {*names}}
+    numbers = {parts.index for parts in printed.values() if len(parts.index) == 1}
+    letters = {replace(own, index="").without_type for own in printed.values()}
+    pairs = {
+        name: [replace(parts, index=one) for one in parts.index]
+        for name, parts in ((name, symbol(name)) for name in names)
+        if len(parts.index) == 2 and {*parts.index} <= numbers
+        and replace(parts, index="") in letters
+    }  # fmt: skip
+
+    def vectors(name: str) -> set[str]:
+        return {one for one, own in printed.items() if own.without_type in pairs[name]}
+
+    given = {
+        name
+        for item in paper.items
+        for name in pairs.keys() & {*item.printed.heads.names, *item.printed.heads.squares}
+        if item.members and vectors(name) <= item.names
+    }
+    lengths = {name for name in pairs if symbol(name) in {o.without_type for o in printed.values()}}
+    used = {n for item in paper.items if not isinstance(item.formula, Name) for n in item.names}
+    alike = any(symbol(name).index[0] == symbol(name).index[1] for name in pairs.keys() & used)
+    return {*pairs} if given or lengths or not alike else set()
+
+
+def _each_with_its_own(
+    vectors: Mapping[str, tuple[str, ...]], apart: Collection[str]
+) -> dict[str, tuple[str, ...]]:
+    r"""The vectors, of which none has a component of another one, or a name that stands apart.
 
     A list that shares names with one before defines its vector; a letter in a second type of print
     has components with an accent.
     """
-    taken = set[str]()
+    taken = {*apart}
     found: dict[str, tuple[str, ...]] = {}
     for name, parts in vectors.items():
         own = [symbol(name).component(k) for k in range(1, 1 + len(parts))]
