@@ -89,7 +89,9 @@ def is_constraint(item: SourceStatement, law: Law, known: Known) -> bool:
         return False
     rows = [row for row in law.rows if row.sentence == item.sentence]
     before = [row.typed.end for row in rows if row.order < item.order]
-    if [*_multipliers(law, known)]:
+    if pulling := [*_multipliers(law, known)]:
+        if _is_of_some_motions(item, law, len(pulling), known):
+            return False
         beside = any(row.typed is item.typed for row in law.rows)
         words = known.paper.prose.between(max(before), item.typed.start) if before else ""
         return (
@@ -101,6 +103,35 @@ def is_constraint(item: SourceStatement, law: Law, known: Known) -> bool:
     if before:
         return bool(cue("where", item.lead)) and names <= {*law.variables, *law.mentions}
     return bool(rows) and _says_constraint(item)
+
+
+_SOME_MOTIONS = re.compile(
+    r"\b(?:uniform|stead|stationar|permanent|particular|special|conical|periodic|equilibri|relative\s+rest|at\s+rest)\w*"
+    r"|\b(?:равномерн|стационарн|установивш|перманентн|частн|коническ|периодическ|равновеси|поко)\w*",
+    re.IGNORECASE,
+)
+"""Words for motions that are not all."""
+_CONSTRAINT = re.compile(r"\bconstrain|\bсвяз[ьи]|\bстеснен", re.IGNORECASE)
+
+
+def _is_of_some_motions(item: SourceStatement, law: Law, many: int, known: Known) -> bool:
+    """Whether an equation behind a law is satisfied by some of its motions only.
+
+    Words speak of special motions, or as many constraints as there are multipliers stand before.
+    """
+    rows = law.rows
+    if item.order < max(row.order for row in rows) or any(
+        r.sentence == item.sentence for r in rows
+    ):
+        return False
+    if _CONSTRAINT.search(item.words):
+        return False
+    before = [
+        one
+        for one, role in known.roles.items()
+        if role.kind == CONSTRAINT and one.order < item.order and one.sentence != item.sentence
+    ]
+    return len(before) >= many or bool(_SOME_MOTIONS.search(item.words))
 
 
 def _moving(item: SourceStatement, law: Law, known: Known) -> set[str]:

@@ -3,6 +3,7 @@ r"""Constraints with a printed multiplier: the motion is on them, and the printe
 import pytest
 
 from kowalevski_cas.audit.reading import ReadingSession
+from tests.audit.test_doubted import audited
 from tests.reading.test_reading import reading, verdicts
 from tests.sample import sampled
 
@@ -175,3 +176,31 @@ def test_a_value_of_a_multiplier_at_some_place_leaves_it_one(term, green):
     text = AT_POLES.format(SPHERE.format("bound to", found)).replace("by^2+cz^2)", f"by^2+{term})")
     energy = next(one for tex, one in verdicts(text).items() if tex.startswith("H"))
     assert energy.green == green
+
+
+SPHERE = r"""\section{Equations} A particle moves on the sphere $x^2+y^2+z^2=l^2$. Its equations are
+\begin{equation}\ddot x=\lambda x,\qquad\ddot y=\lambda y,\qquad\ddot z=\lambda z-g.\end{equation}
+The energy \begin{equation}h=\frac12(\dot x^2+\dot y^2+\dot z^2)SIGNgz\end{equation} is constant. """
+
+
+@pytest.mark.parametrize(
+    "special",
+    [
+        r"\section{Cone} On the horizontal circle $z=-l\cos\alpha$ it moves uniformly.",
+        r"\section{Cone} The particle moves uniformly on the circle $z=-\frac12l$.",
+        r"\section{Meridian} There are motions on the great circle $y=0$.",
+        r"\section{Конус} Частица равномерно движется по окружности $z=c$.",
+    ],
+)
+def test_what_special_motions_satisfy_is_no_constraint_of_all(special):
+    for sign, expected in (("+", "conditional"), ("-", "refuted")):
+        found = audited(SPHERE.replace("SIGN", sign) + special)
+        energy = next(one for one in found.formulas if one.tex.strip().startswith("h="))
+        assert energy.verdict == expected
+        assert not any(one.verdict == "refuted" for one in found.formulas if one is not energy)
+
+
+def test_a_constraint_may_stand_behind_the_law():
+    text = r"""The bead has \begin{equation}\ddot x=\lambda x,\qquad\ddot y=\lambda y-g.\end{equation}
+    It moves on the circle $x^2+y^2=1$. The energy $h=\frac12(\dot x^2+\dot y^2)+gy$ is constant."""
+    assert [one.verdict for one in audited(text).formulas if one.claims] == ["conditional"]
