@@ -238,6 +238,11 @@ class _Ladder(RungMaker):
             said = "this is constant along every motion on the set"
             kind = Implication if self._is_rate else FirstIntegral
             yield self.rung(kind, said, self.supposed, given, given=places(given))
+        fixed = [one for one in self.item.members if not self.known.varying(one.names())]
+        if self.item.derives and fixed and not self._is_rate:
+            for assumptions in self.suppositions():  # what is derived may be this by the law
+                says = "this has its constant value along every motion"
+                yield self.rung(Identity, says, assumptions)
 
     def _integral(self, assumptions: list[SourceStatement]) -> Rung:
         """That a function does not move, under some assumptions."""
