@@ -1,8 +1,10 @@
 r"""Numbers for letters that count: what is printed of :math:`N` bodies is read of three.
 
-Where indices are shifted, as in a chain, there are four: of three each is a neighbour of each. A
-letter counts if a range, a sum or a list ends with it, and nothing else is said of it. What is then
-proved holds for this number alone, and the audit says so; what fails for it fails.
+Where indices are shifted, as in a chain, there are four, for of three each is a neighbour of each,
+or more where shifts by two are printed. A letter counts if a range, a sum or a list ends with it,
+and nothing else is said of it. A smaller number is that of the paper where it is given with the
+first range, or throughout; else it is that of a special case. What is then proved holds for this
+number alone, and the audit says so; what fails for it fails.
 """
 
 from __future__ import annotations
@@ -13,6 +15,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from kowalevski_cas.notation.tokens import Token
+from kowalevski_cas.reading.text import Prose
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.tokens import tokens_of
 
@@ -20,7 +23,9 @@ SEVERAL = 3
 """How many bodies there are where a letter says how many."""
 
 LARGEST = 5
-"""No larger number is put for a letter."""
+"""No larger number that is said is put for a letter."""
+LONGEST = 7
+"""No chain is read as longer."""
 
 _LETTER = r"(?P<letter>[A-Za-z])(?![A-Za-z_'(])"
 _DOTS = r"(?:\\[lc]?dots[bcio]?(?![A-Za-z])|\.\.\.)"
@@ -46,6 +51,7 @@ _RUNNING = re.compile(
 )
 """Letters that are indices: they run."""
 _SHIFTED = re.compile(r"_\s*\{\s*([a-z])\s*[+-]\s*\d\s*\}")
+_OFFSET = re.compile(r"_\s*\{\s*([a-z])\s*([+-])\s*(\d)\s*\}")
 _SAID = r"(?<![A-Za-z\\]){}\s*(?P<sign>=|\\geq?(?:slant)?(?![A-Za-z])|>)\s*(?P<number>\d+)"
 _ADDED = r"(?P<before>[_^{{(,=]\s*){}\s*(?P<sign>[+-])\s*(?P<number>\d)(?P<after>\s*[}}),]|\s*$)"
 _MORE = r"""(?x)
@@ -61,6 +67,21 @@ _AS_A_NUMBER = re.compile(
 _PARITY = r"(?:odd|even|prime|неч[её]тн\w*|ч[её]тн\w*)"
 _SOME = rf"(?:{_PARITY}[\s~]*\$\s*{{0}}\b|\$\s*{{0}}\s*\$[\s~]*(?:(?:is|be|are)[\s~]+)?{_PARITY}\b)"
 """Words that say for which numbers only something holds."""
+_CASE = re.compile(
+    r"\b(?:for|if|when|cases?|case\s+of|at|instance|example|при|если|для|когда|случа\w*)[\s~,(]*$",
+    re.IGNORECASE,
+)
+"""How words end that speak of a special case."""
+_THROUGHOUT = re.compile(
+    r"\b(?:throughout|everywhere|always|restrict\w*|confine\w*|limit\s+ourselves|(?:in\s+)?this\s+(?:paper|note|article|work)"
+    r"|всюду|везде|ограничимся|в\s+(?:этой|данной|настоящей)\s+(?:работ|стать|заметк)\w+)\b",
+    re.IGNORECASE,
+)
+"""Words for what holds in a whole paper."""
+_OF_ALL = re.compile(
+    r"(?:\\d{1,3}ot(?![A-Za-z])|\\frac\s*\{\s*(?:d|\\mathrm\s*\{?\s*d)(?![A-Za-z]))[^=]*_\s*\{?\s*[a-z]"
+)
+"""A rate of what has a letter in its index."""
 _SUMS = re.compile(r"\\(?:sum|prod)(?![A-Za-z])")
 _USUAL = "N"
 """The letter that counts also where it is a factor by itself."""
@@ -76,27 +97,75 @@ def counts(formulas: Sequence[TypedFormula], text: str) -> dict[str, int]:
         for letter in (match["below"] or match["letters"]).split(",")
     }
     found = dict.fromkeys(_MODULO.findall(text))
-    for match in (match for tex in texts for end in _ENDS for match in end.finditer(tex)):
-        found[match["letter"] or match["braced"]] = None
+    found |= dict.fromkeys(letter for tex in texts for letter in _ended(tex))
     letters = [letter for letter in found if letter not in running]
     shifted = {letter for tex in texts for letter in _SHIFTED.findall(tex)} - {*letters}
-    numbers = {letter: _number(letter, texts, text, SEVERAL + bool(shifted)) for letter in letters}
+    usual = _without_coincidence(texts) if shifted else SEVERAL
+    numbers = {letter: _number(letter, formulas, text, usual) for letter in letters}
     return {letter: number for letter, number in numbers.items() if number}
 
 
-def _number(letter: str, texts: Sequence[str], text: str, usual: int) -> int:
+def _without_coincidence(texts: Sequence[str]) -> int:
+    r"""How long a chain is read: four, or so long that terms which differ do not coincide.
+
+    So :math:`\sum u_iu_{i+2}` has terms of :math:`u_iu_{i+3}` in its rate, where neighbours are in
+    the law; that and :math:`u_iu_{i+2}` are the same in a closed chain of five.
+    """
+    spans = {True: 1, False: 0}
+    for tex in texts:
+        offsets = [int(sign + number) for _, sign, number in _OFFSET.findall(tex)]
+        span = max([*offsets, 0]) - min([*offsets, 0])
+        moves = _OF_ALL.search(tex) is not None
+        spans[moves] = max(spans[moves], max(map(abs, offsets), default=0) if moves else span)
+    reach = spans[True] + spans[False]
+    return SEVERAL + 1 if reach < SEVERAL else min(2 * reach + 1, LONGEST)
+
+
+def _number(letter: str, formulas: Sequence[TypedFormula], text: str, usual: int) -> int:
     """The number for a letter; 0 if it may be something else.
 
-    Of several numbers that it has in special cases it is the one that is printed most.
+    Of several numbers that it has in special cases it is the one that is printed most, if it is not
+    smaller than the usual one.
     """
+    texts = [formula.tex for formula in formulas]
     if any(_is_more(letter, tex) for tex in texts) or re.search(_SOME.format(letter), text):
         return 0
     said = [match for tex in texts for match in re.finditer(_SAID.format(letter), tex)]
     exact = Counter(int(match["number"]) for match in said if match["sign"] == "=")
-    del exact[1]
+    for small in [number for number in exact if number < usual]:
+        if small == 1 or not _is_given(letter, small, formulas, text):
+            del exact[small]
     least = [int(m["number"]) + (m["sign"] == ">") for m in said if m["sign"] != "="]
     number = exact.most_common(1)[0][0] if exact else max([usual, *least])
-    return number if 1 < number <= LARGEST else 0
+    return number if 1 < number <= max(LARGEST, usual) else 0
+
+
+def _is_given(letter: str, number: int, formulas: Sequence[TypedFormula], text: str) -> bool:
+    """Whether words give a letter a number for all that is said, and not for a special case.
+
+    They do so before the first equations of motion, or sums, for all indices, or where none is.
+    """
+    general = [one for one in formulas if _OF_ALL.search(one.tex)]
+    general = general or [one for one in formulas if _SUMS.search(one.tex)]
+    if not general:
+        return True
+    prose = Prose(text, 0, formulas)
+    first = prose.sentence(general[0].start)
+    for one in formulas:
+        if (match := re.search(_SAID.format(letter), one.tex)) and int(match["number"]) == number:
+            start, end = prose.sentence(one.start)
+            words = prose.between(start, one.start)
+            here = prose.path(one.start)[-1] in prose.path(first[0])
+            before = here and start < first[0] and not _CASE.search(words)
+            if (start, end) == first or before or _THROUGHOUT.search(prose.between(start, end)):
+                return True
+    return False
+
+
+def _ended(tex: str) -> Iterator[str]:
+    """The letters with which ranges, sums and lists end in a formula."""
+    for match in (match for end in _ENDS for match in end.finditer(tex)):
+        yield match["letter"] or match["braced"]
 
 
 def _is_more(letter: str, tex: str) -> bool:

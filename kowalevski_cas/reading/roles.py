@@ -43,6 +43,7 @@ from kowalevski_cas.reading.letters_of_vectors import members_of_spaces
 from kowalevski_cas.reading.levels import level
 from kowalevski_cas.reading.linear_parts import eigenvalue, linear_part, trace_or_determinant
 from kowalevski_cas.reading.obey import said_role
+from kowalevski_cas.reading.other_numbers import other_number
 from kowalevski_cas.reading.phrases import (
     DENIES_ALL,
     VERB,
@@ -132,18 +133,7 @@ def unread(item: SourceStatement, known: Known) -> StatementRole | None:
 
 def of_other_number(item: SourceStatement, known: Known) -> StatementRole | None:
     """What is said for another number of what a letter counts than the paper is read for."""
-    numbers, said = known.paper.numbers, ""
-    if known.law_of(item) is not None:
-        return None
-    for one in known.special_numbers:
-        if one.sentence == item.sentence or (
-            one.paragraph == item.paragraph and one.order < item.order
-        ):
-            name, number = one.bare[0], numbers[one.bare[0]]
-            other = Number(number) not in one.members
-            said = (
-                f"said for {one.typed.tex.strip(' .,')}, not for {name}={number}" if other else ""
-            )
+    said = other_number(item, known) if known.law_of(item) is None else ""
     return StatementRole(OTHER, said, "asked") if said else None
 
 

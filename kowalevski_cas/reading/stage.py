@@ -43,6 +43,7 @@ from kowalevski_cas.reading.free_functions import TIME, names_of, with_free_func
 from kowalevski_cas.reading.kinematics import is_free, refuse_dynamics
 from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, FUNCTION, Known
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.other_numbers import other_number
 from kowalevski_cas.reading.statements import SourceStatement, derived_names
 
 
@@ -266,6 +267,10 @@ class Stage:
         before = [law for law in known.laws if law.first.typed.start <= at.typed.start]
         before = before or known.laws
         fitting = [law for law in before if moved & {*law.variables}]
+        said = {law: other_number(law.first, known) for law in fitting}
+        if fitting and all(said.values()):
+            raise ValueError(f"the equations of motion are {said[fitting[-1]]}")
+        fitting = [law for law in fitting if not said[law]]
         lacking = {law: len(moved - {*law.variables, *law.given}) for law in fitting}
         near = [law for law in fitting if lacking[law] == min(lacking.values())]
         smallest = [law for law in near if law.base not in near] or near

@@ -179,3 +179,69 @@ def test_a_numerator_with_more_than_the_complement_of_delta_is_no_zero():
     found = read(source(r"Let $a_{jk}=\frac{c(1-\delta_{jk})x_j+1}{x_j-x_k}$, $j,k=1,2$."))
     first = found.paper.items[0].formula
     assert {"x_1"} <= first.names()
+
+
+LINE = r"""$n$ particles have $\ddot x_i=\sum_{j\ne i}\frac{1}{(x_i-x_j)^3}$, $i=1,\dots,n$. """
+SOLVED = r"\[\ddot x_1=\frac1{(x_1-x_2)^3},\quad\ddot x_2=\frac1{(x_2-x_1)^3}.\]"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (LINE + r"\section{Two} For $n=2$ they are easy.", 3),
+        (r"\section{Two} For $n=2$ it is easy. \section{Any} " + LINE, 3),
+        ("For $n=2$ it is easy. In general, " + LINE, 3),
+        (r"\section{Two} Let $n=2$. " + SOLVED + r"\section{Any} " + LINE, 3),
+        ("Let $n=2$. " + LINE, 2),
+        (LINE + "Throughout, $n=2$.", 2),
+        (LINE + "В этой работе $n=2$.", 2),
+        (LINE + "Let $n=4$.", 4),
+        (r"Masses $m_1,\dots,m_n$ are given. Let $n=2$. " + SOLVED, 2),
+    ],
+)
+def test_a_small_number_of_a_special_case_is_not_that_of_the_paper(text, expected):
+    assert numbers(text) == {"n": expected}
+
+
+@pytest.mark.parametrize(
+    ("text", "colours"),
+    sampled(
+        [
+            (LINE + r"For $n=2$ they part. In general, $\dot x_1+\dot x_2$ is constant.", "r"),
+            (LINE + r"For $n=2$ they part. In general, $\sum_{i=1}^n\dot x_i$ is constant.", "g"),
+            (LINE + r"For $n=2$ the sum $\dot x_1+\dot x_2$ is constant.", ""),
+            ("We restrict ourselves to $n=2$. " + LINE + r"$\dot x_1+\dot x_2$ is constant.", "g"),
+            (
+                rf"\section{{Any}} {LINE} Here $\sum_i\dot x_i$ is constant."
+                r"\section{Two} Let $n=2$. Then $\dot x_1+\dot x_2$ is constant. It is simple."
+                "\n\n" r"Moreover, $x_1-x_2-\frac t2(\dot x_1-\dot x_2)$ moves, $\ddot x_1=-\ddot x_2$."
+                r"\section{Again} For every $n$ the function $\dot x_1+\dot x_2$ is constant.",
+                "gr",
+            ),
+            (  # the law of two bodies is none of any number
+                rf"\section{{Two}} Let $n=2$. {SOLVED} \section{{Any}} {LINE}"
+                r"The sum $\dot x_1+\dot x_2$ is constant.",
+                "yyyy",
+            ),
+        ],
+        2,
+    ),
+)  # fmt: skip
+def test_what_is_said_of_any_number_is_not_decided_in_a_special_case(text, colours):
+    found = [one.verdict for one in audited(text).formulas if one.claims]
+    seen = {"proved": "g", "conditional": "g", "refuted": "r"}
+    assert "".join(seen.get(verdict, "y") for verdict in found) == colours
+
+
+@pytest.mark.parametrize(
+    ("term", "expected"),
+    [
+        ("u_i", True),
+        (r"\left(\frac13u_i^3+u_iu_{i+1}(u_i+u_{i+1}+u_{i+2})\right)", True),
+        ("u_iu_{i+2}", False),  # it is one of four and of five
+        pytest.param("u_{i-1}u_{i+1}", False, marks=pytest.mark.slow),
+    ],
+)
+def test_a_chain_is_so_long_that_different_terms_do_not_coincide(term, expected):
+    chain = r"The chain $\dot u_i=u_i(u_{i+1}-u_{i-1})$, indices modulo $n$, has for every $n$ the "
+    assert decided(rf"{chain} integral $J=\sum_{{i=1}}^n{term}$.")[0] is expected
